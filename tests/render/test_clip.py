@@ -133,7 +133,8 @@ def test_far_from_the_origin_planes_stand_where_they_are_said() -> None:
     shift = np.array([1e6, 0.0, -2e6])
     box = np.array([[-5.0, 0.0, -5.0], [5.0, 3.0, 5.0], [5.0, 0.0, 5.0]]) + shift
     scene = nf.Scene.from_arrays(box, np.array([[0, 1, 2]], np.uint32))
-    eye = nf.Camera.look_at(shift + [0.0, 1.0, 20.0], shift + [0.0, 1.0, 0.0], fov=nf.Fov.symmetric(40), size=(64, 64))
+    place, target = np.add(shift, (0.0, 1.0, 20.0)), np.add(shift, (0.0, 1.0, 0.0))
+    eye = nf.Camera.look_at(place, target, fov=nf.Fov.symmetric(40), size=(64, 64))
     frame = nf.render(scene, eye, clip=nf.Clip(planes=[(1.0, 0.0, 0.0, -shift[0])]), channels=("position",))
     x = (frame.require("position") + frame.origin)[..., 0] - shift[0]
     assert np.nanmin(x) > -0.2

@@ -24,8 +24,8 @@ class Clip:
         Half-spaces (N, 4), as (n_x, n_y, n_z, d) in world axes and metres: points x with n·x + d ≥ 0 are seen. n may
         have any length but 0.
     box
-        World positions (2, 3) of the least and the greatest corner of a box with sides along the axes, metres: points in
-        it are seen; None for no box.
+        World positions (2, 3) of the least and the greatest corner of a box with sides along the axes, metres: points
+        in it are seen; None for no box.
 
     Raises
     ------

@@ -74,8 +74,8 @@ class InPictures:
             Limits in metres of the displayed distance along each pixel's ray, for near geometry and moving objects. The
             map is drawn only if `t_max` is infinite and its range, where it has one, is at least `t_min`.
         clip
-            Planes and a box outside of which nothing is seen, by where it is shown. The map is drawn only where no plane
-            cuts the ray off.
+            Planes and a box outside of which nothing is seen, by where it is shown. The map is drawn only where no
+            plane ends the ray.
         samples
             Number of colour samples of each pixel; all other images are sampled once, at the pixel's centre.
         channels
@@ -131,8 +131,8 @@ class InPictures:
             For arguments out of their domains; for range, position or object_id of a map without range or object_id;
             for `env` False after `load`, because far geometry is not saved; for parallel rays with a map or bent rays,
             which both belong to one eye; for "exact" with "gpu" or a `user` apart from the camera; for limits of
-            rays and `clip` with "exact" or `env` False; for a `radius` beyond r2, or with the conventional method; and for a
-            `conventional_dynamic` other than "center" with a morph.
+            rays and `clip` with "exact" or `env` False; for a `radius` beyond r2, or with the conventional method; and
+            for a `conventional_dynamic` other than "center" with a morph.
         DeviceError
             As in `render`.
         """

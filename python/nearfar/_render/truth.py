@@ -76,7 +76,8 @@ def render(
         edge passes within 1/256 of a pixel of its centre, either face may be shown, and the GPU draws nothing nearer
         than a micrometre. With 4 samples most adapters use their own multisampling, which finds a face for each sample
         and shades each face once, at the pixel's centre; edges and textures then differ by tens of 8-bit codes in
-        single pixels. With other numbers, with OpenGL, for limits of rays and with `clip`, adapters use the tracer's samples.
+        single pixels. With other numbers, with OpenGL, for limits of rays and with `clip`, adapters use the tracer's
+        samples.
 
     Raises
     ------
