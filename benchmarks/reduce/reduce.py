@@ -59,7 +59,8 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
         ("blend, edges within half a pixel", "blend", {}),
         ("cylinder, edges within half a pixel", "cylinder", {}),
         ("blend, bent rays within a tenth of a pixel", "blend", {"method": "exact"}),
-        ("the same without a map", "blend", {"method": "exact", "env": False}),
+        ("blend, bent rays within a fiftieth of a pixel", "blend", {"method": "exact", "tolerance_px": 0.02}),
+        ("bent rays within a tenth without a map", "blend", {"method": "exact", "env": False}),
     ]
     for method, morph, how in jobs:
         reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=512, samples=1, morph=morph)

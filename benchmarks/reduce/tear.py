@@ -54,51 +54,53 @@ def views(center: Point, seed: int) -> Iterator[nf.Camera]:
         yield nf.Camera.look_at(user, toward, fov=fov, size=(width, round(width * 9 / 16)))
 
 
-def measured(reduced: nf.ReducedScene, camera: nf.Camera, *, surfaces: bool) -> list[nf.BoundaryTear]:
-    """Tears of the conventional and of the continuous picture, with a far part of unlimited resolution."""
-    found = []
+def pictures(reduced: nf.ReducedScene, camera: nf.Camera) -> list[nf.Frame]:
+    """Positions of the conventional and of the continuous picture, with a far part of unlimited resolution."""
+    frames = []
     for morph, method in (("none", "auto"), ("blend", "exact")):
         how: dict[str, Any] = {"method": method, "env": False, "channels": ("position",)}
-        frame = reduced.with_morph(morph).render(camera, **how)
-        found.append(nf.boundary_tear(frame, center=reduced.center, radius=reduced.r2, surfaces=surfaces))
-    return found
+        frames.append(reduced.with_morph(morph).render(camera, **how))
+    return frames
+
+
+def measured(reduced: nf.ReducedScene, frames: list[nf.Frame], *, surfaces: bool) -> list[nf.BoundaryTear] | None:
+    """Tears of both pictures; None if too little of the boundary is in view."""
+    where: dict[str, Any] = {"center": reduced.center, "radius": reduced.r2, "surfaces": surfaces}
+    both = [nf.boundary_tear(frame, **where) for frame in frames]
+    is_seen = all(one.tear is not None and _count(one) >= LEAST_EDGE[surfaces] for one in both)
+    return both if is_seen else None
 
 
 def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> str:
     """Table of both methods at 30 and 50 m, and at the chosen radii; means over all pixels of all views."""
     chosen = nf.choose_radii(scene, center, r2=50.0, reach=REACH)
     rows = []
-    for r1, surfaces in ((30.0, False), (chosen.r1, False), (30.0, True), (chosen.r1, True)):
+    for r1 in (30.0, chosen.r1):
         reduced = nf.reduce(scene, center=center, r1=r1, r2=50.0, face_size=16, samples=1)
-        taken: list[list[nf.BoundaryTear]] = []
+        taken: dict[bool, list[list[nf.BoundaryTear]]] = {False: [], True: []}
         for camera in views(center, seed):
-            both = measured(reduced, camera, surfaces=surfaces)
-            if all(one.tear is not None and one.pixels * (one.shared or 0.0) >= LEAST_EDGE[surfaces] for one in both):
-                taken.append(both)
-            if len(taken) == count:
+            frames = pictures(reduced, camera)
+            for surfaces, found in taken.items():
+                both = measured(reduced, frames, surfaces=surfaces)
+                if both is not None:
+                    found.append(both)
+            if len(taken[False]) == count:
                 break
-        if not taken:
-            rows.append([f"{r1:.3g}, 50", _PLACES[surfaces], "0", *["–"] * 5])
-            continue
-        pixels, tear, kink = (np.array([[get(one) for one in both] for both in taken]) for get in _PARTS)
-        mean = (tear * pixels).sum(axis=0) / pixels.sum(axis=0)
-        bend = (kink * pixels).sum(axis=0) / pixels.sum(axis=0)
-        shares = np.sort(tear[:, 0] / tear[:, 1])
-        rows.append(
-            [f"{r1:.3g}, 50", _PLACES[surfaces], f"{len(taken)}", f"{mean[0]:.3g}", f"{mean[1]:.3g}", f"{bend[1]:.2g}",
-             f"{mean[0] / mean[1]:.3g}", f"{shares[0]:.2g} to {shares[-1]:.2g}"]
-        )  # fmt: skip
-    header = [
-        "r₁, r₂, m",
-        "where",
-        "views",
-        "conventional, px",
-        "continuous, px",
-        "of which kink",
-        "ratio",
-        "ratio by view",
-    ]
-    return table(f"Tear along r₂, {name}, {DENSITY:g} pixels a degree", header, rows)
+        rows += [_row(r1, surfaces, found) for surfaces, found in taken.items()]
+    header = ["r₁, r₂, m", "where", "views", "conventional, px", "continuous, px", "of which kink", "ratio"]
+    return table(f"Tear along r₂, {name}, {DENSITY:g} pixels a degree", [*header, "ratio by view"], rows)
+
+
+def _row(r1: float, surfaces: bool, taken: list[list[nf.BoundaryTear]]) -> list[str]:
+    if not taken:
+        return [f"{r1:.3g}, 50", _PLACES[surfaces], "0", *["–"] * 5]
+    pixels, tear, kink = (np.array([[get(one) for one in both] for both in taken]) for get in _PARTS)
+    mean = (tear * pixels).sum(axis=0) / pixels.sum(axis=0)
+    bend = (kink * pixels).sum(axis=0) / pixels.sum(axis=0)
+    shares = np.sort(tear[:, 0] / tear[:, 1])
+    spread = f"{shares[0]:.2g} to {shares[-1]:.2g}"
+    values = [f"{mean[0]:.3g}", f"{mean[1]:.3g}", f"{bend[1]:.2g}", f"{mean[0] / mean[1]:.3g}", spread]
+    return [f"{r1:.3g}, 50", _PLACES[surfaces], f"{len(taken)}", *values]
 
 
 def _count(one: nf.BoundaryTear) -> float:
