@@ -14,7 +14,7 @@ from tests.support import need
 
 SEED = int(os.environ.get("NEARFAR_ATTACK_SEED", "19"))
 
-CASES = int(os.environ.get("NEARFAR_ATTACK_CASES", "60"))
+CASES = int(os.environ.get("NEARFAR_ATTACK_CASES", "40"))
 """Cases of a kind with share 1."""
 
 GROUPS = ("scene gl", "scene obj", "scene ", "saved ", "arguments", "interrupts", "")

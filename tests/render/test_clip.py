@@ -87,13 +87,9 @@ def test_reduced_scenes_are_cut_where_they_are_shown(name: str, kind: str) -> No
     kept = is_kept(clip, np.where(hit[..., None], shown, 0.0), 0.02)
     assert kept[hit].all()
     # What is kept and not behind something that is cut off is there.
-    whole = reduced.render(eye, channels=ALL[:3], method="vertex")
+    whole = reduced.render(eye, channels=ALL[:4], method="vertex")
     at = whole.require("range")[..., None] * eye.rays()[1] + np.array(eye.position)
-    near = (
-        np.isfinite(whole.require("range")) & (whole.require("face_id") >= 0)
-        if "face_id" in whole.channels
-        else (np.isfinite(whole.require("range")) & (whole.require("range") < 40.0))
-    )
+    near = whole.require("face_id") >= 0
     inside = near & is_kept(clip, np.where(near[..., None], at, 0.0), -0.02)
     np.testing.assert_allclose(frame.require("range")[inside], whole.require("range")[inside], rtol=1e-4)
     assert hit.any()

@@ -96,7 +96,11 @@ mod tests {
                 assert!(!inside || frustum.sees(&spot), "{projection:?} {point}");
                 let close = (point - camera.position).length() < 4.0;
                 assert!(!(inside && close) || near.sees(&spot), "{projection:?} {point}");
-                assert_eq!(above.sees(&spot), frustum.sees(&spot) && point.as_vec3().y >= 1.0, "{projection:?} {point}");
+                assert_eq!(
+                    above.sees(&spot),
+                    frustum.sees(&spot) && point.as_vec3().y >= 1.0,
+                    "{projection:?} {point}"
+                );
                 culled += u32::from(frustum.sees(&spot) && !near.sees(&spot));
                 seen += u32::from(inside);
                 unseen += u32::from(!frustum.sees(&spot));
