@@ -159,6 +159,6 @@ def test_bent_rays_and_a_traced_far_part_take_no_planes() -> None:
     clip = CLIPS["a box"]
     for how in ({"method": "exact"}, {"env": False, "method": "vertex"}):
         with pytest.raises(ValueError, match="clip: expected None with"):
-            reduced.render(view(), clip=clip, **how)  # type: ignore[arg-type]
+            reduced.render(view(), clip=clip, **how)
     with pytest.raises(TypeError, match="clip: expected a Clip"):
         nf.render(street(), view(), clip=[(1, 0, 0, 0)])  # type: ignore[arg-type]
