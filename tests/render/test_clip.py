@@ -142,7 +142,7 @@ def test_far_from_the_origin_planes_stand_where_they_are_said() -> None:
     [
         ({"planes": [(1, 0, 0, 1)] * 9}, "planes: expected at most 8 half-spaces, of which a box takes six, got 9"),
         ({"planes": [(1, 0, 0, 1)] * 3, "box": [(0, 0, 0), (1, 1, 1)]}, "planes: expected at most 8"),
-        ({"planes": [(0, 0, 0, 1)]}, "planes: expected a normal of length above 0"),
+        ({"planes": [(0, 0, 0, 1)]}, "planes: expected normals of length above 0"),
         ({"planes": [(1, 0, 0)]}, "planes: expected"),
         ({"planes": [(1, 0, 0, math.nan)]}, "planes: expected"),
         ({"box": [(0, 0, 0), (1, 0, 1)]}, "box: expected its least and its greatest corner"),

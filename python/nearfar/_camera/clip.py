@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,25 +33,24 @@ class Clip:
         box whose corners are not in order.
     """
 
-    planes: Iterable[ArrayLike] = ()
+    planes: ArrayLike = ()
     box: ArrayLike | None = None
 
     def __post_init__(self) -> None:
-        rows = [_plane(plane) for plane in check.iterable("planes", self.planes, "half-spaces of four numbers")]
-        object.__setattr__(self, "planes", tuple(rows))
+        object.__setattr__(self, "planes", tuple(map(tuple, _planes(self.planes).tolist())))
         if self.box is not None:
             corners = check.array("box", self.box, columns=3, dtype=np.float64, finite=True)
             if corners.shape != (2, 3) or not (corners[0] < corners[1]).all():
                 raise ValueError(f"box: expected its least and its greatest corner, got {check.shown(self.box)}")
             object.__setattr__(self, "box", tuple(map(tuple, corners.tolist())))
-        if len(self.half_spaces) > MOST:
-            count = len(self.half_spaces)
+        count = len(self.half_spaces)
+        if count > MOST:
             raise ValueError(f"planes: expected at most {MOST} half-spaces, of which a box takes six, got {count}")
 
     @property
     def half_spaces(self) -> NDArray[np.float64]:
         """All half-spaces (N, 4), those of the box at the end."""
-        rows = [list(plane) for plane in self.planes]  # type: ignore[arg-type]
+        rows = np.asarray(self.planes, np.float64).reshape(-1, 4).tolist()
         if self.box is not None:
             low, high = np.asarray(self.box, np.float64)
             for axis, normal in enumerate(np.eye(3).tolist()):
@@ -60,9 +58,16 @@ class Clip:
         return np.asarray(rows, np.float64).reshape(-1, 4)
 
 
-def _plane(value: ArrayLike) -> tuple[float, float, float, float]:
-    numbers = check.array("planes", np.reshape(np.asarray(value), (1, -1)), columns=4, dtype=np.float64, finite=True)
-    x, y, z, d = (float(number) for number in numbers[0])
-    if x == y == z == 0.0:
-        raise ValueError(f"planes: expected a normal of length above 0, got {check.shown(value)}")
-    return x, y, z, d
+def _planes(value: ArrayLike) -> NDArray[np.float64]:
+    """Half-spaces (N, 4), N at most `MOST`; an empty sequence has none."""
+    plain = check.plain("planes", value)
+    if plain.size == 0:
+        return np.empty((0, 4))
+    if plain.ndim != 2 or plain.shape[1] != 4:
+        raise ValueError(f"planes: expected half-spaces of four numbers, got shape {plain.shape}")
+    if len(plain) > MOST:
+        raise ValueError(f"planes: expected at most {MOST} half-spaces, of which a box takes six, got {len(plain)}")
+    rows = check.array("planes", plain, columns=4, dtype=np.float64, finite=True)
+    if (rows[:, :3] == 0.0).all(axis=1).any():
+        raise ValueError(f"planes: expected normals of length above 0, got {check.shown(value)}")
+    return rows
