@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import pickle
 from typing import Any
 
 import numpy as np
@@ -268,3 +269,10 @@ def test_wrong_arguments_are_named() -> None:
             call()
     with pytest.raises(TypeError, match="hmd: expected an Hmd"):
         HybridRig.of("quest", mono_plane=8.0)  # type: ignore[arg-type]
+
+
+def test_rigs_can_be_pickled() -> None:
+    rig = vive((6.0, 8.0))
+    again = pickle.loads(pickle.dumps(rig))
+    assert again == rig
+    assert again.center_fov == rig.center_fov

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from nearfar._base import check
-from nearfar.hmd._eye import rotation
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._rig import AXES, HybridRig
 
@@ -79,7 +76,8 @@ def _for_kink(hmd: Hmd, size: tuple[int, int] | None, bend: float, slope: float)
     if not 0.0 < bend < 90.0:
         raise ValueError(f"kink_deg: expected an angle between 0 and 90 degrees, got {bend:g}")
     rig = HybridRig.of(hmd, mono_plane=1.0, size=size)
-    greatest = max(_offset(rig, eye, x, y) for eye in EYES for x, y in _corners(rig, eye))
+    # At m = 1 and for infinitely far points the error, in tangents, is E.
+    greatest = max(math.dist(rig.shown(eye, at), at) for eye in EYES for at in _corners(rig, eye))
     return max(greatest / (slope * math.sin(math.radians(bend))) - rig.center_offset, NEAREST)
 
 
@@ -105,12 +103,3 @@ def _for_error(hmd: Hmd, size: tuple[int, int] | None, error: float, depth: floa
 def _corners(rig: HybridRig, eye: str) -> list[tuple[float, float]]:
     fov = getattr(rig, eye).fov
     return [(x, y) for x in (fov.left, fov.right) for y in (fov.down, fov.up)]
-
-
-def _offset(rig: HybridRig, eye: str, x: float, y: float) -> float:
-    """E at the tangents (x, y) of an eye, metres: |a s − p|, with a in head axes."""
-    chosen = getattr(rig, eye)
-    way = rotation(chosen.orientation) @ np.array([x, y, -1.0])
-    position = np.subtract(chosen.position, rig._core.middle)
-    at = way[:2] / -way[2]
-    return float(np.hypot(*(at * rig.center_offset - position[:2])))

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, memory
+from nearfar._base.pickling import WithTwin
 from nearfar._camera.camera import Camera, Fov, quaternion
 from nearfar.hmd._eye import Eye, rotation, turned
 from nearfar.hmd._hmd import EYES, Hmd
@@ -23,7 +24,7 @@ UNITS = ("pixels", "arcmin")
 
 
 @dataclass(frozen=True, kw_only=True)
-class HybridRig:
+class HybridRig(WithTwin):
     """Two eyes and a third camera behind them, whose picture both share beyond the mono plane.
 
     The plane lies `mono_plane` metres ahead of the plane of the eyes, in head axes, whichever way the eyes are turned.
@@ -65,8 +66,8 @@ class HybridRig:
             check.instance(side, getattr(self, side), Eye, "Eye")
         object.__setattr__(self, "mono_plane", _plane(self.mono_plane))
         object.__setattr__(self, "size", check.size("size", self.size))
-        # Making it checks the rest.
-        assert self._core.center_size
+        # Making it checks the rest, at once rather than on first use.
+        _ = self._core
 
     @classmethod
     def of(cls, hmd: Hmd, *, mono_plane: float | tuple[float, float], size: tuple[int, int] | None = None) -> HybridRig:
