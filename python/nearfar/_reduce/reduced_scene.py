@@ -225,11 +225,11 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         """
         if self._boundary == "r1":
             raise ValueError(f"r1: expected {self.r1:g}, from which the map was baked, got {check.number('r1', r1):g}")
-        zones = partition(self._unposed, center=self.center, r1=r1, r2=self.r2)
+        zones = partition(self._undivided, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
         counts = zones.summary()
         # Triangles beyond r2 are those that were baked, also where only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
-        changed = self._with(self._unposed, zones, self._counts | inner)
+        changed = self._with(zones.scene, zones, self._counts | inner)
         return changed.at(self._poses) if self._poses else changed
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
@@ -284,13 +284,18 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
             is_whole=False,
         )
 
+    @property
+    def _undivided(self) -> Scene:
+        """The scene as it was before near objects became moving ones."""
+        return self._partition.source if self._partition.unit == "object" else self._unposed
+
     def _again(self, baking: Baking, **changed: Any) -> ReducedScene:
         """Reduce the scene again in the same pose, about another `center` or with another `r1` and `r2`."""
         place: dict[str, Any] = {"center": self.center, "r1": self.r1, "r2": self.r2, **changed}
-        source, unit = self._unposed, self._partition.unit
-        if unit == "object":
-            source = self._partition.source
-        parts = stages.parts(source, **place, unit=unit, boundary=self._boundary, **baking.arguments(source))
+        source = self._undivided
+        parts = stages.parts(
+            source, **place, unit=self._partition.unit, boundary=self._boundary, **baking.arguments(source)
+        )
         again = ReducedScene(**parts, morph=self._morph, boundary=self._boundary, baking=baking)
         again = again._drawn_by(self._drawing)
         return again.at(self._poses) if self._poses else again
