@@ -13,9 +13,9 @@ import os, sys
 nf.gpu.select({name!r})
 from nearfar._render import backend as backends
 large = nf.Camera((0, 1.3, 1), fov=nf.Fov.symmetric(60), size=(800, 800))
-settings = dict(channels=["color", "position", "normal"], samples=1)
+settings = nf.Shot(cameras=(large,), channels=("color", "position", "normal")).settings
 device = backends.opened()
-jobs = [device.truth(scene._core, large._core, **settings) for _ in range({count})]
+jobs = [device.truth(scene._core, large._core, settings) for _ in range({count})]
 """
 
 ENDS = {

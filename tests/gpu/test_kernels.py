@@ -41,7 +41,8 @@ def view(aside: float = 0.0, size: tuple[int, int] = (96, 60)) -> nf.Camera:
 def test_a_kept_frame_is_the_one_that_is_read_back(device: _core.GpuDevice) -> None:
     scene, shot = street(), view()
     core = core_of(scene)
-    expected = device.truth(core, shot._core, channels=list(CHANNELS), samples=4).finish()
+    settings = nf.Shot(cameras=(shot,), channels=CHANNELS, samples=4).settings
+    expected = device.truth(core, shot._core, settings).finish()
     device_frame = gpu.render(scene, shot, channels=CHANNELS, samples=4)
     for _ in range(2):
         frame = device_frame.read()

@@ -33,7 +33,7 @@ RUST_STAGES: dict[str, set[str]] = {
     "bend": {"base", "morph"},
     "tessellate": {"base", "scene", "morph"},
     "render": {"base", "scene", "camera", "cubemap", "trace", "partition", "morph", "bend", "tessellate"},
-    "stereo": {"base", "camera"},
+    "stereo": {"base", "scene", "camera", "trace", "render"},
     "exr": {"base"},
     "metrics": {"base", "camera"},
     "bounds": {"base"},

@@ -33,7 +33,7 @@ STAGES: dict[str, set[str]] = {
     "_reduce": {"_bend", "_camera", "_cubemap", "_metrics", "_morph", "_partition", "_render", "_scene", "_trace"},
     "_lens": {"_camera", "_render"},
     "hmd": {"_camera", "_lens", "_render"},
-    "stereo": {"_camera", "_render", "hmd"},
+    "stereo": {"_camera", "_render", "_scene", "hmd"},
     "gpu": {"_camera", "_metrics", "_morph", "_render"},
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
 }

@@ -38,6 +38,9 @@ def full(camera: nf.Camera = CAMERA) -> nf.Frame:
         face_id=ids.astype(np.int64) * 12_345_678_901,
         position=position.astype(np.float32),
         normal=noise,
+        albedo=np.abs(noise[::-1]).copy(),
+        shading_normal=noise[:, ::-1].copy(),
+        coverage=np.abs(noise[..., 2]).copy(),
     )
 
 

@@ -10,8 +10,8 @@ import pytest
 import nearfar as nf
 from nearfar._base import card
 from nearfar._render import preview
+from nearfar._render.channels import CHANNELS
 from tests.support.card_cases import Card, decoded
-from tests.support.reduce_cases import ALL
 
 SIZE = (320, 200)
 
@@ -24,7 +24,7 @@ def full() -> nf.Frame:
         build.mesh(plane, [[0, 1, 2], [0, 2, 3]], material=build.material((0.9, 0.2, 0.1, 1))), name="ground"
     )
     camera = nf.Camera((0, 2, 0), fov=nf.Fov.symmetric(90, 1.6), size=SIZE)
-    return nf.render(build.build(), camera, channels=ALL, backend="cpu")
+    return nf.render(build.build(), camera, channels=CHANNELS, backend="cpu")
 
 
 def test_colour_is_shown_as_it_is_saved(full: nf.Frame) -> None:

@@ -125,6 +125,7 @@ def test_what_lies_beyond_the_end_is_not_sent_to_the_raster() -> None:
         drawn = []
         for t_max in (np.inf, 5.0):
             before = device.counters()[3]
-            device.truth(scene._core, camera._core, channels=["range"], samples=1, t_max=t_max).finish()
+            shot = nf.Shot(cameras=(camera,), channels=("range",), t_max=t_max)
+            device.truth(scene._core, camera._core, shot.settings).finish()
             drawn.append(device.counters()[3] - before)
     assert 0 < drawn[1] < drawn[0]

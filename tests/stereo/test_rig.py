@@ -28,7 +28,8 @@ SIZE = (1344, 1512)
 
 
 def vive(mono_plane: float | tuple[float, float] = 8.0, **changed: Any) -> HybridRig:
-    return HybridRig(**{**VIVE, "mono_plane": mono_plane, "size": SIZE, **changed})
+    arguments: dict[str, Any] = {**VIVE, "mono_plane": mono_plane, "size": SIZE, **changed}
+    return HybridRig(**arguments)
 
 
 def headsets() -> list[nf.Hmd]:
@@ -43,7 +44,7 @@ def turned(degrees: float) -> HybridRig:
         "left": Eye(fov, (-0.03, 0.01, -0.05), (0.0, math.sin(half), 0.0, math.cos(half))),
         "right": Eye(nf.Fov(-0.9, 1.2, -1.0, 1.1), (0.033, 0.01, -0.05), (0.0, -math.sin(half), 0.0, math.cos(half))),
     }
-    return HybridRig(**eyes, mono_plane=6.0, size=(200, 160))
+    return HybridRig(left=eyes["left"], right=eyes["right"], mono_plane=6.0, size=(200, 160))
 
 
 def test_the_published_headset_has_the_published_error() -> None:
@@ -221,7 +222,7 @@ def test_every_headset_of_the_data_makes_a_rig_without_missing_pixels() -> None:
                 nf.Fov(left, right, min(low, high), max(low, high)), device[side]["eye_to_head"]
             )
         size = tuple(device["recommended_render_target"])
-        rig = HybridRig(**eyes, mono_plane=8.0, size=size)
+        rig = HybridRig(left=eyes["left"], right=eyes["right"], mono_plane=8.0, size=size)
         for eye in eyes:
             corners = np.array([[x, y, 1.0] for x in (0, size[0]) for y in (0, size[1])])
             mapped = corners @ np.linalg.inv(rig.homography(eye)).T

@@ -20,7 +20,10 @@ from tests.support.render_cases import QUAD, noise, quad
 
 ADAPTERS = ("vulkan", "gl")
 
-RENDERED = ("color", "range", "object_id", "face_id", "position", "normal")
+RENDERED = (
+    *("color", "range", "object_id", "face_id", "position"),
+    *("normal", "albedo", "shading_normal", "coverage"),
+)
 
 
 @contextmanager
@@ -81,9 +84,31 @@ def agree(cpu: nf.Frame, gpu: nf.Frame, *, same: float = 0.999) -> NDArray[np.bo
     np.testing.assert_allclose(gpu.require("normal")[hits], cpu.require("normal")[hits], atol=1e-3)
     reach = 1e-5 * far[hits] + 1e-6 * np.abs(cpu.require("position")[hits]).max(initial=0.0)
     assert (np.abs(gpu.require("position")[hits] - cpu.require("position")[hits]).max(-1, initial=0.0) <= reach).all()
+    if cpu.albedo is not None:
+        check_materials(cpu, gpu, hits)
     codes = codes_apart(cpu, gpu)[equal]
     assert np.percentile(codes, 99.9) <= 2, np.percentile(codes, [50, 99, 99.9, 100])
     return np.asarray(equal)
+
+
+def check_materials(cpu: nf.Frame, gpu: nf.Frame, hits: NDArray[np.bool_]) -> None:
+    """Compare albedo, which may have other levels of textures as colour does, shading normals and coverage."""
+    codes = np.abs(srgb(cpu.require("albedo")[hits]) - srgb(gpu.require("albedo")[hits]))
+    assert not codes.size or np.percentile(codes, 99.9) <= 2, np.percentile(codes, [50, 99, 99.9, 100])
+    np.testing.assert_allclose(gpu.require("shading_normal")[hits], cpu.require("shading_normal")[hits], atol=2e-3)
+    missed = ~(np.isfinite(cpu.require("range")) | np.isfinite(gpu.require("range")))
+    for frame in (cpu, gpu):
+        assert np.isnan(frame.require("albedo")[missed]).all()
+        assert np.isnan(frame.require("shading_normal")[missed]).all()
+
+    whole = ~edges(cpu.require("face_id")) & ~edges(gpu.require("face_id"))
+    np.testing.assert_allclose(cpu.require("coverage")[whole], gpu.require("coverage")[whole], atol=1e-6)
+
+
+def srgb(linear: NDArray[Any]) -> NDArray[np.float64]:
+    """Codes 0 … 255 of linear values, not rounded."""
+    x = np.clip(linear.astype(np.float64), 0.0, 1.0)
+    return np.asarray(255.0 * np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055))
 
 
 def both(scene: nf.Scene, camera: nf.Camera, **settings: Any) -> tuple[nf.Frame, nf.Frame]:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import check
@@ -33,6 +36,10 @@ class Shot:
     """Greatest distance along each ray at which surfaces are visible, metres."""
     clip: Clip | None = None
     """Planes and a box outside of which nothing is visible."""
+    mask: NDArray[np.bool_] | None = field(default=None, compare=False)
+    """(H, W), for each pixel whether it is needed; others may be black and misses. None needs all."""
+    bare: bool = False
+    """Samples that see no triangle are black, instead of showing the sky or a map."""
 
     def __post_init__(self) -> None:
         cameras = check.items("cameras", self.cameras, Camera, "a sequence of Cameras")
@@ -45,6 +52,8 @@ class Shot:
             check.instance("clip", self.clip, Clip, "a Clip")
         checked: dict[str, Any] = {
             "cameras": tuple(cameras),
+            "mask": self._checked_mask(cameras),
+            "bare": check.flag("bare", self.bare),
             "channels": tuple(check.texts("channels", self.channels)),
             "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
             "user": None if self.user is None else check.vector("user", self.user),
@@ -54,15 +63,27 @@ class Shot:
         for name, value in checked.items():
             object.__setattr__(self, name, value)
 
+    def _checked_mask(self, cameras: list[Camera]) -> NDArray[np.bool_] | None:
+        if self.mask is None:
+            return None
+        mask = check.instance("mask", self.mask, np.ndarray, "an array")
+        for width, height in (camera.size for camera in cameras):
+            if mask.dtype != np.bool_ or mask.shape != (height, width):
+                got = f"{mask.shape} of {mask.dtype}"
+                raise ValueError(f"mask: expected ({height}, {width}) of bool for the camera's size, got {got}")
+        return np.ascontiguousarray(mask)
+
     @property
     def settings(self) -> dict[str, Any]:
-        """Images, samples and part of the rays, as kernels take them beside the camera."""
+        """Images, samples, pixels and parts of the rays, as kernels take them beside the camera."""
         return {
             "channels": list(self.channels),
             "samples": self.samples,
             "t_min": self.t_min,
             "t_max": self.t_max,
             "clip": [] if self.clip is None else self.clip.half_spaces.tolist(),
+            "mask": self.mask,
+            "bare": self.bare,
         }
 
     @property

@@ -42,6 +42,9 @@ from nearfar._core.gpu import (
 from nearfar._core.gpu import (
     gpu_similarity as gpu_similarity,
 )
+from nearfar._core.stereo import (
+    HybridRig as HybridRig,
+)
 
 _Report = Callable[[int, int], object]
 _F32 = NDArray[np.float32]
@@ -271,15 +274,7 @@ def envmap_texels(shape: _Shape, directions: NDArray[Any], out: NDArray[np.int64
 
 # render -------------------------------------------------------------------------------------------------------------
 def render_truth(
-    scene: Scene,
-    camera: Camera,
-    *,
-    channels: list[str],
-    samples: int,
-    t_min: float = 0.0,
-    t_max: float = ...,
-    clip: list[list[float]] = ...,
-    report: _Report | None = None,
+    scene: Scene, camera: Camera, settings: dict[str, Any], *, report: _Report | None = None
 ) -> dict[str, NDArray[Any]]: ...
 def silhouettes(scene: Scene, cameras: list[Camera]) -> NDArray[np.bool_]: ...
 def luma_near(
@@ -318,12 +313,8 @@ class Reduced:
         self,
         scene: Scene,
         camera: Camera,
+        settings: dict[str, Any],
         *,
-        channels: list[str],
-        samples: int,
-        t_min: float,
-        t_max: float,
-        clip: list[list[float]],
         user: _Point | None,
         radius: float | None,
         method: str,
@@ -335,27 +326,6 @@ class Reduced:
     def fold_margin(self, user: _Point, radius: float | None) -> float: ...
     @property
     def near_bytes(self) -> int: ...
-
-# stereo -------------------------------------------------------------------------------------------------------------
-_View = tuple[tuple[float, float, float, float], _Point, tuple[float, float, float, float]]
-
-@final
-class HybridRig:
-    def __new__(cls, left: _View, right: _View, planes: tuple[float, float], size: tuple[int, int]) -> HybridRig: ...
-    @property
-    def center_fov(self) -> list[float]: ...
-    @property
-    def center_size(self) -> tuple[int, int]: ...
-    @property
-    def setback(self) -> float: ...
-    @property
-    def middle(self) -> list[float]: ...
-    @property
-    def overlap(self) -> float: ...
-    def homography(self, eye: str) -> list[list[float]]: ...
-    def shown(self, eye: str, at: tuple[float, float], depth: float) -> list[float]: ...
-    def max_error(self, depth: float, axis: str) -> float: ...
-    def error_field(self, eye: str, depth: float) -> _F64: ...
 
 # metrics ------------------------------------------------------------------------------------------------------------
 _Settings = tuple[str, int, float, tuple[float, float], int, bool, bool, bool]

@@ -23,16 +23,7 @@ class GpuDevice:
     def check_whole(self, camera: Camera, channels: list[str]) -> None: ...
     def lose(self) -> None: ...
     def truth(
-        self,
-        scene: Scene,
-        camera: Camera,
-        *,
-        channels: list[str],
-        samples: int,
-        t_min: float = 0.0,
-        t_max: float = ...,
-        clip: list[list[float]] = ...,
-        report: _Report | None = None,
+        self, scene: Scene, camera: Camera, settings: dict[str, Any], *, report: _Report | None = None
     ) -> GpuJob: ...
     def bake(
         self,
@@ -51,12 +42,8 @@ class GpuDevice:
         reduced: Reduced,
         scene: Scene,
         camera: Camera,
+        settings: dict[str, Any],
         *,
-        channels: list[str],
-        samples: int,
-        t_min: float,
-        t_max: float,
-        clip: list[list[float]],
         user: _Point | None,
         radius: float | None,
         method: str,

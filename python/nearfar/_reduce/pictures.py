@@ -159,8 +159,8 @@ class InPictures:
             method = self._drawing.method
             if method == "auto":
                 method = "exact" if self._margin(shot, camera) < 0.0 and self._bends(shot, camera) else "vertex"
-            settings = self._settings(shot, camera, method)
-            pictures.append(self._core.render(self._scene._core, camera._core, **settings, report=report))
+            how = self._how(shot, camera, method)
+            pictures.append(self._core.render(self._scene._core, camera._core, shot.settings, **how, report=report))
         return pictures
 
     def begin(self, device: GpuDevice, shot: Shot, report: Report = None) -> list[GpuJob]:
@@ -169,8 +169,8 @@ class InPictures:
         method = "exact" if self._drawing.method == "exact" else "vertex"
         jobs = []
         for camera in shot.cameras:
-            settings = self._settings(shot, camera, method)
-            jobs.append(device.reduced(self._core, self._scene._core, camera._core, **settings, report=report))
+            how, scene = self._how(shot, camera, method), self._scene._core
+            jobs.append(device.reduced(self._core, scene, camera._core, shot.settings, **how, report=report))
         return jobs
 
     def _drawn_by(self, drawing: Drawing) -> Self:
@@ -178,7 +178,8 @@ class InPictures:
         drawn._drawing = drawing
         return drawn
 
-    def _settings(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
+    def _how(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
+        """Settings of this scene's pictures as kernels take them beside those of the shot."""
         if not (self._drawing.env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
         margin = self._margin(shot, camera)
@@ -187,7 +188,7 @@ class InPictures:
             beyond = f"{-margin:.3g} m beyond" if margin > -math.inf else "at a height outside of"
             message = f"the picture folds: the user is {beyond} the fold margin; go closer to the centre"
             warnings.warn(message, UserWarning, stacklevel=2)
-        return {**shot.settings, "user": shot.user, **self._drawing.settings(method)}
+        return {"user": shot.user, **self._drawing.settings(method)}
 
     def _margin(self, shot: Shot, camera: Camera) -> float:
         """Metres that the user of a picture may still move before it folds."""

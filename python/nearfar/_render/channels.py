@@ -6,10 +6,23 @@ from collections.abc import Iterable
 
 from nearfar._base import check
 
-CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
+CHANNELS = (
+    "color",
+    "range",
+    "object_id",
+    "face_id",
+    "position",
+    "normal",
+    "albedo",
+    "shading_normal",
+    "coverage",
+)
 """Names of all channels, in their order."""
 
-BYTES = {"color": 12, "range": 4, "object_id": 4, "face_id": 8, "position": 12, "normal": 12}
+VECTORS = ("color", "position", "normal", "albedo", "shading_normal")
+"""Names of those with three values for each pixel."""
+
+BYTES = {name: 12 if name in VECTORS else 8 if name == "face_id" else 4 for name in CHANNELS}
 """Bytes of a pixel of each channel."""
 
 

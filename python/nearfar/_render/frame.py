@@ -15,7 +15,7 @@ from nearfar import _core
 from nearfar._base import background, card, check, exr, files, formats
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._render import preview
-from nearfar._render.channels import CHANNELS, missing
+from nearfar._render.channels import CHANNELS, VECTORS, missing
 
 VERSION = 1
 """Version of the format of saved EXR frames."""
@@ -25,7 +25,7 @@ VERSION = 1
 class Frame:
     """The images of one view; those that were not rendered are None.
 
-    Images are (H, W) or (H, W, 3), row 0 on top. Colour is anti-aliased if `samples` is above 1; all other images
+    Images are (H, W) or (H, W, 3), row 0 on top. Colour and coverage are those of all samples; all other images
     describe the hit of the ray through the pixel's centre.
     """
 
@@ -47,6 +47,13 @@ class Frame:
     normal: NDArray[np.float32] | None = field(default=None, repr=False)
     """(H, W, 3) float32, unit normal of the triangle, on the viewer's side; vertex normals affect only the colour. NaN
     where nothing was hit."""
+    albedo: NDArray[np.float32] | None = field(default=None, repr=False)
+    """(H, W, 3) float32, linear RGB of the material in 0..1, without light; NaN where no triangle was hit."""
+    shading_normal: NDArray[np.float32] | None = field(default=None, repr=False)
+    """(H, W, 3) float32, unit normal that the colour takes, interpolated between vertex normals if there are any; NaN
+    where no triangle was hit."""
+    coverage: NDArray[np.float32] | None = field(default=None, repr=False)
+    """(H, W) float32, share of the pixel's colour samples that show a triangle, 0 to 1; neither sky nor map counts."""
 
     lod: Any = field(default=None, repr=False)
     """Levels of detail drawn, if `lod` chose some: `levels` (N,) in the order of `Scene.leveled`, `triangles`,
@@ -66,7 +73,7 @@ class Frame:
         width, height = self.camera.size
         for name in self.channels:
             image = check.instance(name, getattr(self, name), np.ndarray, "an array")
-            expected = (height, width, 3) if name in ("color", "position", "normal") else (height, width)
+            expected = (height, width, 3) if name in VECTORS else (height, width)
             if image.shape != expected:
                 raise ValueError(f"{name}: expected shape {expected} for the camera's size, got {image.shape}")
 
@@ -102,7 +109,7 @@ class Frame:
         ----------
         path
             `.png`: colour, 8 bits, sRGB. `.exr`: all images, lossless. Colour is `R`, `G`, `B` (float32, linear), range
-            is `range` (float32, metres, +inf kept), vectors are `position.X` … `normal.Z`. Numbers are unsigned 32-bit
+            is `range` (float32, metres, +inf kept), vectors are `position.X` … `albedo.B`. Numbers are unsigned 32-bit
             in two's complement; the upper half of `face_id` is in `face_id_high`. The header contains the camera.
 
         Raises
@@ -156,7 +163,7 @@ class Frame:
 
 
 _AXES = {"color": ("R", "G", "B")} | {
-    name: tuple(f"{name}.{axis}" for axis in "XYZ") for name in ("position", "normal")
+    name: tuple(f"{name}.{axis}" for axis in ("RGB" if name == "albedo" else "XYZ")) for name in VECTORS[1:]
 }
 
 
@@ -167,7 +174,7 @@ def _exr_channels(frame: Frame) -> dict[str, NDArray[Any]]:
         image = frame.require(name)
         if name in _AXES:
             channels |= {axis: np.ascontiguousarray(image[..., i], np.float32) for i, axis in enumerate(_AXES[name])}
-        elif name == "range":
+        elif name in ("range", "coverage"):
             channels[name] = np.ascontiguousarray(image, np.float32)
         else:
             bits = image.astype(np.int64).view(np.uint64)
@@ -192,7 +199,7 @@ def _image(name: str, channels: exr.Channels) -> NDArray[Any] | None:
         return np.stack([exr.of_kind("f", channels[axis]) for axis in axes], axis=-1)
     if name not in channels:
         return None
-    if name == "range":
+    if name in ("range", "coverage"):
         return exr.of_kind("f", channels[name])
     numbers = exr.of_kind("u", channels[name])
     if name == "object_id":

@@ -9,15 +9,28 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 
-ORDER = ("color", "normal", "range", "object_id", "face_id", "position")
+ORDER = (
+    "color",
+    "albedo",
+    "shading_normal",
+    "normal",
+    "range",
+    "object_id",
+    "face_id",
+    "coverage",
+    "position",
+)
 """Images of a frame, the one that shows most first."""
 
 CAPTIONS = {
     "color": "colour",
+    "albedo": "colour of the materials",
+    "shading_normal": "normals that the colour takes",
     "normal": "normals as colours",
     "range": "range, near is bright",
     "object_id": "objects as colours",
     "face_id": "triangles as colours",
+    "coverage": "share of samples that show a triangle",
     "position": "height above the lowest point, high is bright",
 }
 """Captions of the pictures of each image."""
@@ -25,10 +38,13 @@ CAPTIONS = {
 
 def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
     """Turn one image of a frame, (H, W) or (H, W, 3), into sRGB (H, W, 3); pixels that hit nothing are dark grey."""
-    if name == "color":
+    if name in ("color", "albedo"):
         color = np.ascontiguousarray(np.nan_to_num(image), np.float32)
-        return _core.encode_srgb(color).reshape(color.shape)
-    if name == "normal":
+        codes = _core.encode_srgb(color).reshape(color.shape)
+        return codes if name == "color" else np.where(np.isfinite(image), codes, np.uint8(48))
+    if name == "coverage":
+        found, shade = image > 0.0, np.repeat(image[..., None], 3, axis=-1)
+    elif name in ("normal", "shading_normal"):
         found, shade = np.isfinite(image).all(axis=-1), 0.5 + 0.5 * np.nan_to_num(image)
     elif name in ("object_id", "face_id"):
         # Multiples of three irrational steps: neighbouring numbers get colours that are far apart.

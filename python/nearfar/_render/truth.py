@@ -51,10 +51,11 @@ def render(
     clip
         Planes and a box outside of which nothing is drawn.
     samples
-        Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. All other images are sampled
-        once, at the pixel's centre.
+        Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. Coverage counts them
+        too; all other images are sampled once, at the pixel's centre.
     channels
-        Images to compute, of "color", "range", "object_id", "face_id", "position" and "normal"; see `Frame`. The
+        Images to compute, of "color", "range", "object_id", "face_id", "position", "normal", "albedo", "shading_normal"
+        and "coverage"; see `Frame`. The
         default is colour, range and object_id for a scene, and the channels of its map for a reduced scene.
     lod
         Level of detail of the objects that have levels (`Scene.with_levels`). None draws level 0. The names "off",

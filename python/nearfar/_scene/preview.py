@@ -62,7 +62,7 @@ def picture(core: _core.Scene, bounds: NDArray[np.float64]) -> tuple[NDArray[np.
         share = f"{sample.triangle_count:,} of {core.triangle_count:,} triangles, as points"
         return _points(sample, camera), f"bird's-eye view of the dense part; {share}"
     shot = Shot(cameras=(camera,), channels=("color",), samples=4)
-    color = _core.render_truth(core, camera._core, **shot.settings)["color"]
+    color = _core.render_truth(core, camera._core, shot.settings)["color"]
     return _core.encode_srgb(color).reshape(SIZE[1], SIZE[0], 3), "bird's-eye view of the dense part"
 
 

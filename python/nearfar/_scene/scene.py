@@ -331,14 +331,14 @@ class Scene:
     def trace(self, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[dict[str, NDArray[Any]]]:
         """Trace the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
         check_request(shot, report)
-        return [_core.render_truth(self._core, camera._core, **shot.settings, report=report) for camera in shot.cameras]
+        return [_core.render_truth(self._core, camera._core, shot.settings, report=report) for camera in shot.cameras]
 
     def begin(
         self, device: _core.GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None
     ) -> list[_core.GpuJob]:
         """Begin the pictures of a shot on a graphics device, one for each camera."""
         check_begin(device, shot, report)
-        return [device.truth(self._core, camera._core, **shot.settings, report=report) for camera in shot.cameras]
+        return [device.truth(self._core, camera._core, shot.settings, report=report) for camera in shot.cameras]
 
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Scene:
         """Return a scene of only some objects or some triangles.

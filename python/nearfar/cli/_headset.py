@@ -51,7 +51,7 @@ def save(result: nf.Frame | nf.StereoFrame, targets: dict[str, Path]) -> None:
         return
     result.left.save(targets["left"])
     result.right.save(targets["right"])
-    if result.hmd.lens is not None:
+    if result.hmd is not None and result.hmd.lens is not None:
         from PIL import Image
 
         for name, picture in zip(("left_warped", "right_warped"), result.warped(), strict=True):

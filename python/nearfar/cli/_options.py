@@ -19,7 +19,7 @@ Point = tuple[float, float, float]
 FACE_SIZE = 1024
 """Texels across a face of the cube map by default."""
 
-PROCEDURAL = ("city", "room", "forest")
+PROCEDURAL = ("city", "room", "forest", "beams", "spheres", "landscape")
 """Names of the procedural scenes."""
 
 

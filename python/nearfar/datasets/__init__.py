@@ -4,6 +4,7 @@ from nearfar._base.data import find
 from nearfar.datasets._city import city, street_view
 from nearfar.datasets._forest import forest
 from nearfar.datasets._room import room, room_view
+from nearfar.datasets._stereo_scenes import beams, landscape, spheres
 from nearfar.datasets._study.ball import SphereTask, sphere_task
 from nearfar.datasets._study.count import CountTask, count_task
 from nearfar.datasets._study.tape import TapeTask, tape_task
@@ -12,13 +13,16 @@ __all__ = [
     "CountTask",
     "SphereTask",
     "TapeTask",
+    "beams",
     "city",
     "count_task",
     "find",
     "forest",
+    "landscape",
     "room",
     "room_view",
     "sphere_task",
+    "spheres",
     "street_view",
     "tape_task",
 ]

@@ -91,7 +91,7 @@ def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     detail = check.integer("detail", detail, 0, 3)
     stage, land = Stage(), Land.of(trees, seed)
-    stage.once(_surface(land, detail), "land")
+    stage.once(surface(land, detail), "land")
     _plant(stage, land, trees, seed, detail)
     _undergrowth(stage, land, trees, seed, detail)
     return stage.build()
@@ -107,8 +107,8 @@ def _lines(land: Land, detail: int) -> Floats:
     return np.concatenate([-outer[::-1], inner, outer])
 
 
-def _surface(land: Land, detail: int) -> Soup:
-    """The land as one sheet, with columns that follow the trail."""
+def surface(land: Land, detail: int) -> Soup:
+    """Make the land as one sheet, with columns that follow the trail."""
     lines = _lines(land, detail)
     across, z = np.meshgrid(np.sort(np.concatenate([lines[np.abs(lines) > 2.2], [-1.4, -0.4, 0.4, 1.4]])), lines)
     half = 0.5 * land.side
@@ -129,7 +129,7 @@ def _surface(land: Land, detail: int) -> Soup:
     return quads(cells, kinds).tinted(tints[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3))
 
 
-def _scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 1.0e9) -> tuple[Floats, Floats]:
+def scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 1.0e9) -> tuple[Floats, Floats]:
     """Choose `count` positions, one in each cell of a grid, `clear` metres off the trail and within `reach` metres."""
     half = 0.5 * land.side
     across = 2.0 * min(half, reach)
@@ -152,7 +152,7 @@ def _scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 
 
 def _plant(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None:
     draw = Draw(seed, 52)
-    x, z = _scattered(land, trees, 2.6, draw)
+    x, z = scattered(land, trees, 2.6, draw)
     y, turns, sizes = land.height(x, z), draw.uniform(trees), draw.uniform(trees, 0.7, 1.25)
     # Trees of a kind stand in groups: slow waves plus random noise choose the kind.
     wet = turn(x / 170.0 + land.phases[3])[1] + turn(z / 130.0 + land.phases[4])[1] + draw.uniform(trees, -1.1, 1.1)
@@ -181,7 +181,7 @@ def _undergrowth(stage: Stage, land: Land, trees: int, seed: int, detail: int) -
         if detail == 0 or not count:
             continue
         draw = Draw(seed, 53, kind)
-        x, z = _scattered(land, count, clear, draw, reach)
+        x, z = scattered(land, count, clear, draw, reach)
         y, turns = land.height(x, z), draw.uniform(count)
         sizes = draw.uniform(count, 0.3, 1.6) if kind == 0 else draw.uniform(count, 0.7, 1.5)
         make: Callable[..., Soup] = (vegetation.rock, vegetation.shrub, _sward)[kind]

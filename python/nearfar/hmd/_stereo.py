@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -23,10 +24,17 @@ from nearfar.hmd._hmd import EYES, Hmd
 USERS = ("eyes", "middle")
 """Names of the users that `render_eyes` describes."""
 
+_LEFT_EYE = np.array(
+    [[0.4561, 0.500484, 0.176381], [-0.0400822, -0.0378246, -0.0157589], [-0.0152161, -0.0205971, -0.00546856]]
+)
+_RIGHT_EYE = np.array(
+    [[-0.0434706, -0.0879388, -0.00155529], [0.378476, 0.73364, -0.0184503], [-0.0721527, -0.112961, 1.2264]]
+)
+
 
 @dataclass(frozen=True, eq=False)
 class StereoFrame:
-    """The frames of both eyes of a headset, as `render_eyes` returns them.
+    """The frames of both eyes of a headset, as `render_eyes` and `nearfar.stereo.HybridRig.render` return them.
 
     Raises
     ------
@@ -34,15 +42,23 @@ class StereoFrame:
         For frames of different sizes, and for other things than frames and a headset.
     """
 
-    hmd: Hmd
-    """The headset."""
+    hmd: Hmd | None
+    """The headset; None for a rig that was made of two eyes."""
     left: Frame
     """The left eye's picture, before the lens warp."""
     right: Frame
     """The right eye's picture."""
+    center: Frame | None = None
+    """The picture that both eyes share beyond the mono plane; black where no eye looks it up. None for plain stereo."""
+    stats: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    """Counts of a hybrid picture, read-only; see `nearfar.stereo.HybridRig.render`. Empty for plain stereo."""
 
     def __post_init__(self) -> None:
-        check.instance("hmd", self.hmd, Hmd, "an Hmd")
+        if self.hmd is not None:
+            check.instance("hmd", self.hmd, Hmd, "an Hmd")
+        if self.center is not None:
+            check.instance("center", self.center, Frame)
+        object.__setattr__(self, "stats", MappingProxyType(dict(check.mapping("stats", self.stats, "counts by name"))))
         for eye in EYES:
             check.instance(eye, getattr(self, eye), Frame)
         if self.left.camera.size != self.right.camera.size:
@@ -53,6 +69,16 @@ class StereoFrame:
     def side_by_side(self) -> NDArray[np.uint8]:
         """Colour of the left eye beside that of the right, sRGB (H, 2 W, 3) uint8; ValueError without colour."""
         return np.concatenate([self.left.to_image(), self.right.to_image()], axis=1)
+
+    @property
+    def anaglyph(self) -> NDArray[np.uint8]:
+        """Both colours in one picture for red–cyan glasses, sRGB (H, W, 3) uint8; ValueError without colour.
+
+        Source: Dubois (2001), A projection method to generate anaglyph stereo images, least squares in linear light.
+        """
+        left, right = (frame.require("color").astype(np.float64) for frame in (self.left, self.right))
+        mixed = np.clip(left @ _LEFT_EYE.T + right @ _RIGHT_EYE.T, 0.0, 1.0).astype(np.float32)
+        return _core.encode_srgb(mixed).reshape(mixed.shape)
 
     def warped(
         self,
@@ -82,7 +108,10 @@ class StereoFrame:
         ValueError
             For a headset without a lens (see `Hmd.with_lens`), and frames without colour.
         """
-        lens, hmd = self.hmd.lens, self.hmd
+        hmd = self.hmd
+        if hmd is None:
+            raise ValueError("hmd: expected a headset with a lens, got the picture of a rig without a headset")
+        lens = hmd.lens
         if lens is None:
             raise ValueError(f"hmd: expected one with a lens, {hmd.name} has none; hmd.with_lens() adds a generic one")
         radius = hmd.tan_half_angle if hmd.lens_radius is None else hmd.lens_radius
@@ -98,8 +127,16 @@ class StereoFrame:
     def _repr_html_(self) -> str:
         """Both pictures side by side for notebooks, with headset and size below."""
         width, height = self.left.camera.size
-        caption = f"left and right eye of {self.hmd.name}, {width} × {height} pixels each"
+        owner = "a rig" if self.hmd is None else self.hmd.name
+        caption = f"left and right eye of {owner}, {width} × {height} pixels each"
         return card.page("StereoFrame", (), card.picture(self.side_by_side, "left and right eye", caption))
+
+    def __getstate__(self) -> dict[str, Any]:
+        # A mapping proxy cannot be pickled.
+        return self.__dict__ | {"stats": dict(self.stats)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state | {"stats": MappingProxyType(state["stats"])})
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write `side_by_side` as a PNG, completely or not at all.

@@ -6,7 +6,8 @@ import math
 
 from nearfar._base import check
 from nearfar.hmd._hmd import EYES, Hmd
-from nearfar.stereo._rig import AXES, HybridRig
+from nearfar.stereo._geometry import AXES
+from nearfar.stereo._rig import HybridRig
 
 NEAREST, FARTHEST = 0.1, 1e5
 """Least and greatest distance of a plane that is chosen, metres."""

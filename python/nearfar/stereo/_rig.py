@@ -1,30 +1,27 @@
-"""The `HybridRig` class: two eyes, the mono plane, the camera behind the eyes, and the error of its pictures."""
+"""The `HybridRig` class: two eyes that share one picture beyond a plane, and the pictures that they see."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from nearfar import _core
-from nearfar._base import check, memory
-from nearfar._base.pickling import WithTwin
-from nearfar._camera.camera import Camera, Fov, quaternion
-from nearfar.hmd._eye import Eye, rotation, turned
+from nearfar._base import check, progress
+from nearfar._camera.camera import quaternion
+from nearfar._render.level_choice import Lod
+from nearfar._render.renderable import Renderable
+from nearfar._render.renderer import Renderer
+from nearfar._scene.scene import Scene
 from nearfar.hmd._hmd import EYES, Hmd
-from nearfar.stereo._kink import kink_angles
-
-AXES = ("horizontal", "vertical", "both")
-"""Parts of an error by name."""
-UNITS = ("pixels", "arcmin")
-"""Units of an error field by name."""
+from nearfar.hmd._stereo import StereoFrame
+from nearfar.stereo._geometry import RigGeometry
+from nearfar.stereo._passes import check_depths, render
 
 
 @dataclass(frozen=True, kw_only=True)
-class HybridRig(WithTwin):
+class HybridRig(RigGeometry):
     """Two eyes and a third camera behind them, whose picture both share beyond the mono plane.
 
     The plane lies `mono_plane` metres ahead of the plane of the eyes, in head axes, whichever way the eyes are turned.
@@ -42,6 +39,8 @@ class HybridRig(WithTwin):
         blended: eyes draw up to m₂, the third camera from m₁ on.
     size
         Width and height of an eye's picture, pixels.
+    hmd
+        The headset, whose lens warps the pictures; None for no headset.
 
     Raises
     ------
@@ -56,204 +55,124 @@ class HybridRig(WithTwin):
     8 m.
     """
 
-    left: Eye
-    right: Eye
-    mono_plane: float | tuple[float, float]
-    size: tuple[int, int]
-
-    def __post_init__(self) -> None:
-        for side in EYES:
-            check.instance(side, getattr(self, side), Eye, "Eye")
-        object.__setattr__(self, "mono_plane", _plane(self.mono_plane))
-        object.__setattr__(self, "size", check.size("size", self.size))
-        # Making it checks the rest, at once rather than on first use.
-        _ = self._core
-
     @classmethod
     def of(cls, hmd: Hmd, *, mono_plane: float | tuple[float, float], size: tuple[int, int] | None = None) -> HybridRig:
         """Make the rig of a headset; `size` in pixels is its `render_size` by default."""
         check.instance("hmd", hmd, Hmd, "an Hmd")
-        return cls(
-            left=hmd.left, right=hmd.right, mono_plane=mono_plane, size=hmd.render_size if size is None else size
-        )
+        pixels = hmd.render_size if size is None else size
+        return cls(left=hmd.left, right=hmd.right, mono_plane=mono_plane, size=pixels, hmd=hmd)
 
-    def with_plane(self, mono_plane: float | tuple[float, float]) -> HybridRig:
-        """Return the same eyes with another mono plane or zone, metres."""
-        return replace(self, mono_plane=mono_plane)
+    def render(
+        self,
+        source: Renderable,
+        position: ArrayLike,
+        orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+        *,
+        at: Mapping[str, ArrayLike] | None = None,
+        channels: Iterable[str] | None = None,
+        samples: int = 1,
+        lod: Lod | None = None,
+        backend: str | None = None,
+        cull: str = "occlusion",
+        assembly: str = "bilinear",
+        near: float = 0.1,
+        far: float = math.inf,
+    ) -> StereoFrame:
+        """Render near geometry for each eye, and what lies beyond the plane once for both.
 
-    @property
-    def planes(self) -> tuple[float, float]:
-        """Distances m₁ and m₂ of the zone in metres; equal for a single plane."""
-        plane = self.mono_plane
-        return plane if isinstance(plane, tuple) else (plane, plane)
-
-    @property
-    def ipd(self) -> float:
-        """Distance between the eyes, metres."""
-        return math.dist(self.left.position, self.right.position)
-
-    @property
-    def center_offset(self) -> float:
-        """Distance s in metres of the third camera behind the middle between the eyes."""
-        return self._core.setback
-
-    @property
-    def center_fov(self) -> Fov:
-        """Field of view of the third camera, tangents: the hull of both eyes' views on the plane m₁."""
-        return Fov(*self._core.center_fov)
-
-    @property
-    def center_size(self) -> tuple[int, int]:
-        """Width and height in pixels of the third camera's picture, whose pixels are as fine as the eyes' (Eq. 8)."""
-        return self._core.center_size
-
-    @property
-    def overlap(self) -> float:
-        """Distance ε = 2 s m₁ before the plane at which the third camera begins to draw; both numbers are metres."""
-        return self._core.overlap
-
-    def cameras(
-        self, position: ArrayLike, orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0)
-    ) -> tuple[Camera, Camera, Camera]:
-        """Return the cameras of the left eye, the right eye and the third one.
-
-        The pose of the head is a world position in metres and a unit quaternion (x, y, z, w) that turns head axes into
-        world axes, as for `Hmd.camera`.
-        """
-        head, place = quaternion(orientation), np.array(check.vector("position", position))
-        turn = rotation(head)
-        x, y, z = place + turn @ np.add(self._core.middle, (0.0, 0.0, self.center_offset))
-        center = Camera((float(x), float(y), float(z)), head, fov=self.center_fov, size=self.center_size)
-        views = []
-        for eye in (self.left, self.right):
-            x, y, z = place + turn @ np.array(eye.position)
-            way = turned(eye.orientation, head)
-            views.append(Camera((float(x), float(y), float(z)), way, fov=eye.fov, size=self.size))
-        return views[0], views[1], center
-
-    def homography(self, eye: str) -> NDArray[np.float64]:
-        """Return the matrix (3, 3) that maps pixels of the third camera to pixels of an eye, "left" or "right" (Eq. 5).
-
-        It takes (x, y, 1) to (x w, y w, w), w being the distance in metres of the plane's point along the eye's axis.
-        Pixel centres are at +0.5.
-        """
-        return np.array(self._core.homography(check.choice("eye", eye, EYES)))
-
-    def shown(self, eye: str, at: ArrayLike, *, depth: float = math.inf) -> tuple[float, float]:
-        """Return the tangents at which an eye is shown a point that it would see at the tangents `at` (2,).
-
-        `depth` is the point's distance in metres ahead of the plane of the eyes.
-        """
-        plain = check.plain("at", at)
-        if plain.shape != (2,):
-            raise ValueError(f"at: expected two tangents, got {check.shown(at)}")
-        place = check.array("at", plain[None], columns=2, dtype=np.float64, finite=True)[0]
-        x, y = self._core.shown(check.choice("eye", eye, EYES), (float(place[0]), float(place[1])), _depth(depth))
-        return x, y
-
-    def max_error(self, depth: float = math.inf, axis: str = "horizontal") -> float:
-        """Return the greatest error over both eyes, pixels.
+        A surface that crosses the plane is drawn by all three cameras. Where nothing is before the plane, only the
+        shared picture is drawn; where nothing is beyond it, the result is plain stereo. Both are found out for scenes
+        only.
 
         Parameters
         ----------
-        depth
-            Depth of the points in metres ahead of the plane of the eyes; infinite by default, where the error is
-            greatest.
-        axis
-            "horizontal", "vertical" or "both", the length of the error.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For depths that are not above 0, and unknown axes.
-        """
-        return self._core.max_error(_depth(depth), check.choice("axis", axis, AXES))
-
-    def error_field(self, eye: str, depth: float = math.inf, *, unit: str = "pixels") -> NDArray[np.float64]:
-        """Return the error of each pixel of an eye, (H, W, 2) float64: to the right and upwards.
-
-        Parameters
-        ----------
-        eye
-            "left" or "right".
-        depth
-            Depth of the points in metres ahead of the plane of the eyes.
-        unit
-            "pixels", or "arcmin", minutes of arc as the eye sees them at that place.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For depths that are not above 0, and unknown eyes and units.
-        """
-        side = check.choice("eye", eye, EYES)
-        check.choice("unit", unit, UNITS)
-        width, height = self.size
-        memory.check_room("size", f"errors of {width} × {height} pixels", 16 * width * height)
-        field = self._core.error_field(side, _depth(depth))
-        return field if unit == "pixels" else self._in_arc_minutes(side, field)
-
-    def kink_angle(self, eye: str, at: ArrayLike, direction: ArrayLike) -> NDArray[np.float64]:
-        """Return the angles in degrees by which straight lines seem to bend where they pass the plane.
-
-        Parameters
-        ----------
-        eye
-            "left" or "right".
+        source
+            Scene, reduced scene or other renderable. All pictures of a reduced scene are morphed for the point between
+            the eyes, and its map is looked up by the third camera.
+        position
+            World position (3,) of the head, metres.
+        orientation
+            Unit quaternion (x, y, z, w) that turns head axes into world axes; by default the head looks along −z.
         at
-            Tangents (N, 2) at which the eye sees the points where the lines pass the plane m₁.
-        direction
-            Directions (N, 2) of the lines in head axes: metres to the right and upwards for each metre ahead.
+            Poses of dynamic objects, as `Scene.at` takes them.
+        channels, samples, lod, backend
+            As in `render`. Samples of an eye that show no surface of its own show the shared picture, so that edges
+            before the plane are as smooth as in `render`; channels other than colour and coverage are taken from its
+            nearest pixel. Levels of detail are chosen once, for the point between the eyes.
+        cull
+            Which pixels of the shared picture are drawn: "frustum" all, "discard" those that an eye looks up,
+            "occlusion" the same without geometry that they hide wholly. The pictures of the eyes are the same for all.
+            The tracer needs no culling of geometry: its "occlusion" is "discard".
+        assembly
+            How eyes look up the shared picture. "bilinear": four pixels are mixed, as graphics adapters do, which
+            softens textures and edges. "resolved": the third camera's ray through the place is intersected with the
+            triangles that these four pixels show, and shaded there; on the CPU, and for scenes only.
+        near, far
+            Depths in metres in front of the eyes between which surfaces are drawn.
 
         Returns
         -------
-        ndarray
-            (N,) degrees, 0 to 180; NaN for lines through the eye, which it sees as a point.
+        StereoFrame
+            `left`, `right` and `center`. `stats` has `pixels`: how many of each eye show a surface of its own, how many
+            of the third camera were drawn and how many discarded; and `seconds`, the wall time of each stage.
 
         Raises
         ------
         ValueError, TypeError
-            For other shapes, and for a zone, which has no kink.
+            For arguments out of their domains; for a zone instead of a plane, which is not drawn yet; for a plane that
+            is nearer than `near`; for "resolved" with another source than a scene, or on a graphics adapter.
+        DeviceError
+            As in `render`.
+
+        References
+        ----------
+        Fink et al. (2019), section 3.
         """
-        m, end = self.planes
-        if end > m:
-            raise ValueError(f"mono_plane: expected one plane for a kink, got the zone from {m:g} to {end:g} m")
-        chosen: Eye = getattr(self, check.choice("eye", eye, EYES))
-        relative = replace(chosen, position=tuple(np.subtract(chosen.position, self._core.middle).tolist()))
-        places = check.array("at", at, columns=2, dtype=np.float64, finite=True)
-        ways = check.array("direction", direction, columns=2, dtype=np.float64, finite=True)
-        if len(places) != len(ways):
-            raise ValueError(f"direction: expected one for each of {len(places)} places, got {len(ways)}")
-        return kink_angles(relative, m, self.center_offset, places, ways)
+        return render(
+            self,
+            Renderer(source, channels, samples, lod),
+            (position, orientation, at),
+            backend=backend,
+            cull=cull,
+            assembly=assembly,
+            depths=(near, far),
+        )
 
-    def _in_arc_minutes(self, eye: str, field: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Errors in pixels as angles: pixels across the line of sight count less away from the eye's axis."""
-        fov, (width, height) = getattr(self, eye).fov, self.size
-        pitch = np.array([(fov.right - fov.left) / width, (fov.up - fov.down) / height])
-        x = fov.left + pitch[0] * (np.arange(width) + 0.5)
-        y = fov.up - pitch[1] * (np.arange(height) + 0.5)
-        moved = field * pitch
-        # atan changes by 1/(1 + x²) for each unit of tangent; exactly, the difference of two angles.
-        across = np.arctan2(moved[..., 0], 1.0 + x * (x + moved[..., 0]))
-        upright = np.arctan2(moved[..., 1], 1.0 + y[:, None] * (y[:, None] + moved[..., 1]))
-        return np.asarray(np.degrees(np.stack([across, upright], axis=-1)) * 60.0)
+    def triangles(
+        self,
+        scene: Scene,
+        position: ArrayLike,
+        orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+        *,
+        near: float = 0.1,
+        far: float = math.inf,
+    ) -> dict[str, int]:
+        """Count the triangles that each camera draws, and those of plain stereo, without drawing.
 
-    @cached_property
-    def _core(self) -> _core.HybridRig:
-        views = [
-            ((e.fov.left, e.fov.right, e.fov.down, e.fov.up), e.position, e.orientation)
-            for e in (self.left, self.right)
-        ]
-        return _core.HybridRig(views[0], views[1], self.planes, self.size)
+        Where `left`, `right` and `center` together are more than `plain`, the plane is so far away that three pictures
+        cost more geometry than two.
 
+        Parameters
+        ----------
+        scene
+            The scene, in the pose in which it is drawn.
+        position, orientation, near, far
+            As in `render`.
 
-def _plane(value: float | tuple[float, float]) -> float | tuple[float, float]:
-    if isinstance(value, (tuple, list)):
-        if len(value) != 2:
-            raise ValueError(f"mono_plane: expected a distance or a pair of distances, got {len(value)} numbers")
-        return check.number("mono_plane", value[0]), check.number("mono_plane", value[1])
-    return check.number("mono_plane", value)
+        Returns
+        -------
+        dict
+            `left`, `right` and `center`: triangles that reach into the part of space that this camera draws; `thrice`:
+            those that cross the plane, so that all three draw them; `plain`: those of both eyes without a plane.
 
-
-def _depth(value: float) -> float:
-    return check.number("depth", value, finite=False)
+        Raises
+        ------
+        ValueError, TypeError
+            For arguments out of their domains.
+        """
+        check.instance("scene", scene, Scene)
+        depths = check_depths(self, near, far)
+        place, way = check.vector("position", position), quaternion(orientation)
+        with progress.bar("counting") as report:
+            views, thrice, plain = self._core.triangles(scene._core, place, way, depths, report)
+        return dict(zip((*EYES, "center"), views, strict=True)) | {"thrice": thrice, "plain": sum(plain)}

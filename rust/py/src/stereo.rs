@@ -2,14 +2,17 @@
 
 use glam::{DQuat, DVec2, DVec3};
 use nearfar_core::camera::Fov;
-use nearfar_core::stereo::{Axis, Eye, Planes, Rig, Side};
-use numpy::PyArray3;
+use nearfar_core::stereo::{Axis, Eye, FarPicture, Head, Planes, Rig, Side, Triangles};
+use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3, PyReadwriteArray3};
 use pyo3::prelude::*;
 
+use crate::camera::Camera;
 use crate::convert::arrays::filled;
 use crate::convert::errors::to_python;
 use crate::convert::names::choice;
 use crate::convert::run;
+use crate::render::frame::Settings;
+use crate::scene::Scene;
 
 /// Tangents (left, right, down, up), position and orientation of an eye.
 type View = ([f64; 4], [f64; 3], [f64; 4]);
@@ -25,6 +28,10 @@ fn side(name: &str) -> PyResult<Side> {
 fn eye(([left, right, down, up], position, orientation): View) -> Eye {
     let (position, orientation) = (DVec3::from_array(position), DQuat::from_array(orientation));
     Eye { fov: Fov { left, right, down, up }, position, orientation }
+}
+
+fn head(position: [f64; 3], orientation: [f64; 4], (near, far): (f64, f64)) -> Head {
+    Head { position: DVec3::from_array(position), orientation: DQuat::from_array(orientation), near, far }
 }
 
 #[pymethods]
@@ -87,6 +94,99 @@ impl HybridRig {
         let (side, (width, height)) = (side(eye)?, self.0.size());
         filled(py, [height as usize, width as usize, 2], |field: &mut [f64]| {
             run::long(py, None, |progress| self.0.error_field(side, depth, field.as_chunks_mut().0, progress))
+        })
+    }
+
+    /// Whether a scene has surfaces that the eyes draw, and surfaces that the third camera draws.
+    fn reaches(
+        &self,
+        py: Python<'_>,
+        scene: &Scene,
+        position: [f64; 3],
+        orientation: [f64; 4],
+        depths: (f64, f64),
+    ) -> PyResult<[bool; 2]> {
+        let head = head(position, orientation, depths);
+        run::long(py, None, |progress| self.0.reaches(&scene.0, &head, progress))
+    }
+
+    /// Triangles in the views of the left eye, the right eye and the third camera, those that all three draw, and those
+    /// of each eye's whole view.
+    #[pyo3(signature = (scene, position, orientation, depths, report=None))]
+    fn triangles(
+        &self,
+        py: Python<'_>,
+        scene: &Scene,
+        position: [f64; 3],
+        orientation: [f64; 4],
+        depths: (f64, f64),
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<([u64; 3], u64, [u64; 2])> {
+        let head = head(position, orientation, depths);
+        let Triangles { views, thrice, plain } =
+            run::long(py, report, |progress| self.0.triangles(&scene.0, &head, progress))?;
+        Ok((views, thrice, plain))
+    }
+
+    /// For each pixel of the third camera, (H, W), whether an eye looks it up; `left` and `right` are the shares of each
+    /// eye's pixels that its own surfaces cover.
+    fn needed<'py>(
+        &self,
+        py: Python<'py>,
+        left: PyReadonlyArray2<'py, f32>,
+        right: PyReadonlyArray2<'py, f32>,
+        samples: u32,
+    ) -> PyResult<Bound<'py, PyArray2<bool>>> {
+        let (coverage, (width, height)) = ([left.as_slice()?, right.as_slice()?], self.0.center_size());
+        let mask = run::long(py, None, |progress| self.0.needed(coverage, samples, progress))?;
+        mask.into_pyarray(py).reshape([height as usize, width as usize])
+    }
+
+    /// Adds the third camera's picture behind an eye's own, in place.
+    fn assemble<'py>(
+        &self,
+        py: Python<'py>,
+        eye: &str,
+        coverage: PyReadonlyArray2<'py, f32>,
+        center: PyReadonlyArray3<'py, f32>,
+        mut color: PyReadwriteArray3<'py, f32>,
+    ) -> PyResult<()> {
+        let (side, coverage, center) = (side(eye)?, coverage.as_slice()?, center.as_slice()?.as_chunks().0);
+        let color = color.as_slice_mut()?.as_chunks_mut().0;
+        run::long(py, None, |progress| self.0.assemble(side, coverage, center, color, progress))
+    }
+
+    /// Adds the surfaces that the third camera sees behind an eye's own picture, in place; `color` and `faces` are the
+    /// third camera's.
+    #[expect(clippy::too_many_arguments, reason = "a picture of a scene with its settings")]
+    fn resolve<'py>(
+        &self,
+        py: Python<'py>,
+        eye: &str,
+        coverage: PyReadonlyArray2<'py, f32>,
+        scene: &Scene,
+        camera: &Camera,
+        settings: Settings<'py>,
+        center: (PyReadonlyArray3<'py, f32>, PyReadonlyArray2<'py, i64>),
+        mut color: PyReadwriteArray3<'py, f32>,
+    ) -> PyResult<()> {
+        let (side, coverage) = (side(eye)?, coverage.as_slice()?);
+        let far = FarPicture {
+            scene: &scene.0,
+            camera: &camera.0,
+            limits: settings.limits()?,
+            color: center.0.as_slice()?.as_chunks().0,
+            faces: center.1.as_slice()?,
+        };
+        let color = color.as_slice_mut()?.as_chunks_mut().0;
+        run::long(py, None, |progress| self.0.resolve(side, coverage, &far, settings.samples, color, progress))
+    }
+
+    /// Numbers (H, W) of the third camera's pixels that hold the places of an eye's pixels.
+    fn nearest<'py>(&self, py: Python<'py>, eye: &str) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        let (side, (width, height)) = (side(eye)?, self.0.size());
+        filled(py, [height as usize, width as usize], |numbers: &mut [u32]| {
+            run::long(py, None, |progress| self.0.nearest(side, numbers, progress))
         })
     }
 }

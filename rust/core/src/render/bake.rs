@@ -5,7 +5,7 @@ use glam::{DQuat, DVec3};
 
 use super::frame::{Channels, Frame};
 use super::limits::Limits;
-use super::tiles::{RenderView, check_reach, draw};
+use super::tiles::{Pixels, RenderView, check_reach, draw};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::camera::{Camera, Projection};
@@ -71,7 +71,8 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     for face in 0..6 {
         let camera = settings.camera(face)?;
         let (origin, samples) = (scene.origin, settings.samples);
-        let view = RenderView { camera: &camera, origin, channels, samples, limits: Limits::NONE };
+        let (limits, pixels) = (Limits::NONE, Pixels::default());
+        let view = RenderView { camera: &camera, origin, channels, samples, limits, pixels };
         let part = if standing.has_cutouts() {
             let filter = AlphaFilter { scene: &standing, inner: &beyond };
             draw(&view, &Truth { scene: &standing, filter }, progress)?

@@ -14,4 +14,4 @@ pub use frame::{Channels, Frame, Sample};
 pub use limits::{Limits, MOST_PLANES, Segment};
 pub use sides::{Luma, Sides};
 pub use surface::{Facet, Surface};
-pub use tiles::{Picture, RenderView, draw};
+pub use tiles::{Picture, Pixels, RenderView, draw};

@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::frame::{Channels, Sample};
 use super::shade::irradiance;
 use crate::camera::Footprint;
 use crate::scene::{Instance, Scene, facing_normals};
@@ -125,11 +126,37 @@ impl Surface {
     /// Linear RGB, for a ray that is `width` metres wide at the surface (`Footprint::at`).
     #[inline]
     pub fn color(&self, scene: &Scene, width: f32) -> [f32; 3] {
-        let instance = scene.instance(self.instance);
-        let footprint = width / self.cosine.max(GRAZING).sqrt();
-        let albedo = scene.albedo(&instance.mesh, self.face, self.at, footprint, self.doubled_area);
-        let light = irradiance(self.shading_normal(instance));
+        let albedo = self.albedo(scene, width);
+        let light = irradiance(self.shading_normal(scene.instance(self.instance)));
         std::array::from_fn(|i| albedo[i] * light[i])
+    }
+
+    /// Linear RGB of the material, for a ray that is `width` metres wide at the surface.
+    #[inline]
+    fn albedo(&self, scene: &Scene, width: f32) -> [f32; 3] {
+        let footprint = width / self.cosine.max(GRAZING).sqrt();
+        let mesh = &scene.instance(self.instance).mesh;
+        scene.albedo(mesh, self.face, self.at, footprint, self.doubled_area)
+    }
+
+    /// Channels of a pixel that shows this point at a displayed distance, by a ray of `width` metres. Those that are not
+    /// wanted may be those of a miss.
+    pub fn sample(&self, scene: &Scene, range: f32, width: impl FnOnce() -> f32, wanted: Channels) -> Sample {
+        let mut sample = Sample {
+            range,
+            object_id: self.object_id(scene),
+            face_id: self.face_id(scene),
+            position: self.point.to_array(),
+            normal: self.normal.to_array(),
+            ..Sample::default()
+        };
+        if wanted.albedo {
+            sample.albedo = self.albedo(scene, width());
+        }
+        if wanted.shading_normal {
+            sample.shading_normal = self.shading_normal(scene.instance(self.instance)).to_array();
+        }
+        sample
     }
 
     /// Unit normal for the colour, interpolated between the normals of the corners if the mesh has normals. Near a

@@ -15,6 +15,8 @@ use crate::trace::{Hit, Ray};
 /// Width of a tile, pixels; a tile has 64 neighbouring rays.
 pub(super) const TILE: usize = 8;
 pub(super) const PIXELS: usize = TILE * TILE;
+/// The centre of a pixel, as an offset from its corner.
+const CENTER: [f64; 2] = [0.5, 0.5];
 
 /// Greatest number of colour samples per pixel.
 pub const MAX_SAMPLES: u32 = 1024;
@@ -28,7 +30,7 @@ pub trait Picture: Sync {
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]);
 
     /// The other channels of a traced ray, hit or miss; channels that are not requested may keep their defaults.
-    fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample;
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample;
 }
 
 /// Positions of a tile's rays in the image.
@@ -52,6 +54,25 @@ impl Spots<'_> {
     }
 }
 
+/// The pixels that are drawn, and what those show that see no triangle.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Pixels<'a> {
+    /// For each pixel whether it is drawn; all without a mask. Others are black, and misses.
+    pub mask: Option<&'a [bool]>,
+    /// Samples that see no triangle are black instead of showing map or sky.
+    pub bare: bool,
+}
+
+impl Pixels<'_> {
+    /// Fails for a mask of another size.
+    fn check(&self, pixels: usize) -> Result<()> {
+        match self.mask {
+            Some(mask) if mask.len() != pixels => Err(Error::value("mask", format!("{pixels} pixels"), mask.len())),
+            _ => Ok(()),
+        }
+    }
+}
+
 /// A view to be drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct RenderView<'a> {
@@ -65,6 +86,8 @@ pub struct RenderView<'a> {
     pub samples: u32,
     /// The part of space in which surfaces are visible, in world positions.
     pub limits: Limits,
+    /// The pixels that are drawn.
+    pub pixels: Pixels<'a>,
 }
 
 /// Draws a picture pixel by pixel.
@@ -74,6 +97,7 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
     }
     check_reach("position", view.camera.position - view.origin)?;
     let (width, height) = (view.camera.width as usize, view.camera.height as usize);
+    view.pixels.check(width * height)?;
     progress.expect((width * height) as u64);
     let mut frame = Frame::new(view.channels, width * height)?;
     let painter = Painter {
@@ -84,6 +108,7 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
         offsets: sample_offsets(view.samples),
         scale: 1.0 / f64::from(view.samples).sqrt(),
         limits: view.limits.relative_to(view.origin),
+        pixels: view.pixels,
     };
     frame.bands(width * TILE).into_par_iter().enumerate().try_for_each(|(index, mut band)| {
         let first_row = index * TILE;
@@ -141,6 +166,12 @@ impl ImageTile {
         (self.first_column + n % self.columns, self.first_row + n / self.columns)
     }
 
+    /// Index in the image of the tile's n-th pixel.
+    #[inline]
+    fn index(&self, n: usize) -> usize {
+        self.first_row * self.width + self.slot(n)
+    }
+
     /// Index in the band of the tile's n-th pixel.
     #[inline]
     fn slot(&self, n: usize) -> usize {
@@ -158,49 +189,90 @@ struct Painter<'a, P> {
     scale: f64,
     /// Relative to the scene's origin.
     limits: Limits,
+    pixels: Pixels<'a>,
 }
 
 impl<P: Picture> Painter<'_, P> {
     fn paint(&self, tile: &ImageTile, band: &mut Band<'_>) {
+        if !(0..tile.len()).any(|n| self.is_drawn(tile, n)) {
+            (0..tile.len()).for_each(|n| band.set_sample(tile.slot(n), &Sample::default()));
+            return;
+        }
         let mut rays = [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
         let mut hits = [Hit::MISS; PIXELS];
         let (rays, hits) = (&mut rays[..tile.len()], &mut hits[..tile.len()]);
-        let centered = !self.channels.color || self.offsets.len() == 1;
-        if self.channels.color {
+        let sampled = self.channels.any_sampled();
+        if sampled {
             let mut sums = [[0.0f32; 3]; PIXELS];
+            let mut counts = [0.0f32; PIXELS];
             for &offset in &self.offsets {
                 self.trace(tile, offset, rays, hits);
-                let footprint = |n| {
-                    let (x, y) = position(tile, n, offset);
-                    self.rays.footprint(x, y, self.scale)
-                };
-                self.picture.add_colors(rays, hits, footprint, &mut sums);
+                if self.channels.color {
+                    self.add_colors(tile, offset, rays, hits, &mut sums);
+                }
+                counts.iter_mut().zip(&*hits).filter(|(_, hit)| !hit.is_miss()).for_each(|(count, _)| *count += 1.0);
             }
             let share = 1.0 / self.offsets.len() as f32;
-            (0..tile.len()).for_each(|n| band.set_color(tile.slot(n), sums[n].map(|sum| sum * share)));
+            for (n, (sum, count)) in sums.iter().zip(&counts).enumerate().take(tile.len()) {
+                band.color(tile.slot(n), sum.map(|sum| sum * share));
+                band.coverage(tile.slot(n), count * share);
+            }
         }
         if self.channels.any_surface() {
-            if !(centered && self.channels.color) {
-                self.trace(tile, [0.5, 0.5], rays, hits);
+            if !sampled || self.offsets.len() > 1 {
+                self.trace(tile, CENTER, rays, hits);
             }
             for (n, (ray, hit)) in rays.iter().zip(hits.iter()).enumerate() {
-                band.set_sample(tile.slot(n), &self.picture.sample(ray, hit, self.channels));
+                let footprint = || self.footprint(tile, n, CENTER, 1.0);
+                band.set_sample(tile.slot(n), &self.picture.sample(ray, hit, footprint, self.channels));
             }
         }
+    }
+
+    /// Whether the tile's n-th pixel is drawn.
+    #[inline]
+    fn is_drawn(&self, tile: &ImageTile, n: usize) -> bool {
+        self.pixels.mask.is_none_or(|mask| mask[tile.index(n)])
     }
 
     fn trace(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
         for (n, ray) in rays.iter_mut().enumerate() {
             let (x, y) = position(tile, n, offset);
             *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
+            if !self.is_drawn(tile, n) {
+                (ray.t_min, ray.t_max) = (Segment::EMPTY.t_min, Segment::EMPTY.t_max);
+            }
         }
         self.picture.trace(rays, hits, &Spots { tile, offset });
+    }
+
+    /// Adds the colours of traced rays to their sums; misses stay black where pixels are bare or not drawn.
+    fn add_colors(
+        &self,
+        tile: &ImageTile,
+        offset: [f64; 2],
+        rays: &[Ray],
+        hits: &[Hit],
+        sums: &mut [[f32; 3]; PIXELS],
+    ) {
+        let before = *sums;
+        self.picture.add_colors(rays, hits, |n| self.footprint(tile, n, offset, self.scale), sums);
+        if self.pixels.bare || self.pixels.mask.is_some() {
+            let missed = |&n: &usize| hits[n].is_miss() && (self.pixels.bare || !self.is_drawn(tile, n));
+            (0..hits.len()).filter(missed).for_each(|n| sums[n] = before[n]);
+        }
+    }
+
+    /// The footprint of a sample that represents a square of `scale` pixels.
+    fn footprint(&self, tile: &ImageTile, n: usize, offset: [f64; 2], scale: f64) -> Footprint {
+        let (x, y) = position(tile, n, offset);
+        self.rays.footprint(x, y, scale)
     }
 }
 
 /// Returns the ray through image position (x, y) from an eye; eye and limits are relative to the scene's origin.
 #[inline]
-pub(super) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, limits: &Limits) -> Ray {
+pub(crate) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, limits: &Limits) -> Ray {
     let (start, direction) = rays.at(x, y);
     let origin = eye + start;
     let Segment { t_min, t_max } = limits.of(origin, direction);

@@ -4,7 +4,7 @@ use super::frame::{Channels, Frame, Sample};
 use super::limits::Limits;
 use super::shade::background;
 use super::surface::{Surface, add_colors};
-use super::tiles::{Picture, RenderView, Spots, draw};
+use super::tiles::{Picture, Pixels, RenderView, Spots, draw};
 use crate::base::{Progress, Result};
 use crate::camera::{Camera, Footprint};
 use crate::scene::Scene;
@@ -17,10 +17,11 @@ pub fn render(
     channels: Channels,
     samples: u32,
     limits: Limits,
+    pixels: Pixels<'_>,
     progress: &Progress,
 ) -> Result<Frame> {
     scene.build(progress)?;
-    let view = RenderView { camera, origin: scene.origin, channels, samples, limits };
+    let view = RenderView { camera, origin: scene.origin, channels, samples, limits, pixels };
     if scene.has_cutouts() {
         draw(&view, &Truth { scene, filter: AlphaFilter { scene, inner: All } }, progress)
     } else {
@@ -46,9 +47,12 @@ impl<F: HitFilter> Picture for Truth<'_, F> {
         add_colors(self.scene, rays, hits, footprint, |&hit| hit, missed, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample {
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
         if hit.is_miss() {
             return Sample::default();
+        }
+        if wanted.needs_surface() {
+            return Surface::of_hit(self.scene, ray, hit).sample(self.scene, hit.t, || footprint().at(hit.t), wanted);
         }
         let mut sample = Sample { range: hit.t, ..Sample::default() };
         if wanted.object_id {
@@ -56,10 +60,6 @@ impl<F: HitFilter> Picture for Truth<'_, F> {
         }
         if wanted.face_id {
             sample.face_id = self.scene.triangle_offset(hit.instance) + i64::from(hit.face);
-        }
-        if wanted.position || wanted.normal {
-            let surface = Surface::of_hit(self.scene, ray, hit);
-            (sample.position, sample.normal) = (surface.point.to_array(), surface.normal.to_array());
         }
         sample
     }

@@ -3,10 +3,15 @@
 //! Head axes have their origin in the middle between the eyes: x to the right, y up, looking along −z. The mono plane
 //! lies m metres ahead, z = −m, whichever way the eyes are turned. The third camera C stands s metres behind the middle.
 
+mod assembly;
+mod contents;
 mod error;
+mod resolved;
 mod rig;
 #[cfg(test)]
 mod tests;
 
+pub use contents::{Head, Triangles};
 pub use error::Axis;
+pub use resolved::FarPicture;
 pub use rig::{Eye, Planes, Rig, Side};

@@ -160,7 +160,7 @@ fn footprint(eye: &Eye, m: f64) -> [DVec2; 4] {
     corners(&eye.fov).map(|corner| on_plane(eye, corner, m))
 }
 
-fn corners(fov: &Fov) -> [DVec2; 4] {
+pub(super) fn corners(fov: &Fov) -> [DVec2; 4] {
     let Fov { left, right, down, up } = *fov;
     [(left, down), (right, down), (right, up), (left, up)].map(|(x, y)| DVec2::new(x, y))
 }

@@ -164,6 +164,7 @@ impl<'a> Bound<'a> {
             style,
             mapped: first && self.picture.backdrop.is_some(),
             limited: first && self.picture.backdrop.is_some() && self.picture.limits.is_some(),
+            bare: first && self.picture.bare,
             color: kind.color,
             surface: kind.surface,
             single,

@@ -18,7 +18,7 @@ use super::plan::{PASS_BLOCKS, Plan};
 use super::read;
 use super::slots::{Shape, Slots};
 use super::submitted::{Submitted, open_buffers};
-use super::view::{Outputs, Sampling, Window, eye_of, pass_of};
+use super::view::{CHANNELS, Outputs, Sampling, Window, eye_of, pass_of};
 use crate::device::{Counted, Device, SAMPLES, Scope, Submission};
 use crate::upload::Residents;
 
@@ -27,8 +27,8 @@ const WINDOWS_AHEAD: usize = 2;
 /// Passes in one submission: between two, the caller may cancel. In software a pass of millions of pixels takes a second.
 const PASSES_PER_SUBMISSION: usize = 8;
 const PASSES_IN_SOFTWARE: usize = 1;
-/// Bytes of a pixel's channels: colour, range, ids, position, normal.
-const CHANNEL_BYTES: [u64; 5] = [12, 4, 8, 12, 12];
+/// Bytes of a pixel's channels: colour, range, ids, position, normal, albedo, shading normal, coverage.
+const CHANNEL_BYTES: [u64; CHANNELS] = [12, 4, 8, 12, 12, 12, 12, 4];
 
 /// A frame that is being drawn.
 pub struct Job {
@@ -152,7 +152,7 @@ impl Job {
 
     /// Passes of a window: colour and the other channels at once where one sample serves both.
     fn passes(&self) -> Vec<(PassKind, Sampling)> {
-        let (color, surface) = (self.channels.color, self.channels.any_surface());
+        let (color, surface) = (self.channels.any_sampled(), self.channels.any_surface());
         let pass = |number, color, surface, multisampled| PassKind { number, color, surface, multisampled };
         if !color || self.samples == 1 {
             return vec![(pass(0, color, surface, false), Sampling::CENTER)];
@@ -195,9 +195,10 @@ impl Job {
     }
 }
 
-/// Flags of the wanted channels: colour, range, ids, position, normal.
-fn wanted(channels: Channels) -> [bool; 5] {
-    [channels.color, channels.range, channels.object_id || channels.face_id, channels.position, channels.normal]
+/// Flags of the wanted channels, in the order of `CHANNEL_BYTES`.
+fn wanted(channels: Channels) -> [bool; CHANNELS] {
+    let Channels { color, coverage, range, object_id, face_id, position, normal, albedo, shading_normal } = channels;
+    [color, range, object_id || face_id, position, normal, albedo, shading_normal, coverage]
 }
 
 fn bytes_per_pixel(channels: Channels) -> u64 {
@@ -213,7 +214,7 @@ pub(super) fn window_limits(device: &Device, channels: Channels) -> (u64, u32) {
 /// First word of each channel of a window.
 fn layout(channels: Channels, window: &Window) -> Outputs {
     let mut at = 0;
-    let mut outputs = [u32::MAX; 5];
+    let mut outputs = [u32::MAX; CHANNELS];
     for ((slot, wanted), bytes) in outputs.iter_mut().zip(wanted(channels)).zip(CHANNEL_BYTES) {
         if wanted {
             *slot = at;

@@ -28,6 +28,8 @@ pub(crate) struct Picture {
     /// The part of space in which surfaces and map are seen, relative to the scenes' origin; none for all of it, which
     /// costs nothing to test.
     pub limits: Option<Limits>,
+    /// Samples that see no triangle are black instead of showing map or sky.
+    pub bare: bool,
 }
 
 /// An environment map behind everything that is drawn.
@@ -51,6 +53,7 @@ impl Picture {
             origin,
             multisampled: true,
             limits: None,
+            bare: false,
         }
     }
 }

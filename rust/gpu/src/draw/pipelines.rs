@@ -50,6 +50,8 @@ pub(super) struct ResolveKey {
     pub mapped: bool,
     /// The map is seen on a part of each ray.
     pub limited: bool,
+    /// Samples without a face are black.
+    pub bare: bool,
     pub color: bool,
     pub surface: bool,
     pub single: bool,
@@ -164,6 +166,7 @@ impl Pipelines {
             ("STYLE", f64::from(key.style.0.variant)),
             ("MAPPED", f64::from(u8::from(key.mapped))),
             ("LIMITED", f64::from(u8::from(key.limited))),
+            ("BARE", f64::from(u8::from(key.bare))),
             ("COLOR", f64::from(u8::from(key.color))),
             ("SURFACE", f64::from(u8::from(key.surface))),
             ("SINGLE", f64::from(u8::from(key.single))),

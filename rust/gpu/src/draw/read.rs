@@ -33,12 +33,20 @@ pub(super) fn fill(words: &[u32], submitted: &Submitted, picture: &Picture, widt
         let start = submitted.outputs[channel] as usize;
         &words[start..start + each * window.pixels()]
     };
-    let vectors = [(0, &mut frame.color), (3, &mut frame.position), (4, &mut frame.normal)];
+    let vectors = [
+        (0, &mut frame.color),
+        (3, &mut frame.position),
+        (4, &mut frame.normal),
+        (5, &mut frame.albedo),
+        (6, &mut frame.shading_normal),
+    ];
     for (channel, image) in vectors.into_iter().filter(|(_, image)| !image.is_empty()) {
         fill_rows(image, section(channel, 3), window, width, <[[f32; 3]]>::copy_from_slice);
     }
-    if !frame.range.is_empty() {
-        fill_rows(&mut frame.range, section(1, 1), window, width, <[f32]>::copy_from_slice);
+    for (channel, image) in [(1, &mut frame.range), (7, &mut frame.coverage)] {
+        if !image.is_empty() {
+            fill_rows(image, section(channel, 1), window, width, <[f32]>::copy_from_slice);
+        }
     }
     let numbers = FaceNumbers { picture, numbering: &submitted.numbering };
     if !frame.object_id.is_empty() {

@@ -73,8 +73,11 @@ pub(super) struct Pass {
     parameters: Parameters,
 }
 
-/// Bytes of an image's channels in the output: the first word of each, or `u32::MAX`.
-pub(super) type Outputs = [u32; 5];
+/// Number of an image's channels in the output.
+pub(super) const CHANNELS: usize = 8;
+
+/// Places of an image's channels in the output: the first word of each, or `u32::MAX`.
+pub(super) type Outputs = [u32; CHANNELS];
 
 /// The sample that a pass takes of each pixel of a window.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +150,7 @@ pub(super) fn pass_of(
         .as_ref()
         .map(|backdrop| &backdrop.texels)
         .map_or([0; 4], |map| [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]);
-    let [color, range, ids, position, normal] = *outputs;
+    let [color, range, ids, position, normal, albedo, shading_normal, coverage] = *outputs;
     Pass {
         clip: clip_rows(camera, window, sampling, farthest).map(|row| row.as_vec4().to_array()),
         eye: eye.as_vec3().extend(near as f32).to_array(),
@@ -164,7 +167,7 @@ pub(super) fn pass_of(
         window: [window.width, window.height, 0, u32::from(sampling.adds)],
         environment,
         outputs: [color, range, ids, position],
-        more_outputs: [normal, 0, 0, 0],
+        more_outputs: [normal, albedo, shading_normal, coverage],
         segment: segment_of(picture),
         planes: planes_of(picture, eye),
         parameters: picture.parameters,

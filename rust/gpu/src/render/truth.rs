@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nearfar_core::base::{Progress, Result};
 use nearfar_core::camera::Camera;
-use nearfar_core::render::{Channels, Limits};
+use nearfar_core::render::{Channels, Limits, Pixels};
 use nearfar_core::scene::Scene;
 
 use crate::device::Device;
@@ -18,12 +18,13 @@ pub fn begin(
     camera: &Camera,
     channels: Channels,
     samples: u32,
-    limits: Limits,
+    (limits, pixels): (Limits, Pixels<'_>),
     progress: &Progress,
 ) -> Result<Job> {
     let tables = device.state::<Residents>().scene(device, scene)?;
     let layer = |set| Layer::plain(scene.clone(), Arc::clone(&tables), set);
     let plain = Picture::plain(vec![layer(Set::Standing), layer(Set::Moving)], scene.origin);
-    let picture = Picture { limits: (!limits.is_none()).then(|| limits.relative_to(scene.origin)), ..plain };
+    let limits = (!limits.is_none()).then(|| limits.relative_to(scene.origin));
+    let picture = Picture { limits, bare: pixels.bare, ..plain };
     Job::begin(device, picture, camera, channels, samples, progress)
 }

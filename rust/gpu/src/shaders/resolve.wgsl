@@ -1,10 +1,13 @@
 // Everything that is known of a pixel once its face is: along the pixel's own ray, in the wanted channels only.
 
 override MAPPED: bool = false;
+// Samples without a face are black.
+override BARE: bool = false;
 // The map is seen on a part of each ray.
 override LIMITED: bool = false;
+// Colour and coverage, of all samples.
 override COLOR: bool = true;
-// Any of the other channels: of one sample, at the pixel's centre.
+// Any channel but those of all samples: of one sample, at the pixel's centre.
 override SURFACE: bool = true;
 
 @group(2) @binding(1) var<storage, read_write> output: array<u32>;
@@ -106,11 +109,15 @@ fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
     );
 }
 
-fn surface_color(record: Record, part: Part, face: u32, surface: Surface, ray: Ray) -> vec3<f32> {
+fn surface_albedo(part: Part, face: u32, surface: Surface, ray: Ray) -> vec3<f32> {
     let width = ray.footprint.x + ray.footprint.y * surface.range;
     let footprint = width / sqrt(max(surface.cosine, 1e-4));
+    return albedo(part, face, surface.at, footprint, surface.doubled_area);
+}
+
+fn surface_color(record: Record, part: Part, face: u32, surface: Surface, ray: Ray) -> vec3<f32> {
     let normal = shading_normal(record, part, face, surface.at, surface.normal);
-    return albedo(part, face, surface.at, footprint, surface.doubled_area) * irradiance(normal);
+    return surface_albedo(part, face, surface, ray) * irradiance(normal);
 }
 
 // Whether the map is seen along a direction: where the part of the ray has no end and the map's surface is not nearer
@@ -129,6 +136,9 @@ fn sees_map(direction: vec3<f32>) -> bool {
 }
 
 fn missed_color(ray: Ray) -> vec3<f32> {
+    if BARE {
+        return vec3<f32>(0.0);
+    }
     if MAPPED && sees_map(ray.direction) {
         return environment_color(ray.direction);
     }
@@ -182,6 +192,9 @@ fn color_of_samples(pixel: vec2<u32>, ray: Ray) -> vec3<f32> {
 }
 
 fn store_color(number: u32, color: vec3<f32>, adds: bool) {
+    if view.outputs.x == NONE {
+        return;
+    }
     let word = view.outputs.x + 3u * number;
     var sum = color * view.footprint.z;
     if adds {
@@ -194,6 +207,20 @@ fn store_color(number: u32, color: vec3<f32>, adds: bool) {
     store_3(word, sum);
 }
 
+// Share of a pixel's samples that show a face.
+fn store_coverage(number: u32, pixel: vec2<u32>, adds: bool) {
+    let word = view.more_outputs.w + number;
+    var shown = 0.0;
+    for (var i = 0u; i < SAMPLES; i++) {
+        shown += select(1.0, 0.0, face_at(pixel, i).x == NONE);
+    }
+    var share = shown / f32(SAMPLES) * view.footprint.z;
+    if adds {
+        share += bitcast<f32>(output[word]);
+    }
+    store(word, share);
+}
+
 @compute @workgroup_size(8, 8)
 fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
     if any(pixel.xy >= view.window.xy) {
@@ -203,6 +230,9 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
     let ray = ray_of(pixel.xy);
     let writes_first = batch.records.w != 0u;
     let adds = view.window.w != 0u;
+    if COLOR && writes_first && view.more_outputs.w != NONE {
+        store_coverage(number, pixel.xy, adds);
+    }
     if SAMPLES > 1u {
         // Several batches may own samples of one pixel: the first one writes, the others add.
         store_color(number, color_of_samples(pixel.xy, ray), adds || !writes_first);
@@ -231,6 +261,13 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
     }
     if SURFACE {
         store_surface(number, id, surface, ray);
+        if view.more_outputs.y != NONE {
+            store_3(view.more_outputs.y + 3u * number, surface_albedo(part, id.y, surface, ray));
+        }
+        if view.more_outputs.z != NONE {
+            let normal = shading_normal(record, part, id.y, surface.at, surface.normal);
+            store_3(view.more_outputs.z + 3u * number, normal);
+        }
     }
 }
 
@@ -276,7 +313,9 @@ fn store_miss(number: u32, ray: Ray) {
         }
         store_3(view.outputs.w + 3u * number, point);
     }
-    if view.more_outputs.x != NONE {
-        store_3(view.more_outputs.x + 3u * number, vec3<f32>(nan));
+    for (var i = 0u; i < 3u; i++) {
+        if view.more_outputs[i] != NONE {
+            store_3(view.more_outputs[i] + 3u * number, vec3<f32>(nan));
+        }
     }
 }

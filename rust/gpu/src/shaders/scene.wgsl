@@ -30,7 +30,7 @@ struct Pass {
     environment: vec4<u32>,
     // First words of colour, range, ids and position in the output; NONE for those that are not wanted.
     outputs: vec4<u32>,
-    // First word of normals.
+    // First words of normals, albedo, shading normals and coverage.
     more_outputs: vec4<u32>,
     // The part of each ray that is seen: from, to, 1 where it has no end, and the number of planes.
     segment: vec4<f32>,

@@ -14,7 +14,7 @@ use super::frame::GpuJob;
 use crate::camera::Camera;
 use crate::convert::errors::to_python;
 use crate::convert::run;
-use crate::render::frame::{channels, images, limits};
+use crate::render::frame::{Settings, channels, images};
 use crate::render::reduced::{Reduced, drawing};
 use crate::scene::Scene;
 
@@ -94,24 +94,19 @@ impl GpuDevice {
     }
 
     /// Starts a frame of a scene.
-    #[pyo3(signature = (scene, camera, *, channels, samples, t_min=0.0, t_max=f32::INFINITY, clip=Vec::new(), report=None))]
-    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    #[pyo3(signature = (scene, camera, settings, *, report=None))]
     fn truth(
         &self,
         py: Python<'_>,
         scene: &Scene,
         camera: &Camera,
-        channels: Vec<String>,
-        samples: u32,
-        t_min: f32,
-        t_max: f32,
-        clip: Vec<[f64; 4]>,
+        settings: Settings<'_>,
         report: Option<Py<PyAny>>,
     ) -> PyResult<GpuJob> {
-        let wanted = self::channels(&channels)?;
-        let (scene, camera) = (&scene.0, &camera.0);
-        let limits = limits(t_min, t_max, &clip)?;
-        let begin = |progress: &Progress| truth::begin(&self.0, scene, camera, wanted, samples, limits, progress);
+        let (channels, limits, pixels) = (settings.channels()?, settings.limits()?, settings.pixels()?);
+        let (scene, camera, samples) = (&scene.0, &camera.0, settings.samples);
+        let begin =
+            |progress: &Progress| truth::begin(&self.0, scene, camera, channels, samples, (limits, pixels), progress);
         let job = run::long(py, report, begin)?;
         Ok(GpuJob::new(job, camera, None))
     }
@@ -138,8 +133,8 @@ impl GpuDevice {
 
     /// Starts a frame of a reduced scene; `scene` is the scene that was reduced, in any pose.
     #[pyo3(signature = (
-        reduced, scene, camera, *, channels, samples, t_min, t_max, clip, user, radius, method, mapped, tolerance_px,
-        conventional_dynamic, report=None
+        reduced, scene, camera, settings, *, user, radius, method, mapped, tolerance_px, conventional_dynamic,
+        report=None
     ))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn reduced(
@@ -148,11 +143,7 @@ impl GpuDevice {
         reduced: &Reduced,
         scene: &Scene,
         camera: &Camera,
-        channels: Vec<String>,
-        samples: u32,
-        t_min: f32,
-        t_max: f32,
-        clip: Vec<[f64; 4]>,
+        settings: Settings<'_>,
         user: Option<[f64; 3]>,
         radius: Option<f64>,
         method: &str,
@@ -161,8 +152,8 @@ impl GpuDevice {
         conventional_dynamic: &str,
         report: Option<Py<PyAny>>,
     ) -> PyResult<GpuJob> {
-        let (limits, how) = (limits(t_min, t_max, &clip)?, (method, mapped, tolerance_px));
-        let drawing = drawing(&channels, samples, limits, (user, radius), how, conventional_dynamic)?;
+        let how = (method, mapped, tolerance_px);
+        let drawing = drawing(&settings, (user, radius), how, conventional_dynamic)?;
         let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
         let (job, counts) = run::long(py, report, |progress| {
             reduced.on_gpu(progress)?.begin(device, (&reduced.core, scene), camera, &drawing, progress)

@@ -1,10 +1,10 @@
 //! Bindings of `render::Frame`: images by name, and sRGB codes.
 
 use nearfar_core::render::reduced::FrameCounts;
-use nearfar_core::render::{Channels, Frame, Limits, Segment};
+use nearfar_core::render::{Channels, Frame, Limits, Pixels, Segment};
 use nearfar_core::scene::srgb::srgb_from_all_linear;
 use numpy::ndarray::IntoDimension;
-use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArrayDyn};
+use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray2, PyReadonlyArrayDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -13,35 +13,60 @@ use crate::convert::arrays::filled;
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
+/// Settings of a picture that all renderers take beside the camera, by the names in `Shot.settings`.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Settings<'py> {
+    channels: Vec<String>,
+    pub samples: u32,
+    t_min: f32,
+    t_max: f32,
+    clip: Vec<[f64; 4]>,
+    mask: Option<PyReadonlyArray2<'py, bool>>,
+    bare: bool,
+}
+
+impl Settings<'_> {
+    /// The requested channels.
+    pub fn channels(&self) -> PyResult<Channels> {
+        channels(&self.channels)
+    }
+
+    /// Limits of what is seen: a part of each ray, and half-spaces (n, d) in the world.
+    pub fn limits(&self) -> PyResult<Limits> {
+        Limits::new(Segment { t_min: self.t_min, t_max: self.t_max }, &self.clip).map_err(to_python)
+    }
+
+    /// The pixels that are drawn.
+    pub fn pixels(&self) -> PyResult<Pixels<'_>> {
+        let mask = self.mask.as_ref().map(PyReadonlyArray2::as_slice).transpose()?;
+        Ok(Pixels { mask, bare: self.bare })
+    }
+}
+
 /// The requested channels, by their public names.
 pub fn channels(names: &[String]) -> PyResult<Channels> {
     let mut channels = Channels::default();
-    for name in names {
-        match name.as_str() {
-            "color" => channels.color = true,
-            "range" => channels.range = true,
-            "object_id" => channels.object_id = true,
-            "face_id" => channels.face_id = true,
-            "position" => channels.position = true,
-            "normal" => channels.normal = true,
-            _ => return Err(PyValueError::new_err(format!("channels: unknown channel '{name}'"))),
-        }
+    match names.iter().find(|name| !channels.add(name)) {
+        Some(name) => Err(PyValueError::new_err(format!("channels: unknown channel '{name}'"))),
+        None => Ok(channels),
     }
-    Ok(channels)
-}
-
-/// Limits of what is seen: a part of each ray, and half-spaces (n, d) in the world.
-pub fn limits(t_min: f32, t_max: f32, clip: &[[f64; 4]]) -> PyResult<Limits> {
-    Limits::new(Segment { t_min, t_max }, clip).map_err(to_python)
 }
 
 /// The images of a frame by their public names, (height, width) or (height, width, 3).
 pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize)) -> PyResult<Bound<'py, PyDict>> {
     let images = PyDict::new(py);
-    let vectors = [("color", frame.color), ("position", frame.position), ("normal", frame.normal)];
+    let vectors = [
+        ("color", frame.color),
+        ("position", frame.position),
+        ("normal", frame.normal),
+        ("albedo", frame.albedo),
+        ("shading_normal", frame.shading_normal),
+    ];
     for (name, image) in vectors {
         put(&images, name, image.into_flattened(), [height, width, 3])?;
     }
+    put(&images, "coverage", frame.coverage, [height, width])?;
     put(&images, "range", frame.range, [height, width])?;
     put(&images, "object_id", frame.object_id, [height, width])?;
     put(&images, "face_id", frame.face_id, [height, width])?;

@@ -6,13 +6,12 @@ use glam::DVec3;
 use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
-use nearfar_core::render::Limits;
 use nearfar_core::render::reduced::{self, ConventionalDynamic, Drawing, Join, MorphMethod};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use super::frame::{add_counts, channels, images, limits};
+use super::frame::{Settings, add_counts, images};
 use crate::camera::Camera;
 use crate::convert::arrays::{buffer, flat_buffer};
 use crate::convert::errors::to_python;
@@ -47,14 +46,12 @@ impl Reduced {
 }
 
 /// Settings of a frame, by their public names.
-pub fn drawing(
-    channels: &[String],
-    samples: u32,
-    limits: Limits,
+pub fn drawing<'a>(
+    settings: &'a Settings<'_>,
     (user, radius): (Option<[f64; 3]>, Option<f64>),
     (method, mapped, tolerance_px): (&str, bool, f64),
     conventional_dynamic: &str,
-) -> PyResult<Drawing> {
+) -> PyResult<Drawing<'a>> {
     let method = match method {
         "vertex" => MorphMethod::Vertex,
         "exact" => MorphMethod::Exact,
@@ -63,8 +60,9 @@ pub fn drawing(
     let named = [ConventionalDynamic::Center, ConventionalDynamic::User, ConventionalDynamic::Omit];
     let named = named.map(|place| (place.name(), place));
     let conventional_dynamic = choice("conventional_dynamic", conventional_dynamic, &named).map_err(to_python)?;
-    let (channels, user) = (self::channels(channels)?, user.map(DVec3::from_array));
-    Ok(Drawing { channels, samples, limits, user, radius, method, mapped, tolerance_px, conventional_dynamic })
+    let (channels, limits, pixels) = (settings.channels()?, settings.limits()?, settings.pixels()?);
+    let (samples, user) = (settings.samples, user.map(DVec3::from_array));
+    Ok(Drawing { channels, samples, limits, pixels, user, radius, method, mapped, tolerance_px, conventional_dynamic })
 }
 
 #[pymethods]
@@ -107,18 +105,16 @@ impl Reduced {
 
     /// Images of a view by name, and its counts as `stats`; `scene` is the scene that was reduced, in any
     /// pose.
-    #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, clip, user, radius, method, mapped, tolerance_px, conventional_dynamic, report=None))]
+    #[pyo3(signature = (
+        scene, camera, settings, *, user, radius, method, mapped, tolerance_px, conventional_dynamic, report=None
+    ))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn render<'py>(
         &self,
         py: Python<'py>,
         scene: &Scene,
         camera: &Camera,
-        channels: Vec<String>,
-        samples: u32,
-        t_min: f32,
-        t_max: f32,
-        clip: Vec<[f64; 4]>,
+        settings: Settings<'py>,
         user: Option<[f64; 3]>,
         radius: Option<f64>,
         method: &str,
@@ -127,8 +123,8 @@ impl Reduced {
         conventional_dynamic: &str,
         report: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let (limits, how) = (limits(t_min, t_max, &clip)?, (method, mapped, tolerance_px));
-        let drawing = drawing(&channels, samples, limits, (user, radius), how, conventional_dynamic)?;
+        let how = (method, mapped, tolerance_px);
+        let drawing = drawing(&settings, (user, radius), how, conventional_dynamic)?;
         let (scene, camera) = (&scene.0, &camera.0);
         let (frame, counts) = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
         let images = images(py, frame, (camera.height as usize, camera.width as usize))?;

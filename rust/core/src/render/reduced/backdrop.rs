@@ -3,7 +3,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::super::frame::Sample;
+use super::super::frame::{Channels, Sample};
 use super::super::limits::{Limits, Segment};
 use super::super::shade::background;
 use super::super::surface::Surface;
@@ -71,7 +71,7 @@ impl Backdrop<'_> {
     }
 
     /// Channels of a far pixel. The map shows what O sees in this direction; with its range the point is known.
-    pub fn sample(&self, direction: Vec3) -> Sample {
+    pub fn sample(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
         match self.far {
             Far::Nothing => Sample::default(),
             Far::Map(map) if !self.shows(map, direction) => Sample::default(),
@@ -88,7 +88,8 @@ impl Backdrop<'_> {
                 if hit.is_miss() {
                     return Sample::default();
                 }
-                sample_of(&Surface::of_hit(scene, &ray, &hit), scene, self.displayed(direction, hit.t))
+                let (surface, range) = (Surface::of_hit(scene, &ray, &hit), self.displayed(direction, hit.t));
+                surface.sample(scene, range, || footprint().at(hit.t), wanted)
             }
         }
     }
@@ -178,16 +179,5 @@ pub(super) fn closest(scene: &Scene, rays: &[Ray], hits: &mut [Hit]) {
         closest_hits(scene, rays, &AlphaFilter { scene, inner: All }, hits);
     } else {
         closest_hits(scene, rays, &All, hits);
-    }
-}
-
-/// Channels of a near pixel: its unmorphed surface and its displayed distance.
-pub(super) fn sample_of(surface: &Surface, scene: &Scene, range: f32) -> Sample {
-    Sample {
-        range,
-        object_id: surface.object_id(scene),
-        face_id: surface.face_id(scene),
-        position: surface.point.to_array(),
-        normal: surface.normal.to_array(),
     }
 }

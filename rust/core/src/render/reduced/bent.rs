@@ -4,7 +4,7 @@
 use super::super::frame::{Channels, Sample};
 use super::super::surface::{Surface, add_colors};
 use super::super::tiles::{PIXELS, Picture, Spots};
-use super::backdrop::{Backdrop, sample_of};
+use super::backdrop::Backdrop;
 use super::shown::Shown;
 use crate::camera::Footprint;
 use crate::scene::Scene;
@@ -85,10 +85,11 @@ impl Picture for Bent<'_> {
         add_colors(self.scene, rays, hits, &footprint, |hit| self.on_scene(hit), missed, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
         if hit.is_miss() {
-            return self.backdrop.sample(ray.direction);
+            return self.backdrop.sample(ray.direction, footprint, wanted);
         }
-        sample_of(&Surface::of_hit(self.scene, ray, &self.on_scene(hit)), self.scene, hit.t)
+        let surface = Surface::of_hit(self.scene, ray, &self.on_scene(hit));
+        surface.sample(self.scene, hit.t, || footprint().at(hit.t), wanted)
     }
 }

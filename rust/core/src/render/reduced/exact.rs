@@ -7,7 +7,7 @@ use super::super::frame::{Channels, Sample};
 use super::super::limits::Segment;
 use super::super::surface::{Surface, add_colors};
 use super::super::tiles::{PIXELS, Picture, Spots};
-use super::backdrop::{Backdrop, closest, sample_of};
+use super::backdrop::{Backdrop, closest};
 use super::cell::Cell;
 use super::lattice::Lattice;
 use super::moving::Moving;
@@ -242,11 +242,12 @@ impl Picture for Exact<'_> {
         add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
         if hit.is_miss() {
-            return self.backdrop.sample(ray.direction);
+            return self.backdrop.sample(ray.direction, footprint, wanted);
         }
-        sample_of(&Surface::of_hit(self.scene, ray, hit), self.scene, hit.t)
+        let surface = Surface::of_hit(self.scene, ray, hit);
+        surface.sample(self.scene, hit.t, || footprint().at(hit.t), wanted)
     }
 }
 

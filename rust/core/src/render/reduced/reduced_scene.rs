@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::super::frame::{Channels, Frame};
 use super::super::limits::{Limits, Segment};
-use super::super::tiles::{RenderView, check_reach, draw};
+use super::super::tiles::{Pixels, RenderView, check_reach, draw};
 use super::backdrop::{Backdrop, Far, Seen};
 use super::folding::Folding;
 use super::moving::ConventionalDynamic;
@@ -52,13 +52,15 @@ pub enum MorphMethod {
 
 /// Settings of a frame of a reduced scene.
 #[derive(Clone, Copy, Debug)]
-pub struct Drawing {
+pub struct Drawing<'a> {
     /// Requested images.
     pub channels: Channels,
     /// Number of colour samples per pixel.
     pub samples: u32,
     /// The part of space in which surfaces are visible, by displayed distances and by where they are shown in the world.
     pub limits: Limits,
+    /// The pixels that are drawn.
+    pub pixels: Pixels<'a>,
     /// World position of the user's eye U, for which near geometry is morphed; `None` for the camera's position.
     pub user: Option<DVec3>,
     /// Radius of the morph in this frame, metres; `None` for r₂. r₁ shrinks in proportion.
@@ -74,7 +76,7 @@ pub struct Drawing {
     pub conventional_dynamic: ConventionalDynamic,
 }
 
-impl Drawing {
+impl Drawing<'_> {
     /// World position of the user's eye U for a camera's picture.
     pub fn user(&self, camera: &Camera) -> DVec3 {
         self.user.unwrap_or(camera.position)
@@ -142,12 +144,12 @@ impl Reduced {
         &self,
         scene: &Scene,
         camera: &Camera,
-        drawing: &Drawing,
+        drawing: &Drawing<'_>,
         progress: &Progress,
     ) -> Result<(Frame, FrameCounts)> {
         self.check(scene, camera, drawing)?;
-        let Drawing { channels, samples, limits, .. } = *drawing;
-        let view = RenderView { camera, origin: scene.origin, channels, samples, limits };
+        let Drawing { channels, samples, limits, pixels, .. } = *drawing;
+        let view = RenderView { camera, origin: scene.origin, channels, samples, limits, pixels };
         let center = self.center - scene.origin;
         let boundary = if let Join::Conventional { radius } = self.join { radius } else { self.radii[1] };
         let seen = Seen { limits: limits.relative_to(scene.origin), eye: camera.position - scene.origin };
@@ -182,7 +184,7 @@ impl Reduced {
     }
 
     /// Kind of the morph; `None` if user and camera are at the centre, from which no point is moved.
-    pub fn morph_kind(&self, camera: &Camera, drawing: &Drawing) -> Option<Kind> {
+    pub fn morph_kind(&self, camera: &Camera, drawing: &Drawing<'_>) -> Option<Kind> {
         let at_center = [camera.position, drawing.user(camera)] == [self.center; 2];
         self.join.kind().filter(|_| !at_center)
     }
@@ -216,7 +218,7 @@ impl Reduced {
     }
 
     /// Fails for invalid requests: another scene, parallel rays in front of a map, channels that were not baked.
-    pub fn check(&self, scene: &Scene, camera: &Camera, drawing: &Drawing) -> Result<()> {
+    pub fn check(&self, scene: &Scene, camera: &Camera, drawing: &Drawing<'_>) -> Result<()> {
         if !Arc::ptr_eq(&scene.standing, &self.standing.standing) {
             return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
         }
@@ -287,7 +289,7 @@ impl Reduced {
 }
 
 /// Refuses limits if rays are bent or the far part is traced.
-fn check_limits(drawing: &Drawing, bends: bool) -> Result<()> {
+fn check_limits(drawing: &Drawing<'_>, bends: bool) -> Result<()> {
     let Segment { t_min, t_max } = drawing.limits.segment;
     let method = match (bends, drawing.mapped) {
         (true, _) => "method='exact'; method='vertex' takes any",

@@ -37,6 +37,8 @@ pub(super) struct View<'a> {
     pub mapped: bool,
     /// In world positions.
     pub limits: Limits,
+    /// Samples that see no triangle are black.
+    pub bare: bool,
     /// Where moving objects beyond the near part are shown without a morph.
     pub conventional_dynamic: ConventionalDynamic,
 }
@@ -100,6 +102,7 @@ impl View<'_> {
             backdrop: self.texels.as_ref().map(backdrop),
             backdrop_style: missed.style(),
             limits: (!self.limits.is_none()).then(|| self.limits.relative_to(self.scene.origin)),
+            bare: self.bare,
             ..Picture::plain(layers, self.scene.origin)
         })
     }

@@ -54,7 +54,7 @@ impl Reduced {
         device: &Arc<Device>,
         (reduced, scene): (&reduced::Reduced, &Scene),
         camera: &Camera,
-        drawing: &Drawing,
+        drawing: &Drawing<'_>,
         progress: &Progress,
     ) -> Result<(Job, FrameCounts)> {
         reduced.check(scene, camera, drawing)?;
@@ -102,6 +102,7 @@ impl Reduced {
             texels,
             mapped: drawing.mapped,
             limits: drawing.limits,
+            bare: drawing.pixels.bare,
             conventional_dynamic: drawing.conventional_dynamic,
         };
         let job = Job::begin(device, view.picture(device)?, camera, drawing.channels, drawing.samples, progress)?;

@@ -1,0 +1,183 @@
+"""Three scenes with surfaces through the depths at which stereo is given up: beams, spheres, an open landscape.
+
+They follow in kind those of the study by Fink et al. (2019), Hybrid mono-stereo rendering in virtual reality, whose
+models are not published.
+"""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from nearfar._base import check
+from nearfar._scene.scene import Scene
+from nearfar.datasets import _vegetation as vegetation
+from nearfar.datasets._draw import Draw, Floats, turn
+from nearfar.datasets._forest import Land, scattered, surface
+from nearfar.datasets._palette import material, materials
+from nearfar.datasets._shapes import boxes, quads, sheet, sphere, triangles
+from nearfar.datasets._stage import Stage, placements
+
+EYE_HEIGHT = 1.7
+"""Height of the viewer's eyes at the origin, metres."""
+_MOST = 1_000_000
+_PAINTS = (
+    "sign_red",
+    "sign_teal",
+    "sign_mustard",
+    "paint_sky",
+    "paint_mint",
+    "paint_rose",
+    "panel_navy",
+    "brick_orange",
+)
+
+
+def beams(count: int = 80, seed: int = 0) -> Scene:
+    """Make straight beams that point away from a viewer at the origin, over a floor.
+
+    Beams of 8 to 40 m lie about the viewer's height, from 2 m to beyond 40 m away and within 45° of the forward
+    direction −z: each passes many depths, so that a bend where stereo ends shows at once. The same arguments give the
+    same bytes on every run and every platform.
+
+    Parameters
+    ----------
+    count
+        Number of beams, 1 to 1,000,000.
+    seed
+        0 to 2⁶³ − 1.
+
+    Returns
+    -------
+    Scene
+        Objects "floor" and "beam_0", "beam_1" … of twelve triangles.
+
+    Raises
+    ------
+    ValueError
+        For numbers out of range.
+    """
+    count, seed = _checked(count, seed, "count")
+    stage, draw = Stage(), Draw(seed, 70)
+    _floor(stage)
+    share, side = draw.uniform(count), draw.uniform(count, -1.0, 1.0)
+    away = 2.0 + 28.0 * share * share
+    starts = np.stack([side * away, draw.uniform(count, 0.2, 4.5), -away], -1)
+    # Turned to a side by up to 45°, and up or down by up to 10°.
+    yaw, pitch = draw.uniform(count, -0.125, 0.125), draw.uniform(count, -0.028, 0.028)
+    sizes = np.stack([draw.uniform(count, 0.12, 0.4)] * 2 + [draw.uniform(count, 8.0, 40.0)], -1)
+    transforms = _oriented(yaw, pitch, sizes, starts)
+    chosen = draw.integers(count, len(_PAINTS))
+    for n, paint in enumerate(_PAINTS):
+        mine = np.flatnonzero(chosen == n)
+        bar = boxes((-0.5, -0.5, -1.0), (0.5, 0.5, 0.0), material(paint))
+        stage.many(bar, transforms[mine], [f"beam_{k}" for k in mine])
+    return stage.build()
+
+
+def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
+    """Make spheres at all distances about a viewer at the origin, over a floor.
+
+    Their centres are 1.5 to 60 m away, as dense near as far by distance; radii are 0.08 to 1 m, less near the viewer.
+    The same arguments give the same bytes on every run and every platform.
+
+    Parameters
+    ----------
+    count
+        Number of spheres, 1 to 1,000,000.
+    seed
+        0 to 2⁶³ − 1.
+    detail
+        Number of subdivisions, 0 to 7: a sphere has 20 · 4ⁿ triangles.
+
+    Returns
+    -------
+    Scene
+        Objects "floor" and "sphere_0", "sphere_1" …
+
+    Raises
+    ------
+    ValueError
+        For numbers out of range.
+    """
+    count, seed = _checked(count, seed, "count")
+    detail = check.integer("detail", detail, 0, 7)
+    stage, draw = Stage(), Draw(seed, 71)
+    _floor(stage)
+    away = draw.uniform(count, 1.5, 60.0)
+    cosine, sine = turn(draw.uniform(count))
+    radii = np.minimum(draw.uniform(count, 0.08, 1.0), 0.12 * away)
+    height = radii + draw.uniform(count, 0.0, 1.0) * (0.4 + 0.35 * away)
+    where = placements(sine * away, height, -cosine * away, 0.0, radii)
+    chosen = draw.integers(count, len(_PAINTS))
+    for n, paint in enumerate(_PAINTS):
+        mine = np.flatnonzero(chosen == n)
+        stage.many(triangles(sphere(detail), material(paint)), where[mine], [f"sphere_{k}" for k in mine])
+    return stage.build()
+
+
+def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
+    """Make open hills up to the horizon, with single trees and rocks, about a viewer at the origin.
+
+    The ground at the origin is at y = 0. The same arguments give the same bytes on every run and every platform.
+
+    Parameters
+    ----------
+    trees
+        Number of trees, 1 to 1,000,000; there are as many rocks.
+    seed
+        0 to 2⁶³ − 1.
+    detail
+        0 to 3, as in `forest`.
+
+    Returns
+    -------
+    Scene
+        Objects "land", "spruce_17", "oak_4" and "rock_2".
+
+    Raises
+    ------
+    ValueError
+        For numbers out of range.
+    """
+    trees, seed = _checked(trees, seed, "trees")
+    detail = check.integer("detail", detail, 0, 3)
+    # Ten times as much land for each tree as in a forest.
+    stage, land, draw = Stage(), Land.of(10 * trees, seed), Draw(seed, 72)
+    stage.once(surface(land, detail), "land")
+    for number, (name, variants, sizes) in enumerate((("spruce", 4, (0.7, 1.3)), ("oak", 4, (0.6, 1.2)))):
+        make = (vegetation.conifer, vegetation.broadleaf)[number]
+        amount = trees // 2 if number else trees - trees // 2
+        x, z = scattered(land, amount, 3.0, draw)
+        where = placements(x, land.height(x, z), z, draw.uniform(amount), draw.uniform(amount, *sizes))
+        stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(amount, variants), where, name)
+    x, z = scattered(land, trees, 1.5, draw)
+    where = placements(x, land.height(x, z), z, draw.uniform(trees), draw.uniform(trees, 0.3, 2.5))
+    stage.mixed(functools.partial(vegetation.rock, seed, detail=detail), draw.integers(trees, 4), where, "rock")
+    return stage.build()
+
+
+def _checked(count: int, seed: int, name: str) -> tuple[int, int]:
+    return check.integer(name, count, 1, _MOST), check.integer("seed", seed, 0, 2**63 - 1)
+
+
+def _floor(stage: Stage) -> None:
+    """A square of tiles of two greys, 160 m wide."""
+    lines = np.linspace(-80.0, 80.0, 81)
+    x, z = np.meshgrid(lines, lines)
+    cells = sheet(np.stack([x, np.zeros_like(x), z], -1)).reshape(-1, 4, 3)
+    number = np.arange(len(cells))
+    tiles = np.array(materials("concrete", "concrete_dark"), np.int32)[(number // 80 + number % 80) % 2]
+    stage.once(quads(cells, tiles), "floor")
+
+
+def _oriented(yaw: Floats, pitch: Floats, sizes: Floats, starts: Floats) -> Floats:
+    """Make transforms (K, 4, 4): scale, tilt up and turn to the left by fractions of a turn, move."""
+    (cy, sy), (cp, sp) = turn(yaw), turn(pitch)
+    matrices = np.zeros((len(yaw), 4, 4))
+    zero = np.zeros_like(cy)
+    columns = np.stack([[cy, zero, -sy], [sy * sp, cp, cy * sp], [sy * cp, -sp, cy * cp]])
+    matrices[:, :3, :3] = np.moveaxis(columns, (0, 1, 2), (2, 1, 0)) * sizes[:, None, :]
+    matrices[:, :3, 3], matrices[:, 3, 3] = starts, 1.0
+    return matrices

@@ -1,0 +1,169 @@
+//! Assembly: what an eye sees beyond the plane, looked up in the third camera's picture through the plane's homography.
+//!
+//! An eye's own picture holds all surfaces before the plane, in front of black. Where its samples show none, the third
+//! camera's picture is added behind it, weighted by the share of these samples.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use glam::{DMat3, DVec2};
+use rayon::prelude::*;
+
+use super::rig::{Rig, Side};
+use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::render::tiles::sample_offsets;
+
+/// The places of an eye's pixels in the third camera's picture.
+pub(super) struct EyeMap {
+    to_center: DMat3,
+    /// Size of the third camera's picture, pixels.
+    size: (u32, u32),
+}
+
+/// The four pixels of the third camera around a place, by row-major numbers, and the place's share between them to the
+/// right and downwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Taps {
+    pub pixels: [usize; 4],
+    pub share: [f32; 2],
+}
+
+impl EyeMap {
+    /// The place of position (x, y) of the eye's picture, pixels.
+    #[inline]
+    pub fn place(&self, x: f64, y: f64) -> DVec2 {
+        let at = self.to_center.x_axis * x + self.to_center.y_axis * y + self.to_center.z_axis;
+        at.truncate() / at.z
+    }
+
+    /// The pixels around a place; at the picture's edge the outermost ones.
+    #[inline]
+    pub fn taps(&self, at: DVec2) -> Taps {
+        let (x, right, across) = neighbours(at.x, self.size.0);
+        let (y, below, down) = neighbours(at.y, self.size.1);
+        let [upper, lower] = [y, below].map(|row| row * self.size.0 as usize);
+        Taps { pixels: [upper + x, upper + right, lower + x, lower + right], share: [across, down] }
+    }
+
+    /// The pixel that holds a place.
+    fn pixel(&self, at: DVec2) -> usize {
+        let inside = |at: f64, count: u32| (at.max(0.0) as usize).min(count as usize - 1);
+        inside(at.y, self.size.1) * self.size.0 as usize + inside(at.x, self.size.0)
+    }
+}
+
+/// The two pixels whose centres enclose a coordinate, and the second one's share.
+#[inline]
+fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
+    let last = f64::from(count - 1);
+    let from = (at - 0.5).clamp(0.0, last);
+    let first = from.floor();
+    (first as usize, (first + 1.0).min(last) as usize, (from - first) as f32)
+}
+
+impl Taps {
+    /// Bilinear interpolation of a picture.
+    #[inline]
+    pub fn mix(&self, picture: &[[f32; 3]]) -> [f32; 3] {
+        let [a, b, c, d] = self.pixels.map(|pixel| picture[pixel]);
+        let [across, down] = self.share;
+        std::array::from_fn(|i| {
+            let (upper, lower) = (a[i] + (b[i] - a[i]) * across, c[i] + (d[i] - c[i]) * across);
+            upper + (lower - upper) * down
+        })
+    }
+}
+
+impl Rig {
+    pub(super) fn eye_map(&self, side: Side) -> EyeMap {
+        EyeMap { to_center: self.homography(side).inverse(), size: self.center_size() }
+    }
+
+    /// For each pixel of the third camera, whether an eye looks it up: those around the places of all pixels that have
+    /// samples without a surface of their own. `coverage` has the share of the others for each eye. Pictures that are
+    /// resolved look places up for each of their `samples`, others one for each pixel.
+    pub fn needed(&self, coverage: [&[f32]; 2], samples: u32, progress: &Progress) -> Result<Vec<bool>> {
+        let count = pixels(self.center_size());
+        room_for(count as u64)?;
+        let mask: Vec<AtomicBool> = (0..count).map(|_| AtomicBool::new(false)).collect();
+        let offsets = sample_offsets(samples);
+        for (side, coverage) in Side::BOTH.into_iter().zip(coverage) {
+            self.check("coverage", coverage.len())?;
+            let map = self.eye_map(side);
+            coverage.par_chunks(self.size().0 as usize).enumerate().try_for_each(|(row, shares)| {
+                for (column, _) in shares.iter().enumerate().filter(|(_, share)| **share < 1.0) {
+                    for [x, y] in &offsets {
+                        let taps = map.taps(map.place(column as f64 + x, row as f64 + y));
+                        taps.pixels.iter().for_each(|&pixel| mask[pixel].store(true, Ordering::Relaxed));
+                    }
+                }
+                progress.check()
+            })?;
+        }
+        Ok(mask.into_iter().map(AtomicBool::into_inner).collect())
+    }
+
+    /// Adds the third camera's picture behind an eye's own, bilinearly at the centres of the eye's pixels.
+    pub fn assemble(
+        &self,
+        side: Side,
+        coverage: &[f32],
+        center: &[[f32; 3]],
+        color: &mut [[f32; 3]],
+        progress: &Progress,
+    ) -> Result<()> {
+        let map = self.eye_map(side);
+        self.check_center("center", center.len())?;
+        self.behind(coverage, color, progress, |column, row| {
+            map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5)).mix(center)
+        })
+    }
+
+    /// Adds a colour behind each pixel of an eye that has samples without a surface of their own.
+    pub(super) fn behind(
+        &self,
+        coverage: &[f32],
+        color: &mut [[f32; 3]],
+        progress: &Progress,
+        far: impl Fn(usize, usize) -> [f32; 3] + Sync,
+    ) -> Result<()> {
+        self.check("coverage", coverage.len())?;
+        self.check("color", color.len())?;
+        let width = self.size().0 as usize;
+        let rows = color.par_chunks_mut(width).zip(coverage.par_chunks(width)).enumerate();
+        rows.try_for_each(|(row, (colors, shares))| {
+            for (column, (color, share)) in colors.iter_mut().zip(shares).enumerate().filter(|(_, (_, s))| **s < 1.0) {
+                let far = far(column, row);
+                (0..3).for_each(|i| color[i] += (1.0 - share) * far[i]);
+            }
+            progress.check()
+        })
+    }
+
+    /// For each pixel of an eye, the number of the third camera's pixel that holds its place.
+    pub fn nearest(&self, side: Side, numbers: &mut [u32], progress: &Progress) -> Result<()> {
+        self.check("numbers", numbers.len())?;
+        let map = self.eye_map(side);
+        numbers.par_chunks_mut(self.size().0 as usize).enumerate().try_for_each(|(row, numbers)| {
+            for (column, number) in numbers.iter_mut().enumerate() {
+                *number = map.pixel(map.place(column as f64 + 0.5, row as f64 + 0.5)) as u32;
+            }
+            progress.check()
+        })
+    }
+
+    fn check(&self, argument: &'static str, length: usize) -> Result<()> {
+        expect(argument, pixels(self.size()), length)
+    }
+
+    pub(super) fn check_center(&self, argument: &'static str, length: usize) -> Result<()> {
+        expect(argument, pixels(self.center_size()), length)
+    }
+}
+
+fn pixels((width, height): (u32, u32)) -> usize {
+    width as usize * height as usize
+}
+
+fn expect(argument: &'static str, expected: usize, length: usize) -> Result<()> {
+    if length == expected { Ok(()) } else { Err(Error::value(argument, format!("{expected} pixels"), length)) }
+}

@@ -1,0 +1,325 @@
+"""Tests of hybrid pictures: against a slow assembly of separate pictures, against points in space, at their limits."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._scene.builder import SceneBuilder
+from nearfar.hmd import Eye
+from nearfar.stereo import HybridRig
+from tests.support.reduce_cases import ALL, place, street
+
+Image = NDArray[np.float64]
+
+HEAD = (3.0, 1.7, -2.0)
+
+
+def towards(eye: Any, target: Any) -> tuple[float, float, float, float]:
+    """Orientation of a head that looks at a target."""
+    return nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(90), size=(1, 1)).orientation
+
+
+AHEAD = towards(HEAD, (9.0, 1.5, -9.0))
+SHALLOW = 12.0
+"""A mono plane that passes through the street's near box, wall and ground, metres."""
+
+
+def rig(mono_plane: float = SHALLOW, size: tuple[int, int] = (96, 80), cant: float = 0.0) -> HybridRig:
+    """Asymmetric eyes, which may be turned outwards by an angle in degrees."""
+    half = math.radians(cant) / 2.0
+
+    def eye(fov: nf.Fov, x: float, side: float) -> Eye:
+        return Eye(fov, (x, 0.01, -0.02), (0.0, side * math.sin(half), 0.0, math.cos(half)))
+
+    left, right = eye(nf.Fov(-1.2, 0.9, -1.0, 1.1), -0.031, 1.0), eye(nf.Fov(-0.9, 1.2, -1.0, 1.1), 0.033, -1.0)
+    return HybridRig(left=left, right=right, mono_plane=mono_plane, size=size)
+
+
+def cut(rig: HybridRig, begin: float, end: float) -> nf.Clip:
+    """What lies between two depths ahead of the eyes."""
+    _, _, center = rig.cameras(HEAD, AHEAD)
+    ahead = rotate(AHEAD, (0.0, 0.0, -1.0))
+    eyes = np.array(center.position) + rig.center_offset * ahead
+    planes = [(*ahead, -ahead @ eyes - begin)]
+    return nf.Clip(planes=[*planes, (*-ahead, ahead @ eyes + end)] if math.isfinite(end) else planes)
+
+
+def rotate(orientation: tuple[float, ...], v: tuple[float, float, float]) -> NDArray[np.float64]:
+    x, y, z, w = orientation
+    u = np.array((x, y, z))
+    return np.asarray(v + 2.0 * np.cross(u, np.cross(u, v) + w * np.array(v)))
+
+
+def places(rig: HybridRig, side: str) -> Image:
+    """Positions (H, W, 2) in the third camera's picture of the centres of an eye's pixels."""
+    width, height = rig.size
+    x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    at = np.stack([x, y, np.ones_like(x)], -1) @ np.linalg.inv(rig.homography(side)).T
+    return np.asarray(at[..., :2] / at[..., 2:])
+
+
+def bilinear(picture: NDArray[Any], at: Image) -> Image:
+    """Mix the four pixels around each place; the outermost ones beyond the edge."""
+    height, width = picture.shape[:2]
+    x, y = np.clip(at[..., 0] - 0.5, 0.0, width - 1.0), np.clip(at[..., 1] - 0.5, 0.0, height - 1.0)
+    left, top = np.floor(x).astype(int), np.floor(y).astype(int)
+    right, below = np.minimum(left + 1, width - 1), np.minimum(top + 1, height - 1)
+    across, down = (x - left)[..., None], (y - top)[..., None]
+    upper = picture[top, left] * (1.0 - across) + picture[top, right] * across
+    lower = picture[below, left] * (1.0 - across) + picture[below, right] * across
+    return np.asarray(upper * (1.0 - down) + lower * down)
+
+
+def scene() -> nf.Scene:
+    return street(dynamic=True).at({"car": place(7.0, 0.75, -8.0)})
+
+
+@pytest.mark.parametrize("cant", [0.0, 6.0])
+@pytest.mark.parametrize("samples", [1, 4])
+def test_eyes_show_their_own_near_part_before_the_shared_picture(samples: int, cant: float) -> None:
+    """Against pictures that are drawn one by one with planes, and assembled in NumPy."""
+    world, hybrid = scene(), rig(cant=cant)
+    frame = hybrid.render(world, HEAD, AHEAD, samples=samples, channels=("color", "range", "face_id", "coverage"))
+    left, right, center = hybrid.cameras(HEAD, AHEAD)
+    overlap, channels = SHALLOW - hybrid.overlap, ("color", "range", "face_id", "coverage", "position")
+    shared = nf.render(world, center, samples=samples, clip=cut(hybrid, overlap, math.inf), channels=channels)
+    whole = {}
+    for side, camera in (("left", left), ("right", right)):
+        got = getattr(frame, side)
+        own = nf.render(world, camera, samples=samples, clip=cut(hybrid, 0.1, SHALLOW), channels=channels)
+        coverage = own.require("coverage")[..., None].astype(np.float64)
+        # A sample of the eye's own picture that shows nothing has the colour of the sky, which nearly is one colour
+        # within a pixel.
+        nothing = nf.render(empty(), camera, samples=samples)
+        far = bilinear(shared.require("color"), places(hybrid, side))
+        expected = own.require("color") + (1.0 - coverage) * (far - nothing.require("color"))
+        tolerance = 2e-6 if samples == 1 else 4e-3
+        np.testing.assert_allclose(got.require("color"), expected, atol=tolerance)
+        is_own = own.require("face_id") >= 0
+        assert 0.1 < is_own.mean() < 0.9
+        np.testing.assert_array_equal(got.require("face_id")[is_own], own.require("face_id")[is_own])
+        np.testing.assert_array_equal(got.require("range")[is_own], own.require("range")[is_own])
+        nearest = np.floor(places(hybrid, side)[~is_own]).astype(int)
+        np.testing.assert_array_equal(
+            got.require("face_id")[~is_own], shared.require("face_id")[nearest[:, 1], nearest[:, 0]]
+        )
+        points = shared.require("position")[nearest[:, 1], nearest[:, 0]] + world.origin
+        away = np.nan_to_num(np.linalg.norm(points - camera.position, axis=1), nan=math.inf)
+        # Points of the ground's triangles, 2 km long, are rounded by 1e-4 m.
+        np.testing.assert_allclose(got.require("range")[~is_own], away, rtol=5e-5)
+        whole[side] = got
+    assert frame.center is not None
+    assert frame.center.camera == center
+
+
+def empty() -> nf.Scene:
+    return SceneBuilder().build()
+
+
+@pytest.mark.parametrize("samples", [1, 3])
+@pytest.mark.parametrize("assembly", ["bilinear", "resolved"])
+def test_culling_changes_no_pixel_of_the_eyes(assembly: str, samples: int) -> None:
+    frames = [
+        rig().render(scene(), HEAD, AHEAD, cull=cull, assembly=assembly, samples=samples, channels=ALL)
+        for cull in ("frustum", "discard", "occlusion")
+    ]
+    for other in frames[1:]:
+        for side in ("left", "right"):
+            for name in ALL:
+                np.testing.assert_array_equal(
+                    getattr(frames[0], side).require(name), getattr(other, side).require(name)
+                )
+    pixels = [frame.stats["pixels"] for frame in frames]
+    total = math.prod(rig().center_size)
+    assert (pixels[0]["center"], pixels[0]["discarded"]) == (total, 0)
+    assert all(0 < count["discarded"] == total - count["center"] for count in pixels[1:])
+
+
+def test_resolved_pixels_show_what_the_third_camera_sees_at_their_place() -> None:
+    """Against the third camera's ray through each place, traced alone."""
+    world, hybrid = textured(), rig(size=(60, 50))
+    frame = hybrid.render(world, HEAD, AHEAD, assembly="resolved", channels=("color", "coverage", "face_id"))
+    blurred = hybrid.render(world, HEAD, AHEAD)
+    _, _, center = hybrid.cameras(HEAD, AHEAD)
+    own = nf.render(
+        world, hybrid.cameras(HEAD, AHEAD)[0], clip=cut(hybrid, 0.1, SHALLOW), channels=("face_id",)
+    ).require("face_id")
+    fov, (width, height) = center.fov, center.size
+    assert isinstance(fov, nf.Fov)
+    pitch = np.array([(fov.right - fov.left) / width, (fov.up - fov.down) / height])
+    errors, blurs = [], []
+    for row, column in np.argwhere(own < 0)[::7]:
+        x, y = places(hybrid, "left")[row, column]
+        a, b = fov.left + pitch[0] * (x - 0.5), fov.up - pitch[1] * (y + 0.5)
+        pixel = nf.Camera(
+            center.position, center.orientation, fov=nf.Fov(a, a + pitch[0], b, b + pitch[1]), size=(1, 1)
+        )
+        truth = nf.render(world, pixel, clip=cut(hybrid, SHALLOW - hybrid.overlap, math.inf)).require("color")[0, 0]
+        errors.append(np.abs(frame.left.require("color")[row, column] - truth).max())
+        blurs.append(np.abs(blurred.left.require("color")[row, column] - truth).max())
+    # Where the place shows a face that none of the four pixels around shows, their mixture stays.
+    assert np.mean(np.array(errors) < 1e-5) > 0.97
+    assert np.mean(errors) < 0.5 * np.mean(blurs)
+
+
+def textured() -> nf.Scene:
+    """Return a room whose far wall has a fine pattern, with a post before the plane and one beyond it."""
+    import trimesh
+    from PIL import Image as Pictures
+
+    codes = np.random.default_rng(5).integers(0, 255, (64, 64, 3), np.uint8)
+    wall = trimesh.creation.box((60.0, 30.0, 1.0))
+    uv = np.asarray(wall.vertices)[:, :2] / 6.0
+    wall.visual = trimesh.visual.TextureVisuals(uv=uv, image=Pictures.fromarray(codes))
+    wall.apply_translation((8.0, 5.0, -32.0))
+    posts = trimesh.util.concatenate(
+        [
+            trimesh.creation.box((0.4, 6.0, 0.4)).apply_translation(at)
+            for at in ((5.0, 1.0, -6.0), (8.0, 1.0, -20.0), (14.0, 1.0, -14.0))
+        ]
+    )
+    world = trimesh.Scene()
+    world.add_geometry(wall, node_name="wall")
+    world.add_geometry(posts, node_name="posts")
+    return nf.Scene.from_trimesh(world)
+
+
+def test_points_beyond_the_plane_are_shown_where_the_closed_form_says() -> None:
+    """Displacements by the third camera's positions, against the field, for asymmetric and for turned eyes."""
+    for cant in (0.0, 5.0):
+        hybrid = rig(cant=cant, size=(500, 420))
+        frame = hybrid.render(scene(), HEAD, AHEAD, cull="frustum", channels=("position", "color"))
+        left, _, center = hybrid.cameras(HEAD, AHEAD)
+        assert frame.center is not None
+        points = frame.center.require("position").reshape(-1, 3).astype(np.float64) + scene().origin
+        ahead = rotate(AHEAD, (0.0, 0.0, -1.0))
+        depth = (points - center.position) @ ahead - hybrid.center_offset
+        true = left.project(points)[:, :2]
+        x, y = np.meshgrid(np.arange(center.width) + 0.5, np.arange(center.height) + 0.5)
+        shown = np.stack([x.ravel(), y.ravel(), np.ones(x.size)])
+        at = (hybrid.homography("left") @ shown).T
+        moved = at[:, :2] / at[:, 2:] - true
+        inside = (
+            np.isfinite(true).all(axis=1) & (depth > SHALLOW) & (true > 0).all(axis=1) & (true < left.size).all(axis=1)
+        )
+        fov = hybrid.left.fov
+        checked = 0
+        for n in np.flatnonzero(inside)[::997]:
+            tangents = (
+                fov.left + (fov.right - fov.left) * true[n, 0] / left.width,
+                fov.up - (fov.up - fov.down) * true[n, 1] / left.height,
+            )
+            to = hybrid.shown("left", tangents, depth=float(depth[n]))
+            expected = np.subtract(to, tangents) * (
+                left.width / (fov.right - fov.left),
+                -left.height / (fov.up - fov.down),
+            )
+            np.testing.assert_allclose(moved[n], expected, atol=0.02)
+            checked += 1
+        assert checked > 50
+        assert np.abs(moved[inside]).max() < 1.01 * max(
+            hybrid.max_error(axis=axis) for axis in ("horizontal", "vertical")
+        )
+
+
+def test_nothing_beyond_the_plane_is_plain_stereo_and_nothing_before_it_one_picture() -> None:
+    world, far, near = scene(), rig(5000.0), rig(1.2)
+    stereo = far.render(world, HEAD, AHEAD, channels=ALL)
+    assert stereo.center is None
+    assert set(stereo.stats["seconds"]) == {"left", "right"}
+    for side, camera in zip(("left", "right"), far.cameras(HEAD, AHEAD), strict=False):
+        plain = nf.render(world, camera, channels=ALL, clip=cut(far, 0.1, math.inf))
+        for name in ALL:
+            np.testing.assert_array_equal(getattr(stereo, side).require(name), plain.require(name))
+    mono = near.render(street(ground=False), HEAD, AHEAD, channels=ALL)
+    assert set(mono.stats["seconds"]) == {"center", "culling", "assembly"}
+    assert mono.center is not None
+    assert (mono.left.require("face_id") >= 0).any()
+
+
+def test_triangles_in_each_view_are_counted() -> None:
+    import trimesh
+
+    world = trimesh.Scene()
+    across_the_plane = trimesh.creation.icosphere(1, 0.5).apply_translation((1, 0, -12))
+    world.add_geometry(across_the_plane, node_name="across")
+    for name, z, subdivisions in [("near", -4, 0), ("far", -40, 2), ("behind", 9, 3)]:
+        world.add_geometry(trimesh.creation.icosphere(subdivisions, 0.5).apply_translation((0, 0, z)), node_name=name)
+    # Only the left eye sees this far to the left.
+    world.add_geometry(trimesh.creation.box((0.2, 0.2, 0.2)).apply_translation((-4.5, 0, -4)), node_name="left")
+    counted = rig().triangles(nf.Scene.from_trimesh(world), (0, 0, 0))
+    # The eyes are 0.02 m ahead of the head's origin.
+    depths = -np.asarray(across_the_plane.triangles)[..., 2] - 0.02
+    before, beyond = (depths < SHALLOW).any(axis=1), (depths > SHALLOW - rig().overlap).any(axis=1)
+    near, far, left = 20, 320, 12
+    assert counted == {
+        "left": near + before.sum() + left,
+        "right": near + before.sum(),
+        "center": beyond.sum() + far,
+        "thrice": (before & beyond).sum(),
+        "plain": 2 * (near + 80 + far) + left,
+    }
+
+
+def test_surfaces_across_the_plane_leave_no_gap() -> None:
+    """In a closed room every pixel of both eyes shows a surface, at any plane."""
+    room = nf.datasets.room()
+    rng = np.random.default_rng(3)
+    for mono_plane in (0.8, 1.7, 3.1):
+        hybrid = rig(mono_plane, size=(150, 120))
+        for _ in range(3):
+            head = room.bounds.mean(axis=0) + rng.uniform(-0.5, 0.5, 3)
+            way = towards(head, head + rng.normal(size=3))
+            frame = hybrid.render(room, head, way, channels=("coverage", "color"), near=0.0)
+            plain = [nf.render(room, camera, channels=("coverage",)) for camera in hybrid.cameras(head, way)[:2]]
+            for got, expected in zip((frame.left, frame.right), plain, strict=True):
+                # What a window shows of the sky differs by the error of the shared picture.
+                missing = (got.require("coverage") == 0.0) & (expected.require("coverage") > 0.0)
+                assert missing.mean() <= 0.01
+
+
+def test_reduced_scenes_are_morphed_for_the_head() -> None:
+    """One user for all views: the picture of near geometry at the plane is that of both eyes."""
+    world, center = street(), np.array(HEAD) + np.array([2.0, 0.0, 1.0])
+    reduced = nf.reduce(world, center=center, r1=20.0, r2=50.0, face_size=64, samples=1)
+    frame = rig().render(reduced, HEAD, AHEAD, channels=("color",))
+    _, _, camera = rig().cameras(HEAD, AHEAD)
+    middle = np.array(camera.position) + rig().center_offset * rotate(AHEAD, (0.0, 0.0, -1.0))
+    shared = reduced.render(
+        camera, user=middle, clip=cut(rig(), SHALLOW - rig().overlap, math.inf), channels=("color",), method="vertex"
+    )
+    assert frame.center is not None
+    drawn = frame.center.require("color").any(axis=-1)
+    np.testing.assert_array_equal(frame.center.require("color")[drawn], shared.require("color")[drawn])
+
+
+def test_arguments_are_checked() -> None:
+    hybrid, world = rig(), scene()
+    wrong: list[tuple[str, dict[str, Any]]] = [
+        ("near: expected less than the mono plane's 12 m, got 12", {"near": 12.0}),
+        ("near: ", {"near": -1.0}),
+        ("far: expected more than near", {"far": 0.05}),
+        ("cull: ", {"cull": "all"}),
+        ("assembly: ", {"assembly": "nearest"}),
+        ("position: ", {"position": (0.0, 1.0)}),
+        ("orientation: ", {"orientation": (0.0, 0.0, 0.0, 0.0)}),
+        ("samples: ", {"samples": 0}),
+        ("channels: ", {"channels": ()}),
+    ]
+    for words, changed in wrong:
+        arguments: dict[str, Any] = {"position": HEAD, "orientation": AHEAD} | changed
+        with pytest.raises(ValueError, match=words):
+            hybrid.render(world, **arguments)
+    with pytest.raises(TypeError, match="source: expected a Scene"):
+        hybrid.render("scene", HEAD)  # type: ignore[arg-type]
+    reduced = nf.reduce(world, center=HEAD, r1=20.0, r2=50.0, face_size=16, samples=1)
+    with pytest.raises(ValueError, match="assembly: expected 'bilinear' for ReducedScene"):
+        hybrid.render(reduced, HEAD, assembly="resolved")
+    with pytest.raises(ValueError, match="mono_plane: expected one plane for drawing, got the zone from 5 to 9 m"):
+        hybrid.with_plane((5.0, 9.0)).render(world, HEAD)
