@@ -270,6 +270,7 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
             "left": hmd.left, "right": hmd.right, "mono_plane": 8.0, "size": SIZE, "hmd": hmd,
         },
         "nearfar.stereo.HybridRig.cameras": {"position": EYE},
+        "nearfar.stereo.HybridRig.clip": {"position": EYE, "near": 0.1, "far": 9.0},
         "nearfar.stereo.HybridRig.error_field": {"eye": "left"},
         "nearfar.stereo.HybridRig.homography": {"eye": "left"},
         "nearfar.stereo.HybridRig.kink_angle": {"eye": "left", "at": [[0.1, 0.2]], "direction": [[1.0, 0.0]]},

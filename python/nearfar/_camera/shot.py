@@ -40,6 +40,8 @@ class Shot:
     """(H, W), for each pixel whether it is needed; others may be black and misses. None needs all."""
     bare: bool = False
     """Samples that see no triangle are black, instead of showing the sky or a map."""
+    occlusion: bool = True
+    """Graphics adapters leave out geometry that lies wholly behind pixels that `mask` does not need."""
 
     def __post_init__(self) -> None:
         cameras = check.items("cameras", self.cameras, Camera, "a sequence of Cameras")
@@ -54,6 +56,7 @@ class Shot:
             "cameras": tuple(cameras),
             "mask": self._checked_mask(cameras),
             "bare": check.flag("bare", self.bare),
+            "occlusion": check.flag("occlusion", self.occlusion),
             "channels": tuple(check.texts("channels", self.channels)),
             "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
             "user": None if self.user is None else check.vector("user", self.user),
@@ -84,6 +87,7 @@ class Shot:
             "clip": [] if self.clip is None else self.clip.half_spaces.tolist(),
             "mask": self.mask,
             "bare": self.bare,
+            "occlusion": self.occlusion,
         }
 
     @property

@@ -11,7 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, progress
-from nearfar.cli import _bake, _compare, _info, _lod, _partition, _reduce, _render
+from nearfar.cli import _bake, _compare, _info, _lod, _partition, _reduce, _render, _stereo
 
 INTERRUPTED = 130
 """Exit status after Ctrl-C: 128 plus the signal's number, as in shells."""
@@ -31,6 +31,7 @@ app.command("reduce")(_reduce.reduce)
 app.command("render")(_render.render)
 app.command("compare")(_compare.compare)
 app.command("lod")(_lod.lod)
+app.command("stereo")(_stereo.stereo)
 
 
 def _print_version(requested: bool) -> None:

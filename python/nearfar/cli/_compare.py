@@ -12,7 +12,7 @@ import nearfar as nf
 from nearfar._base import check as checks
 from nearfar._base import files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _comparison_page, _report_page, _source, _thresholds, _viewpoint
+from nearfar.cli import _comparison_page, _page, _report_page, _source, _thresholds, _viewpoint
 from nearfar.cli import _options as options
 from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._options import option
@@ -172,7 +172,7 @@ def compare(
             "seconds": clock.seconds,
             "files": sorted([path.name for path in folder.iterdir()] + ["compare.json", "report.html", "report.md"]),
         }
-        _comparison_page.save(folder, document)
+        _page.save(folder, "compare.json", document, _comparison_page.page(document))
     if not plotted:
         typer.echo("nearfar: left plots out, because matplotlib is not installed", err=True)
     show(document, _rows(document, output), title=scene, as_json=as_json)

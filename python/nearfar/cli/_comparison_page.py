@@ -1,18 +1,16 @@
-"""Writes the files of `nearfar compare`: heat maps, and the report as Markdown and as one HTML page."""
+"""The report of `nearfar compare`: heat maps, text and tables."""
 
 from __future__ import annotations
 
-import base64
-import html
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import formats
 from nearfar.cli import _thresholds
 from nearfar.cli._output import bytes_text, count, metres, radii_text
+from nearfar.cli._page import Page
 
 MEASURES = {
     "tear": "tear along the boundary at r₂, pixels",
@@ -40,14 +38,6 @@ PICTURES = {
 }
 """Captions of the pictures."""
 
-STYLE = """
-body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 72rem; margin: 2rem auto; padding: 0 1rem }
-h1 { font-size: 1.6rem } h2 { font-size: 1.2rem; margin-top: 2rem } img { max-width: 100%; height: auto }
-table { border-collapse: collapse; margin: 1rem 0 } th, td { padding: .3rem .9rem; border-bottom: 1px solid #ddd }
-td + td, th + th { text-align: right; font-variant-numeric: tabular-nums } th { text-align: left; color: #555 }
-.broken { color: #b00020; font-weight: 600 } footer { margin-top: 3rem; color: #777; font-size: .9rem }
-"""
-
 
 def save_heat_maps(folder: Path, maps: dict[str, NDArray[np.float32]]) -> None:
     """Draw maps of discontinuity (H, W) side by side on one scale, up to the greatest 99th percentile."""
@@ -74,11 +64,11 @@ def _percent(share: float | None) -> str:
     return "–" if share is None else f"{100 * share:.0f} %"
 
 
-def save(folder: Path, document: dict[str, Any]) -> None:
-    """Write compare.json, report.md and report.html."""
-    formats.write_json(folder / "compare.json", document)
-    (folder / "report.md").write_text(markdown(document), encoding="utf-8")
-    (folder / "report.html").write_text(page(document, folder), encoding="utf-8")
+def page(document: dict[str, Any]) -> Page:
+    """Make the report's page."""
+    title = f"Near-far comparison of {document['source']}"
+    shown = [(name, caption) for name, caption in PICTURES.items() if name in document["files"]]
+    return Page(title, _summary(document), shown, _tables(document), document["generator"])
 
 
 def _tables(document: dict[str, Any]) -> dict[str, list[list[str]]]:
@@ -123,46 +113,3 @@ def _summary(document: dict[str, Any]) -> list[str]:
         f"{folds}.",
         PARADOX,
     ]
-
-
-def markdown(document: dict[str, Any]) -> str:
-    """Format the report as Markdown."""
-    lines = [f"# Near-far comparison of {document['source']}", ""]
-    for paragraph in _summary(document):
-        lines += [paragraph, ""]
-    lines += [line for name, title in _shown(document) for line in (f"![{title}]({name})", "")]
-    for title, (header, *rows) in _tables(document).items():
-        lines += [f"## {title}", "", f"| {' | '.join(header)} |", f"| --- |{' ---: |' * (len(header) - 1)}"]
-        lines += [f"| {' | '.join(row)} |" for row in rows] + [""]
-    return "\n".join([*lines, f"Written by {document['generator']}.", ""])
-
-
-def page(document: dict[str, Any], folder: Path) -> str:
-    """Format the report as one HTML page that embeds its pictures."""
-    title = html.escape(f"Near-far comparison of {document['source']}")
-    parts = [f"<h1>{title}</h1>", *map(_paragraph, _summary(document))]
-    for name, caption in _shown(document):
-        data = base64.b64encode((folder / name).read_bytes()).decode("ascii")
-        parts.append(f"<h2>{caption}</h2><img alt='{caption}' src='data:image/png;base64,{data}'>")
-    for heading, (header, *rows) in _tables(document).items():
-        head = "".join(f"<th>{html.escape(cell)}</th>" for cell in header)
-        body = "".join(f"<tr{_class(row)}>{''.join(f'<td>{html.escape(c)}</td>' for c in row)}</tr>" for row in rows)
-        parts.append(f"<h2>{heading}</h2><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>")
-    parts.append(f"<footer>Written by {html.escape(document['generator'])}.</footer>")
-    head = f"<meta charset='utf-8'><meta name='viewport' content='width=device-width'><title>{title}</title>"
-    return (
-        f"<!doctype html><html lang='en'><head>{head}<style>{STYLE}</style></head><body>{''.join(parts)}</body></html>"
-    )
-
-
-def _paragraph(text: str) -> str:
-    mark = " class='broken'" if text.startswith("Note: ") else ""
-    return f"<p{mark}>{html.escape(text)}</p>"
-
-
-def _class(row: list[str]) -> str:
-    return " class='broken'" if row[-1] in ("not met", "not measured") else ""
-
-
-def _shown(document: dict[str, Any]) -> list[tuple[str, str]]:
-    return [(name, title) for name, title in PICTURES.items() if name in document["files"]]

@@ -60,7 +60,8 @@ def option(names: str, metavar: str, text: str) -> Any:
 INPUT = option(
     "-i --input",
     "SCENE",
-    "Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room or forest, as in city:blocks=4,seed=1.",
+    "Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room, forest, beams, spheres or landscape, as in "
+    "city:blocks=4,seed=1.",
 )
 Input = Annotated[str, INPUT]
 Up = Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z.")]
@@ -123,8 +124,8 @@ WithRange = Annotated[
 SCENE_OR_FOLDER = option(
     "-i --input",
     "SCENE",
-    "Scene file (GLB, glTF, OBJ, PLY, STL …), city, room or forest, as in city:blocks=4,seed=1, or a folder that "
-    "`nearfar reduce` wrote.",
+    "Scene file (GLB, glTF, OBJ, PLY, STL …), city, room, forest, beams, spheres or landscape, as in "
+    "city:blocks=4,seed=1, or a folder that `nearfar reduce` wrote.",
 )
 SceneOrFolder = Annotated[str, SCENE_OR_FOLDER]
 Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]

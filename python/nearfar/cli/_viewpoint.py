@@ -10,7 +10,17 @@ from nearfar._trace import crossing, viewpoint
 from nearfar._trace.viewpoint import Viewpoint
 from nearfar.cli._options import Point
 
-KNOWN = {"city": nf.datasets.street_view, "room": nf.datasets.room_view}
+
+def _from_origin() -> tuple[Point, Point]:
+    """Return the eye and a target of the scenes whose viewer stands at the origin."""
+    return (0.0, 1.7, 0.0), (0.0, 1.7, -10.0)
+
+
+KNOWN = {
+    "city": nf.datasets.street_view,
+    "room": nf.datasets.room_view,
+    **dict.fromkeys(("beams", "spheres", "landscape"), _from_origin),
+}
 """Functions that return eye and target, by the name of their procedural scene."""
 
 

@@ -14,6 +14,7 @@ from nearfar import _core
 from nearfar._base import check, memory
 from nearfar._base.pickling import WithTwin
 from nearfar._camera.camera import Camera, Fov, quaternion
+from nearfar._camera.clip import Clip
 from nearfar.hmd._eye import Eye, rotation, turned
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._kink import kink_angles
@@ -97,6 +98,40 @@ class RigGeometry(WithTwin):
             way = turned(eye.orientation, head)
             views.append(Camera((float(x), float(y), float(z)), way, fov=eye.fov, size=self.size))
         return views[0], views[1], center
+
+    def clip(
+        self,
+        position: ArrayLike,
+        orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+        *,
+        near: float = 0.0,
+        far: float = math.inf,
+    ) -> Clip:
+        """Return what lies between two depths in front of the plane of the eyes, for `nearfar.render` and others.
+
+        Parameters
+        ----------
+        position, orientation
+            Pose of the head, as for `cameras`.
+        near, far
+            Metres; `far` may be infinite.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For depths below 0 and out of order, and for poses that `cameras` refuses.
+        """
+        begin, end = check.at_least_zero("near", near), check.number("far", far, finite=False)
+        if not end > begin:
+            raise ValueError(f"far: expected more than near, {begin:g} m, got {end:g}")
+        turn = rotation(quaternion(orientation))
+        ahead = turn @ np.array((0.0, 0.0, -1.0))
+        middle = np.array(check.vector("position", position)) + turn @ np.array(self._core.middle)
+        offset = float(ahead @ middle)
+        planes = [(*ahead.tolist(), -offset - begin)]
+        if math.isfinite(end):
+            planes.append((*(-ahead).tolist(), offset + end))
+        return Clip(planes=planes)
 
     def homography(self, eye: str) -> NDArray[np.float64]:
         """Return the matrix (3, 3) that maps pixels of the third camera to pixels of an eye, "left" or "right" (Eq. 5).

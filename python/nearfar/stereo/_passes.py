@@ -101,6 +101,7 @@ class Passes:
             clip=clip,
             mask=mask,
             bare=near,
+            occlusion=self.cull == "occlusion",
         )
         with self._timed(name):
             if self.device is None:
@@ -164,6 +165,8 @@ class Passes:
     def _has_near_and_far(self) -> tuple[bool, bool]:
         """Whether anything is drawn before the plane, and beyond it; both where the source does not say."""
         scene = self.view.drawn
+        if self.far <= self._begin:
+            return True, False
         if not isinstance(scene, Scene):
             return True, True
         depths = (self.near, self.far)
@@ -177,18 +180,16 @@ class Passes:
         return float(x), float(y), float(z)
 
     @property
+    def _begin(self) -> float:
+        """Depth from which on the third camera draws, metres."""
+        return max(self.near, self.rig.planes[0] - self.rig.overlap)
+
+    @property
     def _beyond(self) -> Clip:
-        m = self.rig.planes[0]
-        return self._between(max(self.near, m - self.rig.overlap), self.far)
+        return self._between(self._begin, self.far)
 
     def _between(self, begin: float, end: float) -> Clip:
-        """What lies between two depths in front of the plane of the eyes, metres."""
-        ahead = rotation(self.orientation) @ np.array((0.0, 0.0, -1.0))
-        offset = float(ahead @ np.array(self._head))
-        planes = [(*ahead.tolist(), -offset - begin)]
-        if math.isfinite(end):
-            planes.append((*(-ahead).tolist(), offset + end))
-        return Clip(planes=planes)
+        return self.rig.clip(self.position, self.orientation, near=begin, far=end)
 
     @contextmanager
     def _timed(self, name: str) -> Iterator[None]:

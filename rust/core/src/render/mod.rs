@@ -4,6 +4,7 @@ pub mod frame;
 pub mod shade;
 pub mod surface;
 pub mod limits;
+pub mod mask;
 pub mod tiles;
 pub mod truth;
 pub mod sides;
@@ -12,6 +13,7 @@ pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};
 pub use limits::{Limits, MOST_PLANES, Segment};
+pub use mask::MaskPyramid;
 pub use sides::{Luma, Sides};
 pub use surface::{Facet, Surface};
 pub use tiles::{Picture, Pixels, RenderView, draw};

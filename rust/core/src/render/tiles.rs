@@ -61,6 +61,8 @@ pub struct Pixels<'a> {
     pub mask: Option<&'a [bool]>,
     /// Samples that see no triangle are black instead of showing map or sky.
     pub bare: bool,
+    /// Adapters leave out geometry that lies wholly behind pixels that are not drawn, too.
+    pub occlusion: bool,
 }
 
 impl Pixels<'_> {

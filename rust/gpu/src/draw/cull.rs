@@ -1,17 +1,23 @@
 //! Culling: whether a view can see a box.
 
+use std::sync::Arc;
+
 use glam::{DVec3, DVec4, Vec3};
 use nearfar_core::base::Aabb;
 use nearfar_core::camera::Camera;
 use nearfar_core::render::Limits;
 
+use super::mask::Mask;
 use super::style::Displacement;
-use super::view::{Axes, Window};
+use super::view::Axes;
+use super::window::Window;
 
 /// Half-spaces that bound a view: normal and offset, relative to the scene's origin.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Frustum {
     planes: Vec<DVec4>,
+    /// The picture's mask, and its camera relative to the scene's origin.
+    mask: Option<(Arc<Mask>, Camera)>,
 }
 
 impl Frustum {
@@ -43,7 +49,12 @@ impl Frustum {
             let normal = kept.truncate();
             normal.extend(kept.w + normal.dot(shift) + slack * normal.length())
         }));
-        Self { planes }
+        Self { planes, mask: None }
+    }
+
+    /// The same, without what no drawn pixel of a mask shows; the camera is relative to the scene's origin.
+    pub fn masked(self, mask: &Arc<Mask>, camera: Camera) -> Self {
+        Self { mask: Some((Arc::clone(mask), camera)), ..self }
     }
 
     /// False where no point of a box is seen.
@@ -59,7 +70,10 @@ impl Frustum {
             // The corner's rounding error, so that nothing at the edge is lost.
             let slack = 1e-6 * farthest.abs().max_element();
             plane.truncate().dot(farthest) + plane.w + slack >= 0.0
-        })
+        }) && self
+            .mask
+            .as_ref()
+            .is_none_or(|(mask, camera)| mask.pyramid.as_ref().is_none_or(|pyramid| pyramid.sees(camera, bounds)))
     }
 }
 

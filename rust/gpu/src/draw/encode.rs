@@ -42,6 +42,8 @@ pub(super) struct Bound<'a> {
     /// Bind group and block of the batch without records.
     empty: (BindGroup, u32),
     targets: [Option<BindGroup>; 2],
+    /// Bits of the pixels that are drawn.
+    mask: Option<BindGroup>,
 }
 
 impl<'a> Bound<'a> {
@@ -89,6 +91,10 @@ impl<'a> Bound<'a> {
                 .collect(),
             empty: (empty_scene, plan.empty as u32),
             targets: targets(device, layouts, slot),
+            mask: plan
+                .mask
+                .as_ref()
+                .map(|bits| group(device, &layouts.mask, &[section(inputs, bits.start as u64, bits.len() as u64)])),
         })
     }
 
@@ -103,6 +109,8 @@ impl<'a> Bound<'a> {
 
     fn raster(&self, encoder: &mut CommandEncoder, target: &Target, samples: u32, offset: u32) -> Result<()> {
         let layers = &self.picture.layers;
+        let pipelines = self.device.state::<Pipelines>();
+        let hiding = self.mask.as_ref().map(|_| pipelines.mask(self.device, samples)).transpose()?;
         let mut start = 0;
         let mut first = true;
         while first || start < self.plan.groups.len() {
@@ -137,6 +145,12 @@ impl<'a> Bound<'a> {
                 }),
                 ..RenderPassDescriptor::default()
             });
+            if let (Some(mask), Some(pipeline)) = (&self.mask, &hiding) {
+                pass.set_pipeline(pipeline);
+                pass.set_bind_group(0, mask, &[]);
+                pass.set_bind_group(1, &self.view, &[offset, self.empty.1]);
+                pass.draw(0..3, 0..1);
+            }
             for (n, (group, pipelines)) in groups[..count].iter().zip(&pipelines).enumerate() {
                 pass.set_bind_group(0, &self.raster[start + n], &[]);
                 let (mut drawn_by, mut bound) = (None, None);

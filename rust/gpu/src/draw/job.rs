@@ -17,8 +17,10 @@ use super::picture::Picture;
 use super::plan::{PASS_BLOCKS, Plan};
 use super::read;
 use super::slots::{Shape, Slots};
+use super::style::Displacement;
 use super::submitted::{Submitted, open_buffers};
-use super::view::{CHANNELS, Outputs, Sampling, Window, eye_of, pass_of};
+use super::view::{CHANNELS, Outputs, Sampling, eye_of, pass_of};
+use super::window::Window;
 use crate::device::{Counted, Device, SAMPLES, Scope, Submission};
 use crate::upload::Residents;
 
@@ -110,6 +112,9 @@ impl Job {
         let bytes = bytes_per_pixel(self.channels) * window.pixels() as u64;
         let shape = Shape { width: window.width, height: window.height, multisampled, bytes };
         let mut plan = Plan::new(picture, |layer| self.frustum(layer, &window), passes.len());
+        if let Some(mask) = &picture.mask {
+            plan.add_mask(&mask.bits(&window, self.camera.width));
+        }
         let farthest = self.farthest();
         for (pass, sampling) in &passes {
             let block = pass_of(picture, &self.camera, &window, sampling, &outputs, farthest);
@@ -179,7 +184,15 @@ impl Job {
     fn frustum(&self, layer: &Layer, window: &Window) -> Option<Frustum> {
         let eye = eye_of(&self.camera, &self.picture);
         let limits = self.picture.limits.unwrap_or(Limits::NONE);
-        layer.displacement.map(|moved| Frustum::new(&self.camera, window, eye, &limits, &moved))
+        layer.displacement.map(|moved| {
+            let frustum = Frustum::new(&self.camera, window, eye, &limits, &moved);
+            match &self.picture.mask {
+                Some(mask) if moved == Displacement::NONE => {
+                    frustum.masked(mask, Camera { position: eye, ..self.camera })
+                }
+                _ => frustum,
+            }
+        })
     }
 
     /// Depth of the farthest point along parallel rays.

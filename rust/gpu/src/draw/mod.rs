@@ -6,6 +6,7 @@ mod encode;
 mod inputs;
 mod job;
 mod layers;
+mod mask;
 mod picture;
 mod pipelines;
 mod plan;
@@ -15,11 +16,13 @@ mod style;
 mod submitted;
 mod view;
 mod visible;
+mod window;
 
 pub use device_frame::DeviceFrame;
 pub use job::Job;
 
 pub(crate) use layers::{Layer, Set, Sources};
+pub(crate) use mask::Mask;
 pub(crate) use picture::{Backdrop, Picture};
 pub(crate) use style::{Cut, Displacement, Parameters, Snippet, Style};
 pub(crate) use view::Axes;

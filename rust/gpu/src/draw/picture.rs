@@ -7,6 +7,7 @@ use nearfar_core::base::Buffer;
 use nearfar_core::render::Limits;
 
 use super::layers::Layer;
+use super::mask::Mask;
 use super::style::{Parameters, Style};
 use crate::upload::EnvTexels;
 
@@ -30,6 +31,8 @@ pub(crate) struct Picture {
     pub limits: Option<Limits>,
     /// Samples that see no triangle are black instead of showing map or sky.
     pub bare: bool,
+    /// The pixels that are drawn; all without a mask.
+    pub mask: Option<Arc<Mask>>,
 }
 
 /// An environment map behind everything that is drawn.
@@ -54,6 +57,7 @@ impl Picture {
             multisampled: true,
             limits: None,
             bare: false,
+            mask: None,
         }
     }
 }

@@ -6,11 +6,11 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use nearfar_core::base::Result;
 use nearfar_core::render::shade;
 use wgpu::{
-    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, CompareFunction,
-    ComputePipeline, ComputePipelineDescriptor, DepthStencilState, FragmentState, MultisampleState,
-    PipelineCompilationOptions, PipelineLayoutDescriptor, RenderPipeline, RenderPipelineDescriptor, ShaderModule,
-    ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureFormat, TextureSampleType, TextureViewDimension,
-    VertexState,
+    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ColorTargetState,
+    ColorWrites, CompareFunction, ComputePipeline, ComputePipelineDescriptor, DepthStencilState, FragmentState,
+    MultisampleState, PipelineCompilationOptions, PipelineLayoutDescriptor, RenderPipeline, RenderPipelineDescriptor,
+    ShaderModule, ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureFormat, TextureSampleType,
+    TextureViewDimension, VertexState,
 };
 
 use super::style::{Cut, Style};
@@ -68,6 +68,7 @@ pub(crate) struct Pipelines {
     modules: Mutex<HashMap<String, ShaderModule>>,
     rasters: Mutex<HashMap<RasterKey, Arc<RenderPipeline>>>,
     resolves: Mutex<HashMap<ResolveKey, Arc<ComputePipeline>>>,
+    masks: Mutex<HashMap<u32, Arc<RenderPipeline>>>,
 }
 
 /// Layouts of the bind groups.
@@ -80,6 +81,8 @@ pub(super) struct Layouts {
     pub view: BindGroupLayout,
     /// Visible faces, of one sample or several, and the output.
     pub target: [BindGroupLayout; 2],
+    /// Bits of the pixels that are drawn.
+    pub mask: BindGroupLayout,
 }
 
 impl Pipelines {
@@ -191,6 +194,53 @@ impl Pipelines {
         Ok(pipeline)
     }
 
+    /// Writes the nearest depth to pixels that are not drawn.
+    pub(super) fn mask(&self, device: &Device, samples: u32) -> Result<Arc<RenderPipeline>> {
+        let mut known = self.masks.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(pipeline) = known.get(&samples) {
+            return Ok(Arc::clone(pipeline));
+        }
+        let layouts = self.layouts(device);
+        let scope = Scope::open(device);
+        let module = self.module(device, MASK);
+        let layout = device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
+            label: Some("mask"),
+            bind_group_layouts: &[Some(&layouts.mask), Some(&layouts.view)],
+            immediate_size: 0,
+        });
+        let pipeline = device.wgpu.create_render_pipeline(&RenderPipelineDescriptor {
+            label: Some("mask"),
+            layout: Some(&layout),
+            vertex: VertexState {
+                module: &module,
+                entry_point: Some("whole_window"),
+                compilation_options: PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(DepthStencilState {
+                format: DEPTH,
+                depth_write_enabled: Some(true),
+                depth_compare: Some(CompareFunction::Always),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: MultisampleState { count: samples, ..MultisampleState::default() },
+            fragment: Some(FragmentState {
+                module: &module,
+                entry_point: Some("hide"),
+                compilation_options: PipelineCompilationOptions::default(),
+                targets: &[Some(ColorTargetState { format: VISIBLE, blend: None, write_mask: ColorWrites::empty() })],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        scope.close()?;
+        let pipeline = Arc::new(pipeline);
+        known.insert(samples, Arc::clone(&pipeline));
+        Ok(pipeline)
+    }
+
     fn module(&self, device: &Device, source: &str) -> ShaderModule {
         let mut known = self.modules.lock().unwrap_or_else(PoisonError::into_inner);
         let make = || {
@@ -205,6 +255,7 @@ const SCENE: &str = include_str!("../shaders/scene.wgsl");
 const CUBE: &str = include_str!("../shaders/cube.wgsl");
 const SURFACE: &str = include_str!("../shaders/surface.wgsl");
 const RASTER: &str = include_str!("../shaders/raster.wgsl");
+const MASK: &str = include_str!("../shaders/mask.wgsl");
 const RESOLVE: &str = include_str!("../shaders/resolve.wgsl");
 
 fn raster_source(style: Style, cut: Cut) -> String {
@@ -271,6 +322,7 @@ impl Layouts {
             resolve_scene: layout("scene", ShaderStages::COMPUTE, &[table, table, table, table, table, texels]),
             view: layout("view", drawing | ShaderStages::COMPUTE, &[uniform, uniform, floats, floats]),
             target: [target(false), target(true)],
+            mask: layout("mask", ShaderStages::FRAGMENT, &[table]),
         }
     }
 }

@@ -76,6 +76,8 @@ pub(super) struct Plan {
     /// The order of records, among the inputs.
     pub order: Range<usize>,
     pub triangles: u64,
+    /// Bits of the window's pixels, among the inputs, where not all are drawn.
+    pub mask: Option<Range<usize>>,
 }
 
 impl Plan {
@@ -89,6 +91,7 @@ impl Plan {
             empty,
             order: 0..0,
             triangles: 0,
+            mask: None,
         };
         let nothing = BatchBlock { records: [0, 0, u32::MAX, 1], ..BatchBlock::zeroed() };
         plan.inputs.extend_from_slice(bytemuck::bytes_of(&nothing));
@@ -103,6 +106,14 @@ impl Plan {
         plan.inputs.extend_from_slice(bytemuck::cast_slice(&order));
         plan.order = start..plan.inputs.len();
         plan
+    }
+
+    /// Adds a bit for each pixel of the window.
+    pub fn add_mask(&mut self, bits: &[u32]) {
+        self.align();
+        let start = self.inputs.len();
+        self.inputs.extend_from_slice(bytemuck::cast_slice(bits));
+        self.mask = Some(start..self.inputs.len());
     }
 
     fn add(&mut self, number: usize, layer: &Layer, frustum: Option<&Frustum>, order: &mut Vec<u32>) {

@@ -9,7 +9,7 @@ use super::layers::Layer;
 use super::picture::Picture;
 use super::plan::Numbering;
 use super::submitted::Submitted;
-use super::view::Window;
+use super::window::Window;
 use crate::device::Device;
 
 /// Copies a window into its place in a frame of `width` pixels a row.

@@ -59,7 +59,7 @@ impl Cut {
 }
 
 /// A bound on how far from their places points are shown, for culling by boxes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Displacement {
     /// The shift of all points.
     pub shift: DVec3,

@@ -8,7 +8,8 @@ use wgpu::MapMode;
 
 use super::plan::Numbering;
 use super::slots::Slot;
-use super::view::{Outputs, Window};
+use super::view::Outputs;
+use super::window::Window;
 use crate::device::{Device, Submission};
 
 /// A window that the device works on.

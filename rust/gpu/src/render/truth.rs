@@ -8,7 +8,7 @@ use nearfar_core::render::{Channels, Limits, Pixels};
 use nearfar_core::scene::Scene;
 
 use crate::device::Device;
-use crate::draw::{Job, Layer, Picture, Set};
+use crate::draw::{Job, Layer, Mask, Picture, Set};
 use crate::upload::Residents;
 
 /// Begins a frame of a scene; meshes and materials that the device lacks are sent first.
@@ -25,6 +25,6 @@ pub fn begin(
     let layer = |set| Layer::plain(scene.clone(), Arc::clone(&tables), set);
     let plain = Picture::plain(vec![layer(Set::Standing), layer(Set::Moving)], scene.origin);
     let limits = (!limits.is_none()).then(|| limits.relative_to(scene.origin));
-    let picture = Picture { limits, bare: pixels.bare, ..plain };
+    let picture = Picture { limits, bare: pixels.bare, mask: Mask::of(&pixels, camera)?, ..plain };
     Job::begin(device, picture, camera, channels, samples, progress)
 }

@@ -24,6 +24,7 @@ pub struct Settings<'py> {
     clip: Vec<[f64; 4]>,
     mask: Option<PyReadonlyArray2<'py, bool>>,
     bare: bool,
+    occlusion: bool,
 }
 
 impl Settings<'_> {
@@ -40,7 +41,7 @@ impl Settings<'_> {
     /// The pixels that are drawn.
     pub fn pixels(&self) -> PyResult<Pixels<'_>> {
         let mask = self.mask.as_ref().map(PyReadonlyArray2::as_slice).transpose()?;
-        Ok(Pixels { mask, bare: self.bare })
+        Ok(Pixels { mask, bare: self.bare, occlusion: self.occlusion })
     }
 }
 

@@ -14,7 +14,7 @@ use nearfar_core::scene::{Instance, Scene};
 use super::near::{Geometry, Near};
 use super::picture::View;
 use crate::device::Device;
-use crate::draw::Job;
+use crate::draw::{Job, Mask, Picture};
 use crate::render::near_far::NearFar;
 use crate::upload::EnvTexels;
 
@@ -105,7 +105,8 @@ impl Reduced {
             bare: drawing.pixels.bare,
             conventional_dynamic: drawing.conventional_dynamic,
         };
-        let job = Job::begin(device, view.picture(device)?, camera, drawing.channels, drawing.samples, progress)?;
+        let picture = Picture { mask: Mask::of(&drawing.pixels, camera)?, ..view.picture(device)? };
+        let job = Job::begin(device, picture, camera, drawing.channels, drawing.samples, progress)?;
         Ok((job, counts))
     }
 

@@ -1,0 +1,56 @@
+"""The decisions printed in Fink et al. (2019) between hybrid and plain stereo, with binomial tests.
+
+python -m benchmarks.stereo.study
+"""
+
+from __future__ import annotations
+
+import math
+
+from benchmarks.harness.timing import table
+
+DECISIONS = {"SPHERES": (175, 277), "LANDSCAPE": (162, 297), "BEAMS": (147, 304)}
+"""Times that hybrid and that plain stereo was taken for plain stereo, by scene."""
+SUBJECTS, INVALID, PAIRS = 47, 48, 1410
+
+
+def binomial(successes: int, count: int) -> float:
+    """Two-sided p of at least as unlikely a number of successes, if both were equally likely."""
+    less = min(successes, count - successes)
+    return min(1.0, float(2 * sum(math.comb(count, k) for k in range(less + 1)) / 2**count))
+
+
+def interval(successes: int, count: int) -> tuple[float, float]:
+    """Interval of the share by Wilson (1927), 95 %."""
+    z, share = 1.959964, successes / count
+    middle = share + z * z / (2 * count)
+    reach = z * math.sqrt(share * (1 - share) / count + z * z / (4 * count * count))
+    return (middle - reach) / (1 + z * z / count), (middle + reach) / (1 + z * z / count)
+
+
+def association() -> tuple[float, float]:
+    """χ² of scene and decision, two degrees of freedom, and φ = √(χ²/N)."""
+    total = sum(map(sum, DECISIONS.values()))
+    share = sum(hybrid for hybrid, _ in DECISIONS.values()) / total
+    chi = sum((h - (h + s) * share) ** 2 / ((h + s) * share * (1 - share)) for h, s in DECISIONS.values())
+    return chi, math.sqrt(chi / total)
+
+
+def main() -> None:
+    """Print the table."""
+    both = tuple(map(sum, zip(*DECISIONS.values(), strict=True)))
+    assert sum(both) == PAIRS - INVALID
+    rows = []
+    for name, (hybrid, stereo) in {**DECISIONS, "all": (both[0], both[1])}.items():
+        count = hybrid + stereo
+        low, high = interval(hybrid, count)
+        shares = f"{100 * hybrid / count:.1f} %", f"{100 * low:.1f} to {100 * high:.1f} %"
+        rows.append([name, str(hybrid), str(stereo), *shares, f"{binomial(hybrid, count):.1e}"])
+    header = ["scene", "hybrid", "stereo", "share of hybrid", "95 %", "p if both were equally likely"]
+    print(table(f"Decisions of {SUBJECTS} subjects", header, rows))
+    chi, phi = association()
+    print(f"Scene and decision: χ² = {chi:.2f}, p = {math.exp(-chi / 2):.2f}, φ = {phi:.3f}")
+
+
+if __name__ == "__main__":
+    main()

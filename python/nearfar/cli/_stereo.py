@@ -1,0 +1,173 @@
+"""`nearfar stereo`: renders a scene in hybrid mono-stereo, and measures what that saves and costs."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+import nearfar as nf
+from nearfar._base import check, files, formats
+from nearfar.cli import _headset, _page, _source, _stereo_page, _viewpoint
+from nearfar.cli import _options as options
+from nearfar.cli._options import option
+from nearfar.cli._output import Clock, count, metres, note_rows, show
+
+VERSION = 1
+NEAR = 0.1
+"""Least depth that is drawn, metres."""
+
+
+def stereo(
+    scene: options.SceneOrFolder,
+    output: options.Folder,
+    hmd: Annotated[str, option("--hmd", "NAME", "Headset, a name or a .json file.")] = "VIVE",
+    mono_plane: Annotated[
+        float | None,
+        option("--mono-plane", "METRES", "Distance from which on both eyes share a picture. By default 8."),
+    ] = None,
+    max_error: Annotated[
+        float | None,
+        option("--max-error", "PIXELS", "Instead of --mono-plane: the nearest plane with this error at most."),
+    ] = None,
+    eye: Annotated[
+        str | None, option("--eye", "X,Y,Z", "Head in metres. By default over open ground or before an object.")
+    ] = None,
+    target: Annotated[
+        str | None, option("--target", "X,Y,Z", "Point to look at, metres. By default the longest open view.")
+    ] = None,
+    size: Annotated[str | None, option("--size", "WxH", "Pixels of an eye. By default the headset's.")] = None,
+    samples: options.Samples = 1,
+    assembly: Annotated[
+        str, option("--assembly", "bilinear|resolved", "How eyes look the shared picture up.")
+    ] = "bilinear",
+    cull: Annotated[
+        str, option("--cull", "frustum|discard|occlusion", "What of the shared picture is left out.")
+    ] = "occlusion",
+    backend: options.Backend = None,
+    up: options.Up = "y",
+    scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
+    on_invalid: options.Invalid = "raise",
+    as_json: options.Json = False,
+) -> None:
+    """Render near geometry for each eye of a headset and all else once, and compare with plain stereo."""
+    options.check_backend(backend)
+    device = options.headset(hmd)
+    pixels, head = _headset.pixels_of(size, device), options.read_point("--eye", eye)
+    aim, clock = options.read_point("--target", target), Clock()
+    rig = nf.stereo.HybridRig.of(device, mono_plane=_plane(device, pixels, mono_plane, max_error), size=pixels)
+    output.parent.mkdir(parents=True, exist_ok=True)
+    with files.atomic_folder(output, marker="stereo.json") as folder:
+        with clock.step("scene"):
+            source: nf.Scene | nf.ReducedScene
+            if options.is_reduced(scene):
+                source = nf.ReducedScene.load(scene)
+                loaded, head = source.scene, head or source.center
+            else:
+                source = loaded = options.open_scene(
+                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes
+                )
+            place = _viewpoint.choose(loaded, scene, head)
+            stand = _source.view_of(scene) if options.is_reduced(scene) and eye is None and target is None else None
+        where, towards = (place.eye, aim or place.target) if stand is None else (stand.user, stand.target)
+        way = nf.Camera.look_at(where, towards, fov=rig.center_fov, size=(1, 1)).orientation
+        settings: dict[str, Any] = {"samples": samples, "channels": ("color",), "backend": backend}
+        # The first picture builds the scene's trees, which both methods need.
+        nf.render(source, nf.Camera(where, way, fov=rig.center_fov, size=(8, 8)), channels=("color",), backend=backend)
+        hybrid, hybrid_seconds = _timed(
+            lambda: rig.render(source, where, way, assembly=assembly, cull=cull, near=NEAR, **settings)
+        )
+        ahead = rig.clip(where, way, near=NEAR)
+        plain, plain_seconds = _timed(
+            lambda: nf.render_eyes(source, device, where, orientation=way, size=pixels, clip=ahead, **settings)
+        )
+        with clock.step("measures"):
+            compared = {side: _stereo_page.compare(getattr(plain, side), getattr(hybrid, side)) for side in SIDES}
+        with clock.step("pictures"):
+            plotted = _stereo_page.save_pictures(folder, hybrid, plain, compared, rig)
+        clock.seconds |= {"hybrid": round(hybrid_seconds, 3), "plain": round(plain_seconds, 3)}
+        counted = rig.triangles(source, where, way, near=NEAR) if isinstance(source, nf.Scene) else None
+        document = formats.header("stereo", VERSION, color_space="sRGB") | {
+            "source": scene,
+            "notes": list(loaded.report.notes),
+            "findings": _findings(source, rig, hybrid, counted),
+            "hmd": device.name,
+            "head": list(where),
+            "target": list(towards),
+            "size": list(pixels),
+            "samples": samples,
+            "mono_plane": rig.planes[0],
+            "assembly": assembly,
+            "cull": cull,
+            "error": {name: round(rig.max_error(axis=name), 4) for name in ("horizontal", "vertical", "both")},
+            "eyes": {side: compared[side].document for side in SIDES},
+            "pixels": dict(hybrid.stats["pixels"]),
+            "triangles": counted,
+            "stages": {name: round(seconds, 4) for name, seconds in hybrid.stats["seconds"].items()},
+            "seconds": clock.seconds,
+            "files": sorted([path.name for path in folder.iterdir()] + ["stereo.json", "report.html", "report.md"]),
+        }
+        _page.save(folder, "stereo.json", document, _stereo_page.page(document, rig))
+    if not plotted:
+        typer.echo("nearfar: left plots out, because matplotlib is not installed", err=True)
+    show(document, _rows(document, output), title=scene, as_json=as_json)
+
+
+SIDES = ("left", "right")
+
+
+def _plane(device: nf.Hmd, size: tuple[int, int], mono_plane: float | None, max_error: float | None) -> float:
+    """Distance of the mono plane, as given or by the error."""
+    if max_error is None:
+        return 8.0 if mono_plane is None else check.positive("--mono-plane", mono_plane)
+    if mono_plane is not None:
+        raise ValueError(f"--max-error: expected none with --mono-plane, got {max_error:g}")
+    return nf.stereo.mono_plane_for(hmd=device, error_px=check.positive("--max-error", max_error), size=size)
+
+
+def _timed(draw: Any) -> tuple[nf.StereoFrame, float]:
+    started = time.perf_counter()
+    frame: nf.StereoFrame = draw()
+    return frame, time.perf_counter() - started
+
+
+def _findings(
+    source: nf.Scene | nf.ReducedScene,
+    rig: nf.stereo.HybridRig,
+    frame: nf.StereoFrame,
+    counted: dict[str, int] | None,
+) -> list[str]:
+    """Sentences on pictures that gain nothing from a shared one."""
+    found, plane = [], rig.planes[0]
+    if frame.center is None:
+        found.append("nothing lies beyond the mono plane, so the picture is plain stereo")
+    elif counted is not None and counted["left"] + counted["right"] + counted["center"] > counted["plain"]:
+        found.append("three pictures draw more triangles than two: a nearer plane would save geometry")
+    if isinstance(source, nf.ReducedScene) and plane >= source.r2:
+        shares = f"the mono plane, {plane:g} m, lies beyond r2 = {source.r2:g} m"
+        found.append(f"{shares}: only the map is shared, which saves nothing")
+    return found
+
+
+def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
+    eyes, seconds = document["eyes"], document["seconds"]
+    pixels = document["pixels"]
+    total = pixels.get("center", 0) + pixels.get("discarded", 0)
+    return [
+        ("headset", f"{document['hmd']}, {document['size'][0]} × {document['size'][1]} pixels an eye"),
+        ("head", metres(document["head"])),
+        ("mono plane", f"{document['mono_plane']:g} m"),
+        ("greatest error", f"{document['error']['horizontal']:.3g} pixels to the side"),
+        *((f"SSIM, {side} eye", f"{eyes[side]['ssim']:.5f}, PSNR {_decibels(eyes[side]['psnr'])}") for side in SIDES),
+        *([("shared pixels drawn", f"{count(pixels['center'])} of {count(total)}")] if total else []),
+        ("rendered in", f"{seconds['hybrid']:.2f} s; plain stereo {seconds['plain']:.2f} s"),
+        *note_rows(document),
+        ("written to", str(output)),
+    ]
+
+
+def _decibels(value: float | None) -> str:
+    return "infinite" if value is None else f"{value:.2f} dB"

@@ -1,0 +1,132 @@
+//! The pixels of a picture that are drawn, at several resolutions: geometry that no drawn pixel can show is left out.
+
+use glam::DVec2;
+
+use crate::base::Aabb;
+use crate::camera::Camera;
+
+/// The finest level has a flag for each block of 2^FINEST × 2^FINEST pixels.
+const FINEST: usize = 2;
+/// Blocks that a test reads each way, at most.
+const READS: usize = 4;
+
+/// Flags of blocks of pixels. Each level has blocks twice as wide as the one before, up to a single block.
+#[derive(Clone, Debug)]
+pub struct MaskPyramid {
+    size: (usize, usize),
+    /// Blocks across, and whether any pixel of a block is drawn, by rows.
+    levels: Vec<(usize, Vec<bool>)>,
+}
+
+impl MaskPyramid {
+    /// Makes the levels of a mask with `width` pixels a row.
+    pub fn new(mask: &[bool], width: usize) -> Self {
+        let height = mask.len() / width.max(1);
+        let side = 1 << FINEST;
+        let across = width.div_ceil(side);
+        let mut finest = vec![false; across * height.div_ceil(side)];
+        for (y, row) in mask.chunks_exact(width.max(1)).enumerate() {
+            for (x, block) in row.chunks(side).enumerate() {
+                finest[y / side * across + x] |= block.contains(&true);
+            }
+        }
+        let mut levels = vec![(across, finest)];
+        while let Some((across, flags)) = levels.last().filter(|(_, flags)| flags.len() > 1) {
+            let next = coarser(*across, flags);
+            levels.push(next);
+        }
+        Self { size: (width, height), levels }
+    }
+
+    /// False where no drawn pixel lies in a rectangle of the picture, pixels; the rectangle grows to whole blocks.
+    pub fn touches(&self, low: DVec2, high: DVec2) -> bool {
+        let (width, height) = self.size;
+        if high.x < 0.0 || high.y < 0.0 || low.x >= width as f64 || low.y >= height as f64 {
+            return false;
+        }
+        let column = |x: f64| (x.max(0.0) as usize).min(width - 1);
+        let row = |y: f64| (y.max(0.0) as usize).min(height - 1);
+        let ([left, right], [top, bottom]) = ([column(low.x), column(high.x)], [row(low.y), row(high.y)]);
+        let fits =
+            |shift: usize| (right >> shift) - (left >> shift) < READS && (bottom >> shift) - (top >> shift) < READS;
+        let level = (0..self.levels.len() - 1).find(|level| fits(FINEST + level)).unwrap_or(self.levels.len() - 1);
+        let (across, flags) = &self.levels[level];
+        let shift = FINEST + level;
+        (top >> shift..=bottom >> shift)
+            .any(|y| flags[y * across + (left >> shift)..=y * across + (right >> shift)].contains(&true))
+    }
+
+    /// False where no drawn pixel, nor one beside it, can show a box; `camera` has the box's frame of reference.
+    pub fn sees(&self, camera: &Camera, bounds: &Aabb) -> bool {
+        let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        let ends = [bounds.min.as_dvec3(), bounds.max.as_dvec3()];
+        for n in 0..8 {
+            let corner = glam::DVec3::new(ends[n & 1].x, ends[n >> 1 & 1].y, ends[n >> 2].z);
+            // A box around the camera can be anywhere.
+            let Some(at) = camera.project(corner) else { return true };
+            (low, high) = (low.min(at.truncate()), high.max(at.truncate()));
+        }
+        self.touches(low - 1.0, high + 1.0)
+    }
+}
+
+/// The next level: a block is drawn if one of its four is.
+fn coarser(across: usize, flags: &[bool]) -> (usize, Vec<bool>) {
+    let (wide, high) = (across.div_ceil(2), (flags.len() / across).div_ceil(2));
+    let mut next = vec![false; wide * high];
+    for (n, _) in flags.iter().enumerate().filter(|(_, flag)| **flag) {
+        next[n / across / 2 * wide + n % across / 2] = true;
+    }
+    (wide, next)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random::uniform;
+    use crate::camera::{Fov, Projection};
+    use glam::{DQuat, DVec3};
+
+    #[test]
+    fn rectangles_with_a_drawn_pixel_are_touched_and_far_ones_are_not() {
+        let (width, height) = (203, 117);
+        for share in [0.0, 0.0005, 0.02, 1.0] {
+            let mask: Vec<bool> = (0..width * height).map(|n| uniform(3, n as u64, 0) < share).collect();
+            let pyramid = MaskPyramid::new(&mask, width);
+            let mut empty = 0;
+            for n in 0..2000 {
+                let draw = |axis| uniform(5, n, axis);
+                let low = DVec2::new(draw(0) * 240.0 - 20.0, draw(1) * 140.0 - 10.0);
+                let high = low + DVec2::new(draw(2), draw(3)) * 60.0 * draw(4);
+                let drawn = |x: i64, y: i64| {
+                    (0..width as i64).contains(&x)
+                        && (0..height as i64).contains(&y)
+                        && mask[y as usize * width + x as usize]
+                };
+                let whole = |x: f64| x.floor() as i64;
+                let any = (whole(low.y)..=whole(high.y)).any(|y| (whole(low.x)..=whole(high.x)).any(|x| drawn(x, y)));
+                assert!(pyramid.touches(low, high) || !any, "{low} {high}");
+                empty += u32::from(!pyramid.touches(low, high));
+            }
+            assert!(share > 0.0 || empty == 2000);
+            assert!(share < 1.0 || empty < 900);
+        }
+    }
+
+    #[test]
+    fn boxes_behind_drawn_pixels_are_seen() {
+        let fov = Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 };
+        let camera = Camera::new(DVec3::ZERO, DQuat::IDENTITY, Projection::Perspective(fov), 64, 64).unwrap();
+        let mut mask = vec![false; 64 * 64];
+        mask[10 * 64 + 50] = true;
+        let pyramid = MaskPyramid::new(&mask, 64);
+        let spot = |x: f64, y: f64, depth: f64, size: f32| {
+            let (_, way) = camera.ray(x, y);
+            let at = (way * (depth / -way.z)).as_vec3();
+            pyramid.sees(&camera, &Aabb { min: at - size, max: at + size })
+        };
+        assert!(spot(50.5, 10.5, 5.0, 0.1) && spot(50.5, 10.5, 500.0, 0.1));
+        assert!(!spot(20.5, 40.5, 5.0, 0.1) && !spot(50.5, 40.5, 5.0, 0.1));
+        assert!(spot(20.5, 40.5, 2.0, 3.0), "a box around the camera");
+    }
+}
