@@ -26,6 +26,7 @@ VALID = {
     "compare": ("-i", "ball.glb", "-o", "compared", *PLACE, *SMALL),
     "lod": ("-i", "ball.glb", "-o", "model.json", "--views", "4", "--distances", "1", "--ratios", "1", "--method",
             "meshopt", "--backend", "cpu"),
+    "stereo": ("-i", "ball.glb", "-o", "stereo", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
 }  # fmt: skip
 """Arguments with which each command works on a small scene."""
 

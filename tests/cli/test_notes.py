@@ -19,6 +19,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "bake": ("-o", "OUT/a.exr", "--r1", "1", "--r2", "2", *SMALL[2:]),
     "reduce": ("-o", "OUT/reduced", "--r1", "1", "--r2", "2", *SMALL),
     "compare": ("-o", "OUT/compared", "--r1", "1", "--r2", "2", "--user", "3.1,0.5,3", *SMALL),
+    "stereo": ("-o", "OUT/stereo", "--eye", "3,0.5,3", "--target", "3,0.5,0", *SMALL[:4], *SMALL[8:]),
     "lod": ("-o", "OUT/a.glb", "--views", "4", "--distances", "5", "--ratios", "0.5", "--backend", "cpu"),
 }
 SCHEMAS = {"reduce": "report", "lod": "levels"}
@@ -45,7 +46,7 @@ def test_every_command_says_what_is_not_drawn(
     status, out, _ = command(capsys, name, "-i", source, *arguments)
     assert status == 0
     assert "emission drawn without it" in " ".join(out.split())
-    for report in ("reduced/report.md", "compared/report.md", "compared/report.html"):
+    for report in ("reduced/report.md", "compared/report.md", "compared/report.html", "stereo/report.html"):
         if (tmp_path / report).exists():
             assert all(note in (tmp_path / report).read_text(encoding="utf-8") for note in notes)
     if name == "reduce":

@@ -88,9 +88,9 @@ def test_a_table_is_printed_and_nothing_beyond_the_plane_is_said(
         (("--mono-plane", "8", "--max-error", "1"), "--max-error: expected none with --mono-plane"),
         (("--max-error", "-1"), "--max-error: expected a number above 0"),
         (("--hmd", "nothing"), "--hmd: "),
-        (("--cull", "all"), "cull: expected"),
-        (("--assembly", "sharp"), "assembly: expected"),
-        (("--mono-plane", "0.05"), "near: expected less than the mono plane's 0.05 m"),
+        (("--cull", "all"), "--cull: expected"),
+        (("--assembly", "sharp"), "--assembly: expected"),
+        (("--mono-plane", "0.05"), "--mono-plane: expected more than 0.1 metres, got 0.05"),
     ],
 )
 def test_wrong_options_are_refused_and_nothing_is_left(

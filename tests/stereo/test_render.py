@@ -299,6 +299,44 @@ def test_reduced_scenes_are_morphed_for_the_head() -> None:
     np.testing.assert_array_equal(frame.center.require("color")[drawn], shared.require("color")[drawn])
 
 
+def test_edges_that_are_resolved_before_assembly_lack_what_is_behind() -> None:
+    """Multisampling without coverage mixes the backdrop into edges; with it they are those of plain stereo."""
+    world, hybrid = scene(), rig(size=(160, 130))
+    camera = hybrid.cameras(HEAD, AHEAD)[0]
+    plain = nf.render(world, camera, samples=16, channels=("color",)).require("color")
+    frame = hybrid.render(world, HEAD, AHEAD, samples=16, channels=("color", "coverage"))
+    own = nf.render(world, camera, samples=16, clip=cut(hybrid, 0.1, SHALLOW), channels=("color", "coverage"))
+    coverage = own.require("coverage")
+    edge = (coverage > 0.0) & (coverage < 1.0)
+    assert edge.sum() > 100
+    # The sky that the eye's picture has beside its edges stays in them.
+    resolved = np.where((coverage > 0.0)[..., None], own.require("color"), frame.left.require("color"))
+    wrong, right = (
+        np.abs(picture - plain).max(axis=-1)[edge].mean() for picture in (resolved, frame.left.require("color"))
+    )
+    assert right < 0.35 * wrong
+
+
+@pytest.mark.parametrize("r2", [20.0, 50.0])
+def test_what_a_shared_map_costs_at_r2_is_the_setback(r2: float) -> None:
+    """The map is looked up from s behind the eyes: at r2 that is a residue of s / r2 radians, far below a pixel."""
+    hybrid = rig(size=(1344, 1120))
+    center = hybrid.cameras(HEAD, AHEAD)[2]
+    ahead = rotate(AHEAD, (0.0, 0.0, -1.0))
+    middle = np.array(center.position) + hybrid.center_offset * ahead
+    away = hybrid.center_offset / r2
+    pixels = max(hybrid.size[0] / (hybrid.left.fov.right - hybrid.left.fov.left), 0.0)
+    ways = center.rays()[1][::97, ::89].reshape(-1, 3)
+    # Near geometry ends at middle + r2 · way; the map shows there what the third camera's own direction has.
+    ends = middle + r2 * ways
+    seen = ends - np.array(center.position)
+    seen /= np.linalg.norm(seen, axis=1, keepdims=True)
+    angles = np.arccos(np.clip((seen * ways).sum(axis=1), -1.0, 1.0))
+    assert angles.max() <= away
+    # Of these eyes s is 26 mm, and a tangent 640 pixels.
+    assert angles.max() * pixels < 17.0 / r2
+
+
 def test_arguments_are_checked() -> None:
     hybrid, world = rig(), scene()
     wrong: list[tuple[str, dict[str, Any]]] = [

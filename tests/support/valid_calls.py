@@ -91,6 +91,7 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.Scene.at": {"poses": poses},
         "nearfar.Scene.at_levels": {"levels": [0, 1]},
         "nearfar.Scene.begin": begin,
+        "nearfar.Scene.displayed": {"points": valid.vertices, "user": EYE},
         "nearfar.Scene.from_arrays": {"vertices": valid.vertices, "faces": valid.faces, "copy": True},
         "nearfar.Scene.from_arrays @objects": {
             "vertices": valid.vertices,
@@ -140,6 +141,7 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.ReducedScene.at": {"poses": poses},
         "nearfar.ReducedScene.at_levels": {"levels": [0, 1]},
         "nearfar.ReducedScene.begin": begin,
+        "nearfar.ReducedScene.displayed": {"points": valid.vertices, "user": EYE},
         "nearfar.ReducedScene.explore": {},
         "nearfar.ReducedScene.load": {"path": valid.file("ReducedScene")},
         "nearfar.ReducedScene.recentered": {"center": EYE},
@@ -209,6 +211,10 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.Frame.save": {"path": valid.folder / "saved.exr"},
         "nearfar.Frame.to_image": {},
         "nearfar.render": {"scene": scene, "camera": camera, "backend": "cpu"},
+        "nearfar.render @motion": {
+            "scene": scene, "camera": camera, "before": camera, "before_at": {"far": np.eye(4)},
+            "channels": ("motion",), "backend": "cpu",
+        },
         "nearfar.render @levels": {"scene": valid.leveled, "camera": camera, "lod": "depth", "backend": "cpu"},
         "nearfar.render @reduced": {"scene": valid.reduced, "camera": camera, "user": EYE, "backend": "cpu"},
         "nearfar.render_eyes": {"source": scene, "hmd": hmd, "position": EYE, "size": SIZE, "backend": "cpu"},
@@ -279,7 +285,9 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stereo.HybridRig.render": {"source": valid.scene, "position": EYE, "near": 0.5, "far": 50.0},
         "nearfar.stereo.HybridRig.shown": {"eye": "left", "at": [0.1, 0.2]},
         "nearfar.stereo.HybridRig.triangles": {"scene": valid.scene, "position": EYE},
+        "nearfar.stereo.HybridRig.view_vectors": {"eye": "left", "points": valid.vertices, "position": EYE},
         "nearfar.stereo.HybridRig.with_plane": {"mono_plane": 4.0},
+        "nearfar.stereo.QuadLayer": {"position": (0.0, 0.0, -8.0), "size": (20.0, 20.0)},
         "nearfar.stereo.mono_plane_for": {"hmd": hmd, "error_px": 1.0},
     }  # fmt: skip
 

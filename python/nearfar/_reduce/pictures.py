@@ -8,12 +8,16 @@ import warnings
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Self, cast
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
+from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar._camera.clip import Clip
 from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._cubemap.envmap import EnvMap
+from nearfar._morph import morph
+from nearfar._partition.partition import Partition
 from nearfar._reduce.drawing import Drawing
 from nearfar._render import backend as backends
 from nearfar._render.frame import Frame
@@ -30,6 +34,8 @@ class InPictures:
     """Draws a reduced scene."""
 
     _scene: Scene
+    _partition: Partition
+    _boundary: str
     _env: EnvMap | None
     _morph: str
     _core: Reduced
@@ -150,6 +156,28 @@ class InPictures:
         """Backends that can render this scene; only the CPU bends rays."""
         bends = self._drawing.method == "exact" and self._morph != "none"
         return ("cpu",) if bends else ("cpu", "gpu")
+
+    @property
+    def object_names(self) -> tuple[str, ...]:
+        """Names of all objects, by number."""
+        return self._scene.object_names
+
+    @property
+    def poses(self) -> dict[str, NDArray[np.float64]]:
+        """Present object→world (4, 4) of each dynamic object, by name, as `at` takes them."""
+        return self._scene.poses
+
+    def displayed(self, points: ArrayLike, user: ArrayLike) -> NDArray[np.float64]:
+        """Return where a picture shows world positions (N, 3) to a user at a world position (3,), metres."""
+        places = check.array("points", points, columns=3, dtype=np.float64)
+        center, eye = self._partition.center, check.vector("user", user)
+        r1, r2 = self._drawing.radii(self._partition.r1, self._partition.r2)
+        if self._morph != "none":
+            return np.asarray(morph(places, user=eye, center=center, r1=r1, r2=r2, kind=self._morph))
+        away = places - np.array(center)
+        boundary = self._partition.r1 if self._boundary == "r1" else self._partition.r2
+        far = np.hypot(away[:, 0], away[:, 2]) > boundary
+        return np.where(far[:, None], np.array(eye) + away, places)
 
     def trace(self, shot: Shot, report: Report = None) -> list[Images]:
         """Trace the pictures of a shot, one for each camera."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import check, formats, progress
 from nearfar._cubemap import envmap
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
@@ -274,15 +274,11 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
             If a file is missing.
         """
         saved = folder.load(path)
-        return cls(
-            saved.near,
-            partition(saved.near, center=saved.center, r1=saved.r1, r2=saved.r2),
-            saved.env,
-            morph=saved.morph,
-            boundary=saved.boundary,
-            counts=saved.counts,
-            is_whole=False,
-        )
+        # Values of the files may be valid alone, but not together.
+        with formats.guarded(path):
+            zones = partition(saved.near, center=saved.center, r1=saved.r1, r2=saved.r2)
+            kept: dict[str, Any] = {"morph": saved.morph, "boundary": saved.boundary, "counts": saved.counts}
+            return cls(saved.near, zones, saved.env, **kept, is_whole=False)
 
     @property
     def _undivided(self) -> Scene:

@@ -16,13 +16,14 @@ CHANNELS = (
     "albedo",
     "shading_normal",
     "coverage",
+    "motion",
 )
 """Names of all channels, in their order."""
 
 VECTORS = ("color", "position", "normal", "albedo", "shading_normal")
 """Names of those with three values for each pixel."""
 
-BYTES = {name: 12 if name in VECTORS else 8 if name == "face_id" else 4 for name in CHANNELS}
+BYTES = {name: 12 if name in VECTORS else 8 if name in ("face_id", "motion") else 4 for name in CHANNELS}
 """Bytes of a pixel of each channel."""
 
 

@@ -55,6 +55,10 @@ class Frame:
     coverage: NDArray[np.float32] | None = field(default=None, repr=False)
     """(H, W) float32, share of the pixel's colour samples that show a triangle, 0 to 1; neither sky nor map counts."""
 
+    motion: NDArray[np.float32] | None = field(default=None, repr=False)
+    """(H, W, 2) float32, pixels to the right and down by which what the pixel shows has moved since an earlier frame;
+    see `render`. NaN where it was behind the earlier camera."""
+
     lod: Any = field(default=None, repr=False)
     """Levels of detail drawn, if `lod` chose some: `levels` (N,) in the order of `Scene.leveled`, `triangles`,
     `full_triangles` and `selection`; None otherwise. Not saved to files."""
@@ -73,7 +77,8 @@ class Frame:
         width, height = self.camera.size
         for name in self.channels:
             image = check.instance(name, getattr(self, name), np.ndarray, "an array")
-            expected = (height, width, 3) if name in VECTORS else (height, width)
+            deep = (3,) if name in VECTORS else (2,) if name == "motion" else ()
+            expected = (height, width, *deep)
             if image.shape != expected:
                 raise ValueError(f"{name}: expected shape {expected} for the camera's size, got {image.shape}")
 
@@ -162,7 +167,7 @@ class Frame:
         return card.page("Frame", (), card.picture(pixels, preview.CAPTIONS[name], caption))
 
 
-_AXES = {"color": ("R", "G", "B")} | {
+_AXES = {"color": ("R", "G", "B"), "motion": ("motion.X", "motion.Y")} | {
     name: tuple(f"{name}.{axis}" for axis in ("RGB" if name == "albedo" else "XYZ")) for name in VECTORS[1:]
 }
 

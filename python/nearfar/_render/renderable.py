@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Protocol, Self, runtime_checkable
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
+from nearfar._base import check
 from nearfar._camera.shot import Shot
 from nearfar._scene.levels import Leveled
 
@@ -53,6 +55,20 @@ class Renderable(Protocol):
     def triangle_count(self) -> int:
         """Number of triangles that a picture draws."""
         return 0
+
+    @property
+    def object_names(self) -> tuple[str, ...]:
+        """Names of all objects, by number."""
+        return ()
+
+    @property
+    def poses(self) -> dict[str, NDArray[np.float64]]:
+        """Present poses (4, 4), object→world, of the objects that can move, as `at` takes them."""
+        return {}
+
+    def displayed(self, points: ArrayLike, user: ArrayLike) -> NDArray[np.float64]:
+        """Return where a user at a world position (3,) is shown world positions (N, 3), metres."""
+        return check.array("points", points, columns=3, dtype=np.float64)
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Self:
         """Return the same source with dynamic objects in other poses; `poses` as in `Scene.at`."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from numpy.typing import ArrayLike
 
@@ -17,8 +17,12 @@ from nearfar._render import backend as backends
 from nearfar._render.channels import BYTES, channel_names
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import LevelChoice, Lod
+from nearfar._render.motion import Sight, motion
 from nearfar._render.renderable import Images, Job, Renderable, Report, check_renderable
 from nearfar._scene.levels import Shown
+
+NEEDED_BY_MOTION = ("position", "object_id")
+"""Channels that motion is computed from; the second one where objects can move."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +32,10 @@ class View:
     shot: Shot
     drawn: Renderable
     shown: Shown | None = None
+    wanted: tuple[str, ...] = ()
+    """Channels of the frames; the shot may have more of them, from which motion is computed."""
+    before: View | None = None
+    """The view that motion is relative to; by default the same."""
 
     def trace(self, report: Report = None) -> list[Frame]:
         """Render the frames on the CPU, one for each camera."""
@@ -43,20 +51,34 @@ class View:
 
     def _frames(self, pictures: Sequence[Images]) -> list[Frame]:
         origin, cameras = check.vector("origin", self.drawn.origin), self.shot.cameras
-        return [
+        frames = [
             Frame(camera, origin, **images, lod=self.shown) for camera, images in zip(cameras, pictures, strict=True)
         ]
+        if "motion" not in self.wanted:
+            return frames
+        return [self._with_motion(number, frame) for number, frame in enumerate(frames)]
+
+    def sight(self, number: int) -> Sight:
+        """The moment of one of its pictures."""
+        camera = self.shot.cameras[number]
+        return Sight(camera, self.drawn, camera.position if self.shot.user is None else self.shot.user)
+
+    def _with_motion(self, number: int, frame: Frame) -> Frame:
+        now, before = (view.sight(number) for view in (self, self if self.before is None else self.before))
+        moved = motion(frame, now, before)
+        position, object_id = (getattr(frame, name) if name in self.wanted else None for name in NEEDED_BY_MOTION)
+        return replace(frame, motion=moved, position=position, object_id=object_id)
 
 
-def posed_at(source: Renderable, at: Mapping[str, ArrayLike]) -> Renderable:
-    """Pose a source by the argument `at`, which its messages name."""
+def posed_at(source: Renderable, at: Mapping[str, ArrayLike], argument: str = "at") -> Renderable:
+    """Pose a source by an argument, which its messages name."""
     try:
-        return source.at(check.mapping("at", at, "matrices by name such as {'car': matrix}"))
+        return source.at(check.mapping(argument, at, "matrices by name such as {'car': matrix}"))
     except (TypeError, ValueError) as error:
-        if str(error).startswith("at: "):
+        if str(error).startswith(f"{argument}: "):
             raise
         kind = TypeError if isinstance(error, TypeError) else ValueError
-        raise kind(f"at: {error}") from error
+        raise kind(f"{argument}: {error}") from error
 
 
 class Renderer:
@@ -72,15 +94,23 @@ class Renderer:
         argument: str = "source",
     ) -> None:
         check_renderable(argument, source)
-        self.source = source
+        self.source, self._argument = source, argument
         self.samples = check.integer("samples", samples, 1, MAX_SAMPLES)
         self.channels = channel_names(source.default_channels if channels is None else channels)
         self._choice = None if lod is None else LevelChoice(source, lod)
 
     @property
+    def drawn_channels(self) -> tuple[str, ...]:
+        """Channels that the source draws: those that are asked for, and those that motion is computed from."""
+        if "motion" not in self.channels:
+            return self.channels
+        needed = NEEDED_BY_MOTION if self.source.poses else NEEDED_BY_MOTION[:1]
+        return channel_names([*(name for name in self.channels if name != "motion"), *needed])
+
+    @property
     def work(self) -> backends.Work:
         """The kind of work: channels and samples."""
-        return self.channels, self.samples
+        return self.drawn_channels, self.samples
 
     def shot(
         self,
@@ -100,7 +130,7 @@ class Renderer:
         place = None if user is None else check.vector("user", user)
         return Shot(
             cameras=tuple(cameras),
-            channels=self.channels,
+            channels=self.drawn_channels,
             samples=self.samples,
             user=place,
             t_min=t_min,
@@ -113,17 +143,30 @@ class Renderer:
 
         `measured` is the object that measurements belong to; by default the source.
         """
-        if "gpu" not in self.source.backends and backends.check(backend) == "auto":
+        known = check.texts(f"{self._argument}.backends", self.source.backends)
+        if "gpu" not in known and backends.check(backend) == "auto":
             return None
         return backends.device_for(backend, self.source if measured is None else measured, self.work)
 
-    def view(self, shot: Shot, poses: Mapping[str, ArrayLike] | None) -> View:
-        """Pose the source and choose its levels for a shot."""
+    def view(self, shot: Shot, poses: Mapping[str, ArrayLike] | None, before: View | None = None) -> View:
+        """Pose the source and choose its levels for a shot; motion is relative to the view `before`."""
         posed = self.source if poses is None else posed_at(self.source, poses)
-        return View(shot, posed) if self._choice is None else View(shot, *self._choice(posed, shot))
+        drawn, shown = (posed, None) if self._choice is None else self._choice(posed, shot)
+        # Of earlier views only one is kept.
+        return View(shot, drawn, shown, self.channels, None if before is None else replace(before, before=None))
 
-    def frames(self, shot: Shot, poses: Mapping[str, ArrayLike] | None, device: _core.GpuDevice | None) -> list[Frame]:
+    def frames(
+        self,
+        shot: Shot,
+        poses: Mapping[str, ArrayLike] | None,
+        device: _core.GpuDevice | None,
+        before: View | None = None,
+    ) -> list[Frame]:
         """Render the frames of a shot, one for each camera."""
-        view = self.view(shot, poses)
+        if before is None and "motion" in self.channels:
+            raise ValueError(
+                "channels: expected motion with the camera of an earlier frame, `before` of nearfar.render"
+            )
+        view = self.view(shot, poses, before)
         with progress.bar("rendering") as report:
             return view.trace(report) if device is None else view.finish(view.begin(device, report), report)

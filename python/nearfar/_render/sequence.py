@@ -44,7 +44,8 @@ def render_path(
     at
         Poses of dynamic objects, as `Scene.at` takes them: one mapping for all views, or one for each view.
     channels
-        Images to compute; by default the source's `default_channels`.
+        Images to compute; by default the source's `default_channels`. "motion" is that since the frame before, 0 in the
+        first one.
     samples, backend
         As in `render`.
     lod
@@ -94,13 +95,17 @@ def _check_camera(number: int, camera: Camera) -> None:
 
 
 def _views(renderer: Renderer, cameras: Iterable[Camera], poses: Iterator[Pose | None]) -> Iterator[View]:
+    before: View | None = None
     for number, camera in enumerate(cameras):
         _check_camera(number, camera)
         try:
             pose = next(poses)
         except StopIteration:
             raise ValueError(f"at: expected a pose for each camera, got {number}") from None
-        yield renderer.view(renderer.shot([camera]), pose)
+        if "motion" in renderer.channels and before is not None and before.shot.cameras[0].size != camera.size:
+            raise ValueError(f"cameras: expected all of one size for motion, got {camera.size} as number {number}")
+        before = renderer.view(renderer.shot([camera]), pose, before)
+        yield before
 
 
 def _drawn(device: _core.GpuDevice, views: Iterator[View]) -> Iterator[Frame]:

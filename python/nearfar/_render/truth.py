@@ -7,12 +7,13 @@ from collections.abc import Iterable, Mapping
 
 from numpy.typing import ArrayLike
 
+from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar._camera.clip import Clip
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Renderable
-from nearfar._render.renderer import Renderer
+from nearfar._render.renderer import Renderer, View, posed_at
 
 
 def render(
@@ -21,6 +22,8 @@ def render(
     *,
     at: Mapping[str, ArrayLike] | None = None,
     user: ArrayLike | None = None,
+    before: Camera | None = None,
+    before_at: Mapping[str, ArrayLike] | None = None,
     t_min: float = 0.0,
     t_max: float = math.inf,
     clip: Clip | None = None,
@@ -45,6 +48,9 @@ def render(
     user
         World position (3,), metres, of the eye that a reduced scene is morphed for; by default the camera's position.
         A scene does not depend on it.
+    before, before_at
+        Camera of an earlier frame, and its poses of dynamic objects, for the channel "motion"; by default the scene's
+        present poses. The camera has the same size.
     t_min, t_max
         Limits in metres along each pixel's ray, for parallel rays from the image plane; surfaces nearer than `t_min` or
         farther than `t_max` are not drawn. For reduced scenes see `ReducedScene.render`.
@@ -54,9 +60,9 @@ def render(
         Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. Coverage counts them
         too; all other images are sampled once, at the pixel's centre.
     channels
-        Images to compute, of "color", "range", "object_id", "face_id", "position", "normal", "albedo", "shading_normal"
-        and "coverage"; see `Frame`. The
-        default is colour, range and object_id for a scene, and the channels of its map for a reduced scene.
+        Images to compute, of "color", "range", "object_id", "face_id", "position", "normal", "albedo",
+        "shading_normal", "coverage" and "motion"; see `Frame`. The default is colour, range and object_id for a scene,
+        and the channels of its map for a reduced scene.
     lod
         Level of detail of the objects that have levels (`Scene.with_levels`). None draws level 0. The names "off",
         "depth", "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with default settings and no lens. A
@@ -97,5 +103,19 @@ def render(
     """
     renderer = Renderer(scene, channels, samples, lod, argument="scene")
     shot = renderer.shot([camera], user, t_min, t_max, clip)
-    (frame,) = renderer.frames(shot, at, renderer.device(backend))
+    (frame,) = renderer.frames(shot, at, renderer.device(backend), _earlier(renderer, camera, before, before_at))
     return frame
+
+
+def _earlier(
+    renderer: Renderer, camera: Camera, before: Camera | None, at: Mapping[str, ArrayLike] | None
+) -> View | None:
+    """The view that motion is relative to."""
+    if before is None:
+        if at is not None:
+            raise ValueError("before_at: expected None without the camera `before`")
+        return None
+    if check.instance("before", before, Camera).size != camera.size:
+        raise ValueError(f"before: expected a camera of {camera.size} pixels, got {before.size}")
+    source = renderer.source if at is None else posed_at(renderer.source, at, "before_at")
+    return View(renderer.shot([before]), source)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -12,13 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import card, check
-from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._scene import preview
 from nearfar._scene.arrays import triangle_mask
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.one_mesh import one_mesh
+from nearfar._scene.pictures import InPictures
 from nearfar._scene.poses import checked_pose, frame_of, placements_in, pose_of
 from nearfar._scene.report import Report
 from nearfar._scene.serialize import core_of_parts, parts_of
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     import trimesh
 
 
-class Scene:
+class Scene(InPictures):
     """An immutable scene: objects over shared meshes, some of which may move.
 
     An object is a name over faces or instances. Static meshes placed once are merged; one that is placed several times
@@ -176,16 +176,6 @@ class Scene:
         return cls._from_assembled(one_mesh(vertices, faces, face_object, names, copy=copy))
 
     @property
-    def default_channels(self) -> tuple[str, ...]:
-        """Images that `nearfar.render` computes by default."""
-        return ("color", "range", "object_id")
-
-    @property
-    def backends(self) -> tuple[str, ...]:
-        """Backends that can render the scene."""
-        return ("cpu", "gpu")
-
-    @property
     def triangle_count(self) -> int:
         """Triangles of all instances."""
         return self._core.triangle_count
@@ -294,6 +284,11 @@ class Scene:
         """Object→world (4, 4) that an object was loaded with, which `at` replaces."""
         return self._frame(self._names.number("name", name)).copy()
 
+    @property
+    def poses(self) -> dict[str, NDArray[np.float64]]:
+        """Present object→world (4, 4) of each dynamic object, by name, as `at` takes them."""
+        return {self.object_names[n]: self._pose(n) for n in np.unique(self._core.moving_objects()).tolist()}
+
     def at(self, poses: Mapping[str, ArrayLike]) -> Scene:
         """Return the same scene with dynamic objects in other places.
 
@@ -327,18 +322,6 @@ class Scene:
 
     def _frame(self, number: int) -> NDArray[np.float64]:
         return frame_of(self._frames, number)
-
-    def trace(self, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[dict[str, NDArray[Any]]]:
-        """Trace the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
-        check_request(shot, report)
-        return [_core.render_truth(self._core, camera._core, shot.settings, report=report) for camera in shot.cameras]
-
-    def begin(
-        self, device: _core.GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None
-    ) -> list[_core.GpuJob]:
-        """Begin the pictures of a shot on a graphics device, one for each camera."""
-        check_begin(device, shot, report)
-        return [device.truth(self._core, camera._core, shot.settings, report=report) for camera in shot.cameras]
 
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Scene:
         """Return a scene of only some objects or some triangles.

@@ -55,6 +55,8 @@ def stereo(
 ) -> None:
     """Render near geometry for each eye of a headset and all else once, and compare with plain stereo."""
     options.check_backend(backend)
+    check.choice("--assembly", assembly, ("bilinear", "resolved"))
+    check.choice("--cull", cull, ("frustum", "discard", "occlusion"))
     device = options.headset(hmd)
     pixels, head = _headset.pixels_of(size, device), options.read_point("--eye", eye)
     aim, clock = options.read_point("--target", target), Clock()
@@ -122,7 +124,10 @@ SIDES = ("left", "right")
 def _plane(device: nf.Hmd, size: tuple[int, int], mono_plane: float | None, max_error: float | None) -> float:
     """Distance of the mono plane, as given or by the error."""
     if max_error is None:
-        return 8.0 if mono_plane is None else check.positive("--mono-plane", mono_plane)
+        plane = 8.0 if mono_plane is None else check.positive("--mono-plane", mono_plane)
+        if plane <= NEAR:
+            raise ValueError(f"--mono-plane: expected more than {NEAR:g} metres, got {plane:g}")
+        return plane
     if mono_plane is not None:
         raise ValueError(f"--max-error: expected none with --mono-plane, got {max_error:g}")
     return nf.stereo.mono_plane_for(hmd=device, error_px=check.positive("--max-error", max_error), size=size)

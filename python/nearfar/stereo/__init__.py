@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from nearfar.stereo._adaptive import AdaptivePlane
+from nearfar.stereo._layer import QuadLayer
 from nearfar.stereo._plane import mono_plane_for
 from nearfar.stereo._rig import HybridRig
 
-__all__ = ["AdaptivePlane", "HybridRig", "mono_plane_for"]
+__all__ = ["AdaptivePlane", "HybridRig", "QuadLayer", "mono_plane_for"]

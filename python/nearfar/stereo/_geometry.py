@@ -18,6 +18,7 @@ from nearfar._camera.clip import Clip
 from nearfar.hmd._eye import Eye, rotation, turned
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._kink import kink_angles
+from nearfar.stereo._layer import QuadLayer
 
 AXES = ("horizontal", "vertical", "both")
 """Parts of an error by name."""
@@ -132,6 +133,68 @@ class RigGeometry(WithTwin):
         if math.isfinite(end):
             planes.append((*(-ahead).tolist(), offset + end))
         return Clip(planes=planes)
+
+    @property
+    def quad_layer(self) -> QuadLayer:
+        """The rectangle on the plane m₁ that the third camera sees, for compositors (OpenXR, WebXR)."""
+        fov, m = self.center_fov, self.planes[0]
+        away = m + self.center_offset
+        x, y, z = self._core.middle
+        middle = (x + 0.5 * away * (fov.left + fov.right), y + 0.5 * away * (fov.down + fov.up), z - m)
+        return QuadLayer(middle, (away * (fov.right - fov.left), away * (fov.up - fov.down)))
+
+    def view_vectors(
+        self,
+        eye: str,
+        points: ArrayLike,
+        position: ArrayLike,
+        orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+        *,
+        blend: float = 0.3,
+    ) -> NDArray[np.float64]:
+        """Return unit vectors from surface points to the viewer, for shading that depends on the view.
+
+        Beyond the plane the third camera is the viewer, before it the eye. Over the last `blend` metres before m₁ the
+        vectors of both are interpolated linearly, so that highlights do not jump at the plane.
+
+        Parameters
+        ----------
+        eye
+            "left" or "right".
+        points
+            World positions (N, 3), metres.
+        position, orientation
+            Pose of the head, as for `cameras`.
+        blend
+            Metres, above 0.
+
+        Returns
+        -------
+        ndarray
+            (N, 3) unit vectors; NaN for a point at the viewer.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For arguments out of their domains.
+
+        References
+        ----------
+        Fink et al. (2019).
+        """
+        places = check.array("points", points, columns=3, dtype=np.float64, finite=True)
+        length = check.positive("blend", blend)
+        side = EYES.index(check.choice("eye", eye, EYES))
+        cameras = self.cameras(position, orientation)
+        ahead = rotation(quaternion(orientation)) @ np.array((0.0, 0.0, -1.0))
+        to_eye, to_center = (np.array(cameras[n].position) - places for n in (side, 2))
+        depths = -(to_center @ ahead) - self.center_offset
+        with np.errstate(invalid="ignore", over="ignore"):
+            share = np.clip((self.planes[0] - depths) / length, 0.0, 1.0)[:, None]
+            units = [v / np.linalg.norm(v, axis=1, keepdims=True) for v in (to_eye, to_center)]
+            # Where only one viewer counts, the other one may stand at the point.
+            mixed = np.where(share > 0.0, share * units[0], 0.0) + np.where(share < 1.0, (1.0 - share) * units[1], 0.0)
+            return np.asarray(mixed / np.linalg.norm(mixed, axis=1, keepdims=True))
 
     def homography(self, eye: str) -> NDArray[np.float64]:
         """Return the matrix (3, 3) that maps pixels of the third camera to pixels of an eye, "left" or "right" (Eq. 5).

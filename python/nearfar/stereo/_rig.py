@@ -126,7 +126,7 @@ class HybridRig(RigGeometry):
 
         References
         ----------
-        Fink et al. (2019), section 3.
+        Fink et al. (2019).
         """
         return render(
             self,
