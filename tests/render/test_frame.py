@@ -41,6 +41,7 @@ def full(camera: nf.Camera = CAMERA) -> nf.Frame:
         albedo=np.abs(noise[::-1]).copy(),
         shading_normal=noise[:, ::-1].copy(),
         coverage=np.abs(noise[..., 2]).copy(),
+        motion=noise[..., :2].copy(),
     )
 
 

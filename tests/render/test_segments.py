@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar._render.channels import CHANNELS
+from nearfar._render.channels import DRAWN
 from nearfar._scene.builder import SceneBuilder
 from tests.support import render_oracle as oracle
 from tests.support.gpu_cases import ADAPTERS, adapter, agree, backend_of, both, check_color, crowd, view
@@ -23,9 +23,9 @@ CAMERAS = [nf.Camera((0.3, 0.1, 0.4), TURN, fov=fov, size=(41, 41)) for fov in P
 @pytest.mark.parametrize("camera", CAMERAS, ids=lambda camera: str(camera.fov))
 def test_every_channel_agrees_with_brute_force(camera: nf.Camera, segment: tuple[float, float]) -> None:
     surfaces = room()
-    frame = nf.render(build(surfaces), camera, channels=CHANNELS, t_min=segment[0], t_max=segment[1], backend="cpu")
+    frame = nf.render(build(surfaces), camera, channels=DRAWN, t_min=segment[0], t_max=segment[1], backend="cpu")
     expected = oracle.cast(surfaces, oracle.view(camera), segment)
-    flat = {name: frame.require(name).reshape(41 * 41, *frame.require(name).shape[2:]) for name in CHANNELS}
+    flat = {name: frame.require(name).reshape(41 * 41, *frame.require(name).shape[2:]) for name in DRAWN}
     np.testing.assert_array_equal(flat["object_id"], expected.object_id)
     np.testing.assert_array_equal(flat["face_id"], expected.face_id)
     # As for whole rays: coordinates of 10 m are rounded by 5e-7, and texture coordinates of 8 by as much.
@@ -92,9 +92,9 @@ def test_scenes_cut_by_hand_are_the_same(
 def test_a_part_that_holds_everything_changes_nothing(name: str) -> None:
     scene, camera = crowd(), view((0, 0.5, 1), (0, 0, -6), size=(160, 120))
     with backend_of(name) as backend:
-        whole = nf.render(scene, camera, channels=CHANNELS, backend=backend)
-        part = nf.render(scene, camera, channels=CHANNELS, backend=backend, t_min=1e-3, t_max=1e4)
-    for channel in CHANNELS:
+        whole = nf.render(scene, camera, channels=DRAWN, backend=backend)
+        part = nf.render(scene, camera, channels=DRAWN, backend=backend, t_min=1e-3, t_max=1e4)
+    for channel in DRAWN:
         np.testing.assert_array_equal(part.require(channel), whole.require(channel))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar._render.channels import CHANNELS
+from nearfar._render.channels import DRAWN
 from tests.support import need, printed_by_threads
 from tests.support import render_oracle as oracle
 from tests.support.render_cases import PROJECTIONS, QUAD, WIDE, build, quad, room
@@ -25,9 +25,9 @@ CAMERAS = [
 @pytest.mark.parametrize("camera", CAMERAS, ids=lambda camera: str(camera.fov))
 def test_every_channel_agrees_with_brute_force(camera: nf.Camera) -> None:
     surfaces = room()
-    frame = nf.render(build(surfaces), camera, channels=CHANNELS)
+    frame = nf.render(build(surfaces), camera, channels=DRAWN)
     expected = oracle.cast(surfaces, oracle.view(camera))
-    flat = {name: frame.require(name).reshape(41 * 41, *frame.require(name).shape[2:]) for name in CHANNELS}
+    flat = {name: frame.require(name).reshape(41 * 41, *frame.require(name).shape[2:]) for name in DRAWN}
     np.testing.assert_array_equal(flat["object_id"], expected.object_id)
     np.testing.assert_array_equal(flat["face_id"], expected.face_id)
     # Coordinates of 10 m and distances along them are rounded by 5e-7; slanted surfaces magnify it a little.
@@ -42,8 +42,8 @@ def test_every_channel_agrees_with_brute_force(camera: nf.Camera) -> None:
 def test_colour_is_the_mean_of_its_samples_and_the_rest_stays() -> None:
     surfaces, camera = room(), nf.Camera((0, 0, 2), fov=WIDE, size=(30, 20))
     scene = build(surfaces)
-    one, many = (nf.render(scene, camera, samples=samples, channels=CHANNELS) for samples in (1, 8))
-    for name in CHANNELS[1:]:
+    one, many = (nf.render(scene, camera, samples=samples, channels=DRAWN) for samples in (1, 8))
+    for name in DRAWN[1:]:
         np.testing.assert_array_equal(one.require(name), many.require(name))
     # Hammersley: the second coordinate of each column is its index with the bits reversed.
     offsets = [((i + 0.5) / 8, (int(f"{i:03b}"[::-1], 2) + 0.5) / 8) for i in range(8)]
@@ -54,10 +54,10 @@ def test_colour_is_the_mean_of_its_samples_and_the_rest_stays() -> None:
     np.testing.assert_array_equal(only.require("color"), many.require("color"))
 
 
-@pytest.mark.parametrize("channel", CHANNELS)
+@pytest.mark.parametrize("channel", DRAWN)
 def test_each_channel_is_the_same_alone(channel: str) -> None:
     scene, camera = build(room()), nf.Camera((0, 0, 2), fov=WIDE, size=(33, 17))
-    together, alone = nf.render(scene, camera, channels=CHANNELS), nf.render(scene, camera, channels=[channel])
+    together, alone = nf.render(scene, camera, channels=DRAWN), nf.render(scene, camera, channels=[channel])
     assert alone.channels == (channel,)
     np.testing.assert_array_equal(alone.require(channel), together.require(channel))
 
@@ -137,7 +137,7 @@ def test_six_faces_make_one_picture() -> None:
 def test_misses_show_the_sky() -> None:
     scene = build([Surface(quad((0, 0, 5), (1, 0, 0), (0, 1, 0)), QUAD)])
     camera = nf.Camera((0, 0, 0), fov=WIDE, size=(9, 7))
-    frame = nf.render(scene, camera, channels=CHANNELS)
+    frame = nf.render(scene, camera, channels=DRAWN)
     expected = oracle.background(camera.rays()[1].reshape(-1, 3)).reshape(7, 9, 3)
     # Directions and colours below 1 in float32: five roundings of 6e-8.
     np.testing.assert_allclose(frame.require("color"), expected, atol=3e-7)
@@ -150,7 +150,7 @@ def test_misses_show_the_sky() -> None:
 
 def test_an_empty_scene_is_all_sky() -> None:
     scene = nf.Scene.from_arrays(np.empty((0, 3)), np.empty((0, 3), int))
-    frame = nf.render(scene, nf.Camera((0, 0, 0), fov=WIDE, size=(3, 2)), samples=3, channels=CHANNELS)
+    frame = nf.render(scene, nf.Camera((0, 0, 0), fov=WIDE, size=(3, 2)), samples=3, channels=DRAWN)
     assert np.isposinf(frame.require("range")).all()
     assert np.isfinite(frame.require("color")).all()
 
@@ -181,7 +181,7 @@ def test_a_camera_in_a_wall_or_outside_everything_works() -> None:
     in_wall = nf.Camera((8.0, 0, 0), fov=WIDE, size=(32, 24))
     outside = nf.Camera.look_at((500, 400, 300), (0, 0, 0), fov=nf.Fov.symmetric(5), size=(32, 24))
     for camera in (in_wall, outside):
-        frame = nf.render(scene, camera, samples=2, channels=CHANNELS)
+        frame = nf.render(scene, camera, samples=2, channels=DRAWN)
         assert np.isfinite(frame.require("color")).all()
         assert (frame.require("color") <= 1).all()
     assert nf.render(scene, outside).require("range").min() == pytest.approx(707 - 10, abs=10)
@@ -232,7 +232,7 @@ for call in (
 def test_degenerate_triangles_are_not_seen() -> None:
     vertices = np.array([[0, 0, -1], [1, 0, -1], [2, 0, -1], [0, 0, -1], [0, 0, -1]], np.float32)
     scene = nf.Scene.from_arrays(vertices, np.array([[0, 1, 2], [0, 3, 4]]))
-    frame = nf.render(scene, nf.Camera((0, 0, 0), fov=WIDE, size=(9, 9)), channels=CHANNELS)
+    frame = nf.render(scene, nf.Camera((0, 0, 0), fov=WIDE, size=(9, 9)), channels=DRAWN)
     assert np.isfinite(frame.require("color")).all()
     seen = frame.require("object_id") >= 0
     assert np.isfinite(frame.require("normal")[seen]).all()
@@ -251,8 +251,8 @@ def test_odd_sizes_are_complete() -> None:
 
 def digest() -> str:
     """Hash of all images of the first camera."""
-    frame = nf.render(build(room()), CAMERAS[0], samples=3, channels=CHANNELS)
-    return hashlib.sha256(b"".join(frame.require(name).tobytes() for name in CHANNELS)).hexdigest()
+    frame = nf.render(build(room()), CAMERAS[0], samples=3, channels=DRAWN)
+    return hashlib.sha256(b"".join(frame.require(name).tobytes() for name in DRAWN)).hexdigest()
 
 
 def test_bytes_do_not_depend_on_the_number_of_threads() -> None:

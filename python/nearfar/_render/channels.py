@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from nearfar._base import check
 
-CHANNELS = (
+DRAWN = (
     "color",
     "range",
     "object_id",
@@ -16,8 +16,10 @@ CHANNELS = (
     "albedo",
     "shading_normal",
     "coverage",
-    "motion",
 )
+"""Names of the channels that sources draw."""
+
+CHANNELS = (*DRAWN, "motion")
 """Names of all channels, in their order."""
 
 VECTORS = ("color", "position", "normal", "albedo", "shading_normal")

@@ -18,6 +18,7 @@ ORDER = (
     "object_id",
     "face_id",
     "coverage",
+    "motion",
     "position",
 )
 """Images of a frame, the one that shows most first."""
@@ -31,6 +32,7 @@ CAPTIONS = {
     "object_id": "objects as colours",
     "face_id": "triangles as colours",
     "coverage": "share of samples that show a triangle",
+    "motion": "motion: to the right is red, down is green",
     "position": "height above the lowest point, high is bright",
 }
 """Captions of the pictures of each image."""
@@ -44,6 +46,8 @@ def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
         return codes if name == "color" else np.where(np.isfinite(image), codes, np.uint8(48))
     if name == "coverage":
         found, shade = image > 0.0, np.repeat(image[..., None], 3, axis=-1)
+    elif name == "motion":
+        found, shade = np.isfinite(image).all(axis=-1), _moved(image)
     elif name in ("normal", "shading_normal"):
         found, shade = np.isfinite(image).all(axis=-1), 0.5 + 0.5 * np.nan_to_num(image)
     elif name in ("object_id", "face_id"):
@@ -56,6 +60,14 @@ def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
     picture = np.full((*found.shape, 3), 48, np.uint8)
     picture[found] = np.clip(255.0 * shade[found], 0.0, 255.0).astype(np.uint8)
     return picture
+
+
+def _moved(image: NDArray[Any]) -> NDArray[Any]:
+    """Make colours of motion: its parts as red and green, grey for none, full at the greatest 1 %."""
+    known = np.nan_to_num(image)
+    scale = max(float(np.percentile(np.abs(known), 99.0)), 1e-6)
+    shade = 0.5 + 0.5 * np.clip(known / scale, -1.0, 1.0)
+    return np.concatenate([shade, np.full((*shade.shape[:2], 1), 0.5)], axis=-1)
 
 
 def _shades(values: NDArray[Any]) -> tuple[NDArray[np.bool_], NDArray[Any]]:

@@ -71,7 +71,9 @@ def render_all(
         with clock.step("dense pictures"):
             for name in METHODS:
                 shown = made.with_morph(morph_of(name, saved))
-                dense[name] = shown.render(_dense(view), channels=("position",), **(drawing or {}))
+                # Vertices would be split for all directions, which takes seconds; rays are bent in view alone.
+                how = {"method": "exact", **(drawing or {})}
+                dense[name] = shown.render(_dense(view), channels=("position",), **how)
     return Rendered(frames, reduced, dense)
 
 
