@@ -1,6 +1,6 @@
 """Hybrid stereo against plain stereo by mono plane: time of each stage, pixels, triangles and SSIM, as Fig. 5 and 6.
 
-python -m benchmarks.stereo.render [--quick] [--scenes beams,forest] [--plots out/bench]
+python -m benchmarks.stereo.render [--quick] [--scenes beams,forest] [--backend gpu] [--plots out/bench]
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from benchmarks.stereo.rig import PAPER
 PLANES = (3.0, 8.0, 16.0, 31.0)
 FAR = 1000.0
 """The far plane of the paper, metres; a mono plane there leaves nothing to share."""
+STAGES = ("left", "right", "culling", "center", "assembly")
 HEAD = (0.0, 1.7, 0.0)
 AHEAD = (0.0, 0.0, 0.0, 1.0)
 
@@ -56,10 +57,11 @@ def similarity(reference: nf.Frame, test: nf.Frame) -> float:
     return float(nf.ssim(*codes, data_range=255.0, window="uniform", size=4, convention="full"))
 
 
-def measure(name: str, size: tuple[int, int], repeat: int) -> tuple[str, list[dict[str, float]]]:
+def measure(name: str, size: tuple[int, int], repeat: int, backend: str) -> tuple[str, list[dict[str, float]]]:
     """Table of one scene, and its numbers by plane."""
     scene = SCENES[name]()
-    settings: dict[str, Any] = {"channels": ("color",), "backend": "cpu"}
+    settings: dict[str, Any] = {"channels": ("color",), "backend": backend}
+    assemblies = ("bilinear", "resolved") if backend == "cpu" else ("bilinear",)
     base = nf.stereo.HybridRig(left=PAPER.left, right=PAPER.right, mono_plane=8.0, size=size)
     truth = plain(scene, base, **settings)
     rows, numbers = [], []
@@ -70,38 +72,19 @@ def measure(name: str, size: tuple[int, int], repeat: int) -> tuple[str, list[di
         def draw(assembly: str, rig: nf.stereo.HybridRig = rig, kept: dict[str, Any] = kept) -> None:
             kept[assembly] = rig.render(scene, HEAD, AHEAD, assembly=assembly, far=FAR, **settings)
 
-        times = seconds(
-            {
-                "plain": partial(plain, scene, rig, **settings),
-                "bilinear": partial(draw, "bilinear"),
-                "resolved": partial(draw, "resolved"),
-            },
-            repeat,
-        )
+        jobs: dict[str, Callable[[], Any]] = {"plain": partial(plain, scene, rig, **settings)}
+        jobs |= {assembly: partial(draw, assembly) for assembly in assemblies}
+        times = seconds(jobs, repeat)
         counted = rig.triangles(scene, HEAD, AHEAD, far=FAR)
         frame = kept["bilinear"]
         stages, pixels = frame.stats["seconds"], frame.stats["pixels"]
         total = np.prod(rig.center_size)
-        found = {
-            "plane": plane,
-            "plain": times["plain"],
-            "bilinear": times["bilinear"],
-            "resolved": times["resolved"],
-            "left": stages["left"],
-            "right": stages["right"],
-            "culling": stages.get("culling", 0.0),
-            "center": stages.get("center", 0.0),
-            "assembly": stages.get("assembly", 0.0),
-            "ssim": float(np.mean([similarity(a, b) for a, b in zip(truth, (frame.left, frame.right), strict=True)])),
-            "ssim_resolved": float(
-                np.mean(
-                    [
-                        similarity(a, b)
-                        for a, b in zip(truth, (kept["resolved"].left, kept["resolved"].right), strict=True)
-                    ]
-                )
-            ),
+        scores = {
+            assembly: float(np.mean([similarity(a, b) for a, b in zip(truth, (one.left, one.right), strict=True)]))
+            for assembly, one in kept.items()
         }
+        found = {"plane": plane, **times, **{stage: stages.get(stage, 0.0) for stage in STAGES}}
+        found |= {f"ssim_{assembly}": score for assembly, score in scores.items()}
         numbers.append(found)
         primitives = counted["left"] + counted["right"] + counted["center"]
         rows.append(
@@ -109,19 +92,17 @@ def measure(name: str, size: tuple[int, int], repeat: int) -> tuple[str, list[di
                 f"{plane:g}",
                 f"{rig.max_error(FAR):.2f}",
                 f"{times['plain']:.2f}",
-                f"{times['bilinear']:.2f} ({100 * (1 - times['bilinear'] / times['plain']):.0f} %)",
-                f"{times['resolved']:.2f} ({100 * (1 - times['resolved'] / times['plain']):.0f} %)",
-                " / ".join(f"{found[stage]:.2f}" for stage in ("left", "right", "culling", "center", "assembly")),
+                *(f"{times[a]:.2f} ({100 * (1 - times[a] / times['plain']):.0f} %)" for a in assemblies),
+                " / ".join(f"{found[stage]:.2f}" for stage in STAGES),
                 f"{100 * pixels.get('center', 0) / total:.0f} %",
                 f"{primitives / max(counted['plain'], 1):.2f}",
-                f"{found['ssim']:.4f}",
-                f"{found['ssim_resolved']:.4f}",
+                *(f"{scores[assembly]:.4f}" for assembly in assemblies),
             ]
         )
     header = [
-        *("m, m", "error, px", "plain, s", "bilinear, s (saved)", "resolved, s (saved)"),
+        *("m, m", "error, px", "plain, s", *(f"{assembly}, s (saved)" for assembly in assemblies)),
         *("left / right / culling / centre / assembly, s", "shared pixels drawn", "triangles against plain"),
-        *("SSIM", "SSIM resolved"),
+        *(f"SSIM, {assembly}" for assembly in assemblies),
     ]
     title = f"{name}: {scene.triangle_count:,} triangles, {size[0]} × {size[1]} pixels an eye"
     return table(title, header, rows), numbers
@@ -138,18 +119,19 @@ def draw(path: Path, found: dict[str, list[dict[str, float]]]) -> None:
     for column, (name, numbers) in enumerate(found.items()):
         upper, lower = grid[:, column]
         places, bottom = np.arange(len(numbers)), np.zeros(len(numbers))
-        for stage in ("left", "right", "culling", "center", "assembly"):
+        for stage in STAGES:
             values = np.array([entry[stage] for entry in numbers])
             upper.bar(places, values, bottom=bottom, label=stage)
             bottom += values
         upper.plot(places, [entry["plain"] for entry in numbers], "k_", markersize=22, label="plain stereo")
         upper.set(title=name, xticks=places, ylabel="seconds" if not column else "")
         upper.set_xticklabels([f"{entry['plane']:g} m" for entry in numbers])
-        lower.plot(places, [entry["ssim"] for entry in numbers], marker="o", label="bilinear")
-        lower.plot(places, [entry["ssim_resolved"] for entry in numbers], marker="s", label="resolved")
+        for assembly, marker in (("bilinear", "o"), ("resolved", "s")):
+            if f"ssim_{assembly}" in numbers[0]:
+                lower.plot(places, [entry[f"ssim_{assembly}"] for entry in numbers], marker=marker, label=assembly)
         lower.set(xticks=places, xlabel="mono plane", ylabel="SSIM against plain stereo" if not column else "")
         lower.set_xticklabels([f"{entry['plane']:g} m" for entry in numbers])
-    grid[0, 0].legend(fontsize="small")
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=6, fontsize="small")
     grid[1, 0].legend(fontsize="small")
     figure.savefig(path, dpi=90)
     plt.close(figure)
@@ -160,17 +142,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="small pictures, once")
     parser.add_argument("--scenes", default=",".join(SCENES), help="names, separated by commas")
+    parser.add_argument("--backend", default="cpu", help="cpu or gpu")
     parser.add_argument("--plots", type=Path, help="folder for plots")
     arguments = parser.parse_args()
     size = (168, 189) if arguments.quick else PAPER.size
     print(machine(), end="\n\n")
     found = {}
     for name in arguments.scenes.split(","):
-        text, found[name] = measure(name, size, 1 if arguments.quick else 3)
+        text, found[name] = measure(name, size, 1 if arguments.quick else 3, arguments.backend)
         print(text, flush=True)
     if arguments.plots is not None:
         arguments.plots.mkdir(parents=True, exist_ok=True)
-        draw(arguments.plots / "stereo_render.png", found)
+        draw(arguments.plots / f"stereo_render_{arguments.backend}.png", found)
 
 
 if __name__ == "__main__":

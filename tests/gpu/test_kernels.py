@@ -182,7 +182,13 @@ def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, ep
     np.testing.assert_array_equal(again, found)
 
 
-def test_heaps_of_many_points_are_added_up_whole(device: _core.GpuDevice) -> None:
+@pytest.mark.parametrize("name", ["vulkan", pytest.param("gl", marks=pytest.mark.stress)])
+def test_heaps_of_many_points_are_added_up_whole(name: str) -> None:
+    with adapter(name):
+        check_heaps()
+
+
+def check_heaps() -> None:
     # Four squares and a point amidst them lie in nine cells of 4 pixels of the truth. The point looks at more points
     # than the turns after which software drivers end loops, and each square has more of them than a call takes.
     side, size = np.array([2 / 3, 1.0]), (780, 780)

@@ -91,8 +91,10 @@ class Passes:
         mask: NDArray[np.bool_] | None = None,
         faces: bool = False,
     ) -> Images:
-        wanted = self.view.shot.channels
-        channels = dict.fromkeys([*wanted, *(["coverage", "face_id"] if near else ["face_id"] if faces else [])])
+        extra = ["coverage"] if near else []
+        if faces or (near and self._others):
+            extra.append("face_id")
+        channels = dict.fromkeys([*self.view.shot.channels, *extra])
         shot = Shot(
             cameras=(camera,),
             channels=tuple(channels),
@@ -127,19 +129,22 @@ class Passes:
                 core.resolve(side, coverage, scene._core, center._core, settings, picture, images["color"])
             else:
                 core.assemble(side, coverage, shared["color"], images["color"])
-        others = [name for name in self.view.shot.channels if name not in ("color", "coverage")]
-        if not (others or "coverage" in self.view.shot.channels):
-            return
-        # Other images are sampled at the pixel's centre, where the eye's own surface counts if there is one.
-        far = images["face_id"] < 0
-        nearest = core.nearest(side)[far]
-        for name in others:
-            values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest]
-            images[name][far] = self._range(values, nearest, camera, center) if name == "range" else values
+        if self._others:
+            # They are sampled at the pixel's centre, where the eye's own surface counts if there is one.
+            far = images["face_id"] < 0
+            nearest = core.nearest(side)[far]
+            for name in self._others:
+                values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest]
+                images[name][far] = self._range(values, nearest, camera, center) if name == "range" else values
         if "coverage" in shared:
             # The share of its own surfaces, and of the shared picture's behind the rest.
             behind = shared["coverage"].reshape(-1)[core.nearest(side)]
             images["coverage"] = coverage + (1.0 - coverage) * behind
+
+    @property
+    def _others(self) -> list[str]:
+        """Wanted channels of one sample."""
+        return [name for name in self.view.shot.channels if name not in ("color", "coverage")]
 
     def _range(
         self, values: NDArray[np.float32], pixels: NDArray[np.uint32], camera: Camera, center: Camera

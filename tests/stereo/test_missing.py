@@ -1,0 +1,63 @@
+"""Tests that no pixel is missing: where plain stereo shows surfaces all around, hybrid pictures show one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
+
+import nearfar as nf
+from tests.support import data
+
+SCENES: dict[str, Callable[[], nf.Scene]] = {
+    "beams": nf.datasets.beams,
+    "spheres": lambda: nf.datasets.spheres(detail=1),
+    "landscape": lambda: nf.datasets.landscape(detail=1),
+    "tokyo": lambda: nf.Scene.load(data("city/tokyo23/tokyo_core_lod1.glb")),
+    "garage": lambda: nf.Scene.load(data("interior/garage/garage.gltf")),
+}
+
+
+def surrounded(coverage: NDArray[np.float32], reach: int) -> NDArray[np.bool_]:
+    """Pixels with surfaces in all pixels up to a distance across and down."""
+    padded = np.pad(coverage > 0.0, reach, mode="edge")
+    windows = sliding_window_view(padded, (2 * reach + 1, 2 * reach + 1))
+    return np.asarray(windows.all(axis=(2, 3)))
+
+
+def check(name: str, views: int) -> None:
+    scene, dice = SCENES[name](), np.random.default_rng(11)
+    low, high = scene.bounds
+    size = (72, 80)
+    checked = 0
+    for _ in range(views):
+        head = np.array((0.0, 1.7, 0.0)) if name in ("beams", "spheres", "landscape") else dice.uniform(low, high)
+        ahead = dice.normal(size=3) * (1.0, 0.4, 1.0)
+        way = nf.Camera.look_at(head, head + ahead, fov=nf.Fov.symmetric(90), size=(1, 1)).orientation
+        hmd = nf.hmd.get(str(dice.choice(nf.hmd.names())))
+        rig = nf.stereo.HybridRig.of(hmd, mono_plane=float(2.0 ** dice.uniform(0.0, 5.0)), size=size)
+        frame = rig.render(scene, head, way, channels=("coverage",), near=0.0)
+        reach = math.ceil(rig.max_error(axis="both")) + 1
+        for side, camera in zip(("left", "right"), rig.cameras(head, way), strict=False):
+            whole = nf.render(scene, camera, channels=("coverage",)).require("coverage")
+            inner = surrounded(whole, reach)
+            missing = inner & (getattr(frame, side).require("coverage") == 0.0)
+            checked += int(inner.sum())
+            # The shared picture may look through a gap narrower than a pixel between thin things.
+            assert missing.sum() <= 2, (head, ahead, hmd.name, rig.mono_plane, np.argwhere(missing)[:4])
+    assert checked > 1000 * views
+
+
+@pytest.mark.parametrize("name", ["beams", "spheres", "landscape"])
+def test_no_pixel_is_missing(name: str) -> None:
+    check(name, 4)
+
+
+@pytest.mark.stress
+@pytest.mark.parametrize("name", SCENES)
+def test_no_pixel_is_missing_in_a_hundred_views(name: str) -> None:
+    check(name, 100)
