@@ -7,7 +7,6 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 import nearfar as nf
@@ -23,17 +22,19 @@ SCENES: dict[str, Callable[[], nf.Scene]] = {
 
 
 def surrounded(coverage: NDArray[np.float32], reach: int) -> NDArray[np.bool_]:
-    """Pixels with surfaces in all pixels up to a distance across and down."""
-    padded = np.pad(coverage > 0.0, reach, mode="edge")
-    windows = sliding_window_view(padded, (2 * reach + 1, 2 * reach + 1))
-    return np.asarray(windows.all(axis=(2, 3)))
+    """Pixels with surfaces in all pixels up to a distance across and down; none lie beyond the picture."""
+    padded = np.pad(coverage == 0.0, reach, constant_values=True)
+    sums = np.pad(padded.astype(np.int64).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    side = 2 * reach + 1
+    missed = sums[side:, side:] - sums[:-side, side:] - sums[side:, :-side] + sums[:-side, :-side]
+    return np.asarray(missed == 0)
 
 
 def check(name: str, views: int) -> None:
     scene, dice = SCENES[name](), np.random.default_rng(11)
     low, high = scene.bounds
-    size = (72, 80)
-    checked = 0
+    size = (324, 360)
+    checked = worst = 0
     for _ in range(views):
         head = np.array((0.0, 1.7, 0.0)) if name in ("beams", "spheres", "landscape") else dice.uniform(low, high)
         ahead = dice.normal(size=3) * (1.0, 0.4, 1.0)
@@ -47,8 +48,10 @@ def check(name: str, views: int) -> None:
             inner = surrounded(whole, reach)
             missing = inner & (getattr(frame, side).require("coverage") == 0.0)
             checked += int(inner.sum())
-            # The shared picture may look through a gap narrower than a pixel between thin things.
-            assert missing.sum() <= 2, (head, ahead, hmd.name, rig.mono_plane, np.argwhere(missing)[:4])
+            # Surfaces that cross the plane less than a metre beside the line of sight may have single gaps.
+            assert missing.sum() <= 1 + 1e-4 * inner.sum(), (head, ahead, hmd.name, rig.mono_plane)
+            worst = max(worst, int(missing.sum()))
+    print(f"{name}: at most {worst} pixels of a picture are missing in {views} views")
     assert checked > 1000 * views
 
 

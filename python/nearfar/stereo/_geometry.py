@@ -78,7 +78,11 @@ class RigGeometry(WithTwin):
 
     @property
     def overlap(self) -> float:
-        """Distance ε = 2 s m₁ before the plane at which the third camera begins to draw; both numbers are metres."""
+        """Distance ε before the plane at which the third camera begins to draw, metres.
+
+        2 s m₁ as published; more where pixels are coarse or the plane is far away, so that floors and walls a metre or
+        more beside the line of sight have no gap: 1.5 pixels of depth, at most m₁/2.
+        """
         return self._core.overlap
 
     def cameras(

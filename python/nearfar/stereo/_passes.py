@@ -132,13 +132,13 @@ class Passes:
         if self._others:
             # They are sampled at the pixel's centre, where the eye's own surface counts if there is one.
             far = images["face_id"] < 0
-            nearest = core.nearest(side)[far]
+            nearest = core.nearest(side, coverage)[far]
             for name in self._others:
                 values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest]
                 images[name][far] = self._range(values, nearest, camera, center) if name == "range" else values
         if "coverage" in shared:
             # The share of its own surfaces, and of the shared picture's behind the rest.
-            behind = shared["coverage"].reshape(-1)[core.nearest(side)]
+            behind = shared["coverage"].reshape(-1)[core.nearest(side, coverage)]
             images["coverage"] = coverage + (1.0 - coverage) * behind
 
     @property

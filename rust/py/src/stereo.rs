@@ -182,11 +182,16 @@ impl HybridRig {
         run::long(py, None, |progress| self.0.resolve(side, coverage, &far, settings.samples, color, progress))
     }
 
-    /// Numbers (H, W) of the third camera's pixels that hold the places of an eye's pixels.
-    fn nearest<'py>(&self, py: Python<'py>, eye: &str) -> PyResult<Bound<'py, PyArray2<u32>>> {
-        let (side, (width, height)) = (side(eye)?, self.0.size());
+    /// Numbers (H, W) of the third camera's pixels that count most where an eye's pixels look them up.
+    fn nearest<'py>(
+        &self,
+        py: Python<'py>,
+        eye: &str,
+        coverage: PyReadonlyArray2<'py, f32>,
+    ) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        let (side, (width, height), coverage) = (side(eye)?, self.0.size(), coverage.as_slice()?);
         filled(py, [height as usize, width as usize], |numbers: &mut [u32]| {
-            run::long(py, None, |progress| self.0.nearest(side, numbers, progress))
+            run::long(py, None, |progress| self.0.nearest(side, coverage, numbers, progress))
         })
     }
 }

@@ -2,6 +2,9 @@
 //!
 //! An eye's own picture holds all surfaces before the plane, in front of black. Where its samples show none, the third
 //! camera's picture is added behind it, weighted by the share of these samples.
+//!
+//! Of the four pixels that are mixed, those whose place an eye's own surface covers are left out: where a surface
+//! crosses the plane at a slant, they may lie so far before the plane that the third camera does not draw it there.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -12,11 +15,16 @@ use super::rig::{Rig, Side};
 use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::render::tiles::sample_offsets;
 
-/// The places of an eye's pixels in the third camera's picture.
-pub(super) struct EyeMap {
+/// The places of an eye's pixels in the third camera's picture, and back.
+pub(super) struct EyeMap<'a> {
     to_center: DMat3,
+    to_eye: DMat3,
     /// Size of the third camera's picture, pixels.
     size: (u32, u32),
+    /// Pixels of the eye across and down.
+    eye: (usize, usize),
+    /// Share of each of the eye's pixels that its own surfaces cover.
+    coverage: &'a [f32],
 }
 
 /// The four pixels of the third camera around a place, by row-major numbers, and the place's share between them to the
@@ -27,7 +35,10 @@ pub(super) struct Taps {
     pub share: [f32; 2],
 }
 
-impl EyeMap {
+/// Distance in pixels of an eye, across and down, within which the four pixels around a place lie.
+const AROUND: usize = 2;
+
+impl EyeMap<'_> {
     /// The place of position (x, y) of the eye's picture, pixels.
     #[inline]
     pub fn place(&self, x: f64, y: f64) -> DVec2 {
@@ -44,12 +55,50 @@ impl EyeMap {
         Taps { pixels: [upper + x, upper + right, lower + x, lower + right], share: [across, down] }
     }
 
-    /// The pixel that holds a place.
-    fn pixel(&self, at: DVec2) -> usize {
-        let inside = |at: f64, count: u32| (at.max(0.0) as usize).min(count as usize - 1);
-        inside(at.y, self.size.1) * self.size.0 as usize + inside(at.x, self.size.0)
+    /// Weights of the pixels around the place of a pixel of the eye: bilinear, without those that own surfaces cover;
+    /// none where no own surface is near, so that all count.
+    pub fn uncovered(&self, column: usize, row: usize, taps: &Taps) -> Option<[f32; 4]> {
+        let columns = column.saturating_sub(AROUND)..(column + AROUND + 1).min(self.eye.0);
+        let mut rows = row.saturating_sub(AROUND)..(row + AROUND + 1).min(self.eye.1);
+        let covered = |row: usize| {
+            let start = row * self.eye.0;
+            self.coverage[start + columns.start..start + columns.end].iter().any(|share| *share > 0.0)
+        };
+        if !rows.any(covered) {
+            return None;
+        }
+        let mut weights = taps.weights();
+        for (weight, pixel) in weights.iter_mut().zip(taps.pixels) {
+            *weight *= 1.0 - self.coverage_at(pixel);
+        }
+        let sum: f32 = weights.iter().sum();
+        (sum > LEAST_SUM).then(|| weights.map(|weight| weight / sum))
+    }
+
+    /// Share that an eye's own surfaces cover at the place of a pixel of the third camera.
+    fn coverage_at(&self, pixel: usize) -> f32 {
+        let (x, y) = (pixel % self.size.0 as usize, pixel / self.size.0 as usize);
+        let at = self.to_eye.x_axis * (x as f64 + 0.5) + self.to_eye.y_axis * (y as f64 + 0.5) + self.to_eye.z_axis;
+        let at = at.truncate() / at.z;
+        let is_inside = at.x >= 0.0 && at.y >= 0.0 && at.x < self.eye.0 as f64 && at.y < self.eye.1 as f64;
+        if is_inside { self.coverage[at.y as usize * self.eye.0 + at.x as usize] } else { 0.0 }
+    }
+
+    /// Mixture of the pixels around the place of a pixel of the eye.
+    #[inline]
+    pub fn mix(&self, column: usize, row: usize, taps: &Taps, picture: &[[f32; 3]]) -> [f32; 3] {
+        match self.uncovered(column, row, taps) {
+            None => taps.mix(picture),
+            Some(weights) => {
+                let colors = taps.pixels.map(|pixel| picture[pixel]);
+                std::array::from_fn(|i| (0..4).map(|k| weights[k] * colors[k][i]).sum())
+            }
+        }
     }
 }
+
+/// Least sum of weights that can be divided by; below it, all pixels around are covered, and all count.
+const LEAST_SUM: f32 = 1e-6;
 
 /// The two pixels whose centres enclose a coordinate, and the second one's share.
 #[inline]
@@ -61,6 +110,13 @@ fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
 }
 
 impl Taps {
+    /// Bilinear weights.
+    fn weights(&self) -> [f32; 4] {
+        let [across, down] = self.share;
+        let (left, upper) = (1.0 - across, 1.0 - down);
+        [left * upper, across * upper, left * down, across * down]
+    }
+
     /// Bilinear interpolation of a picture.
     #[inline]
     pub fn mix(&self, picture: &[[f32; 3]]) -> [f32; 3] {
@@ -74,8 +130,12 @@ impl Taps {
 }
 
 impl Rig {
-    pub(super) fn eye_map(&self, side: Side) -> EyeMap {
-        EyeMap { to_center: self.homography(side).inverse(), size: self.center_size() }
+    /// The map of an eye, with the share of each of its pixels that its own surfaces cover.
+    pub(super) fn eye_map<'a>(&self, side: Side, coverage: &'a [f32]) -> Result<EyeMap<'a>> {
+        self.check("coverage", coverage.len())?;
+        let (to_eye, (width, height)) = (self.homography(side), self.size());
+        let eye = (width as usize, height as usize);
+        Ok(EyeMap { to_center: to_eye.inverse(), to_eye, size: self.center_size(), eye, coverage })
     }
 
     /// For each pixel of the third camera, whether an eye looks it up: those around the places of all pixels that have
@@ -87,8 +147,7 @@ impl Rig {
         let mask: Vec<AtomicBool> = (0..count).map(|_| AtomicBool::new(false)).collect();
         let offsets = sample_offsets(samples);
         for (side, coverage) in Side::BOTH.into_iter().zip(coverage) {
-            self.check("coverage", coverage.len())?;
-            let map = self.eye_map(side);
+            let map = self.eye_map(side, coverage)?;
             coverage.par_chunks(self.size().0 as usize).enumerate().try_for_each(|(row, shares)| {
                 for (column, _) in shares.iter().enumerate().filter(|(_, share)| **share < 1.0) {
                     for [x, y] in &offsets {
@@ -111,10 +170,11 @@ impl Rig {
         color: &mut [[f32; 3]],
         progress: &Progress,
     ) -> Result<()> {
-        let map = self.eye_map(side);
+        let map = self.eye_map(side, coverage)?;
         self.check_center("center", center.len())?;
         self.behind(coverage, color, progress, |column, row| {
-            map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5)).mix(center)
+            let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
+            map.mix(column, row, &taps, center)
         })
     }
 
@@ -126,7 +186,6 @@ impl Rig {
         progress: &Progress,
         far: impl Fn(usize, usize) -> [f32; 3] + Sync,
     ) -> Result<()> {
-        self.check("coverage", coverage.len())?;
         self.check("color", color.len())?;
         let width = self.size().0 as usize;
         let rows = color.par_chunks_mut(width).zip(coverage.par_chunks(width)).enumerate();
@@ -139,13 +198,16 @@ impl Rig {
         })
     }
 
-    /// For each pixel of an eye, the number of the third camera's pixel that holds its place.
-    pub fn nearest(&self, side: Side, numbers: &mut [u32], progress: &Progress) -> Result<()> {
+    /// For each pixel of an eye, the number of the third camera's pixel that counts most in its mixture.
+    pub fn nearest(&self, side: Side, coverage: &[f32], numbers: &mut [u32], progress: &Progress) -> Result<()> {
         self.check("numbers", numbers.len())?;
-        let map = self.eye_map(side);
+        let map = self.eye_map(side, coverage)?;
         numbers.par_chunks_mut(self.size().0 as usize).enumerate().try_for_each(|(row, numbers)| {
             for (column, number) in numbers.iter_mut().enumerate() {
-                *number = map.pixel(map.place(column as f64 + 0.5, row as f64 + 0.5)) as u32;
+                let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
+                let weights = map.uncovered(column, row, &taps).unwrap_or_else(|| taps.weights());
+                let most = (1..4).fold(0, |most, k| if weights[k] > weights[most] { k } else { most });
+                *number = taps.pixels[most] as u32;
             }
             progress.check()
         })

@@ -56,7 +56,7 @@ impl Rig {
     ) -> Result<()> {
         self.check_center("color", far.color.len())?;
         self.check_center("faces", far.faces.len())?;
-        let (map, offsets, origin) = (self.eye_map(side), sample_offsets(samples), far.scene.origin);
+        let (map, offsets, origin) = (self.eye_map(side, coverage)?, sample_offsets(samples), far.scene.origin);
         let resolver = Resolver {
             far: *far,
             rays: far.camera.rays(),
@@ -71,7 +71,7 @@ impl Rig {
             for [x, y] in &offsets {
                 let at = map.place(column as f64 + x, row as f64 + y);
                 let taps = map.taps(at);
-                let color = resolver.color(&taps, at).unwrap_or_else(|| taps.mix(far.color));
+                let color = resolver.color(&taps, at).unwrap_or_else(|| map.mix(column, row, &taps, far.color));
                 (0..3).for_each(|i| sum[i] += share * color[i]);
             }
             sum

@@ -62,6 +62,10 @@ pub struct Rig {
 
 /// Factor k of the overlap ε = k s m of both parts, as published.
 const OVERLAP: f64 = 2.0;
+/// Distance in pixels up to which pixels are mixed: half of the eye's own, and one of the third camera's.
+const MIXED: f64 = 1.5;
+/// Distance of a slanted surface from the line of sight for which the overlap suffices, metres.
+const ASIDE: f64 = 1.0;
 /// Least cosine between an edge of a view and the head's forward axis; edges beyond it do not meet the plane in front.
 const LEAST_FORWARD: f64 = 1e-6;
 
@@ -127,9 +131,13 @@ impl Rig {
         self.center_size
     }
 
-    /// ε: by so much nearer than the plane does the third camera begin to draw, metres.
+    /// ε: by so much nearer than the plane does the third camera begin to draw, metres. At least the published k s m; where
+    /// pixels are coarse or the plane is far away, as much as the depth of a surface at `ASIDE` changes over the pixels
+    /// that are mixed, m² / `ASIDE` for each unit of tangent.
     pub fn overlap(&self) -> f64 {
-        OVERLAP * self.setback * self.planes.mono
+        let (m, fov, (width, height)) = (self.planes.mono, self.fov, self.center_size);
+        let pixel = ((fov.right - fov.left) / f64::from(width)).max((fov.up - fov.down) / f64::from(height));
+        (OVERLAP * self.setback * m).max((MIXED * pixel * m * m / ASIDE).min(0.5 * m))
     }
 
     /// The homography of the plane: from pixels (x, y, 1) of the third camera to those of an eye, (x w, y w, w). w is the
