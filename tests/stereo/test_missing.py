@@ -44,15 +44,18 @@ def check(name: str, views: int) -> None:
         frame = rig.render(scene, head, way, channels=("coverage",), near=0.0)
         reach = math.ceil(rig.max_error(axis="both")) + 1
         for side, camera in zip(("left", "right"), rig.cameras(head, way), strict=False):
-            whole = nf.render(scene, camera, channels=("coverage",)).require("coverage")
+            # Nearer surfaces may hide the edge of a far one, which the shared picture shows beside its place.
+            behind = rig.clip(head, way, near=0.6 * rig.planes[0])
+            whole = nf.render(scene, camera, channels=("coverage",), clip=behind).require("coverage")
             inner = surrounded(whole, reach)
             missing = inner & (getattr(frame, side).require("coverage") == 0.0)
             checked += int(inner.sum())
-            # Surfaces that cross the plane less than a metre beside the line of sight may have single gaps.
-            assert missing.sum() <= 1 + 1e-4 * inner.sum(), (head, ahead, hmd.name, rig.mono_plane)
+            # Surfaces that cross the plane less than a metre beside the line of sight, and edges that are hidden in the
+            # eye's own view, leave single pixels.
+            assert missing.sum() <= 4, (head, ahead, hmd.name, rig.mono_plane)
             worst = max(worst, int(missing.sum()))
     print(f"{name}: at most {worst} pixels of a picture are missing in {views} views")
-    assert checked > 1000 * views
+    assert checked > 5000 * views
 
 
 @pytest.mark.parametrize("name", ["beams", "spheres", "landscape"])
