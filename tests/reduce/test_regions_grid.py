@@ -91,8 +91,13 @@ def test_cells_of_a_path_are_those_that_its_points_lie_in(listed: list[tuple[flo
             assert away <= GRID.spacing / math.sqrt(3) + 1e-6
         else:
             heights = points[mine, 1]
-            assert low - 1e-9 <= heights.min() <= low + STEP
-            assert high - STEP <= heights.max() <= high + 1e-9
+            assert low - 1e-9 <= heights.min()
+            assert heights.max() <= high + 1e-9
+            # The path may pass a corner of the cell by less than a step, between two points beside it.
+            away = np.linalg.norm(points[:, [0, 2]] - GRID.places(ALL[[number]]), axis=1)
+            around = points[away <= found[:, 2] + 2.0 * STEP, 1]
+            assert around.min() <= low + STEP
+            assert high - STEP <= around.max()
     assert (np.diff(facts[:, 2]) >= 0).all()
 
 
