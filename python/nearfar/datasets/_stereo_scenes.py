@@ -16,7 +16,7 @@ from nearfar.datasets import _vegetation as vegetation
 from nearfar.datasets._draw import Draw, Floats, turn
 from nearfar.datasets._forest import Land, scattered, surface
 from nearfar.datasets._palette import material, materials
-from nearfar.datasets._shapes import boxes, quads, sheet, sphere, triangles
+from nearfar.datasets._shapes import Soup, boxes, quads, sheet, sphere, triangles
 from nearfar.datasets._stage import Stage, placements
 
 EYE_HEIGHT = 1.7
@@ -68,11 +68,11 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
     yaw, pitch = draw.uniform(count, -0.125, 0.125), draw.uniform(count, -0.028, 0.028)
     sizes = np.stack([draw.uniform(count, 0.12, 0.4)] * 2 + [draw.uniform(count, 8.0, 40.0)], -1)
     transforms = _oriented(yaw, pitch, sizes, starts)
-    chosen = draw.integers(count, len(_PAINTS))
-    for n, paint in enumerate(_PAINTS):
-        mine = np.flatnonzero(chosen == n)
-        bar = boxes((-0.5, -0.5, -1.0), (0.5, 0.5, 0.0), material(paint))
-        stage.many(bar, transforms[mine], [f"beam_{k}" for k in mine])
+
+    def bar(paint: int) -> Soup:
+        return boxes((-0.5, -0.5, -1.0), (0.5, 0.5, 0.0), material(_PAINTS[paint]))
+
+    stage.mixed(bar, draw.integers(count, len(_PAINTS)), transforms, "beam")
     return stage.build()
 
 
@@ -110,10 +110,12 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     radii = np.minimum(draw.uniform(count, 0.08, 1.0), 0.12 * away)
     height = radii + draw.uniform(count, 0.0, 1.0) * (0.4 + 0.35 * away)
     where = placements(sine * away, height, -cosine * away, 0.0, radii)
-    chosen = draw.integers(count, len(_PAINTS))
-    for n, paint in enumerate(_PAINTS):
-        mine = np.flatnonzero(chosen == n)
-        stage.many(triangles(sphere(detail), material(paint)), where[mine], [f"sphere_{k}" for k in mine])
+    corners = sphere(detail)
+
+    def ball(paint: int) -> Soup:
+        return triangles(corners, material(_PAINTS[paint]))
+
+    stage.mixed(ball, draw.integers(count, len(_PAINTS)), where, "sphere")
     return stage.build()
 
 
