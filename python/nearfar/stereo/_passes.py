@@ -129,17 +129,18 @@ class Passes:
                 core.resolve(side, coverage, scene._core, center._core, settings, picture, images["color"])
             else:
                 core.assemble(side, coverage, shared["color"], images["color"])
+        if set(self.view.shot.channels) == {"color"}:
+            return
+        nearest = core.nearest(side, coverage)
         if self._others:
             # They are sampled at the pixel's centre, where the eye's own surface counts if there is one.
             far = images["face_id"] < 0
-            nearest = core.nearest(side, coverage)[far]
             for name in self._others:
-                values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest]
-                images[name][far] = self._range(values, nearest, camera, center) if name == "range" else values
+                values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest[far]]
+                images[name][far] = self._range(values, nearest[far], camera, center) if name == "range" else values
         if "coverage" in shared:
             # The share of its own surfaces, and of the shared picture's behind the rest.
-            behind = shared["coverage"].reshape(-1)[core.nearest(side, coverage)]
-            images["coverage"] = coverage + (1.0 - coverage) * behind
+            images["coverage"] = coverage + (1.0 - coverage) * shared["coverage"].reshape(-1)[nearest]
 
     @property
     def _others(self) -> list[str]:
