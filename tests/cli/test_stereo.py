@@ -79,6 +79,10 @@ def test_a_table_is_printed_and_nothing_beyond_the_plane_is_said(
     status, printed, _ = command(capsys, "stereo", "-i", city, "-o", tmp_path / "out", *FAST, "--mono-plane", "5000")
     assert status == 0
     assert "nothing lies beyond the mono plane" in " ".join(printed.split())
+    high = ("--size", "64x60", "--eye", "0,90,0", "--target", "20,0,5", "--mono-plane", "5")
+    status, printed, _ = command(capsys, "stereo", "-i", city, "-o", tmp_path / "high", *high)
+    assert status == 0
+    assert "nothing lies before the mono plane" in " ".join(printed.split())
 
 
 @pytest.mark.parametrize(

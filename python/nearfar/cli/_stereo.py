@@ -149,6 +149,8 @@ def _findings(
     found, plane = [], rig.planes[0]
     if frame.center is None:
         found.append("nothing lies beyond the mono plane, so the picture is plain stereo")
+    elif "left" not in frame.stats["seconds"]:
+        found.append("nothing lies before the mono plane, so both eyes share the whole picture")
     elif counted is not None and counted["left"] + counted["right"] + counted["center"] > counted["plain"]:
         found.append("three pictures draw more triangles than two: a nearer plane would save geometry")
     if isinstance(source, nf.ReducedScene) and plane >= source.r2:
