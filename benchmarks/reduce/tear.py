@@ -1,5 +1,8 @@
 """Tear along the end of the near part, for users and views chosen at random: both methods, two pairs of radii.
 
+Where a city has things that hide others, rows tell apart what tears: surfaces across r₂, those that the user sees, each
+object by itself, and the ground.
+
 python -m benchmarks.reduce.tear [--quick]
 """
 
@@ -10,11 +13,17 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.harness.views import Point, center_for
 from nearfar._base import data
+
+Positions = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Sums = NDArray[np.float64]
+"""For both methods: number of pixels, sum of tears, sum of kinks."""
 
 REACH = 8.0
 """Greatest distance of users from the centre, metres."""
@@ -22,8 +31,8 @@ REACH = 8.0
 DENSITY = 20.0
 """Pixels for each degree where the camera looks, as a headset has them."""
 
-LEAST_EDGE = {False: 200, True: 40}
-"""Least number of boundary pixels with both sides in view, so that a view counts: of all, and of surfaces across r₂."""
+LEAST_EDGE = 200
+"""Least number of boundary pixels with both sides in view, so that a view counts."""
 
 MOST_TRIES = 60
 
@@ -58,17 +67,53 @@ def pictures(reduced: nf.ReducedScene, camera: nf.Camera) -> list[nf.Frame]:
     """Positions of the conventional and of the continuous picture, with a far part of unlimited resolution."""
     frames = []
     for morph, method in (("none", "auto"), ("blend", "exact")):
-        how: dict[str, Any] = {"method": method, "env": False, "channels": ("position",)}
+        how: dict[str, Any] = {"method": method, "env": False, "channels": ("position", "object_id")}
         frames.append(reduced.with_morph(morph).render(camera, **how))
     return frames
 
 
-def measured(reduced: nf.ReducedScene, frames: list[nf.Frame], *, surfaces: bool) -> list[nf.BoundaryTear] | None:
-    """Tears of both pictures; None if too little of the boundary is in view."""
-    where: dict[str, Any] = {"center": reduced.center, "radius": reduced.r2, "surfaces": surfaces}
-    both = [nf.boundary_tear(frame, **where) for frame in frames]
-    is_seen = all(one.tear is not None and _count(one) >= LEAST_EDGE[surfaces] for one in both)
-    return both if is_seen else None
+def places_of(frame: nf.Frame) -> Positions:
+    """World positions (H, W, 3)."""
+    return np.asarray(frame.require("position").astype(np.float64) + frame.origin)
+
+
+def seen(frame: nf.Frame, truth: nf.Frame) -> Mask:
+    """Pixels (H, W) whose points the user sees in the truth, to 1 % of their distance and a pixel to each side."""
+    camera, points = frame.camera, places_of(frame)
+    known = np.isfinite(points).all(axis=-1)
+    away = np.linalg.norm(places_of(truth) - camera.position, axis=-1)
+    away = np.pad(np.where(np.isfinite(away), away, np.inf), 1, mode="edge")
+    height, width = known.shape
+    farthest = np.max([away[y : y + height, x : x + width] for y in range(3) for x in range(3)], axis=0)
+    at = camera.project(points[known])[:, :2]
+    column, row = (np.nan_to_num(np.floor(values), nan=-1.0) for values in at.T)
+    inside = (column >= 0) & (row >= 0) & (column < width) & (row < height)
+    limit = np.full(len(at), np.inf)
+    limit[inside] = farthest[row[inside].astype(int), column[inside].astype(int)]
+    found = np.zeros_like(known)
+    found[known] = np.linalg.norm(points[known] - camera.position, axis=1) <= 1.01 * limit
+    return found
+
+
+def only(frame: nf.Frame, kept: Mask) -> nf.Frame:
+    """The frame with the positions of some pixels."""
+    return nf.Frame(frame.camera, frame.origin, position=np.where(kept[..., None], frame.require("position"), np.nan))
+
+
+def parts(scene: nf.Scene, frame: nf.Frame, truth: nf.Frame, end: Mask) -> dict[str, list[tuple[nf.Frame, bool]]]:
+    """Frames of each row of the table, and whether only surfaces across r₂ count; `end` has pixels beyond r₂."""
+    numbers = frame.require("object_id")
+    crossing = [n for n in np.unique(numbers[end]) if n >= 0 and (numbers[~end] == n).any()]
+    ground = [n for n, name in enumerate(scene.object_names) if name.startswith("ground")]
+    found = {
+        "whole boundary": [(frame, False)],
+        "surfaces across r₂": [(frame, True)],
+        "the same, as far as the user sees them": [(only(frame, seen(frame, truth)), True)],
+        "each object by itself": [(only(frame, numbers == n), True) for n in crossing],
+    }
+    if ground:
+        found["the ground by itself"] = [(only(frame, np.isin(numbers, ground)), False)]
+    return found
 
 
 def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> str:
@@ -77,46 +122,48 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
     rows = []
     for r1 in (30.0, chosen.r1):
         reduced = nf.reduce(scene, center=center, r1=r1, r2=50.0, face_size=16, samples=1)
-        taken: dict[bool, list[list[nf.BoundaryTear]]] = {False: [], True: []}
+        where: dict[str, Any] = {"center": reduced.center, "radius": reduced.r2}
+        sums: dict[str, Sums] = {}
+        taken = 0
         for camera in views(center, seed):
             frames = pictures(reduced, camera)
-            for surfaces, found in taken.items():
-                both = measured(reduced, frames, surfaces=surfaces)
-                if both is not None:
-                    found.append(both)
-            if len(taken[False]) == count:
+            if not all(_count(nf.boundary_tear(frame, **where)) >= LEAST_EDGE for frame in frames):
+                continue
+            taken += 1
+            truth = nf.render(scene, camera, channels=("position",), backend="cpu")
+            for method, frame in enumerate(frames):
+                end = _rho(frame, center) > reduced.r2
+                for part, each in parts(scene, frame, truth, end).items():
+                    added = sums.setdefault(part, np.zeros((2, 3)))
+                    for one, surfaces in each:
+                        added[method] += _weighted(nf.boundary_tear(one, **where, surfaces=surfaces))
+            if taken == count:
                 break
-        rows += [_row(r1, surfaces, found) for surfaces, found in taken.items()]
+        rows += [_row(r1, part, taken, added) for part, added in sums.items()]
     header = ["r₁, r₂, m", "where", "views", "conventional, px", "continuous, px", "of which kink", "ratio"]
-    return table(f"Tear along r₂, {name}, {DENSITY:g} pixels a degree", [*header, "ratio by view"], rows)
+    return table(f"Tear along r₂, {name}, {DENSITY:g} pixels a degree", header, rows)
 
 
-def _row(r1: float, surfaces: bool, taken: list[list[nf.BoundaryTear]]) -> list[str]:
-    if not taken:
-        return [f"{r1:.3g}, 50", _PLACES[surfaces], "0", *["–"] * 5]
-    pixels, tear, kink = (np.array([[get(one) for one in both] for both in taken]) for get in _PARTS)
-    mean = (tear * pixels).sum(axis=0) / pixels.sum(axis=0)
-    bend = (kink * pixels).sum(axis=0) / pixels.sum(axis=0)
-    shares = np.sort(tear[:, 0] / tear[:, 1])
-    spread = f"{shares[0]:.2g} to {shares[-1]:.2g}"
-    values = [f"{mean[0]:.3g}", f"{mean[1]:.3g}", f"{bend[1]:.2g}", f"{mean[0] / mean[1]:.3g}", spread]
-    return [f"{r1:.3g}, 50", _PLACES[surfaces], f"{len(taken)}", *values]
+def _rho(frame: nf.Frame, center: Point) -> Positions:
+    away = places_of(frame) - center
+    return np.asarray(np.hypot(away[..., 0], away[..., 2]))
 
 
 def _count(one: nf.BoundaryTear) -> float:
     return one.pixels * (one.shared or 0.0)
 
 
-def _tear(one: nf.BoundaryTear) -> float:
-    return one.tear or 0.0
+def _weighted(one: nf.BoundaryTear) -> Positions:
+    """Number of pixels, and sums of tears and kinks over them."""
+    return _count(one) * np.array([1.0, one.tear or 0.0, one.kink or 0.0])
 
 
-def _kink(one: nf.BoundaryTear) -> float:
-    return one.kink or 0.0
-
-
-_PARTS = (_count, _tear, _kink)
-_PLACES = {False: "whole boundary", True: "surfaces across r₂"}
+def _row(r1: float, part: str, views: int, sums: Sums) -> list[str]:
+    start = [f"{r1:.3g}, 50", part, f"{views}"]
+    if not (sums[:, 0] > 0.0).all():
+        return [*start, *["–"] * 4]
+    (conventional, _), (continuous, kink) = sums[:, 1:] / sums[:, :1]
+    return [*start, f"{conventional:.3g}", f"{continuous:.3g}", f"{kink:.2g}", f"{conventional / continuous:.3g}"]
 
 
 def main() -> None:

@@ -57,6 +57,15 @@ def test_the_plane_follows_from_an_error(city: Path, tmp_path: Path, capsys: pyt
     assert found["error"]["horizontal"] == pytest.approx(0.5, abs=1e-3)
 
 
+def test_lines_bend_up_to_the_end_of_a_zone(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    output = tmp_path / "out"
+    status, printed, _ = command(capsys, "stereo", "-i", city, "-o", output, *FAST, "--zone-end", "12", "--json")
+    assert status == 0
+    found = document(printed, "stereo")
+    assert (found["mono_plane"], found["zone_end"]) == (8.0, 12.0)
+    assert "8 m, lines bend up to 12 m" in (output / "report.html").read_text(encoding="utf-8")
+
+
 def test_a_folder_says_where_sharing_gains_nothing(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -94,6 +103,8 @@ def test_a_table_is_printed_and_nothing_beyond_the_plane_is_said(
         (("--hmd", "nothing"), "--hmd: "),
         (("--cull", "all"), "--cull: expected"),
         (("--assembly", "sharp"), "--assembly: expected"),
+        (("--zone-end", "8"), "--zone-end: expected more than the mono plane's 8 metres, got 8"),
+        (("--zone-end", "inf"), "--zone-end: expected"),
         (("--mono-plane", "0.05"), "--mono-plane: expected more than 0.1 metres, got 0.05"),
     ],
 )

@@ -249,26 +249,38 @@ def test_what_stays_is_not_sent_again(name: str) -> None:
         assert 0 < nf.gpu.stats()["uploaded_bytes"] - sent <= 300
 
 
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_passes_are_timed_where_the_adapter_has_a_clock(name: str) -> None:
+    clocks = ("raster_seconds", "resolve_seconds")
+    with adapter(name):
+        taken = [nf.gpu.stats()]
+        for _ in range(2):
+            nf.render(crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(64, 48)), backend="gpu")
+            taken.append(nf.gpu.stats())
+        for clock in clocks:
+            if name == "gl":
+                assert clock not in taken[0]
+            else:
+                assert taken[0][clock] < taken[1][clock] < taken[2][clock] < taken[0][clock] + 600.0
+
+
 def test_images_larger_than_a_window_are_whole() -> None:
-    """All channels of 5,000 × 3,000 pixels are 720 MB, and one binding has 128 MiB on adapters in software."""
+    """All channels of 3,000 × 2,400 pixels are 346 MB, and one binding has 128 MiB on adapters in software."""
     need("vulkan")
     need("linux")
-    scene, camera = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(5000, 3000))
+    scene, camera = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(3000, 2400))
     with adapter("vulkan"):
-        assert nf.gpu.selected().largest_binding < 48 * 5000 * 3000
-        cpu, gpu = both(scene, camera, channels=("face_id", "range"))
+        assert nf.gpu.selected().largest_binding < 48 * 3000 * 2400 / 2
+        cpu, gpu = both(scene, camera, channels=("color", "range", "object_id", "face_id", "position", "normal"))
         same = cpu.require("face_id") == gpu.require("face_id")
         assert same.mean() > 0.9999
         near, far = gpu.require("range")[same], cpu.require("range")[same]
-        # Some of fifteen million pixels see a face nearly edge-on.
+        # Some of seven million pixels see a face nearly edge-on.
         np.testing.assert_allclose(near, far, rtol=5e-5)
-        whole = nf.render(scene, camera, channels=("color", "range", "object_id", "position", "normal"), backend="gpu")
-        # With other channels or other windows rays are rounded once more or less.
-        assert np.isclose(whole.require("range"), gpu.require("range"), rtol=5e-5).mean() > 0.9999
-        missed = ~np.isfinite(whole.require("range"))
+        missed = ~np.isfinite(gpu.require("range"))
         assert missed.any()
-        assert np.isnan(whole.require("normal")[missed]).all()
-        assert np.isfinite(whole.require("position")[~missed]).all()
+        assert np.isnan(gpu.require("normal")[missed]).all()
+        assert np.isfinite(gpu.require("position")[~missed]).all()
 
 
 def test_the_core_refuses_a_frame_that_was_read() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -27,7 +29,8 @@ def test_adapters_draw_what_the_tracer_does(name: str, samples: int) -> None:
     for side in ("left", "right"):
         reference, test = getattr(expected, side), getattr(found, side)
         check_ids(reference.require("face_id"), test.require("face_id"), share=0.99)
-        check_color(reference, test, percentile=98.0, codes=3)
+        # The adapter's own samples lie elsewhere in a pixel, which shows along edges.
+        check_color(reference, test, percentile=98.0 if samples == 1 else 90.0, codes=3)
         apart = np.abs(reference.require("coverage") - test.require("coverage"))
         assert (apart > 0.3).mean() < 0.01
 
@@ -51,6 +54,7 @@ def test_culling_changes_no_pixel_of_the_eyes(name: str, samples: int) -> None:
         assert other.center is not None
         # Nothing was drawn where no eye looks.
         hidden = other.center.require("face_id") < 0
+        assert (other.center.require("color") == 0.0).all(axis=-1).sum() >= other.stats["pixels"]["discarded"]
         assert hidden.sum() >= other.stats["pixels"]["discarded"]
 
 
@@ -81,9 +85,15 @@ def test_geometry_behind_hidden_pixels_is_not_drawn(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_resolved_assembly_is_refused(name: str) -> None:
-    with (
-        adapter(name),
-        pytest.raises(ValueError, match="assembly: expected 'bilinear' on a graphics adapter, got 'resolved'"),
-    ):
-        rig().render(crowd(), HEAD, backend="gpu", assembly="resolved")
+@pytest.mark.parametrize("samples", [1, 4])
+def test_pictures_of_adapters_are_resolved_as_those_of_the_tracer(name: str, samples: int) -> None:
+    scene = crowd(("one_7",))
+    settings: dict[str, Any] = {"samples": samples, "assembly": "resolved"}
+    expected = rig().render(scene, HEAD, backend="cpu", **settings)
+    with adapter(name):
+        found = [rig().render(scene, HEAD, backend="gpu", cull=cull, **settings) for cull in ("frustum", "occlusion")]
+    for side in ("left", "right"):
+        check_color(
+            getattr(expected, side), getattr(found[1], side), percentile=98.0 if samples == 1 else 90.0, codes=3
+        )
+        np.testing.assert_array_equal(*(getattr(frame, side).require("color") for frame in found))

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import math
+import os
+import re
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -11,6 +16,8 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar.hmd import Eye
 from nearfar.stereo import HybridRig
+from nearfar.stereo._view_vectors import view_vectors
+from tests.support import need
 
 HEAD = (4.0, 1.7, -3.0)
 AHEAD = nf.Camera.look_at(HEAD, (9.0, 2.5, -9.0), fov=nf.Fov.symmetric(90), size=(1, 1)).orientation
@@ -89,3 +96,71 @@ def test_arguments_are_checked() -> None:
         made.view_vectors("middle", [[0.0, 0.0, 0.0]], HEAD)
     with pytest.raises(ValueError, match="points: "):
         made.view_vectors("left", [[0.0, 0.0]], HEAD)
+
+
+SHADE = """
+import json, os, sys
+import numpy as np
+import pyrender
+from OpenGL.GL import *
+from OpenGL.GL.shaders import compileProgram, compileShader
+
+given = json.load(sys.stdin)
+count = len(given["points"])
+context = pyrender.OffscreenRenderer(count, 1)
+context._platform.make_current()
+vertex = "#version 330\\nvoid main() { gl_Position ="
+vertex += " vec4(4.0 * (gl_VertexID & 1) - 1.0, 2.0 * (gl_VertexID & 2) - 1.0, 0.0, 1.0); }"
+fragment = "#version 330\\nuniform vec3 points[64]; uniform vec3 eye, center, ahead, sizes; out vec3 shown;"
+fragment += given["text"] + "void main() { shown ="
+fragment += " view_vector(points[int(gl_FragCoord.x)], eye, center, ahead, sizes.x, sizes.y, sizes.z); }"
+glBindVertexArray(glGenVertexArrays(1))
+program = compileProgram(compileShader(vertex, GL_VERTEX_SHADER), compileShader(fragment, GL_FRAGMENT_SHADER))
+texture = glGenTextures(1)
+glBindTexture(GL_TEXTURE_2D, texture)
+glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, count, 1, 0, GL_RGBA, GL_FLOAT, None)
+glBindFramebuffer(GL_FRAMEBUFFER, glGenFramebuffers(1))
+glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0)
+glViewport(0, 0, count, 1)
+glUseProgram(program)
+glUniform3fv(glGetUniformLocation(program, "points"), count, np.array(given["points"], np.float32))
+for name in ("eye", "center", "ahead", "sizes"):
+    glUniform3f(glGetUniformLocation(program, name), *given[name])
+glDrawArrays(GL_TRIANGLES, 0, 3)
+pixels = np.frombuffer(glReadPixels(0, 0, count, 1, GL_RGBA, GL_FLOAT), np.float32).reshape(count, 4)
+print(json.dumps(pixels[:, :3].tolist()))
+"""
+
+
+def test_shader_texts_compute_the_same_vectors() -> None:
+    """GLSL drawn by OpenGL; WGSL, which the adapters' Rust tests validate, has the same expressions."""
+    need("pyrender")
+    texts = {name: nf.stereo.view_vector_shader(name) for name in ("wgsl", "glsl")}
+    bodies = [re.findall(r"^ +(?:let|float)?\s*(.*;)$", text, re.MULTILINE) for text in texts.values()]
+    assert len(bodies[0]) == 3
+    assert bodies[0] == bodies[1]
+    points = np.random.default_rng(2).uniform((-3.0, -2.0, -8.0), (3.0, 2.0, -4.0), (60, 3))
+    eye, center, ahead = (-0.03, 0.01, -0.02), (0.0, 0.0, 0.04), (0.0, 0.0, -1.0)
+    sizes = (6.0, 0.04, 0.3)
+    given = {"points": points.tolist(), "eye": eye, "center": center, "ahead": ahead, "sizes": sizes}
+    found = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", SHADE],
+        input=json.dumps(given | {"text": texts["glsl"]}),
+        env=os.environ | {"PYOPENGL_PLATFORM": os.environ.get("PYOPENGL_PLATFORM", "egl")},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert found.returncode == 0, found.stderr
+    plane, setback, blend = sizes
+    expected = view_vectors(
+        points, *(np.array(v) for v in (eye, center, ahead)), plane=plane, setback=setback, blend=blend
+    )
+    depths = -points[:, 2]
+    assert ((depths > 5.7) & (depths < 6.0)).any()
+    np.testing.assert_allclose(json.loads(found.stdout), expected, atol=2e-6)
+
+
+def test_other_shading_languages_are_refused() -> None:
+    with pytest.raises(ValueError, match="language: expected"):
+        nf.stereo.view_vector_shader("hlsl")

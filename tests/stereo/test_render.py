@@ -350,6 +350,30 @@ def test_what_a_shared_map_costs_at_r2_is_the_setback(r2: float) -> None:
     assert angles.max() * pixels < 17.0 / r2
 
 
+def test_pictures_of_a_reduced_scene_meet_at_r2() -> None:
+    """Where near geometry ends, the third camera shows it within s / r2 of the place at which the map goes on."""
+    r1, r2, center = 8.0, 20.0, np.subtract(HEAD, (0.6, 0.0, 0.3))
+    reduced = nf.reduce(street(), center=center, r1=r1, r2=r2, face_size=64, samples=1, channels=("color", "range"))
+    hybrid = rig(6.0, size=(600, 500))
+    frame = hybrid.render(reduced, HEAD, AHEAD, channels=("position",), cull="frustum")
+    assert frame.center is not None
+    points = frame.center.require("position").astype(np.float64) + frame.center.origin
+    away = points - center
+    rho = np.hypot(away[..., 0], away[..., 2])
+    towards_point = away / np.linalg.norm(away, axis=-1, keepdims=True)
+    apart = np.linalg.norm(np.cross(towards_point, frame.center.camera.rays()[1]), axis=-1)
+    residue = hybrid.center_offset / r2
+    edge = (rho > 0.99 * r2) & (rho <= r2)
+    assert edge.sum() > 100
+    # In the last hundredth before r2 the morph still leaves 1 % × r2 / (r2 − r1) of the head's 0.7 m.
+    left = 0.01 * r2 / (r2 - r1) * float(np.linalg.norm(np.subtract(HEAD, center))) / r2
+    assert apart[edge].max() < residue + left
+    beyond = (rho > r2) & np.isfinite(rho)
+    assert beyond.sum() > 1000
+    # The map is looked up along the camera's own rays; a texel's range belongs to its centre.
+    assert np.percentile(apart[beyond], 99) < residue
+
+
 def test_arguments_are_checked() -> None:
     hybrid, world = rig(), scene()
     wrong: list[tuple[str, dict[str, Any]]] = [
@@ -372,5 +396,3 @@ def test_arguments_are_checked() -> None:
     reduced = nf.reduce(world, center=HEAD, r1=20.0, r2=50.0, face_size=16, samples=1)
     with pytest.raises(ValueError, match="assembly: expected 'bilinear' for ReducedScene"):
         hybrid.render(reduced, HEAD, assembly="resolved")
-    with pytest.raises(ValueError, match="mono_plane: expected one plane for drawing, got the zone from 5 to 9 m"):
-        hybrid.with_plane((5.0, 9.0)).render(world, HEAD)

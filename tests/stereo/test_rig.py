@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 import pickle
@@ -197,12 +198,14 @@ def test_pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() -> None:
 
 
 def test_a_zone_begins_and_ends_without_a_step() -> None:
-    zone, plane = vive((6.0, 10.0)), vive(6.0)
+    # Their pictures meet on the plane in the middle of both in 1/z.
+    zone, plane = vive((6.0, 10.0)), vive(7.5)
     at = np.array([0.9, -0.5])
     assert zone.planes == (6.0, 10.0)
-    assert zone.center_fov == plane.center_fov
+    np.testing.assert_allclose(dataclasses.astuple(zone.center_fov), dataclasses.astuple(plane.center_fov))
     np.testing.assert_allclose(zone.shown("left", at, depth=6.0 + 1e-9), at, atol=1e-9)
     np.testing.assert_allclose(zone.shown("left", at, depth=10.0), plane.shown("left", at, depth=10.0))
+    np.testing.assert_allclose(zone.quad_layer.position, plane.quad_layer.position)
     between = np.array([zone.shown("left", at, depth=depth) for depth in np.linspace(6.0, 10.0, 50)])
     assert (np.diff(between[:, 0]) > 0.0).all()
     with pytest.raises(ValueError, match="mono_plane: expected one plane for a kink, got the zone from 6 to 10 m"):

@@ -53,6 +53,7 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.lod.Selector": nf.lod.Selector,
         "nearfar.lod.Switches": lambda: nf.lod.switches(model, view=valid.camera),
         "nearfar.stereo.AdaptivePlane": lambda: nf.stereo.AdaptivePlane(valid.hmd),
+        "nearfar.stereo.TemporalAntialiasing": nf.stereo.TemporalAntialiasing,
         "nearfar.stereo.HybridRig": lambda: nf.stereo.HybridRig.of(valid.hmd, mono_plane=8.0, size=SIZE),
         "nearfar.Recentering": lambda: valid.reduced.recentered(ZONES["center"]),
         "nearfar.Regions": lambda: valid.regions,
@@ -288,7 +289,14 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stereo.HybridRig.view_vectors": {"eye": "left", "points": valid.vertices, "position": EYE},
         "nearfar.stereo.HybridRig.with_plane": {"mono_plane": 4.0},
         "nearfar.stereo.QuadLayer": {"position": (0.0, 0.0, -8.0), "size": (20.0, 20.0)},
+        "nearfar.stereo.TemporalAntialiasing": {"share": 0.2, "offsets": 4},
+        "nearfar.stereo.TemporalAntialiasing.render": {
+            "rig": nf.stereo.HybridRig.of(hmd, mono_plane=8.0, size=SIZE), "source": valid.scene, "position": EYE,
+            "near": 0.5, "far": 50.0,
+        },
+        "nearfar.stereo.TemporalAntialiasing.restart": {},
         "nearfar.stereo.mono_plane_for": {"hmd": hmd, "error_px": 1.0},
+        "nearfar.stereo.view_vector_shader": {"language": "wgsl"},
     }  # fmt: skip
 
 

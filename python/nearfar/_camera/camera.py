@@ -190,15 +190,15 @@ class Camera(WithTwin):
         return _core.Camera(self.position, self.orientation, self.size, kind=kind, bounds=fov._sides)
 
 
-def quaternion(value: ArrayLike) -> tuple[float, float, float, float]:
-    components = check.array("orientation", value, columns=None, dtype=np.float64, finite=True)
+def quaternion(value: ArrayLike, argument: str = "orientation") -> tuple[float, float, float, float]:
+    components = check.array(argument, value, columns=None, dtype=np.float64, finite=True)
     if components.shape != (4,):
-        raise ValueError(f"orientation: expected a quaternion (x, y, z, w), got shape {components.shape}")
+        raise ValueError(f"{argument}: expected a quaternion (x, y, z, w), got shape {components.shape}")
     x, y, z, w = (float(v) for v in components)
     length = math.sqrt(x * x + y * y + z * z + w * w)
     # The rounding of a quaternion to float32 stays below this tolerance.
     if abs(length - 1.0) > 1e-6:
-        raise ValueError(f"orientation: expected a unit quaternion (x, y, z, w), got length {length:g}")
+        raise ValueError(f"{argument}: expected a unit quaternion (x, y, z, w), got length {length:g}")
     return x, y, z, w
 
 

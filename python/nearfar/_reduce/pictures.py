@@ -106,9 +106,10 @@ class InPictures:
         tolerance_px
             For "vertex": greatest distance, in the image's finest pixels, between a drawn triangle's points and their
             morph, by default 0.5; larger triangles are split for the frame. It is a proven bound if the frame's
-            `stats` have `tolerance_held`. Infinity morphs only the given vertices, which bends long triangles wrongly
-            and opens breaks at both radii. For "exact": greatest distance between a bent ray and its curve, in pixels
-            of the size at its place in the image, by default 0.1.
+            `stats` have `tolerance_held`. On the CPU it is doubled until it takes at most 4 million triangles.
+            Infinity morphs only the given vertices, which bends long triangles wrongly and opens breaks at both radii.
+            For "exact": greatest distance between a bent ray and its curve, in pixels of the size at its place in the
+            image, by default 0.1.
         conventional_dynamic
             Where the conventional method shows moving objects beyond the near part. "center": in the direction in which
             the centre sees them, if nothing in the map is nearer. "user": in the direction in which the user sees them,

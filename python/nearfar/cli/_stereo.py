@@ -32,6 +32,10 @@ def stereo(
         float | None,
         option("--max-error", "PIXELS", "Instead of --mono-plane: the nearest plane with this error at most."),
     ] = None,
+    zone_end: Annotated[
+        float | None,
+        option("--zone-end", "METRES", "Bend lines smoothly from the mono plane to here, instead of at the plane."),
+    ] = None,
     eye: Annotated[
         str | None, option("--eye", "X,Y,Z", "Head in metres. By default over open ground or before an object.")
     ] = None,
@@ -61,6 +65,8 @@ def stereo(
     pixels, head = _headset.pixels_of(size, device), options.read_point("--eye", eye)
     aim, clock = options.read_point("--target", target), Clock()
     rig = nf.stereo.HybridRig.of(device, mono_plane=_plane(device, pixels, mono_plane, max_error), size=pixels)
+    if zone_end is not None:
+        rig = _with_zone(rig, zone_end)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
@@ -102,6 +108,7 @@ def stereo(
             "size": list(pixels),
             "samples": samples,
             "mono_plane": rig.planes[0],
+            "zone_end": rig.planes[1] if rig.has_zone else None,
             "assembly": assembly,
             "cull": cull,
             "error": {name: round(rig.max_error(axis=name), 4) for name in ("horizontal", "vertical", "both")},
@@ -133,6 +140,14 @@ def _plane(device: nf.Hmd, size: tuple[int, int], mono_plane: float | None, max_
     return nf.stereo.mono_plane_for(hmd=device, error_px=check.positive("--max-error", max_error), size=size)
 
 
+def _with_zone(rig: nf.stereo.HybridRig, end: float) -> nf.stereo.HybridRig:
+    """The rig with a zone from its plane on."""
+    plane = rig.planes[0]
+    if not check.number("--zone-end", end) > plane:
+        raise ValueError(f"--zone-end: expected more than the mono plane's {plane:g} metres, got {end:g}")
+    return rig.with_plane((plane, end))
+
+
 def _timed(draw: Any) -> tuple[nf.StereoFrame, float]:
     started = time.perf_counter()
     frame: nf.StereoFrame = draw()
@@ -146,7 +161,7 @@ def _findings(
     counted: dict[str, int] | None,
 ) -> list[str]:
     """Sentences on pictures that gain nothing from a shared one."""
-    found, plane = [], rig.planes[0]
+    found, plane = [], rig.planes[1]
     if frame.center is None:
         found.append("nothing lies beyond the mono plane, so the picture is plain stereo")
     elif "left" not in frame.stats["seconds"]:
@@ -166,7 +181,7 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     return [
         ("headset", f"{document['hmd']}, {document['size'][0]} × {document['size'][1]} pixels an eye"),
         ("head", metres(document["head"])),
-        ("mono plane", f"{document['mono_plane']:g} m"),
+        ("mono plane", _stereo_page.plane_of(document)),
         ("greatest error", f"{document['error']['horizontal']:.3g} pixels to the side"),
         *((f"SSIM, {side} eye", f"{eyes[side]['ssim']:.5f}, PSNR {_decibels(eyes[side]['psnr'])}") for side in SIDES),
         *([("shared pixels drawn", f"{count(pixels['center'])} of {count(total)}")] if total else []),

@@ -100,6 +100,12 @@ def _plot_error(path: Path, rig: nf.stereo.HybridRig) -> None:
     figure.savefig(path, dpi=110)
 
 
+def plane_of(document: dict[str, Any]) -> str:
+    """Where the mono plane is, in words."""
+    end = document["zone_end"]
+    return f"{document['mono_plane']:g} m" + ("" if end is None else f", lines bend up to {end:g} m")
+
+
 def page(document: dict[str, Any], rig: nf.stereo.HybridRig) -> Page:
     """Make the report's page."""
     eyes, pixels, seconds = document["eyes"], document["pixels"], document["seconds"]
@@ -138,7 +144,7 @@ def page(document: dict[str, Any], rig: nf.stereo.HybridRig) -> Page:
     summary = [
         *(f"Note: {finding}." for finding in document["findings"]),
         f"{document['hmd']}, {width} × {height} pixels an eye. Head at {metres(document['head'])}. Mono plane at "
-        f"{document['mono_plane']:g} m; {document['assembly']} assembly.",
+        f"{plane_of(document)}; {document['assembly']} assembly.",
         MEANING,
     ]
     shown = [(name, caption) for name, caption in PICTURES.items() if name in document["files"]]

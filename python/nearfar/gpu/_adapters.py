@@ -94,14 +94,16 @@ def select(adapter: str | None) -> None:
     backends.select(adapter)
 
 
-def stats() -> dict[str, int]:
+def stats() -> dict[str, int | float]:
     """Return counters of the selected adapter since it was opened.
 
     Returns
     -------
     dict
         "allocations" of buffers and textures and their "allocated_bytes", which do not grow between frames of one size;
-        "uploaded_bytes", which grow by the changed data; "triangles" in draw calls, after culling.
+        "uploaded_bytes", which grow by the changed data; "triangles" in draw calls, after culling. Where the adapter
+        has a clock that passes can read (timestamp queries), "raster_seconds" and "resolve_seconds": how long it worked
+        on the two steps of frames that were read, shading being the second one.
 
     Raises
     ------
@@ -109,4 +111,7 @@ def stats() -> dict[str, int]:
         If no adapter can be used.
     """
     names = ("allocations", "allocated_bytes", "uploaded_bytes", "triangles")
-    return dict(zip(names, backends.opened().counters(), strict=True))
+    device = backends.opened()
+    counted: dict[str, int | float] = dict(zip(names, device.counters(), strict=True))
+    seconds = device.pass_seconds()
+    return counted if seconds is None else counted | {"raster_seconds": seconds[0], "resolve_seconds": seconds[1]}

@@ -19,6 +19,7 @@ from nearfar.hmd._eye import Eye, rotation, turned
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._kink import kink_angles
 from nearfar.stereo._layer import QuadLayer
+from nearfar.stereo._view_vectors import view_vectors
 
 AXES = ("horizontal", "vertical", "both")
 """Parts of an error by name."""
@@ -52,9 +53,17 @@ class RigGeometry(WithTwin):
 
     @property
     def planes(self) -> tuple[float, float]:
-        """Distances m₁ and m₂ of the zone in metres; equal for a single plane."""
+        """Distances m₁ and m₂ of the zone in metres; equal for a single plane.
+
+        The pictures meet on the plane m with 1/m = (1/m₁ + 1/m₂)/2.
+        """
         plane = self.mono_plane
         return plane if isinstance(plane, tuple) else (plane, plane)
+
+    @property
+    def has_zone(self) -> bool:
+        """Whether there is a zone between two planes, in which rays bend, instead of a single plane."""
+        return self.planes[1] > self.planes[0]
 
     @property
     def ipd(self) -> float:
@@ -68,7 +77,7 @@ class RigGeometry(WithTwin):
 
     @property
     def center_fov(self) -> Fov:
-        """Field of view of the third camera, tangents: the hull of both eyes' views on the plane m₁."""
+        """Field of view of the third camera, tangents: the hull of both eyes' views on the plane m."""
         return Fov(*self._core.center_fov)
 
     @property
@@ -78,10 +87,10 @@ class RigGeometry(WithTwin):
 
     @property
     def overlap(self) -> float:
-        """Distance ε before the plane at which the third camera begins to draw, metres.
+        """Distance ε before the plane m₂ at which the third camera begins to draw, metres.
 
-        2 s m₁ as published; more where pixels are coarse or the plane is far away, so that floors and walls a metre or
-        more beside the line of sight have no gap: 1.5 pixels of depth, at most m₁/2.
+        2 s m₂ as published; more where pixels are coarse or the plane is far away, so that floors and walls a metre or
+        more beside the line of sight have no gap: 1.5 pixels of depth, at most m₂/2.
         """
         return self._core.overlap
 
@@ -140,8 +149,8 @@ class RigGeometry(WithTwin):
 
     @property
     def quad_layer(self) -> QuadLayer:
-        """The rectangle on the plane m₁ that the third camera sees, for compositors (OpenXR, WebXR)."""
-        fov, m = self.center_fov, self.planes[0]
+        """The rectangle on the plane m that the third camera sees, for compositors (OpenXR, WebXR)."""
+        fov, m = self.center_fov, self._core.mono
         away = m + self.center_offset
         x, y, z = self._core.middle
         middle = (x + 0.5 * away * (fov.left + fov.right), y + 0.5 * away * (fov.down + fov.up), z - m)
@@ -158,8 +167,8 @@ class RigGeometry(WithTwin):
     ) -> NDArray[np.float64]:
         """Return unit vectors from surface points to the viewer, for shading that depends on the view.
 
-        Beyond the plane the third camera is the viewer, before it the eye. Over the last `blend` metres before m₁ the
-        vectors of both are interpolated linearly, so that highlights do not jump at the plane.
+        Beyond the plane the third camera is the viewer, before it the eye. Over the last `blend` metres before it the
+        vectors of both are interpolated linearly, so that highlights do not jump at the plane. Of a zone that is m₂.
 
         Parameters
         ----------
@@ -191,14 +200,15 @@ class RigGeometry(WithTwin):
         side = EYES.index(check.choice("eye", eye, EYES))
         cameras = self.cameras(position, orientation)
         ahead = rotation(quaternion(orientation)) @ np.array((0.0, 0.0, -1.0))
-        to_eye, to_center = (np.array(cameras[n].position) - places for n in (side, 2))
-        depths = -(to_center @ ahead) - self.center_offset
-        with np.errstate(invalid="ignore", over="ignore"):
-            share = np.clip((self.planes[0] - depths) / length, 0.0, 1.0)[:, None]
-            units = [v / np.linalg.norm(v, axis=1, keepdims=True) for v in (to_eye, to_center)]
-            # Where only one viewer counts, the other one may stand at the point.
-            mixed = np.where(share > 0.0, share * units[0], 0.0) + np.where(share < 1.0, (1.0 - share) * units[1], 0.0)
-            return np.asarray(mixed / np.linalg.norm(mixed, axis=1, keepdims=True))
+        return view_vectors(
+            places,
+            np.array(cameras[side].position),
+            np.array(cameras[2].position),
+            ahead,
+            plane=self.planes[1],
+            setback=self.center_offset,
+            blend=length,
+        )
 
     def homography(self, eye: str) -> NDArray[np.float64]:
         """Return the matrix (3, 3) that maps pixels of the third camera to pixels of an eye, "left" or "right" (Eq. 5).

@@ -17,15 +17,17 @@ from nearfar._base import check, progress
 from nearfar._camera.camera import Camera, quaternion
 from nearfar._camera.clip import Clip
 from nearfar._camera.shot import Shot
+from nearfar._render import backend as backends
 from nearfar._render.channels import VECTORS
 from nearfar._render.frame import Frame
+from nearfar._render.motion import Sight, motion
 from nearfar._render.renderable import Images
 from nearfar._render.renderer import Renderer, View
 from nearfar._scene.scene import Scene
-from nearfar.hmd._eye import rotation
 from nearfar.hmd._hmd import EYES
 from nearfar.hmd._stereo import StereoFrame
 from nearfar.stereo._geometry import RigGeometry
+from nearfar.stereo._moments import Moment, carried, shifted
 
 CULLS = ("frustum", "discard", "occlusion")
 """Ways of leaving out what no eye looks up in the shared picture, by name."""
@@ -38,27 +40,33 @@ class Passes:
     """The passes of one frame of a rig; `stats` grows with them."""
 
     rig: RigGeometry
-    position: tuple[float, float, float]
-    orientation: tuple[float, float, float, float]
+    moment: Moment
     view: View
     device: _core.GpuDevice | None
     cull: str
     assembly: str
     near: float
     far: float
+    before: Moment | None = None
+    """The moment that motion is relative to; None is this one."""
+    jitter: tuple[float, float] = (0.0, 0.0)
+    """Part of a pixel by which the pixels of all three pictures are to the right and down."""
     stats: dict[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._core = self.rig._core.jittered(self.jitter)
 
     def draw(self) -> tuple[Images, Images, Images | None]:
         """Return the images of the left eye, the right eye, and the shared ones if anything lies beyond the plane."""
         self.stats |= {"seconds": {}, "pixels": {}}
-        left, right, center = self.rig.cameras(self.position, self.orientation)
+        left, right, center = self._cameras(self.moment)
         has_near, has_far = self._has_near_and_far()
         with progress.bar("rendering") as self._report:
             if not has_far:
                 whole = self._between(self.near, self.far)
                 eyes = [self._pass(side, camera, whole) for side, camera in zip(EYES, (left, right), strict=True)]
                 return eyes[0], eyes[1], None
-            near = self._between(self.near, min(self.rig.planes[1], self.far))
+            near = self._between(self.near, min(self.rig.planes[0], self.far))
             eyes = [
                 self._pass(side, camera, near, near=True) if has_near else self._nothing(camera)
                 for side, camera in zip(EYES, (left, right), strict=True)
@@ -75,8 +83,10 @@ class Passes:
         if self.cull != "frustum":
             with self._timed("culling"):
                 samples = self.view.shot.samples if self.assembly == "resolved" else 1
-                mask = self.rig._core.needed(eyes[0]["coverage"], eyes[1]["coverage"], samples)
+                mask = self._core.needed(eyes[0]["coverage"], eyes[1]["coverage"], samples)
         images = self._pass("center", camera, self._beyond, mask=mask, faces=self.assembly == "resolved")
+        if mask is not None and "color" in images:
+            images["color"][~mask] = 0.0
         drawn = camera.width * camera.height if mask is None else int(mask.sum())
         self.stats["pixels"] |= {"center": drawn, "discarded": camera.width * camera.height - drawn}
         return images
@@ -99,25 +109,39 @@ class Passes:
             cameras=(camera,),
             channels=tuple(channels),
             samples=self.view.shot.samples,
-            user=self._head,
+            user=self.moment.head(self.rig),
             clip=clip,
             mask=mask,
             bare=near,
             occlusion=self.cull == "occlusion",
         )
         with self._timed(name):
-            if self.device is None:
+            if near and self.rig.has_zone:
+                images = self._zone(name, camera, shot)
+            elif self.device is None:
                 (images,) = self.view.drawn.trace(shot, self._report)
             else:
                 (job,) = self.view.drawn.begin(self.device, shot, self._report)
                 images = job.finish(self._report)
+        if "motion" in self.view.wanted:
+            with self._timed("motion"):
+                images["motion"] = self._motion(name, camera, images)
         if near:
             self.stats["pixels"][name] = int((images["coverage"] > 0.0).sum())
         return images
 
+    def _zone(self, side: str, camera: Camera, shot: Shot) -> Images:
+        """What an eye sees before m₂, along rays that bend beyond m₁."""
+        scene, pose = self.view.drawn, (self.moment.position, self.moment.orientation)
+        assert isinstance(scene, Scene)
+        depths = (self.near, self.far)
+        return self._core.render_zone(
+            side, scene._core, camera._core, shot.settings, *pose, depths, report=self._report
+        )
+
     def _assemble(self, side: str, camera: Camera, images: Images, center: Camera, shared: Images) -> None:
         """Put the shared picture behind an eye's own, in place."""
-        core, coverage = self.rig._core, images["coverage"]
+        core, coverage = self._core, images["coverage"]
         if "color" in images:
             if self.assembly == "resolved":
                 settings = Shot(
@@ -129,7 +153,7 @@ class Passes:
                 core.resolve(side, coverage, scene._core, center._core, settings, picture, images["color"])
             else:
                 core.assemble(side, coverage, shared["color"], images["color"])
-        if set(self.view.shot.channels) == {"color"}:
+        if set(self.view.wanted) == {"color"}:
             return
         nearest = core.nearest(side, coverage)
         if self._others:
@@ -137,7 +161,11 @@ class Passes:
             far = images["face_id"] < 0
             for name in self._others:
                 values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest[far]]
-                images[name][far] = self._range(values, nearest[far], camera, center) if name == "range" else values
+                if name == "range":
+                    values = self._range(values, nearest[far], camera, center)
+                elif name == "motion":
+                    values = carried(core.homography(side), far, values)
+                images[name][far] = values
         if "coverage" in shared:
             # The share of its own surfaces, and of the shared picture's behind the rest.
             images["coverage"] = coverage + (1.0 - coverage) * shared["coverage"].reshape(-1)[nearest]
@@ -145,7 +173,20 @@ class Passes:
     @property
     def _others(self) -> list[str]:
         """Wanted channels of one sample."""
-        return [name for name in self.view.shot.channels if name not in ("color", "coverage")]
+        return [name for name in self.view.wanted if name not in ("color", "coverage")]
+
+    def _cameras(self, moment: Moment) -> list[Camera]:
+        """The cameras of the eyes and the third one."""
+        return [shifted(camera, self.jitter) for camera in self.rig.cameras(moment.position, moment.orientation)]
+
+    def _motion(self, name: str, camera: Camera, images: Images) -> NDArray[np.float32]:
+        """How far each pixel's surface has moved in one of the pictures."""
+        before = self.moment if self.before is None else self.before
+        origin = check.vector("origin", self.view.drawn.origin)
+        frame = Frame(camera, origin, position=images["position"], object_id=images.get("object_id"))
+        earlier = self._cameras(before)[(*EYES, "center").index(name)]
+        now = Sight(camera, self.view.drawn, self.moment.head(self.rig))
+        return motion(frame, now, Sight(earlier, before.source, before.head(self.rig)))
 
     def _range(
         self, values: NDArray[np.float32], pixels: NDArray[np.uint32], camera: Camera, center: Camera
@@ -163,39 +204,35 @@ class Passes:
         misses = {"face_id": np.int64(-1), "object_id": np.int32(-1), "range": np.float32(math.inf)}
         dark = {"color": np.float32(0.0), "coverage": np.float32(0.0)}
         empty: Images = {}
-        for name in {*self.view.shot.channels, "coverage", "face_id"}:
+        for name in {*self.view.wanted, "coverage", "face_id"}:
             value = (misses | dark).get(name, np.float32(math.nan))
-            empty[name] = np.full((height, width, 3) if name in VECTORS else (height, width), value)
+            deep = (3,) if name in VECTORS else (2,) if name == "motion" else ()
+            empty[name] = np.full((height, width, *deep), value)
         return empty
 
     def _has_near_and_far(self) -> tuple[bool, bool]:
         """Whether anything is drawn before the plane, and beyond it; both where the source does not say."""
-        scene = self.view.drawn
-        if self.far <= self._begin:
+        scene, has_zone = self.view.drawn, self.rig.has_zone
+        if self.far <= self.rig.planes[1] and not has_zone:
             return True, False
         if not isinstance(scene, Scene):
             return True, True
         depths = (self.near, self.far)
-        near, far = self.rig._core.reaches(scene._core, self.position, self.orientation, depths)
-        return near, far
-
-    @property
-    def _head(self) -> tuple[float, float, float]:
-        """World position of the middle between the eyes."""
-        x, y, z = np.array(self.position) + rotation(self.orientation) @ np.array(self.rig._core.middle)
-        return float(x), float(y), float(z)
+        near, far = self._core.reaches(scene._core, self.moment.position, self.moment.orientation, depths)
+        # What lies in a zone is shown off whether anything is beyond it or not.
+        return near, far or has_zone
 
     @property
     def _begin(self) -> float:
         """Depth from which on the third camera draws, metres."""
-        return max(self.near, self.rig.planes[0] - self.rig.overlap)
+        return max(self.near, min(self.rig.planes[1], self.far) - self.rig.overlap)
 
     @property
     def _beyond(self) -> Clip:
         return self._between(self._begin, self.far)
 
     def _between(self, begin: float, end: float) -> Clip:
-        return self.rig.clip(self.position, self.orientation, near=begin, far=end)
+        return self.rig.clip(self.moment.position, self.moment.orientation, near=begin, far=end)
 
     @contextmanager
     def _timed(self, name: str) -> Iterator[None]:
@@ -219,36 +256,34 @@ def check_depths(rig: RigGeometry, near: float, far: float) -> tuple[float, floa
 def render(
     rig: RigGeometry,
     renderer: Renderer,
-    scene: tuple[ArrayLike, ArrayLike, Mapping[str, ArrayLike] | None],
+    pose: tuple[ArrayLike, ArrayLike],
     *,
+    at: Mapping[str, ArrayLike] | None,
     backend: str | None,
     cull: str,
     assembly: str,
     depths: tuple[float, float],
-) -> StereoFrame:
-    """Check the arguments of `HybridRig.render`, and draw; `scene` has the head's pose and those of objects."""
+    before: Moment | None = None,
+    jitter: tuple[float, float] = (0.0, 0.0),
+) -> tuple[StereoFrame, Moment]:
+    """Check the arguments of `HybridRig.render`, and draw; `pose` is the head's, `at` has those of objects."""
     check.choice("cull", cull, CULLS)
     check.choice("assembly", assembly, ASSEMBLIES)
-    m, end = rig.planes
-    if end > m:
-        raise ValueError(f"mono_plane: expected one plane for drawing, got the zone from {m:g} to {end:g} m")
     near, far = check_depths(rig, *depths)
-    device = renderer.device(backend)
-    if assembly == "resolved":
-        if not isinstance(renderer.source, Scene):
-            kind = type(renderer.source).__name__
-            raise ValueError(
-                f"assembly: expected 'bilinear' for {kind}, whose triangles are not looked up, got 'resolved'"
-            )
-        if device is not None:
-            raise ValueError(
-                "assembly: expected 'bilinear' on a graphics adapter, got 'resolved': backend='cpu' takes both"
-            )
-    place, way = check.vector("position", scene[0]), quaternion(scene[1])
+    kind = type(renderer.source).__name__
+    if assembly == "resolved" and not isinstance(renderer.source, Scene):
+        raise ValueError(f"assembly: expected 'bilinear' for {kind}, whose triangles are not looked up, got 'resolved'")
+    if rig.has_zone and not isinstance(renderer.source, Scene):
+        raise ValueError(f"mono_plane: expected one plane for {kind}, got a zone, which is drawn for scenes only")
+    device = None if rig.has_zone and backends.check(backend) != "gpu" else renderer.device(backend)
+    if rig.has_zone and device is not None:
+        raise ValueError("mono_plane: expected one plane on a graphics adapter, got a zone: backend='cpu' draws it")
+    place, way = check.vector("position", pose[0]), quaternion(pose[1])
     left, right, center = rig.cameras(place, way)
     # Levels of detail are chosen for both eyes at once.
-    view = renderer.view(renderer.shot([left, right]), scene[2])
-    passes = Passes(rig, place, way, view, device, cull, assembly, near, far)
+    view = renderer.view(renderer.shot([left, right]), at)
+    moment = Moment(place, way, view.drawn)
+    passes = Passes(rig, moment, view, device, cull, assembly, near, far, before, jitter)
     *images, shared = passes.draw()
     origin = check.vector("origin", view.drawn.origin)
 
@@ -257,4 +292,4 @@ def render(
         return Frame(camera, origin, **{name: drawn[name] for name in renderer.channels}, lod=view.shown)
 
     behind = None if shared is None else frame(center, shared)
-    return StereoFrame(rig.hmd, frame(left, images[0]), frame(right, images[1]), behind, passes.stats)
+    return StereoFrame(rig.hmd, frame(left, images[0]), frame(right, images[1]), behind, passes.stats), moment

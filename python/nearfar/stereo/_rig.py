@@ -17,6 +17,7 @@ from nearfar._scene.scene import Scene
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.hmd._stereo import StereoFrame
 from nearfar.stereo._geometry import RigGeometry
+from nearfar.stereo._moments import moment_before
 from nearfar.stereo._passes import check_depths, render
 
 
@@ -35,8 +36,10 @@ class HybridRig(RigGeometry):
     left, right
         The eyes: field of view, position and orientation on the head.
     mono_plane
-        Distance m of the plane from the plane of the eyes, metres; or a pair (m₁, m₂) of the zone in which pictures are
-        blended: eyes draw up to m₂, the third camera from m₁ on.
+        Distance m of the plane from the plane of the eyes, metres; or a pair (m₁, m₂) of a zone: eyes draw up to m₂,
+        and from m₁ on points move smoothly from their own places to those of the shared picture, so that straight lines
+        become parabolas without a kink. Both pictures meet on the plane m with 1/m = (1/m₁ + 1/m₂)/2. Zones are drawn
+        for scenes, on the CPU.
     size
         Width and height of an eye's picture, pixels.
     hmd
@@ -77,6 +80,8 @@ class HybridRig(RigGeometry):
         assembly: str = "bilinear",
         near: float = 0.1,
         far: float = math.inf,
+        before: tuple[ArrayLike, ArrayLike] | None = None,
+        before_at: Mapping[str, ArrayLike] | None = None,
     ) -> StereoFrame:
         """Render near geometry for each eye, and what lies beyond the plane once for both.
 
@@ -106,9 +111,14 @@ class HybridRig(RigGeometry):
         assembly
             How eyes look up the shared picture. "bilinear": four pixels are mixed, as graphics adapters do, which
             softens textures and edges. "resolved": the third camera's ray through the place is intersected with the
-            triangles that these four pixels show, and shaded there; on the CPU, and for scenes only.
+            triangles that these four pixels show, and shaded there, for scenes only. The CPU assembles pictures of
+            graphics adapters, too.
         near, far
             Depths in metres in front of the eyes between which surfaces are drawn.
+        before, before_at
+            For the channel "motion": position and orientation of the head in an earlier frame, and poses of dynamic
+            objects then, by default the source's own. What the shared picture shows moves with it: by its own motion,
+            mapped to the eye (Eq. 9).
 
         Returns
         -------
@@ -119,8 +129,8 @@ class HybridRig(RigGeometry):
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains; for a zone instead of a plane, which is not drawn yet; for a plane that
-            is nearer than `near`; for "resolved" with another source than a scene, or on a graphics adapter.
+            For arguments out of their domains; for a plane that is nearer than `near`; for a zone or "resolved" with
+            another source than a scene; for a zone on a graphics adapter.
         DeviceError
             As in `render`.
 
@@ -128,15 +138,22 @@ class HybridRig(RigGeometry):
         ----------
         Fink et al. (2019).
         """
-        return render(
+        renderer = Renderer(source, channels, samples, lod)
+        earlier = moment_before(source, before, before_at)
+        if earlier is None and "motion" in renderer.channels:
+            raise ValueError("channels: expected motion with the head's pose in an earlier frame, `before`")
+        frame, _ = render(
             self,
-            Renderer(source, channels, samples, lod),
-            (position, orientation, at),
+            renderer,
+            (position, orientation),
+            at=at,
             backend=backend,
             cull=cull,
             assembly=assembly,
             depths=(near, far),
+            before=earlier,
         )
+        return frame
 
     def triangles(
         self,

@@ -14,3 +14,17 @@ pub mod compute;
 pub use device::{AdapterKind, AdapterReport, Counters, Device};
 pub use draw::{DeviceFrame, Job};
 pub use render::reduced::Reduced;
+
+#[cfg(test)]
+mod tests {
+    use wgpu::naga::front::wgsl;
+    use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    /// Python returns this text to those who shade by themselves; it draws nothing here.
+    #[test]
+    fn the_shader_for_view_vectors_is_valid() {
+        let module = wgsl::parse_str(include_str!("../../../python/nearfar/stereo/view_vector.wgsl")).unwrap();
+        Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).unwrap();
+        assert_eq!(module.functions.len(), 1);
+    }
+}

@@ -54,6 +54,7 @@ mod _core {
         render::frame::encode_srgb,
         render::reduced::Reduced,
         render::sides::{luma_near, silhouettes},
+        render::temporal::{gather_frames, sample_offsets},
         render::truth::render_truth,
         scene::levels::{Levels, placements_of, with_instances, with_surfaces},
         scene::parts::{mesh_parts, scene_parts},

@@ -2,16 +2,18 @@
 
 use glam::{DQuat, DVec2, DVec3};
 use nearfar_core::camera::Fov;
+use nearfar_core::render::RenderView;
 use nearfar_core::stereo::{Axis, Eye, FarPicture, Head, Planes, Rig, Side, Triangles};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3, PyReadwriteArray3};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::camera::Camera;
 use crate::convert::arrays::filled;
 use crate::convert::errors::to_python;
 use crate::convert::names::choice;
 use crate::convert::run;
-use crate::render::frame::Settings;
+use crate::render::frame::{Settings, images};
 use crate::scene::Scene;
 
 /// Tangents (left, right, down, up), position and orientation of an eye.
@@ -38,8 +40,13 @@ fn head(position: [f64; 3], orientation: [f64; 4], (near, far): (f64, f64)) -> H
 impl HybridRig {
     #[new]
     fn new(left: View, right: View, planes: (f64, f64), size: (u32, u32)) -> PyResult<Self> {
-        let (mono, stereo) = planes;
-        Rig::new([left, right].map(eye), Planes { mono, stereo }, size).map(Self).map_err(to_python)
+        let (begin, end) = planes;
+        Rig::new([left, right].map(eye), Planes { begin, end }, size).map(Self).map_err(to_python)
+    }
+
+    /// The same rig, all of whose pictures have their pixels to the right and down by a part of a pixel.
+    fn jittered(&self, jitter: [f64; 2]) -> PyResult<Self> {
+        self.0.jittered(DVec2::from_array(jitter)).map(Self).map_err(to_python)
     }
 
     /// Tangents (left, right, down, up) of the third camera.
@@ -53,6 +60,12 @@ impl HybridRig {
     #[getter]
     fn center_size(&self) -> (u32, u32) {
         self.0.center_size()
+    }
+
+    /// Distance of the plane on which the pictures meet, metres.
+    #[getter]
+    fn mono(&self) -> f64 {
+        self.0.planes().mono()
     }
 
     /// Distance of the third camera behind the middle between the eyes, metres.
@@ -126,6 +139,34 @@ impl HybridRig {
         let Triangles { views, thrice, plain } =
             run::long(py, report, |progress| self.0.triangles(&scene.0, &head, progress))?;
         Ok((views, thrice, plain))
+    }
+
+    /// What an eye sees before the plane m₂, as images by name; the settings leave what lies before m₁.
+    #[expect(clippy::too_many_arguments, reason = "a picture of a scene with its settings")]
+    #[pyo3(signature = (eye, scene, camera, settings, position, orientation, depths, report=None))]
+    fn render_zone<'py>(
+        &self,
+        py: Python<'py>,
+        eye: &str,
+        scene: &Scene,
+        camera: &Camera,
+        settings: Settings<'py>,
+        position: [f64; 3],
+        orientation: [f64; 4],
+        depths: (f64, f64),
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let (side, head, scene, camera) = (side(eye)?, head(position, orientation, depths), &scene.0, &camera.0);
+        let view = RenderView {
+            camera,
+            origin: scene.origin,
+            channels: settings.channels()?,
+            samples: settings.samples,
+            limits: settings.limits()?,
+            pixels: settings.pixels()?,
+        };
+        let frame = run::long(py, report, |progress| self.0.render_zone(side, scene, &view, &head, progress))?;
+        images(py, frame, (camera.height as usize, camera.width as usize))
     }
 
     /// For each pixel of the third camera, (H, W), whether an eye looks it up; `left` and `right` are the shares of each

@@ -8,6 +8,7 @@ pub mod mask;
 pub mod tiles;
 pub mod truth;
 pub mod sides;
+pub mod temporal;
 pub mod bake;
 pub mod reduced;
 
@@ -16,4 +17,5 @@ pub use limits::{Limits, MOST_PLANES, Segment};
 pub use mask::MaskPyramid;
 pub use sides::{Luma, Sides};
 pub use surface::{Facet, Surface};
+pub use temporal::Moving;
 pub use tiles::{Picture, Pixels, RenderView, draw};

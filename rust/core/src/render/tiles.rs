@@ -14,7 +14,7 @@ use crate::trace::{Hit, Ray};
 
 /// Width of a tile, pixels; a tile has 64 neighbouring rays.
 pub(super) const TILE: usize = 8;
-pub(super) const PIXELS: usize = TILE * TILE;
+pub(crate) const PIXELS: usize = TILE * TILE;
 /// The centre of a pixel, as an offset from its corner.
 const CENTER: [f64; 2] = [0.5, 0.5];
 

@@ -75,6 +75,31 @@ impl EyeMap<'_> {
         (sum > LEAST_SUM).then(|| weights.map(|weight| weight / sum))
     }
 
+    /// Whether the eye's rows lie along rows of the third camera, as those of eyes that are not turned.
+    fn is_straight(&self) -> bool {
+        let [x, y, z] = [self.to_center.x_axis, self.to_center.y_axis, self.to_center.z_axis];
+        let (width, height) = (self.eye.0 as f64, self.eye.1 as f64);
+        let tilt = [x.y * width, y.x * height, x.z * width, y.z * height].map(f64::abs);
+        x.x * z.z > 0.0 && tilt.into_iter().fold(0.0, f64::max) < STRAIGHT * z.z.abs()
+    }
+
+    /// Marks the pixels around the places of a row's pixels that own surfaces do not cover wholly, run by run.
+    fn mark_runs(&self, row: usize, shares: &[f32], mask: &[AtomicBool]) {
+        let mut column = 0;
+        while let Some(start) = shares[column..].iter().position(|share| *share < 1.0).map(|n| n + column) {
+            let end = shares[start..].iter().position(|share| *share >= 1.0).map_or(shares.len(), |n| n + start);
+            let [first, last] = [start, end - 1].map(|x| self.place(x as f64 + 0.5, row as f64 + 0.5));
+            let span =
+                |from: f64, to: f64, count| neighbours(from - MARGIN, count).0..=neighbours(to + MARGIN, count).1;
+            let columns = span(first.x, last.x, self.size.0);
+            for y in span(first.y.min(last.y), first.y.max(last.y), self.size.1) {
+                let line = &mask[y * self.size.0 as usize..][columns.clone()];
+                line.iter().for_each(|needed| needed.store(true, Ordering::Relaxed));
+            }
+            column = end;
+        }
+    }
+
     /// Share that an eye's own surfaces cover at the place of a pixel of the third camera.
     fn coverage_at(&self, pixel: usize) -> f32 {
         let (x, y) = (pixel % self.size.0 as usize, pixel / self.size.0 as usize);
@@ -97,6 +122,10 @@ impl EyeMap<'_> {
     }
 }
 
+/// Greatest tilt of rows in pixels for which they are followed in runs.
+const STRAIGHT: f64 = 1e-9;
+/// Pixels around a run that count as in it, far more than rounding.
+const MARGIN: f64 = 1e-6;
 /// Least sum of weights that can be divided by; below it, all pixels around are covered, and all count.
 const LEAST_SUM: f32 = 1e-6;
 
@@ -148,7 +177,12 @@ impl Rig {
         let offsets = sample_offsets(samples);
         for (side, coverage) in Side::BOTH.into_iter().zip(coverage) {
             let map = self.eye_map(side, coverage)?;
+            let in_runs = samples == 1 && map.is_straight();
             coverage.par_chunks(self.size().0 as usize).enumerate().try_for_each(|(row, shares)| {
+                if in_runs {
+                    map.mark_runs(row, shares, &mask);
+                    return progress.check();
+                }
                 for (column, _) in shares.iter().enumerate().filter(|(_, share)| **share < 1.0) {
                     for [x, y] in &offsets {
                         let taps = map.taps(map.place(column as f64 + x, row as f64 + y));

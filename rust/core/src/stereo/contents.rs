@@ -1,29 +1,16 @@
 //! What a scene has in the three views of a rig: whether there is anything to draw, and how many triangles.
 
-use glam::{DMat3, DQuat, DVec3, DVec4};
+use glam::{DQuat, DVec3, DVec4};
 use rayon::prelude::*;
 
+use super::head::{Axes, Head};
 use super::rig::{Eye, Rig, Side, corners};
 use crate::base::{Aabb, Progress, Result};
-use crate::camera::Fov;
 use crate::scene::{Instance, Scene};
 use crate::trace::touches;
 
 /// Faces of one task.
 const TILE: usize = 1 << 16;
-
-/// A head in the world, and the depths ahead of the plane of its eyes between which surfaces are drawn.
-#[derive(Clone, Copy, Debug)]
-pub struct Head {
-    /// World position, metres.
-    pub position: DVec3,
-    /// Unit quaternion head→world.
-    pub orientation: DQuat,
-    /// The least depth, metres.
-    pub near: f64,
-    /// The greatest depth, metres; may be infinite.
-    pub far: f64,
-}
 
 /// Triangles that reach into the part of space that a view draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,7 +29,7 @@ impl Rig {
     pub fn reaches(&self, scene: &Scene, head: &Head, progress: &Progress) -> Result<[bool; 2]> {
         scene.build(progress)?;
         let axes = Axes::new(self, scene, head);
-        let end = self.planes().stereo.min(head.far);
+        let end = self.planes().end.min(head.far);
         let mut region = Aabb::EMPTY;
         for side in Side::BOTH {
             for (corner, depth) in corners(&self.eye(side).fov).into_iter().flat_map(|c| [(c, head.near), (c, end)]) {
@@ -50,10 +37,10 @@ impl Rig {
                 let way = eye.orientation * corner.extend(-1.0);
                 let from = self.middle() + eye.position;
                 let at = from + way * ((depth + eye.position.z) / -way.z);
-                region.extend((axes.place + axes.turn * at).as_vec3());
+                region.extend((axes.place(at)).as_vec3());
             }
         }
-        let beyond = axes.slab(head.near.max(self.planes().mono - self.overlap()), head.far);
+        let beyond = axes.slab(head.near.max(self.planes().end - self.overlap()), head.far);
         Ok([touches(scene, &region), !is_outside(&scene.bounds(), &beyond)])
     }
 
@@ -67,8 +54,8 @@ impl Rig {
         let behind = self.middle() + DVec3::new(0.0, 0.0, self.setback());
         let center = axes.view(&Eye { fov: self.center_fov(), position: behind, orientation: DQuat::IDENTITY });
         let whole = axes.slab(head.near, head.far);
-        let near = axes.slab(head.near, head.far.min(planes.stereo));
-        let far = axes.slab(head.near.max(planes.mono - self.overlap()), head.far);
+        let near = axes.slab(head.near, head.far.min(planes.end));
+        let far = axes.slab(head.near.max(planes.end - self.overlap()), head.far);
         let count = |corners: [DVec3; 3]| -> Triangles {
             let misses =
                 |planes: &[DVec4]| planes.iter().any(|p| corners.iter().all(|c| p.truncate().dot(*c) + p.w < 0.0));
@@ -107,46 +94,6 @@ impl Triangles {
 fn tiles_of(instance: &Instance) -> impl Iterator<Item = (&Instance, u32, u32)> {
     let count = instance.mesh.faces.len();
     (0..count).step_by(TILE).map(move |first| (instance, first as u32, (first + TILE).min(count) as u32))
-}
-
-/// A head's axes relative to a scene's origin.
-struct Axes {
-    turn: DMat3,
-    place: DVec3,
-    /// The middle between the eyes, in head axes.
-    middle: DVec3,
-}
-
-impl Axes {
-    fn new(rig: &Rig, scene: &Scene, head: &Head) -> Self {
-        let (turn, place) = (DMat3::from_quat(head.orientation), head.position - scene.origin);
-        Self { turn, place, middle: rig.middle() }
-    }
-
-    /// A half-space n·x + d ≥ 0, given by n and a point of its plane in head axes.
-    fn half_space(&self, normal: DVec3, through: DVec3) -> DVec4 {
-        let normal = self.turn * normal;
-        normal.extend(-normal.dot(self.place + self.turn * through))
-    }
-
-    /// The four sides of a view; the eye's position is in head axes.
-    fn view(&self, eye: &Eye) -> [DVec4; 4] {
-        let Fov { left, right, down, up } = eye.fov;
-        let normals = [
-            DVec3::new(1.0, 0.0, left),
-            DVec3::new(-1.0, 0.0, -right),
-            DVec3::new(0.0, 1.0, down),
-            DVec3::new(0.0, -1.0, -up),
-        ];
-        normals.map(|normal| self.half_space(eye.orientation * normal, eye.position))
-    }
-
-    /// What lies between two depths ahead of the plane of the eyes; the second may be infinite.
-    fn slab(&self, from: f64, to: f64) -> Vec<DVec4> {
-        let at = |depth: f64| self.middle - DVec3::new(0.0, 0.0, depth);
-        let begin = self.half_space(DVec3::NEG_Z, at(from));
-        if to.is_infinite() { vec![begin] } else { vec![begin, self.half_space(DVec3::Z, at(to))] }
-    }
 }
 
 /// Whether a box lies wholly outside one of some half-spaces; an empty one does.

@@ -5,12 +5,12 @@
 //!
 //! Δ = (a s − p) (z − m) / ((z + s) m),
 //!
-//! linear in a. It grows with the depth, and is greatest at the nasal edge.
+//! linear in a. It grows with the depth, and is greatest at the nasal edge. In a zone, a depth d takes the place of m.
 
-use glam::{DMat3, DVec2};
+use glam::{DMat3, DVec2, DVec3};
 use rayon::prelude::*;
 
-use super::rig::{Planes, Rig, Side};
+use super::rig::{Rig, Side};
 use crate::base::{Error, Progress, Result};
 
 /// Which part of an error counts.
@@ -41,30 +41,43 @@ const LEAST_TURN: f64 = 1e-9;
 
 impl Rig {
     /// Tangents at which an eye is shown a point that it would see at the tangents `at`, at a depth in metres from the
-    /// plane of the eyes; the depth may be infinite. Between both planes the directions to the point and to its place on
-    /// the nearer plane are blended by a smoothstep.
+    /// plane of the eyes; the depth may be infinite.
     pub fn shown(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
-        let (Planes { mono: m, stereo }, s) = (self.planes(), self.setback());
-        if depth <= m {
-            return at;
-        }
         let eye = self.eye(side);
         let (turn, p) = (DMat3::from_quat(eye.orientation), eye.position);
-        let way = turn * at.extend(-1.0);
-        let slope = way.truncate() / -way.z;
-        // P = p + slope (z + p.z) is seen from C through the point X of the plane.
-        let x = if depth.is_finite() {
-            (p.truncate() + slope * (depth + p.z)) * ((m + s) / (depth + s))
-        } else {
-            slope * (m + s)
-        };
-        let mut from_eye = turn.transpose() * (x - p.truncate()).extend(-m - p.z);
-        if depth < stereo {
-            let t = (depth - m) / (stereo - m);
-            let far = t * t * (3.0 - 2.0 * t);
-            from_eye = at.extend(-1.0).normalize() * (1.0 - far) + from_eye.normalize() * far;
+        let slope = tangents(turn * at.extend(-1.0));
+        let d = self.depth_shown(depth);
+        if d == depth {
+            return at;
         }
-        from_eye.truncate() / -from_eye.z
+        let from_eye = if depth.is_finite() {
+            self.place_shown(p + (slope * (depth + p.z)).extend(-depth - p.z), d) - p
+        } else {
+            (slope * (d + self.setback()) - p.truncate()).extend(-d - p.z)
+        };
+        tangents(turn.transpose() * from_eye)
+    }
+
+    /// Depth d at which an eye is shown a point of depth z, on its line to the third camera.
+    ///
+    /// It is z up to m₁ and m from m₂ on. Between, 1/d = u + (u₁ − u)²/(2 (u₁ − u₂)) with u = 1/z: a place in the picture
+    /// is linear in u, so that straight lines become parabolas, which begin and end without a kink.
+    pub(super) fn depth_shown(&self, z: f64) -> f64 {
+        let planes = self.planes();
+        if z <= planes.begin {
+            return z;
+        }
+        if z >= planes.end {
+            return planes.mono();
+        }
+        let [u, first, last] = [z, planes.begin, planes.end].map(f64::recip);
+        (u + (first - u).powi(2) / (2.0 * (first - last))).recip()
+    }
+
+    /// The point at depth d on the line from the third camera through a point; both relative to the middle, head axes.
+    pub(super) fn place_shown(&self, point: DVec3, d: f64) -> DVec3 {
+        let s = self.setback();
+        (point.truncate() * ((d + s) / (s - point.z))).extend(-d)
     }
 
     /// Error in pixels, to the right and upwards, of what an eye would see at the tangents `at`.
@@ -79,7 +92,7 @@ impl Rig {
             let eye = self.eye(side);
             // An error that is linear in the tangents is greatest at a corner.
             let turns = eye.orientation.xyz().length() > LEAST_TURN;
-            let count = if turns || depth < self.planes().stereo { PLACES } else { 2 };
+            let count = if turns { PLACES } else { 2 };
             let share = |n: usize| n as f64 / (count - 1) as f64;
             let fov = eye.fov;
             let places = (0..count * count).map(|n| {
@@ -112,6 +125,11 @@ impl Rig {
         let (fov, (width, height)) = (self.eye(side).fov, self.size());
         DVec2::new(f64::from(width) / (fov.right - fov.left), f64::from(height) / (fov.up - fov.down))
     }
+}
+
+/// Tangents of a direction that looks along −z.
+pub(super) fn tangents(direction: DVec3) -> DVec2 {
+    direction.truncate() / -direction.z
 }
 
 fn check_depth(depth: f64) -> Result<()> {

@@ -6,12 +6,15 @@
 mod assembly;
 mod contents;
 mod error;
+mod head;
 mod resolved;
 mod rig;
 #[cfg(test)]
 mod tests;
+mod zone;
 
-pub use contents::{Head, Triangles};
+pub use contents::Triangles;
 pub use error::Axis;
+pub use head::Head;
 pub use resolved::FarPicture;
 pub use rig::{Eye, Planes, Rig, Side};

@@ -41,10 +41,18 @@ impl Side {
 /// Distances of the planes from the plane of the eyes, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Planes {
-    /// m₁: the camera behind the eyes draws what is farther away; pictures meet here.
-    pub mono: f64,
-    /// m₂ ≥ m₁: eyes draw what is nearer. In between both pictures are blended.
-    pub stereo: f64,
+    /// m₁: eyes see all that is nearer where it is.
+    pub begin: f64,
+    /// m₂ ≥ m₁: eyes draw what is nearer, the camera behind them what is farther away. From m₁ to m₂, points move from
+    /// the place where the eye would see them to that where the camera's picture has them.
+    pub end: f64,
+}
+
+impl Planes {
+    /// m: the plane through whose points an eye looks up the camera's picture, the harmonic mean of m₁ and m₂.
+    pub fn mono(&self) -> f64 {
+        if self.begin == self.end { self.begin } else { 2.0 / (1.0 / self.begin + 1.0 / self.end) }
+    }
 }
 
 /// Two eyes, the planes, and the camera behind the eyes.
@@ -58,6 +66,7 @@ pub struct Rig {
     setback: f64,
     fov: Fov,
     center_size: (u32, u32),
+    jitter: DVec2,
 }
 
 /// Factor k of the overlap ε = k s m of both parts, as published.
@@ -82,17 +91,25 @@ impl Rig {
         let middle = 0.5 * (left.position + right.position);
         let eyes = eyes.map(|eye| Eye { position: eye.position - middle, ..eye });
         for (side, eye) in Side::BOTH.into_iter().zip(&eyes) {
-            check_ahead(side, eye, planes.mono)?;
+            check_ahead(side, eye, planes.begin)?;
         }
         let setback = setback_of(Side::Left, &eyes[0])?.max(setback_of(Side::Right, &eyes[1])?);
-        let feet = eyes.map(|eye| footprint(&eye, planes.mono));
+        let feet = eyes.map(|eye| footprint(&eye, planes.mono()));
         check_overlap(&feet)?;
         let corners = feet.as_flattened().iter().copied();
         let (low, high) = corners.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
-        let away = planes.mono + setback;
+        let away = planes.mono() + setback;
         let fov = Fov { left: low.x / away, right: high.x / away, down: low.y / away, up: high.y / away };
         let center_size = center_size(&feet, high - low, size)?;
-        Ok(Self { eyes, middle, planes, size, setback, fov, center_size })
+        Ok(Self { eyes, middle, planes, size, setback, fov, center_size, jitter: DVec2::ZERO })
+    }
+
+    /// The same rig, all of whose pictures have their pixels to the right and down by a part of a pixel.
+    pub fn jittered(&self, jitter: DVec2) -> Result<Self> {
+        if !jitter.is_finite() || jitter.abs().max_element() > 1.0 {
+            return Err(Error::value("jitter", "at most 1 pixel each way", jitter));
+        }
+        Ok(Self { jitter, ..*self })
     }
 
     /// An eye; its position is relative to the middle between both.
@@ -131,11 +148,11 @@ impl Rig {
         self.center_size
     }
 
-    /// ε: by so much nearer than the plane does the third camera begin to draw, metres. At least the published k s m; where
+    /// ε: by so much nearer than the plane m₂ does the third camera begin to draw, metres. At least the published k s m; where
     /// pixels are coarse or the plane is far away, as much as the depth of a surface at `ASIDE` changes over the pixels
     /// that are mixed, m² / `ASIDE` for each unit of tangent.
     pub fn overlap(&self) -> f64 {
-        let (m, fov, (width, height)) = (self.planes.mono, self.fov, self.center_size);
+        let (m, fov, (width, height)) = (self.planes.end, self.fov, self.center_size);
         let pixel = ((fov.right - fov.left) / f64::from(width)).max((fov.up - fov.down) / f64::from(height));
         (OVERLAP * self.setback * m).max((MIXED * pixel * m * m / ASIDE).min(0.5 * m))
     }
@@ -144,7 +161,7 @@ impl Rig {
     /// distance of the plane's point along the eye's axis, metres.
     pub fn homography(&self, side: Side) -> DMat3 {
         let eye = self.eye(side);
-        let (m, p) = (self.planes.mono, eye.position);
+        let (m, p) = (self.planes.mono(), eye.position);
         let away = m + self.setback;
         // Tangents (x, y, 1) of the camera to the point of the plane that it sees there, relative to the eye.
         let on_plane =
@@ -153,7 +170,8 @@ impl Rig {
         let facing = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
         let pixels = pixels_of(&eye.fov, self.size);
         let center = pixels_of(&self.fov, self.center_size);
-        pixels * facing * to_eye * on_plane * center.inverse()
+        let [forth, back] = [self.jitter, -self.jitter].map(DMat3::from_translation);
+        back * pixels * facing * to_eye * on_plane * center.inverse() * forth
     }
 }
 
@@ -221,12 +239,12 @@ fn check_size((width, height): (u32, u32)) -> Result<()> {
     Err(Error::value("size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})")))
 }
 
-fn check_planes(Planes { mono, stereo }: Planes) -> Result<()> {
-    if !(mono.is_finite() && mono > 0.0) {
-        return Err(Error::value("mono_plane", "a distance above 0 metres", mono));
+fn check_planes(Planes { begin, end }: Planes) -> Result<()> {
+    if !(begin.is_finite() && begin > 0.0) {
+        return Err(Error::value("mono_plane", "a distance above 0 metres", begin));
     }
-    if !(stereo.is_finite() && stereo >= mono) {
-        return Err(Error::value("mono_plane", format!("a zone that ends at {mono} metres or farther"), stereo));
+    if !(end.is_finite() && end >= begin) {
+        return Err(Error::value("mono_plane", format!("a zone that ends at {begin} metres or farther"), end));
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use super::*;
+use crate::base::Progress;
 use crate::camera::Fov;
 
 /// The Vive of the paper, tangents as it prints them.
@@ -24,7 +25,7 @@ fn canted(degrees: f64) -> [Eye; 2] {
 }
 
 fn rig(eyes: [Eye; 2], m: f64) -> Rig {
-    Rig::new(eyes, Planes { mono: m, stereo: m }, (1344, 1512)).unwrap()
+    Rig::new(eyes, Planes { begin: m, end: m }, (1344, 1512)).unwrap()
 }
 
 fn tangents(fov: &Fov, share: DVec2) -> DVec2 {
@@ -150,15 +151,16 @@ fn pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() {
 
 #[test]
 fn a_zone_joins_both_parts_smoothly() {
-    let planes = Planes { mono: 6.0, stereo: 10.0 };
+    let planes = Planes { begin: 6.0, end: 10.0 };
     let zone = Rig::new(canted(5.0), planes, (1344, 1512)).unwrap();
-    let whole = rig(canted(5.0), 6.0);
+    // Their pictures meet on the plane in the middle of both in 1/z.
+    let whole = rig(canted(5.0), 7.5);
     let at = DVec2::new(0.9, -0.4);
     // At its ends the eye's own picture and the shared one.
     assert!((zone.shown(Side::Left, at, 6.0 + 1e-9) - at).length() < 1e-9);
-    assert_eq!(zone.shown(Side::Left, at, 10.0), whole.shown(Side::Left, at, 10.0));
+    assert!((zone.shown(Side::Left, at, 10.0) - whole.shown(Side::Left, at, 10.0)).length() < 1e-12);
     assert!((zone.shown(Side::Left, at, 10.0 - 1e-9) - whole.shown(Side::Left, at, 10.0)).length() < 1e-9);
-    // Without a step of the slope, which both ends of a smoothstep keep.
+    // Without a step of the slope.
     let slope = |rig: &Rig, depth: f64| {
         (rig.shown(Side::Left, at, depth + 1e-6) - rig.shown(Side::Left, at, depth - 1e-6)) / 2e-6
     };
@@ -169,7 +171,7 @@ fn a_zone_joins_both_parts_smoothly() {
 #[test]
 fn impossible_rigs_are_refused() {
     let refused = |eyes, mono, stereo, size, words: &str| {
-        let error = Rig::new(eyes, Planes { mono, stereo }, size).unwrap_err().to_string();
+        let error = Rig::new(eyes, Planes { begin: mono, end: stereo }, size).unwrap_err().to_string();
         assert!(error.contains(words), "{error}");
     };
     let size = (10, 10);
@@ -195,4 +197,41 @@ fn impossible_rigs_are_refused() {
     let low = Fov { down: -1.4, up: -1.3, ..left.fov };
     let high = Fov { down: 1.3, up: 1.4, ..right.fov };
     refused([Eye { fov: low, ..left }, Eye { fov: high, ..right }], 8.0, 8.0, size, "views of both eyes overlap");
+}
+
+/// Against all pixels around each place, one by one; eyes that are not turned are marked in runs.
+#[test]
+fn needed_pixels_are_those_around_all_places() {
+    for (eyes, turned) in [(vive(), false), (canted(4.0), true)] {
+        let rig = Rig::new(eyes, Planes { begin: 2.0, end: 2.0 }, (70, 60)).unwrap();
+        let (width, height) = (rig.center_size().0 as usize, rig.center_size().1 as usize);
+        let share = |side: usize, n: usize| match (n / 7 + n / 70 + 3 * side) % 5 {
+            0 => 0.5,
+            1 | 2 => 1.0,
+            _ if n / 70 > 40 => 1.0,
+            _ => 0.0,
+        };
+        let coverage = [0, 1].map(|side| (0..70 * 60).map(|n| share(side, n)).collect::<Vec<f32>>());
+        let found = rig.needed([&coverage[0], &coverage[1]], 1, &Progress::default()).unwrap();
+        let mut expected = vec![false; width * height];
+        for (side, shares) in Side::BOTH.into_iter().zip(&coverage) {
+            let back = rig.homography(side).inverse();
+            for (n, _) in shares.iter().enumerate().filter(|(_, share)| **share < 1.0) {
+                let at = back * DVec3::new((n % 70) as f64 + 0.5, (n / 70) as f64 + 0.5, 1.0);
+                let pixel = |at: f64, count: usize, k: f64| {
+                    ((at - 0.5).clamp(0.0, (count - 1) as f64).floor() + k).min((count - 1) as f64) as usize
+                };
+                for (right, below) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
+                    expected[pixel(at.y / at.z, height, below) * width + pixel(at.x / at.z, width, right)] = true;
+                }
+            }
+        }
+        let (extra, missing) = found.iter().zip(&expected).fold((0, 0), |(extra, missing), (found, wanted)| {
+            (extra + usize::from(*found && !wanted), missing + usize::from(*wanted && !found))
+        });
+        assert_eq!(missing, 0);
+        // A run marks what lies between its ends, too; the third camera's pixels are about as fine as the eyes'.
+        assert!(extra <= if turned { 0 } else { expected.len() / 100 }, "{extra}");
+        assert!(expected.iter().filter(|wanted| !**wanted).count() > 100);
+    }
 }

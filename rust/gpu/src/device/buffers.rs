@@ -19,6 +19,8 @@ pub struct Counters {
     pub uploaded_bytes: u64,
     /// Triangles in draw calls, after culling.
     pub triangles: u64,
+    /// Nanoseconds of raster and of resolve passes, by the device's clock; 0 without one.
+    pub pass_nanoseconds: [u64; 2],
 }
 
 /// The quantity that a counter counts.
@@ -32,14 +34,18 @@ pub(crate) enum Counted {
     UploadedBytes,
     /// Triangles drawn.
     Triangles,
+    /// Nanoseconds of raster passes.
+    RasterNanoseconds,
+    /// Nanoseconds of resolve passes.
+    ResolveNanoseconds,
 }
 
 impl Device {
     /// Counts so far.
     pub fn counters(&self) -> Counters {
-        let [allocations, allocated_bytes, uploaded_bytes, triangles] =
-            [0, 1, 2, 3].map(|i: usize| self.made[i].load(Ordering::Relaxed));
-        Counters { allocations, allocated_bytes, uploaded_bytes, triangles }
+        let [allocations, allocated_bytes, uploaded_bytes, triangles, raster, resolve] =
+            [0, 1, 2, 3, 4, 5].map(|i: usize| self.made[i].load(Ordering::Relaxed));
+        Counters { allocations, allocated_bytes, uploaded_bytes, triangles, pass_nanoseconds: [raster, resolve] }
     }
 
     pub(crate) fn count(&self, what: Counted, amount: u64) {

@@ -26,7 +26,12 @@ pub struct Device {
     /// Integer targets of several samples work. Mesa's OpenGL reports them and reads other numbers than it drew.
     pub(crate) multisamples: bool,
     extensions: Extensions,
-    pub(super) made: [AtomicU64; 4],
+    /// Triangles can be clipped at planes.
+    pub(crate) clips: bool,
+    /// Passes can read the device's clock.
+    pub(crate) has_clock: bool,
+    pub(crate) nanoseconds_per_tick: f32,
+    pub(super) made: [AtomicU64; 6],
     /// Process that opened it: a forked child has none of its driver's threads.
     pub(super) process: u32,
     lost: Arc<Mutex<Option<String>>>,
@@ -35,9 +40,12 @@ pub struct Device {
 impl Device {
     pub(super) fn open(adapter: &Adapter, report: AdapterReport) -> Result<Self> {
         let limits = adapter.limits();
+        // wgpu 30 has neither of them for all of OpenGL's adapters that report them.
+        let native = Features::TIMESTAMP_QUERY | Features::CLIP_DISTANCES;
+        let native = if report.backend == "gl" { Features::empty() } else { native };
         let descriptor = DeviceDescriptor {
             label: Some("nearfar"),
-            required_features: adapter.features() & Features::MAPPABLE_PRIMARY_BUFFERS,
+            required_features: adapter.features() & (Features::MAPPABLE_PRIMARY_BUFFERS | native),
             required_limits: limits.clone(),
             ..DeviceDescriptor::default()
         };
@@ -66,6 +74,9 @@ impl Device {
             (shared && wgpu.features().contains(Features::MAPPABLE_PRIMARY_BUFFERS), report.backend == "gl");
         let flags = adapter.get_texture_format_features(VISIBLE).flags;
         let multisamples = report.backend != "gl" && flags.sample_count_supported(SAMPLES);
+        let clips = wgpu.features().contains(Features::CLIP_DISTANCES);
+        let (has_clock, nanoseconds_per_tick) =
+            (wgpu.features().contains(Features::TIMESTAMP_QUERY), queue.get_timestamp_period());
         Ok(Self {
             wgpu,
             queue,
@@ -76,10 +87,18 @@ impl Device {
             writes_depth,
             multisamples,
             extensions: Extensions::default(),
+            clips,
+            has_clock,
+            nanoseconds_per_tick,
             made: Default::default(),
             process: process::id(),
             lost,
         })
+    }
+
+    /// Whether passes are timed.
+    pub fn has_clock(&self) -> bool {
+        self.has_clock
     }
 
     /// The adapter that it was opened on.

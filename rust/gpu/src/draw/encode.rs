@@ -14,6 +14,7 @@ use super::pipelines::{Layouts, Pipelines, RasterKey, ResolveKey};
 use super::plan::{Group, PASS_BLOCKS, Plan, RecordsAt};
 use super::slots::{Slot, Target};
 use super::style::Style;
+use super::timing::Stopwatch;
 use crate::device::{Device, SAMPLES};
 use crate::upload::{Page, Placeholders, SceneTables};
 
@@ -122,7 +123,7 @@ impl<'a> Bound<'a> {
             let count = (0..groups.len()).take_while(|&n| same(n)).count();
             let pipeline = |g: &Group, single| {
                 let used = g.calls.iter().any(|call| call.single == single);
-                let key = raster_key(self.picture, &layers[g.layer], single, samples);
+                let key = raster_key(self.device, self.picture, &layers[g.layer], single, samples);
                 used.then(|| self.device.state::<Pipelines>().raster(self.device, key)).transpose()
             };
             let pipelines: Vec<_> =
@@ -143,6 +144,7 @@ impl<'a> Bound<'a> {
                     depth_ops: Some(Operations { load: LoadOp::Clear(0.0), store: StoreOp::Discard }),
                     stencil_ops: None,
                 }),
+                timestamp_writes: self.slot.watch.as_ref().and_then(Stopwatch::raster),
                 ..RenderPassDescriptor::default()
             });
             if let (Some(mask), Some(pipeline)) = (&self.mask, &hiding) {
@@ -198,8 +200,10 @@ impl<'a> Bound<'a> {
             .device
             .state::<Pipelines>()
             .resolve(self.device, key(self.picture.backdrop_style, false, true, None))?;
-        let mut pass =
-            encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("resolve"), ..Default::default() });
+        let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
+            label: Some("resolve"),
+            timestamp_writes: self.slot.watch.as_ref().and_then(Stopwatch::resolve),
+        });
         let Some(target) = &self.targets[usize::from(kind.multisampled)] else { return Ok(()) };
         let groups = [self.slot.shape.width.div_ceil(8), self.slot.shape.height.div_ceil(8)];
         pass.set_bind_group(2, target, &[]);
@@ -219,9 +223,10 @@ impl<'a> Bound<'a> {
     }
 }
 
-fn raster_key(picture: &Picture, layer: &Layer, single: bool, samples: u32) -> RasterKey {
-    let (cutout, limited) = (layer.scene.has_cutouts(), picture.limits.is_some());
-    RasterKey { style: layer.style, cut: layer.cut, cutout, limited, single, samples }
+fn raster_key(device: &Device, picture: &Picture, layer: &Layer, single: bool, samples: u32) -> RasterKey {
+    let (cutout, clipped) = (layer.scene.has_cutouts(), picture.clips(device, layer));
+    let limited = picture.limits.is_some() && !clipped;
+    RasterKey { style: layer.style, cut: layer.cut, cutout, limited, clipped, single, samples }
 }
 
 fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Option<BindGroup>; 2] {

@@ -19,6 +19,7 @@ use super::read;
 use super::slots::{Shape, Slots};
 use super::style::Displacement;
 use super::submitted::{Submitted, open_buffers};
+use super::timing::Stopwatch;
 use super::view::{CHANNELS, Outputs, Sampling, eye_of, pass_of};
 use super::window::Window;
 use crate::device::{Counted, Device, SAMPLES, Scope, Submission};
@@ -88,6 +89,7 @@ impl Job {
             submitted.await_opening(&self.device, progress)?;
             read::copy(&self.device, &submitted, &self.picture, self.camera.width, &mut self.frame)?;
             submitted.slot.readable().unmap();
+            submitted.slot.watch.as_ref().map_or(Ok(()), |watch| watch.count(&self.device, progress))?;
             progress.report(submitted.window.pixels() as u64)?;
             self.device.state::<Slots>().give_back(submitted.slot);
             self.submit_ahead(progress)?;
@@ -123,6 +125,7 @@ impl Job {
         }
         device.count(Counted::Triangles, plan.triangles * passes.len() as u64);
         let mut slot = device.state::<Slots>().take(device, shape)?;
+        slot.watch.iter().for_each(Stopwatch::restart);
         let placeholders = device.state::<Residents>().placeholders(device)?;
         let scope = Scope::open(device);
         let encoder = || device.wgpu.create_command_encoder(&CommandEncoderDescriptor { label: Some("frame") });
@@ -149,6 +152,9 @@ impl Job {
         if let Some(staging) = &slot.staging {
             commands.copy_buffer_to_buffer(&slot.output, 0, staging, 0, bytes.next_multiple_of(4));
         }
+        if let Some(watch) = &slot.watch {
+            watch.stop(&mut commands);
+        }
         let submission = device.submit(commands.finish(), progress)?;
         let opened = open_buffers(&slot, bytes);
         scope.close()?;
@@ -167,7 +173,8 @@ impl Job {
             passes.push((pass(0, false, true, false), Sampling::CENTER));
         }
         // Fragments are discarded at limits for a whole pixel, which multisampling would leave jagged.
-        let smooth = self.picture.multisampled && self.picture.limits.is_none();
+        let is_smooth = |layer| self.picture.limits.is_none() || self.picture.clips(&self.device, layer);
+        let smooth = self.picture.multisampled && self.picture.layers.iter().all(is_smooth);
         if self.samples == SAMPLES && self.device.multisamples && smooth {
             passes.push((pass(passes.len(), true, false, true), Sampling::CENTER));
             return passes;

@@ -14,6 +14,7 @@ mod read;
 mod slots;
 mod style;
 mod submitted;
+mod timing;
 mod view;
 mod visible;
 mod window;

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use nearfar_core::base::Buffer;
-use nearfar_core::render::Limits;
+use nearfar_core::render::{Limits, Segment};
 
 use super::layers::Layer;
 use super::mask::Mask;
-use super::style::{Parameters, Style};
+use super::style::{Cut, Parameters, Style};
+use crate::device::Device;
 use crate::upload::EnvTexels;
 
 /// A picture to be taken by a camera.
@@ -46,6 +47,13 @@ pub(crate) struct Backdrop {
 }
 
 impl Picture {
+    /// Whether the adapter clips a layer's triangles at the limits: planes alone, which cut points where they are shown.
+    pub fn clips(&self, device: &Device, layer: &Layer) -> bool {
+        let whole = layer.style == Style::PLAIN && layer.cut == Cut::NONE && !layer.scene.has_cutouts();
+        let planes = self.limits.is_some_and(|limits| limits.segment == Segment::WHOLE);
+        device.clips && whole && planes
+    }
+
     /// Layers without parameters, before the sky.
     pub fn plain(layers: Vec<Layer>, origin: DVec3) -> Self {
         Self {

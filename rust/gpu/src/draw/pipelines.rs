@@ -25,7 +25,10 @@ pub(super) struct RasterKey {
     pub style: Style,
     pub cut: Cut,
     pub cutout: bool,
+    /// Fragments outside of a part of space are discarded.
     pub limited: bool,
+    /// The adapter clips triangles at planes; whole ones only.
+    pub clipped: bool,
     pub single: bool,
     pub samples: u32,
 }
@@ -34,9 +37,10 @@ impl RasterKey {
     /// Entry points of vertices and fragments.
     fn entries(&self, writes_depth: bool) -> [&'static str; 2] {
         let plain = self.cut == Cut::NONE && !self.cutout && !self.limited;
+        let plain_vertex = if self.clipped { "clipped_vertex" } else { "plain_vertex" };
         match (plain, writes_depth) {
-            (true, false) => ["plain_vertex", "plain_fragment"],
-            (true, true) => ["plain_vertex", "plain_fragment_with_depth"],
+            (true, false) => [plain_vertex, "plain_fragment"],
+            (true, true) => [plain_vertex, "plain_fragment_with_depth"],
             (false, false) => ["vertex", "fragment"],
             (false, true) => ["vertex", "fragment_with_depth"],
         }
@@ -97,7 +101,7 @@ impl Pipelines {
         }
         let layouts = self.layouts(device);
         let scope = Scope::open(device);
-        let module = self.module(device, &raster_source(key.style, key.cut));
+        let module = self.module(device, &raster_source(&key));
         let layout = device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
             label: Some("raster"),
             bind_group_layouts: &[Some(&layouts.raster_scene), Some(&layouts.view)],
@@ -255,11 +259,14 @@ const SCENE: &str = include_str!("../shaders/scene.wgsl");
 const CUBE: &str = include_str!("../shaders/cube.wgsl");
 const SURFACE: &str = include_str!("../shaders/surface.wgsl");
 const RASTER: &str = include_str!("../shaders/raster.wgsl");
+const CLIPPED: &str = include_str!("../shaders/clipped.wgsl");
 const MASK: &str = include_str!("../shaders/mask.wgsl");
 const RESOLVE: &str = include_str!("../shaders/resolve.wgsl");
 
-fn raster_source(style: Style, cut: Cut) -> String {
-    [&shading_constants()[..], SCENE, CUBE, SURFACE, style.0.text, cut.snippet.text, RASTER].concat()
+fn raster_source(key: &RasterKey) -> String {
+    let (enable, clipped) = if key.clipped { ("enable clip_distances;\n", CLIPPED) } else { ("", "") };
+    let (style, cut) = (key.style.0.text, key.cut.snippet.text);
+    [enable, &shading_constants(), SCENE, CUBE, SURFACE, style, cut, RASTER, clipped].concat()
 }
 
 fn resolve_source(style: Style, samples: u32) -> String {

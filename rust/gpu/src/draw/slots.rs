@@ -11,6 +11,7 @@ use wgpu::{
 
 use super::inputs::ShaderInputs;
 use super::pipelines::DEPTH;
+use super::timing::Stopwatch;
 use crate::device::{Device, SAMPLES, VISIBLE};
 
 /// Slots that wait for frames of their size, at most, and bytes of them: the last one waits however large it is.
@@ -56,6 +57,8 @@ pub(super) struct Slot {
     pub staging: Option<wgpu::Buffer>,
     /// Numbers that shaders read.
     pub inputs: ShaderInputs,
+    /// Times of the passes, where the device has a clock.
+    pub watch: Option<Stopwatch>,
 }
 
 impl Slots {
@@ -97,6 +100,7 @@ impl Slot {
             output: device.buffer("output", shape.bytes, usage)?,
             staging: (!device.shares_memory).then_some(()).map(staging).transpose()?,
             inputs: ShaderInputs::default(),
+            watch: Stopwatch::new(device)?,
         })
     }
 

@@ -80,6 +80,12 @@ impl GpuDevice {
         (counters.allocations, counters.allocated_bytes, counters.uploaded_bytes, counters.triangles)
     }
 
+    /// Seconds of raster and of resolve passes by the device's clock; None without one.
+    fn pass_seconds(&self) -> Option<[f64; 2]> {
+        let seconds = self.0.counters().pass_nanoseconds.map(|nanoseconds| 1e-9 * nanoseconds as f64);
+        self.0.has_clock().then_some(seconds)
+    }
+
     /// Fails for a frame that is too large to stay on the device.
     fn check_whole(&self, camera: &Camera, channels: Vec<String>) -> PyResult<()> {
         self.0.check_whole(&camera.0, self::channels(&channels)?).map_err(to_python)

@@ -4,4 +4,5 @@ pub mod bake;
 pub mod frame;
 pub mod reduced;
 pub mod sides;
+pub mod temporal;
 pub mod truth;

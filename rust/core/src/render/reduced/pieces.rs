@@ -2,16 +2,19 @@
 //! their vertices are moved, and the tree over them is refitted.
 
 use std::collections::HashMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
-use crate::base::{FaceMap, Progress, Result};
+use crate::base::{Error, FaceMap, Progress, Result};
 use crate::morph::Morph;
 use crate::scene::{Instance, Mesh, Scene};
-use crate::tessellate::{self, Precision, Rule};
+use crate::tessellate::{self, Precision, Rule, Settings};
 
+/// Greatest number of pieces of a split, which take about a gigabyte.
+const MOST_PIECES: u64 = 1 << 22;
 /// Number of vertices that are moved between two checks whether the caller has cancelled.
 const TILE: usize = 1 << 14;
 
@@ -50,11 +53,52 @@ pub(super) struct NearPart {
 impl NearPart {
     /// Whole faces where they are.
     pub fn fixed(faces: Vec<(u32, u32)>, scene: &Scene) -> Result<Self> {
-        let split = Split::new(faces, scene, None, false, |_| true, &Progress::new())?;
+        let split = Split::new(&faces, scene, None, false, |_| true, &Progress::new())?;
         let positions = split.vertices.iter().map(|vertex| vertex.as_vec3().to_array()).collect();
         split.placed(split.mesh_of(positions)?, 0)
     }
 }
+
+/// Pieces of triangles (instance, face), with their corners; none if they are more than `MOST_PIECES`.
+fn cut(
+    sources: &[(u32, u32)],
+    scene: &Scene,
+    rule: Option<&Rule>,
+    moves: bool,
+    is_within: &(impl Fn(DVec3) -> bool + Sync),
+    progress: &Progress,
+) -> Result<Option<Vec<Vec<Placed>>>> {
+    let made = AtomicU64::new(0);
+    let count = |pieces: usize| {
+        let all = made.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
+        if all > MOST_PIECES { Err(Error::Cancelled) } else { progress.check() }
+    };
+    let split = |whole: tessellate::Piece| {
+        let Some(rule) = rule else { return Ok(vec![whole]) };
+        let unseen = |corners: &[DVec3; 3]| tessellate::Piece::is_thin(corners) || (!moves && rule.is_beyond(corners));
+        whole.split(rule, Precision::Double, unseen, count)
+    };
+    let triangles = sources.par_iter().map(|&(instance, face)| {
+        let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
+        let place = |piece: tessellate::Piece| {
+            let corners = piece.weights.map(|[_, u, v]| [u as f32, v as f32]);
+            // The cylinder is convex.
+            let is_within = piece.corners.iter().all(|&corner| is_within(corner));
+            (NearPiece { instance, face, is_within, corners }, piece.corners)
+        };
+        Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place).collect())
+    });
+    let triangles: Result<Vec<Vec<Placed>>> = triangles.collect();
+    // The number is the same for any number of threads, whichever of them found that it is too great.
+    if made.into_inner() > MOST_PIECES {
+        progress.check()?;
+        return Ok(None);
+    }
+    triangles.map(Some)
+}
+
+/// A piece and its corners.
+type Placed = (NearPiece, [DVec3; 3]);
 
 /// Pieces of triangles before they are morphed.
 #[derive(Debug)]
@@ -68,33 +112,27 @@ pub(super) struct Split {
 }
 
 impl Split {
-    /// Splits triangles (instance, face) by a rule, or not at all. Pieces that are not drawn are left out, unless
-    /// `moves`: what moves is drawn everywhere. `is_within` tells whether a point lies in the near part's cylinder.
+    /// Splits triangles (instance, face) by settings, or not at all; coarser, and so without a bound, where that would
+    /// make more pieces than a frame should have. Pieces that are not drawn are left out, unless `moves`: what moves is
+    /// drawn everywhere. `is_within` tells whether a point lies in the near part's cylinder.
     pub fn new(
-        sources: Vec<(u32, u32)>,
+        sources: &[(u32, u32)],
         scene: &Scene,
-        rule: Option<&Rule>,
+        settings: Option<Settings>,
         moves: bool,
         is_within: impl Fn(DVec3) -> bool + Sync,
         progress: &Progress,
     ) -> Result<Self> {
-        let split = |whole: tessellate::Piece| {
-            let Some(rule) = rule else { return Ok(vec![whole]) };
-            let unseen =
-                |corners: &[DVec3; 3]| tessellate::Piece::is_thin(corners) || (!moves && rule.is_beyond(corners));
-            whole.split(rule, Precision::Double, unseen, |_| progress.check())
+        let (mut bounded, mut settings) = (settings.is_some(), settings);
+        let triangles = loop {
+            let rule = settings.map(|settings| Rule::new(&settings, Precision::Double)).transpose()?;
+            bounded &= rule.as_ref().is_some_and(Rule::holds);
+            if let Some(triangles) = cut(sources, scene, rule.as_ref(), moves, &is_within, progress)? {
+                break triangles;
+            }
+            bounded = false;
+            settings.iter_mut().for_each(|settings| settings.tolerance *= 2.0);
         };
-        let triangles = sources.into_par_iter().map(|(instance, face)| {
-            let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
-            let place = |piece: tessellate::Piece| {
-                let corners = piece.weights.map(|[_, u, v]| [u as f32, v as f32]);
-                // The cylinder is convex.
-                let is_within = piece.corners.iter().all(|&corner| is_within(corner));
-                (NearPiece { instance, face, is_within, corners }, piece.corners)
-            };
-            Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place).collect())
-        });
-        let triangles: Vec<Vec<(NearPiece, [DVec3; 3])>> = triangles.collect::<Result<_>>()?;
         progress.check()?;
         let (mut pieces, mut faces, mut vertices) = (vec![], vec![], vec![]);
         // The cut of an edge depends on the edge alone, so that neighbours have vertices of equal bits.
@@ -108,7 +146,6 @@ impl Split {
                 })
             }));
         }
-        let bounded = rule.is_some_and(Rule::holds);
         Ok(Self { pieces: Arc::new(pieces), vertices, faces, bounded, first: OnceLock::new() })
     }
 

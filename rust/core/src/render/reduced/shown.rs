@@ -10,7 +10,7 @@ use crate::bend::on_ground;
 use crate::morph::Morph;
 use crate::partition::Partition;
 use crate::scene::Scene;
-use crate::tessellate::{Precision, Rule, Settings, Steps};
+use crate::tessellate::{Settings, Steps};
 
 /// Splits that are kept: a user who walks to and fro across a step finds both.
 const MAX_SPLITS: usize = 3;
@@ -137,8 +137,8 @@ impl NearGeometry {
         }
         let (moves, radius) = (cause.poses.is_some(), self.radii[1]);
         let is_within = |point: DVec3| on_ground(point - morph.center).length() <= radius;
-        let rule = settings.map(|(_, settings)| Rule::new(&settings, Precision::Double)).transpose()?;
-        let split = Arc::new(Split::new(sources(), scene, rule.as_ref(), moves, is_within, progress)?);
+        let settings = settings.map(|(_, settings)| settings);
+        let split = Arc::new(Split::new(&sources(), scene, settings, moves, is_within, progress)?);
         let mut splits = self.splits();
         if splits.len() >= 2 * MAX_SPLITS {
             splits.remove(0);

@@ -1,0 +1,73 @@
+"""Moments of a rig: the head's pose and the source then; how pixels of the shared picture move for an eye."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+from nearfar._camera.camera import Camera, Fov, quaternion
+from nearfar._render.renderable import Renderable
+from nearfar._render.renderer import posed_at
+from nearfar.hmd._eye import rotation
+from nearfar.stereo._geometry import RigGeometry
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A head in a source that has a pose."""
+
+    position: tuple[float, float, float]
+    """World position of the head, metres."""
+    orientation: tuple[float, float, float, float]
+    """Unit quaternion (x, y, z, w) from head axes to world axes."""
+    source: Renderable
+    """The source in its pose."""
+
+    def head(self, rig: RigGeometry) -> tuple[float, float, float]:
+        """World position of the middle between a rig's eyes, metres."""
+        x, y, z = np.array(self.position) + rotation(self.orientation) @ np.array(rig._core.middle)
+        return float(x), float(y), float(z)
+
+
+def moment_before(source: Renderable, before: object, at: Mapping[str, ArrayLike] | None) -> Moment | None:
+    """Check the arguments `before` and `before_at` of a rendering function."""
+    if before is None:
+        if at is not None:
+            raise ValueError("before_at: expected None without the pose `before`")
+        return None
+    if not isinstance(before, (tuple, list)) or len(before) != 2:
+        raise TypeError(f"before: expected a pair (position, orientation), got {check.described(before)}")
+    place, way = check.vector("before", before[0]), quaternion(before[1], "before")
+    return Moment(place, way, source if at is None else posed_at(source, at, "before_at"))
+
+
+def shifted(camera: Camera, jitter: tuple[float, float]) -> Camera:
+    """The camera with its pixels to the right and down by a part of a pixel."""
+    fov, (width, height) = camera.fov, camera.size
+    assert isinstance(fov, Fov)
+    if jitter == (0.0, 0.0):
+        return camera
+    x, y = jitter[0] * (fov.right - fov.left) / width, jitter[1] * (fov.up - fov.down) / height
+    return replace(camera, fov=Fov(fov.left + x, fov.right + x, fov.down - y, fov.up - y))
+
+
+def carried(homography: list[list[float]], shown: NDArray[np.bool_], moved: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Motion (N, 2) in an eye's picture where it shows the shared one (`shown`, (H, W)), whose pixels moved (N, 2).
+
+    The homography belongs to the head, so that it was the same before. To first order this is Eq. 9 of Fink et al.
+    """
+    to_eye = np.array(homography)
+    rows, columns = np.nonzero(shown)
+    here = np.stack([columns + 0.5, rows + 0.5], axis=-1)
+    at = _mapped(np.linalg.inv(to_eye), here) - moved
+    return np.asarray(here - _mapped(to_eye, at), np.float32)
+
+
+def _mapped(matrix: NDArray[np.float64], places: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Places (N, 2) mapped by a homography."""
+    mapped = np.column_stack([places, np.ones(len(places))]) @ matrix.T
+    return np.asarray(mapped[:, :2] / mapped[:, 2:])

@@ -1,0 +1,55 @@
+"""Unit vectors from surface points to the viewer, for shading that depends on it: computed, and as shader text."""
+
+from __future__ import annotations
+
+from importlib import resources
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+
+LANGUAGES = ("wgsl", "glsl")
+"""Shading languages by name."""
+
+
+def view_vector_shader(language: str = "wgsl") -> str:
+    """Return the text of a function `view_vector`, which computes in a shader what `HybridRig.view_vectors` does.
+
+    Parameters
+    ----------
+    language
+        "wgsl" or "glsl". The text has the function alone, without a version, and its comment explains the arguments.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For other languages.
+
+    References
+    ----------
+    Fink et al. (2019).
+    """
+    name = f"view_vector.{check.choice('language', language, LANGUAGES)}"
+    return resources.files("nearfar.stereo").joinpath(name).read_text(encoding="utf-8")
+
+
+def view_vectors(
+    points: NDArray[np.float64],
+    eye: NDArray[np.float64],
+    center: NDArray[np.float64],
+    ahead: NDArray[np.float64],
+    *,
+    plane: float,
+    setback: float,
+    blend: float,
+) -> NDArray[np.float64]:
+    """Unit vectors (N, 3) from points to the viewer; NaN for a point at the viewer."""
+    to_eye, to_center = eye - points, center - points
+    depths = -(to_center @ ahead) - setback
+    with np.errstate(invalid="ignore", over="ignore"):
+        share = np.clip((plane - depths) / blend, 0.0, 1.0)[:, None]
+        units = [v / np.linalg.norm(v, axis=1, keepdims=True) for v in (to_eye, to_center)]
+        # Where only one viewer counts, the other one may stand at the point.
+        mixed = np.where(share > 0.0, share * units[0], 0.0) + np.where(share < 1.0, (1.0 - share) * units[1], 0.0)
+        return np.asarray(mixed / np.linalg.norm(mixed, axis=1, keepdims=True))

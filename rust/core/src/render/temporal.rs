@@ -1,0 +1,157 @@
+//! Temporal anti-aliasing (Karis 2014): a picture is mixed with what the pictures before it have gathered.
+//!
+//! Each picture is drawn with another offset of its pixels. What was gathered is looked up where a pixel's surface was
+//! before, and held within the box of colours around the pixel, because it may show another surface.
+
+use rayon::prelude::*;
+
+use crate::base::{Error, Progress, Result};
+
+type Color = [f32; 3];
+
+/// A picture that moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Moving<'a> {
+    /// Pixels of a row.
+    pub width: usize,
+    /// Linear RGB.
+    pub color: &'a [Color],
+    /// Pixels to the right and down by which each pixel's surface has moved; NaN where that is not known.
+    pub motion: &'a [[f32; 2]],
+    /// Distances of the surfaces, metres.
+    pub range: &'a [f32],
+}
+
+/// By how much the box of colours grows where nothing moves: detail that one picture misses is not lost.
+const STILL: f32 = 1.0;
+/// Speed from which on the box does not grow, pixels a picture.
+const FAST: f32 = 4.0;
+/// Least half of a box's side, which keeps divisions finite.
+const LEAST_HALF: f32 = 1e-12;
+
+impl Moving<'_> {
+    /// Mixes the picture with what was `gathered` before, of the same size; `share` is the weight of the picture.
+    pub fn gather(&self, gathered: &[Color], share: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
+        let count = self.color.len();
+        if self.width == 0 || !count.is_multiple_of(self.width) {
+            return Err(Error::value("color", format!("rows of {} pixels", self.width), count));
+        }
+        for (argument, length) in [
+            ("motion", self.motion.len()),
+            ("range", self.range.len()),
+            ("gathered", gathered.len()),
+            ("mixed", mixed.len()),
+        ] {
+            if length != count {
+                return Err(Error::value(argument, format!("{count} pixels"), length));
+            }
+        }
+        mixed.par_chunks_mut(self.width).enumerate().try_for_each(|(y, row)| {
+            for (x, mixed) in row.iter_mut().enumerate() {
+                let now = self.color[y * self.width + x];
+                *mixed = match self.before(gathered, x, y) {
+                    None => now,
+                    Some(before) => std::array::from_fn(|i| before[i] + (now[i] - before[i]) * share),
+                };
+            }
+            progress.check()
+        })
+    }
+
+    /// What was gathered where a pixel's surface was before; none outside the picture.
+    fn before(&self, gathered: &[Color], x: usize, y: usize) -> Option<Color> {
+        let (width, height) = (self.width, self.color.len() / self.width);
+        let [right, down] = self.motion[self.nearest_around(x, y)];
+        let from = [x as f64 + 0.5 - f64::from(right), y as f64 + 0.5 - f64::from(down)];
+        let is_inside = (0.0..=width as f64).contains(&from[0]) && (0.0..=height as f64).contains(&from[1]);
+        if !is_inside {
+            return None;
+        }
+        let speed = right.hypot(down);
+        let growth = 1.0 + STILL * (1.0 - (speed / FAST).min(1.0));
+        Some(self.box_around(x, y, growth).hold(cubic(gathered, width, from)))
+    }
+
+    /// The pixel with the nearest surface of 3 × 3: an edge moves with what is before it, also on its other side.
+    fn nearest_around(&self, x: usize, y: usize) -> usize {
+        let own = y * self.width + x;
+        self.around(x, y).fold(own, |best, pixel| if self.range[pixel] < self.range[best] { pixel } else { best })
+    }
+
+    /// The pixels of the square of 3 × 3 around one that lie in the picture.
+    fn around(&self, x: usize, y: usize) -> impl Iterator<Item = usize> {
+        let (width, height) = (self.width, self.color.len() / self.width);
+        let columns = x.saturating_sub(1)..(x + 2).min(width);
+        (y.saturating_sub(1)..(y + 2).min(height)).flat_map(move |row| columns.clone().map(move |x| row * width + x))
+    }
+
+    /// The box of the colours of 3 × 3 pixels, grown about its middle.
+    fn box_around(&self, x: usize, y: usize, growth: f32) -> ColorBox {
+        let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+        for pixel in self.around(x, y) {
+            let color = luma_chroma(self.color[pixel]);
+            for i in 0..3 {
+                (low[i], high[i]) = (low[i].min(color[i]), high[i].max(color[i]));
+            }
+        }
+        ColorBox {
+            middle: std::array::from_fn(|i| 0.5 * (low[i] + high[i])),
+            half: std::array::from_fn(|i| (0.5 * growth * (high[i] - low[i])).max(LEAST_HALF)),
+        }
+    }
+}
+
+/// A box in YCoCg, whose axes follow the colours of pictures better than those of RGB.
+struct ColorBox {
+    middle: Color,
+    half: Color,
+}
+
+impl ColorBox {
+    /// A colour in linear RGB, moved towards the box's middle until it is inside.
+    fn hold(&self, color: Color) -> Color {
+        let color = luma_chroma(color);
+        let away: Color = std::array::from_fn(|i| color[i] - self.middle[i]);
+        let outside = (0..3).map(|i| away[i].abs() / self.half[i]).fold(1.0, f32::max);
+        rgb(std::array::from_fn(|i| self.middle[i] + away[i] / outside))
+    }
+}
+
+/// YCoCg of a linear RGB.
+fn luma_chroma([r, g, b]: Color) -> Color {
+    [0.25 * r + 0.5 * g + 0.25 * b, 0.5 * (r - b), 0.5 * g - 0.25 * (r + b)]
+}
+
+fn rgb([luma, orange, green]: Color) -> Color {
+    let rest = luma - green;
+    [rest + orange, luma + green, rest - orange]
+}
+
+/// Colour at a place (x, y), pixels, by cubic interpolation (Catmull and Rom 1974), which blurs less than linear; pixels
+/// outside of the picture are those of its edge.
+fn cubic(picture: &[Color], width: usize, [x, y]: [f64; 2]) -> Color {
+    let ((column, across), (row, down)) = (around(x), around(y));
+    let (last_column, last_row) = (width as i64 - 1, (picture.len() / width) as i64 - 1);
+    let mut sum = [0.0; 3];
+    for (j, vertical) in down.into_iter().enumerate() {
+        let start = (row + j as i64).clamp(0, last_row) as usize * width;
+        for (i, horizontal) in across.into_iter().enumerate() {
+            let color = picture[start + (column + i as i64).clamp(0, last_column) as usize];
+            (0..3).for_each(|c| sum[c] += vertical * horizontal * color[c]);
+        }
+    }
+    sum
+}
+
+/// The first of the four pixels around a coordinate, and their weights.
+fn around(at: f64) -> (i64, [f32; 4]) {
+    let first = (at - 0.5).floor();
+    let t = (at - 0.5 - first) as f32;
+    let weights = [
+        t * (-0.5 + t * (1.0 - 0.5 * t)),
+        1.0 + t * t * (1.5 * t - 2.5),
+        t * (0.5 + t * (2.0 - 1.5 * t)),
+        t * t * (0.5 * t - 0.5),
+    ];
+    (first as i64 - 1, weights)
+}

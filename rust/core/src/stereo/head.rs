@@ -1,0 +1,75 @@
+//! A head in the world: its axes, and the half-spaces that its views and depths leave.
+
+use glam::{DMat3, DQuat, DVec3, DVec4};
+
+use super::rig::{Eye, Rig};
+use crate::camera::Fov;
+use crate::scene::Scene;
+
+/// A head in the world, and the depths ahead of the plane of its eyes between which surfaces are drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Head {
+    /// World position, metres.
+    pub position: DVec3,
+    /// Unit quaternion head→world.
+    pub orientation: DQuat,
+    /// The least depth, metres.
+    pub near: f64,
+    /// The greatest depth, metres; may be infinite.
+    pub far: f64,
+}
+
+/// A head's axes relative to a scene's origin.
+pub(super) struct Axes {
+    turn: DMat3,
+    head: DVec3,
+    /// The middle between the eyes, in head axes.
+    middle: DVec3,
+}
+
+impl Axes {
+    pub fn new(rig: &Rig, scene: &Scene, head: &Head) -> Self {
+        let (turn, place) = (DMat3::from_quat(head.orientation), head.position - scene.origin);
+        Self { turn, head: place, middle: rig.middle() }
+    }
+
+    /// A point in head axes, relative to the scene's origin.
+    pub fn place(&self, point: DVec3) -> DVec3 {
+        self.head + self.turn * point
+    }
+
+    /// A point relative to the middle between the eyes, in head axes, relative to the scene's origin.
+    pub fn place_from_middle(&self, point: DVec3) -> DVec3 {
+        self.place(self.middle + point)
+    }
+
+    /// A direction of the world in head axes.
+    pub fn to_head(&self, direction: DVec3) -> DVec3 {
+        self.turn.transpose() * direction
+    }
+
+    /// A half-space n·x + d ≥ 0, given by n and a point of its plane in head axes.
+    fn half_space(&self, normal: DVec3, through: DVec3) -> DVec4 {
+        let normal = self.turn * normal;
+        normal.extend(-normal.dot(self.place(through)))
+    }
+
+    /// The four sides of a view; the eye's position is in head axes.
+    pub fn view(&self, eye: &Eye) -> [DVec4; 4] {
+        let Fov { left, right, down, up } = eye.fov;
+        let normals = [
+            DVec3::new(1.0, 0.0, left),
+            DVec3::new(-1.0, 0.0, -right),
+            DVec3::new(0.0, 1.0, down),
+            DVec3::new(0.0, -1.0, -up),
+        ];
+        normals.map(|normal| self.half_space(eye.orientation * normal, eye.position))
+    }
+
+    /// What lies between two depths ahead of the plane of the eyes; the second may be infinite.
+    pub fn slab(&self, from: f64, to: f64) -> Vec<DVec4> {
+        let at = |depth: f64| self.middle - DVec3::new(0.0, 0.0, depth);
+        let begin = self.half_space(DVec3::NEG_Z, at(from));
+        if to.is_infinite() { vec![begin] } else { vec![begin, self.half_space(DVec3::Z, at(to))] }
+    }
+}

@@ -1,0 +1,107 @@
+//! How long a device works on a frame's passes, by its own clock, where it has one that passes can read.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use nearfar_core::base::{Progress, Result};
+use wgpu::{
+    Buffer, BufferUsages, CommandEncoder, ComputePassTimestampWrites, QuerySet, QuerySetDescriptor, QueryType,
+    RenderPassTimestampWrites,
+};
+
+use crate::device::{Counted, Device, Scope};
+
+/// Passes of a kind that are timed; more of them count as if they took as long. Both kinds fill a set of queries.
+const PASSES: u32 = 1024;
+/// Bytes of the times of a kind: when each pass began and when it ended.
+const BYTES: u64 = 2 * PASSES as u64 * size_of::<u64>() as u64;
+
+/// The times of the passes of one window.
+pub(super) struct Stopwatch {
+    queries: QuerySet,
+    resolved: Buffer,
+    readable: Buffer,
+    /// Raster and resolve passes so far.
+    counts: [AtomicU32; 2],
+}
+
+impl Stopwatch {
+    /// None on devices without such a clock.
+    pub fn new(device: &Device) -> Result<Option<Self>> {
+        if !device.has_clock {
+            return Ok(None);
+        }
+        let scope = Scope::open(device);
+        let descriptor = QuerySetDescriptor { label: Some("times"), ty: QueryType::Timestamp, count: 4 * PASSES };
+        let queries = device.wgpu.create_query_set(&descriptor);
+        scope.close()?;
+        let buffer = |label, usage| device.buffer(label, 2 * BYTES, usage);
+        Ok(Some(Self {
+            queries,
+            resolved: buffer("times", BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC)?,
+            readable: buffer("times to read", BufferUsages::MAP_READ | BufferUsages::COPY_DST)?,
+            counts: Default::default(),
+        }))
+    }
+
+    /// Forgets the passes of a frame that was not read.
+    pub fn restart(&self) {
+        self.counts.iter().for_each(|count| count.store(0, Ordering::Relaxed));
+    }
+
+    /// Times the next raster pass.
+    pub fn raster(&self) -> Option<RenderPassTimestampWrites<'_>> {
+        let first = self.next(0)?;
+        Some(RenderPassTimestampWrites {
+            query_set: &self.queries,
+            beginning_of_pass_write_index: Some(first),
+            end_of_pass_write_index: Some(first + 1),
+        })
+    }
+
+    /// Times the next resolve pass.
+    pub fn resolve(&self) -> Option<ComputePassTimestampWrites<'_>> {
+        let first = self.next(1)?;
+        Some(ComputePassTimestampWrites {
+            query_set: &self.queries,
+            beginning_of_pass_write_index: Some(first),
+            end_of_pass_write_index: Some(first + 1),
+        })
+    }
+
+    /// The first query of the next pass of a kind; none if there is no room.
+    fn next(&self, kind: u32) -> Option<u32> {
+        let number = self.counts[kind as usize].fetch_add(1, Ordering::Relaxed);
+        (number < PASSES).then_some(2 * (kind * PASSES + number))
+    }
+
+    /// Copies the times to where they can be read, after the last pass.
+    pub fn stop(&self, commands: &mut CommandEncoder) {
+        for kind in 0..2 {
+            let timed = self.timed(kind);
+            if timed > 0 {
+                let (first, at) = (2 * kind as u32 * PASSES, kind as u64 * BYTES);
+                commands.resolve_query_set(&self.queries, first..first + 2 * timed, &self.resolved, at);
+            }
+        }
+        commands.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, 2 * BYTES);
+    }
+
+    fn timed(&self, kind: usize) -> u32 {
+        self.counts[kind].load(Ordering::Relaxed).min(PASSES)
+    }
+
+    /// Adds the times of a window that is done to the device's counters.
+    pub fn count(&self, device: &Device, progress: &Progress) -> Result<()> {
+        let ticks: Vec<u64> = device.read_buffer(&self.readable, 2 * BYTES, progress, bytemuck::pod_collect_to_vec)?;
+        for (kind, counted) in [Counted::RasterNanoseconds, Counted::ResolveNanoseconds].into_iter().enumerate() {
+            let timed = self.timed(kind);
+            let passes = self.counts[kind].load(Ordering::Relaxed);
+            let start = kind * 2 * PASSES as usize;
+            let sum: u64 =
+                ticks[start..start + 2 * timed as usize].chunks(2).map(|pair| pair[1].saturating_sub(pair[0])).sum();
+            let all = sum as f64 * f64::from(passes) / f64::from(timed.max(1));
+            device.count(counted, (all * f64::from(device.nanoseconds_per_tick)) as u64);
+        }
+        Ok(())
+    }
+}
