@@ -49,10 +49,10 @@ def turned_to(axis: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def greatest_turn(rig: nf.stereo.HybridRig) -> float:
-    """Greatest change of the beam's direction, degrees, over ten pixels of the left eye's picture."""
+    """Greatest change of the beam's direction, degrees, over ten of the paper's pixels of the left eye's picture."""
     camera = rig.cameras(HEAD)[0]
     fov = rig.left.fov
-    density = rig.size[0] / (fov.right - fov.left)
+    density = PAPER.size[0] / (fov.right - fov.left)
     start, end = (np.subtract(point, camera.position) for point in BEAM)
     away = 1.0 / np.linspace(-1.0 / start[2], -1.0 / end[2], 2000)
     places = []

@@ -177,3 +177,16 @@ def test_two_eyes_of_one_user_see_one_morph(reduced: nf.ReducedScene) -> None:
         )
         away = np.linalg.norm(shown - eye.position, axis=1)
         np.testing.assert_allclose(frame.require("range")[near], away, rtol=3e-3)
+
+
+def test_splits_of_very_many_pieces_are_coarser() -> None:
+    """A square of ground whose tolerance takes tens of millions of pieces."""
+    build = SceneBuilder()
+    square = [[-20.0, 0.0, -20.0], [20.0, 0.0, -20.0], [20.0, 0.0, 20.0], [-20.0, 0.0, 20.0]]
+    build.instance(build.mesh(square, [[0, 2, 1], [0, 3, 2]], material=build.material((0.5, 0.5, 0.5, 1.0))), name="a")
+    reduced = nf.reduce(build.build(), center=(0.0, 1.7, 0.0), r1=8.0, r2=16.0, face_size=8, samples=1)
+    view = camera(np.array((1.0, 1.7, 0.5)), AHEAD)
+    fine, finer = (reduced.render(view, tolerance_px=tolerance, backend="cpu") for tolerance in (1e-2, 1e-6))
+    assert fine.stats["tolerance_held"]
+    assert not finer.stats["tolerance_held"]
+    assert fine.stats["frame_triangles"] < finer.stats["frame_triangles"] <= 1 << 22

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar import _core
 from nearfar.stereo import HybridRig, TemporalAntialiasing
-from tests.stereo.test_render import AHEAD, HEAD, cut, places, rig, scene, towards
+from tests.support.hybrid_cases import AHEAD, HEAD, cut, places, rig, scene, towards
 from tests.support.reduce_cases import place
 
 Image = NDArray[np.float64]

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.stereo import HybridRig
-from tests.stereo.test_render import AHEAD, HEAD, rig, scene, textured
 from tests.support.gpu_cases import adapter
+from tests.support.hybrid_cases import AHEAD, HEAD, rig, scene, textured
 from tests.support.reduce_cases import ALL
 
 ZONE = (3.0, 12.0)
