@@ -30,24 +30,25 @@ _ROWS = 64
 """Rows of pixels that are computed at once."""
 
 
-def motion(frame: Frame, now: Sight, before: Sight) -> NDArray[np.float32]:
+def motion(frame: Frame, now: Sight, before: Sight, wanted: NDArray[np.bool_] | None = None) -> NDArray[np.float32]:
     """Compute the motion (H, W, 2) of a frame with positions, and numbers of objects if any can move.
 
     Pixels without a known point are infinitely far away: they move with the camera's turns only. NaN where a point was
-    behind the earlier camera, and for pixels without a point along parallel rays.
+    behind the earlier camera, for pixels without a point along parallel rays, and for those that are not `wanted`.
     """
     width, height = frame.camera.size
     starts, ways = frame.camera.rays()
     steps = _steps(now.source, before.source)
-    moved = np.empty((height, width, 2), np.float32)
+    moved = np.full((height, width, 2), np.nan, np.float32)
     for first in range(0, height, _ROWS):
         rows = slice(first, min(first + _ROWS, height))
-        start, way = (rays[rows].reshape(-1, 3) for rays in (starts, ways))
-        points = frame.require("position")[rows].reshape(-1, 3).astype(np.float64) + np.array(frame.origin)
+        which = np.ones((rows.stop - rows.start, width), np.bool_) if wanted is None else wanted[rows]
+        start, way = starts[rows][which], ways[rows][which]
+        points = frame.require("position")[rows][which].astype(np.float64) + np.array(frame.origin)
         known = np.isfinite(points).all(axis=1)
         points[known] = _on_rays(points[known], start[known], way[known], now)
         for number, matrix in steps.items():
-            mine = frame.require("object_id")[rows].ravel() == number
+            mine = frame.require("object_id")[rows][which] == number
             points[mine] = points[mine] @ matrix[:3, :3].T + matrix[:3, 3]
         shown = np.array(before.camera.position) + _AWAY * way
         if frame.camera._core.is_parallel or before.camera._core.is_parallel:
@@ -56,9 +57,8 @@ def motion(frame: Frame, now: Sight, before: Sight) -> NDArray[np.float32]:
         placed = np.full((len(points), 2), np.nan)
         finite = np.isfinite(shown).all(axis=1)
         placed[finite] = before.camera.project(shown[finite])[:, :2]
-        y, x = np.mgrid[rows.start : rows.stop, 0:width]
-        here = np.stack([x, y], axis=-1) + 0.5
-        moved[rows] = here - placed.reshape(here.shape)
+        y, x = np.nonzero(which)
+        moved[rows][which] = np.stack([x, y + rows.start], axis=-1) + 0.5 - placed
     return moved
 
 

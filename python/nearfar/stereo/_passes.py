@@ -125,7 +125,7 @@ class Passes:
                 images = job.finish(self._report)
         if "motion" in self.view.wanted:
             with self._timed("motion"):
-                images["motion"] = self._motion(name, camera, images)
+                images["motion"] = self._motion(name, camera, images, images["face_id"] >= 0 if near else mask)
         if near:
             self.stats["pixels"][name] = int((images["coverage"] > 0.0).sum())
         return images
@@ -179,14 +179,16 @@ class Passes:
         """The cameras of the eyes and the third one."""
         return [shifted(camera, self.jitter) for camera in self.rig.cameras(moment.position, moment.orientation)]
 
-    def _motion(self, name: str, camera: Camera, images: Images) -> NDArray[np.float32]:
-        """How far each pixel's surface has moved in one of the pictures."""
+    def _motion(
+        self, name: str, camera: Camera, images: Images, wanted: NDArray[np.bool_] | None
+    ) -> NDArray[np.float32]:
+        """How far each wanted pixel's surface has moved in one of the pictures."""
         before = self.moment if self.before is None else self.before
         origin = check.vector("origin", self.view.drawn.origin)
         frame = Frame(camera, origin, position=images["position"], object_id=images.get("object_id"))
         earlier = self._cameras(before)[(*EYES, "center").index(name)]
         now = Sight(camera, self.view.drawn, self.moment.head(self.rig))
-        return motion(frame, now, Sight(earlier, before.source, before.head(self.rig)))
+        return motion(frame, now, Sight(earlier, before.source, before.head(self.rig)), wanted)
 
     def _range(
         self, values: NDArray[np.float32], pixels: NDArray[np.uint32], camera: Camera, center: Camera
