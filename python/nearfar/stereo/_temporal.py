@@ -30,8 +30,8 @@ class TemporalAntialiasing:
 
     The pixels of each picture lie beside those of the picture before by a part of a pixel, the same one for all three
     cameras. What was gathered is looked up where each surface was before, and held within the colours of the pixels
-    around, so that it does not trail behind what moves. In a still picture, n frames are as smooth as one frame with n
-    samples.
+    around, so that it does not trail behind what moves. In a still picture, n frames are nearly as smooth as one frame
+    with n samples.
 
     Parameters
     ----------
