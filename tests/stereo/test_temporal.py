@@ -113,7 +113,7 @@ def test_a_moving_head_sees_smoother_pictures_than_without() -> None:
     for side in SIDES:
         reference = getattr(truth, side).require("color")
         error, plain = (np.abs(getattr(one, side).require("color") - reference).mean() for one in (frame, once))
-        # What moves is blurred a little each time that it is looked up.
+        # Moving pictures are blurred a little each time that they are looked up.
         assert error < 0.92 * plain
 
 

@@ -40,7 +40,7 @@ def rig(mono_plane: float = SHALLOW, size: tuple[int, int] = (96, 80), cant: flo
 
 
 def cut(rig: HybridRig, begin: float, end: float) -> nf.Clip:
-    """What lies between two depths ahead of the eyes."""
+    """The part of space between two depths ahead of the eyes."""
     _, _, center = rig.cameras(HEAD, AHEAD)
     ahead = rotate(AHEAD, (0.0, 0.0, -1.0))
     eyes = np.array(center.position) + rig.center_offset * ahead

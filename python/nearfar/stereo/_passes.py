@@ -131,7 +131,7 @@ class Passes:
         return images
 
     def _zone(self, side: str, camera: Camera, shot: Shot) -> Images:
-        """What an eye sees before m₂, along rays that bend beyond m₁."""
+        """An eye's own picture up to m₂, along rays that bend beyond m₁."""
         scene, pose = self.view.drawn, (self.moment.position, self.moment.orientation)
         assert isinstance(scene, Scene)
         depths = (self.near, self.far)
@@ -221,7 +221,7 @@ class Passes:
             return True, True
         depths = (self.near, self.far)
         near, far = self._core.reaches(scene._core, self.moment.position, self.moment.orientation, depths)
-        # What lies in a zone is shown off whether anything is beyond it or not.
+        # Rays bend in a zone, so that it needs its own pass also where nothing is beyond it.
         return near, far or has_zone
 
     @property

@@ -141,7 +141,7 @@ impl HybridRig {
         Ok((views, thrice, plain))
     }
 
-    /// What an eye sees before the plane m₂, as images by name; the settings leave what lies before m₁.
+    /// An eye's own picture up to the plane m₂, as images by name; the settings cut off all beyond m₁.
     #[expect(clippy::too_many_arguments, reason = "a picture of a scene with its settings")]
     #[pyo3(signature = (eye, scene, camera, settings, position, orientation, depths, report=None))]
     fn render_zone<'py>(

@@ -1,7 +1,7 @@
 //! Temporal anti-aliasing (Karis 2014): a picture is mixed with what the pictures before it have gathered.
 //!
-//! Each picture is drawn with another offset of its pixels. What was gathered is looked up where a pixel's surface was
-//! before, and held within the box of colours around the pixel, because it may show another surface.
+//! Each picture is drawn with another offset of its pixels. The gathered picture is looked up where a pixel's surface was
+//! before, and its colour is held within the box of colours around the pixel, because it may show another surface.
 
 use rayon::prelude::*;
 
@@ -58,7 +58,7 @@ impl Moving<'_> {
         })
     }
 
-    /// What was gathered where a pixel's surface was before; none outside the picture.
+    /// The gathered colour at the place where a pixel's surface was before; none outside the picture.
     fn before(&self, gathered: &[Color], x: usize, y: usize) -> Option<Color> {
         let (width, height) = (self.width, self.color.len() / self.width);
         let [right, down] = self.motion[self.nearest_around(x, y)];

@@ -37,7 +37,7 @@ impl Rig {
                 let way = eye.orientation * corner.extend(-1.0);
                 let from = self.middle() + eye.position;
                 let at = from + way * ((depth + eye.position.z) / -way.z);
-                region.extend((axes.place(at)).as_vec3());
+                region.extend(axes.place(at).as_vec3());
             }
         }
         let beyond = axes.slab(head.near.max(self.planes().end - self.overlap()), head.far);

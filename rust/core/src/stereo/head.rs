@@ -66,7 +66,7 @@ impl Axes {
         normals.map(|normal| self.half_space(eye.orientation * normal, eye.position))
     }
 
-    /// What lies between two depths ahead of the plane of the eyes; the second may be infinite.
+    /// The half-spaces between two depths ahead of the plane of the eyes; the second depth may be infinite.
     pub fn slab(&self, from: f64, to: f64) -> Vec<DVec4> {
         let at = |depth: f64| self.middle - DVec3::new(0.0, 0.0, depth);
         let begin = self.half_space(DVec3::NEG_Z, at(from));
