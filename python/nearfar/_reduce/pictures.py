@@ -106,7 +106,7 @@ class InPictures:
         tolerance_px
             For "vertex": greatest distance, in the image's finest pixels, between a drawn triangle's points and their
             morph, by default 0.5; larger triangles are split for the frame. It is a proven bound if the frame's
-            `stats` have `tolerance_held`. On the CPU it is doubled until it takes at most 4 million triangles.
+            `stats` have `tolerance_held`. On the CPU it is doubled until splitting makes at most 4 million triangles.
             Infinity morphs only the given vertices, which bends long triangles wrongly and opens breaks at both radii.
             For "exact": greatest distance between a bent ray and its curve, in pixels of the size at its place in the
             image, by default 0.1.

@@ -96,19 +96,17 @@ impl<F: HitFilter> Zone<'_, F> {
         self.axes.place_from_middle(self.rig.point_shown(self.side, direction, self.depths[k])).as_vec3()
     }
 
-    /// Whether anything may lie near the legs of some rays from one corner to another. Between these, legs bend aside
-    /// by no more than the whole zone moves a point.
+    /// Whether anything may lie near several legs of some rays, from one corner to another. Between these, legs bend
+    /// aside by no more than the whole zone moves a point.
     fn reaches(&self, open: &[usize], rays: &[Ray], from: usize, to: usize) -> bool {
         let mut region = Aabb::EMPTY;
         for &n in open {
             region.extend(self.corner(&rays[n], from));
             region.extend(self.corner(&rays[n], to));
         }
-        if to > from + 1 {
-            let aside = Vec3::splat((self.aside * self.depths[to]) as f32);
-            region.extend(region.min - aside);
-            region.extend(region.max + aside);
-        }
+        let aside = Vec3::splat((self.aside * self.depths[to]) as f32);
+        region.extend(region.min - aside);
+        region.extend(region.max + aside);
         touches(self.truth.scene, &region)
     }
 
@@ -162,20 +160,23 @@ impl<F: HitFilter> Picture for Zone<'_, F> {
         let mut known = usize::MAX;
         while next < legs && count > 0 {
             let k = next;
-            if k.is_multiple_of(SPAN) && !self.reaches(&open[..count], rays, k, (k + SPAN).min(legs)) {
-                next += SPAN;
+            let span = (k + SPAN).min(legs);
+            if k.is_multiple_of(SPAN) && span > k + 1 && !self.reaches(&open[..count], rays, k, span) {
+                next = span;
                 continue;
             }
             next += 1;
-            if !self.reaches(&open[..count], rays, k, k + 1) {
-                continue;
-            }
+            let mut region = Aabb::EMPTY;
             for &n in &open[..count] {
                 starts[n] = if known == k { ends[n] } else { self.corner(&rays[n], k) };
                 ends[n] = self.corner(&rays[n], k + 1);
+                region.extend(starts[n]);
+                region.extend(ends[n]);
             }
             known = k + 1;
-            count = self.follow(&mut open[..count], &ends, &starts, Tile { rays, hits });
+            if touches(self.truth.scene, &region) {
+                count = self.follow(&mut open[..count], &ends, &starts, Tile { rays, hits });
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! Triangles that the morph bends, split once for all users at about the same distance from the centre. For each user
 //! their vertices are moved, and the tree over them is refitted.
 
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -13,7 +14,7 @@ use crate::morph::Morph;
 use crate::scene::{Instance, Mesh, Scene};
 use crate::tessellate::{self, Precision, Rule, Settings};
 
-/// Greatest number of pieces of a split, which take about a gigabyte.
+/// Greatest number of pieces that a split may add, which take about a gigabyte.
 const MOST_PIECES: u64 = 1 << 22;
 /// Number of vertices that are moved between two checks whether the caller has cancelled.
 const TILE: usize = 1 << 14;
@@ -59,7 +60,8 @@ impl NearPart {
     }
 }
 
-/// Pieces of triangles (instance, face), with their corners; none if they are more than `MOST_PIECES`.
+/// Pieces of triangles (instance, face), with their corners; none if those of split triangles are more than
+/// `MOST_PIECES`.
 fn cut(
     sources: &[(u32, u32)],
     scene: &Scene,
@@ -76,7 +78,16 @@ fn cut(
     let split = |whole: tessellate::Piece| {
         let Some(rule) = rule else { return Ok(vec![whole]) };
         let unseen = |corners: &[DVec3; 3]| tessellate::Piece::is_thin(corners) || (!moves && rule.is_beyond(corners));
-        whole.split(rule, Precision::Double, unseen, count)
+        let counted = Cell::new(0);
+        let pieces = whole.split(rule, Precision::Double, unseen, |pieces| {
+            counted.set(counted.get() + pieces);
+            count(pieces)
+        })?;
+        // Whole triangles are not counted: there may be any number of them, however coarse the split is.
+        if pieces.len() > 1 {
+            count(pieces.len() - counted.get())?;
+        }
+        Ok(pieces)
     };
     let triangles = sources.par_iter().map(|&(instance, face)| {
         let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
