@@ -18,7 +18,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo test lint lint-rust lint-python lint-fuzz test-rust test-adapters bench notebooks stress attack fuzz setup clean
+.PHONY: help demo test test-slow lint lint-rust lint-python lint-fuzz test-rust test-adapters bench notebooks stress attack fuzz setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -29,9 +29,13 @@ help:
 demo: .venv/built
 	$(bin)/nearfar reduce -i city -o $(OUT)/demo
 
-# Everything that must pass: formatting, lints, types, Rust tests, Python tests.
+# Formatting, lints, types, Rust tests, Python tests; `make test-slow` runs those of whole programs.
 test: lint test-rust .venv/built .venv/test
 	$(bin)/python -m pytest -n auto --dist worksteal
+
+# Whole programs that take many seconds each: the first hour, notebooks, large scenes. `make test` leaves them out.
+test-slow: .venv/built .venv/test
+	$(bin)/python -m pytest -n auto --dist worksteal -m "slow and not stress"
 
 # Formatting, lints and types only.
 lint: lint-rust lint-python

@@ -20,6 +20,9 @@ from benchmarks.stereo.rig import PAPER
 PLANES = (3.0, 8.0, 16.0, 31.0)
 FAR = 1000.0
 """The far plane of the paper, metres; a mono plane there leaves nothing to share."""
+CULLS = ("frustum", "discard", "occlusion")
+KINDS = (*CULLS, "resolved")
+"""Hybrid pictures: those assembled bilinearly by what is culled, and those that are resolved."""
 STAGES = ("left", "right", "culling", "center", "assembly")
 HEAD = (0.0, 1.7, 0.0)
 AHEAD = (0.0, 0.0, 0.0, 1.0)
@@ -67,56 +70,81 @@ def similarity(reference: nf.Frame, test: nf.Frame) -> float:
 
 
 def measure(name: str, size: tuple[int, int], repeat: int, backend: str) -> tuple[str, list[dict[str, float]]]:
-    """Table of one scene, and its numbers by plane."""
+    """Tables of one scene, and its numbers by plane."""
     scene = SCENES[name]()
     settings: dict[str, Any] = {"channels": ("color",), "backend": backend}
-    assemblies = ("bilinear", "resolved")
     base = nf.stereo.HybridRig(left=PAPER.left, right=PAPER.right, mono_plane=8.0, size=size)
     truth = plain(scene, base, **settings)
-    rows, numbers = [], []
+    rows, stages, numbers = [], [], []
     for plane in (*PLANES, FAR):
         rig = base.with_plane(plane)
         kept: dict[str, nf.StereoFrame] = {}
 
-        def draw(assembly: str, rig: nf.stereo.HybridRig = rig, kept: dict[str, Any] = kept) -> None:
-            kept[assembly] = rig.render(scene, HEAD, AHEAD, assembly=assembly, far=FAR, **settings)
+        def draw(name: str, rig: nf.stereo.HybridRig = rig, kept: dict[str, Any] = kept, **how: Any) -> None:
+            kept[name] = rig.render(scene, HEAD, AHEAD, far=FAR, **settings, **how)
 
         jobs: dict[str, Callable[[], Any]] = {"plain": partial(plain, scene, rig, **settings)}
-        jobs |= {assembly: partial(draw, assembly) for assembly in assemblies}
+        jobs |= {cull: partial(draw, cull, cull=cull) for cull in CULLS}
+        jobs["resolved"] = partial(draw, "resolved", assembly="resolved")
         times, passes = seconds(jobs, repeat, clock if backend == "gpu" else lambda: 0.0)
-        counted = rig.triangles(scene, HEAD, AHEAD, far=FAR)
-        frame = kept["bilinear"]
-        stages, pixels = frame.stats["seconds"], frame.stats["pixels"]
-        total = np.prod(rig.center_size)
-        scores = {
-            assembly: float(np.mean([similarity(a, b) for a, b in zip(truth, (one.left, one.right), strict=True)]))
-            for assembly, one in kept.items()
-        }
-        found = {"plane": plane, **times, **{stage: stages.get(stage, 0.0) for stage in STAGES}}
-        found |= {f"ssim_{assembly}": score for assembly, score in scores.items()}
+        found = {"plane": plane, **times, **found_stages(kept["occlusion"])}
+        scores = {kind: score(truth, kept[kind]) for kind in ("occlusion", "resolved")}
+        found |= {f"ssim_{kind}": value for kind, value in scores.items()}
         numbers.append(found)
-        primitives = counted["left"] + counted["right"] + counted["center"]
         rows.append(
             [
                 f"{plane:g}",
                 f"{rig.max_error(FAR):.2f}",
                 f"{times['plain']:.2f}",
-                *(f"{times[a]:.2f} ({100 * (1 - times[a] / times['plain']):.0f} %)" for a in assemblies),
-                f"{passes['plain']:.2f} / {passes['bilinear']:.2f}",
-                " / ".join(f"{found[stage]:.2f}" for stage in STAGES),
-                f"{100 * pixels.get('center', 0) / total:.0f} %",
-                f"{primitives / max(counted['plain'], 1):.2f}",
-                *(f"{scores[assembly]:.4f}" for assembly in assemblies),
+                *(f"{times[kind]:.2f} ({100 * (1 - times[kind] / times['plain']):.0f} %)" for kind in KINDS),
+                *([f"{passes['plain']:.2f} / {passes['occlusion']:.2f}"] if backend == "gpu" else []),
+                *(f"{value:.4f}" for value in scores.values()),
             ]
         )
-    header = [
-        *("m, m", "error, px", "plain, s", *(f"{assembly}, s (saved)" for assembly in assemblies)),
-        "adapter's clock, plain / bilinear, s",
-        *("left / right / culling / centre / assembly, s", "shared pixels drawn", "triangles against plain"),
-        *(f"SSIM, {assembly}" for assembly in assemblies),
-    ]
+        stages.append([f"{plane:g}", *stage_row(rig, scene, kept["occlusion"], found)])
+    header = ["m, m", "error, px", "plain, s"]
+    header += [f"{kind}, s (saved)" for kind in KINDS]
+    header += ["adapter's clock, plain / occlusion, s"] if backend == "gpu" else []
+    header += ["SSIM, bilinear", "SSIM, resolved"]
     title = f"{name}: {scene.triangle_count:,} triangles, {size[0]} × {size[1]} pixels an eye"
-    return table(title, header, rows), numbers
+    parts = [table(title, header, rows), table(f"{name}: stages, cull = occlusion", STAGE_HEADER, stages)]
+    return "\n".join(parts), numbers
+
+
+def score(truth: list[nf.Frame], frame: nf.StereoFrame) -> float:
+    """Mean SSIM of both eyes against plain stereo."""
+    return float(np.mean([similarity(a, b) for a, b in zip(truth, (frame.left, frame.right), strict=True)]))
+
+
+def found_stages(frame: nf.StereoFrame) -> dict[str, float]:
+    """Seconds of each stage; those of plain stereo are given to both eyes in equal parts."""
+    found = dict(frame.stats["seconds"])
+    eyes = found.pop("eyes", 0.0)
+    return {stage: found.get(stage, eyes / 2 if stage in ("left", "right") else 0.0) for stage in STAGES}
+
+
+STAGE_HEADER = [
+    *("m, m", "left / right / culling / centre / assembly, s"),
+    *("triangles of left / right / centre, thousands", "drawn thrice", "against plain"),
+    *("pixels of left / right / centre, thousands", "against plain"),
+]
+
+
+def stage_row(rig: nf.stereo.HybridRig, scene: nf.Scene, frame: nf.StereoFrame, found: dict[str, float]) -> list[str]:
+    """Seconds, primitives and fragments of each view, as Fig. 5."""
+    counted = rig.triangles(scene, HEAD, AHEAD, far=FAR)
+    views = [counted[view] for view in ("left", "right", "center")]
+    whole = 2 * rig.size[0] * rig.size[1]
+    pixels = [frame.stats["pixels"].get(view, whole / 2) for view in ("left", "right")]
+    pixels.append(frame.stats["pixels"].get("center", 0))
+    return [
+        " / ".join(f"{found[stage]:.2f}" for stage in STAGES),
+        " / ".join(f"{view / 1000:,.0f}" for view in views),
+        f"{counted['thrice']:,}",
+        f"{sum(views) / max(counted['plain'], 1):.2f}",
+        " / ".join(f"{view / 1000:,.0f}" for view in pixels),
+        f"{sum(pixels) / whole:.2f}",
+    ]
 
 
 def draw(path: Path, found: dict[str, list[dict[str, float]]]) -> None:
@@ -137,9 +165,8 @@ def draw(path: Path, found: dict[str, list[dict[str, float]]]) -> None:
         upper.plot(places, [entry["plain"] for entry in numbers], "k_", markersize=22, label="plain stereo")
         upper.set(title=name, xticks=places, ylabel="seconds" if not column else "")
         upper.set_xticklabels([f"{entry['plane']:g} m" for entry in numbers])
-        for assembly, marker in (("bilinear", "o"), ("resolved", "s")):
-            if f"ssim_{assembly}" in numbers[0]:
-                lower.plot(places, [entry[f"ssim_{assembly}"] for entry in numbers], marker=marker, label=assembly)
+        for kind, assembly, marker in (("occlusion", "bilinear", "o"), ("resolved", "resolved", "s")):
+            lower.plot(places, [entry[f"ssim_{kind}"] for entry in numbers], marker=marker, label=assembly)
         lower.set(xticks=places, xlabel="mono plane", ylabel="SSIM against plain stereo" if not column else "")
         lower.set_xticklabels([f"{entry['plane']:g} m" for entry in numbers])
     figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=6, fontsize="small")
@@ -155,6 +182,7 @@ def main() -> None:
     parser.add_argument("--scenes", default=",".join(SCENES), help="names, separated by commas")
     parser.add_argument("--backend", default="cpu", help="cpu or gpu")
     parser.add_argument("--size", default="x".join(map(str, PAPER.size)), help="pixels of an eye")
+    parser.add_argument("--repeat", type=int, default=3, help="times of which the least counts")
     parser.add_argument("--plots", type=Path, help="folder for plots")
     arguments = parser.parse_args()
     width, height = map(int, arguments.size.split("x"))
@@ -162,7 +190,7 @@ def main() -> None:
     print(machine(), end="\n\n")
     found = {}
     for name in arguments.scenes.split(","):
-        text, found[name] = measure(name, size, 1 if arguments.quick else 3, arguments.backend)
+        text, found[name] = measure(name, size, 1 if arguments.quick else arguments.repeat, arguments.backend)
         print(text, flush=True)
     if arguments.plots is not None:
         arguments.plots.mkdir(parents=True, exist_ok=True)

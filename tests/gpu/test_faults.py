@@ -29,7 +29,7 @@ def test_a_device_lost_between_frames_is_opened_again(name: str) -> None:
         # A new device has no data, so the scene was sent again.
         assert nf.gpu.stats()["uploaded_bytes"] > 1000
         with pytest.raises(nf.DeviceError, match="the device was lost"):
-            device.truth(scene._core, CAMERA._core, nf.Shot(cameras=(CAMERA,), channels=("range",)).settings)
+            device.truth(scene._core, [CAMERA._core], nf.Shot(cameras=(CAMERA,), channels=("range",)).settings)
 
 
 @pytest.mark.parametrize("name", ADAPTERS)

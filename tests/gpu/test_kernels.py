@@ -42,7 +42,7 @@ def test_a_kept_frame_is_the_one_that_is_read_back(device: _core.GpuDevice) -> N
     scene, shot = street(), view()
     core = core_of(scene)
     settings = nf.Shot(cameras=(shot,), channels=CHANNELS, samples=4).settings
-    expected = device.truth(core, shot._core, settings).finish()
+    expected = device.truth(core, [shot._core], settings)[0].finish()
     device_frame = gpu.render(scene, shot, channels=CHANNELS, samples=4)
     for _ in range(2):
         frame = device_frame.read()

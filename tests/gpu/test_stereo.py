@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
-from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, crowd, view
+from nearfar._scene.builder import SceneBuilder
+from tests.support.gpu_cases import ADAPTERS, RENDERED, adapter, check_color, check_ids, crowd, view
 
 HEAD = (0.0, 1.5, 2.0)
+AHEAD = (0.0, 0.0, 0.0, 1.0)
 CHANNELS = ("color", "range", "object_id", "face_id", "coverage")
+
+
+def instance_count(scene: nf.Scene) -> int:
+    return len(rig()._core.contents(scene._core, HEAD, AHEAD, (0.1, 100.0), False)[0])
 
 
 def rig(size: tuple[int, int] = (120, 100)) -> nf.stereo.HybridRig:
@@ -74,7 +83,8 @@ def test_geometry_behind_hidden_pixels_is_not_drawn(name: str) -> None:
                 occlusion=occlusion,
             )
             before = device.counters()[3]
-            faces = device.truth(scene._core, camera._core, shot.settings).finish()["face_id"]
+            (job,) = device.truth(scene._core, [camera._core], shot.settings)
+            faces = job.finish()["face_id"]
             drawn[masked, occlusion] = device.counters()[3] - before
             if not masked:
                 whole = faces
@@ -97,3 +107,83 @@ def test_pictures_of_adapters_are_resolved_as_those_of_the_tracer(name: str, sam
             getattr(expected, side), getattr(found[1], side), percentile=98.0 if samples == 1 else 90.0, codes=3
         )
         np.testing.assert_array_equal(*(getattr(frame, side).require("color") for frame in found))
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_instances_that_are_known_to_be_unseen_are_left_out(name: str) -> None:
+    scene, camera = crowd(("one_7", "one_11")), view((0, 0.5, 1), (0, 0, -6), size=(64, 48))
+    with adapter(name):
+        device = _core.GpuDevice(name)
+
+        def drawn(instances: NDArray[np.bool_] | None) -> tuple[NDArray[np.int64], int]:
+            shot = nf.Shot(cameras=(camera,), channels=("face_id",), instances=instances)
+            before = device.counters()[3]
+            (job,) = device.truth(scene._core, [camera._core], shot.settings)
+            return job.finish()["face_id"], device.counters()[3] - before
+
+        whole, triangles = drawn(None)
+        faces, fewer = drawn(np.zeros(instance_count(scene), bool))
+        assert (faces == -1).all()
+        assert fewer == 0
+        same, as_many = drawn(np.ones(instance_count(scene), bool))
+        np.testing.assert_array_equal(same, whole)
+        assert as_many >= triangles
+        with pytest.raises(ValueError, match="instances: expected"):
+            drawn(np.ones(instance_count(scene) + 1, bool))
+
+
+@contextmanager
+def two_views(device: _core.GpuDevice) -> Iterator[None]:
+    """Let one pass draw both eyes, in software too, where triangles cross no edge of a picture."""
+    before = device.allow_two_views(True)
+    try:
+        yield
+    finally:
+        device.allow_two_views(before)
+
+
+def cluster() -> nf.Scene:
+    """Bent quads in front of both eyes, none of which crosses an edge of their pictures; one can move."""
+    dice = np.random.default_rng(5)
+    builder = SceneBuilder()
+    for number, color in enumerate([(1.0, 0.8, 0.6, 1.0), (0.3, 0.5, 0.9, 1.0), (0.6, 0.9, 0.4, 1.0)]):
+        corners = dice.normal(size=(40, 3)) * (1.5, 1.0, 1.0) + (0.0, 1.5, -4.0 - number)
+        faces = dice.permutation(40)[:39].reshape(13, 3)
+        builder.instance(builder.mesh(corners, faces, material=builder.material(color)), name=f"part_{number}")
+    return builder.build(["part_2"])
+
+
+@pytest.mark.parametrize("samples", [1, 2, 4])
+def test_two_views_at_once_are_two_pictures(samples: int) -> None:
+    """Where the adapter draws both eyes in one pass, each triangle is sent once."""
+    scene, pair = cluster(), rig().cameras(HEAD)[:2]
+    settings: dict[str, Any] = {"channels": RENDERED, "samples": samples}
+    with adapter("vulkan"):
+        device = _core.GpuDevice("vulkan")
+        before = device.counters()[3]
+        with two_views(device):
+            jobs = scene.begin(device, nf.Shot(cameras=pair, **settings))
+        # The second one first: the frames wait for one another.
+        both = [job.finish() for job in reversed(jobs)][::-1]
+        at_once = device.counters()[3] - before
+        alone = [nf.render(scene, camera, backend="gpu", **settings) for camera in pair]
+        separate = device.counters()[3] - before - at_once
+        with pytest.raises(ValueError, match="frame: expected one that was not read yet"):
+            jobs[0].finish()
+    assert (alone[0].require("face_id") != alone[1].require("face_id")).any()
+    for images, frame in zip(both, alone, strict=True):
+        assert (images["face_id"] >= 0).mean() > 0.02
+        check_ids(frame.require("face_id"), images["face_id"], share=0.999)
+        same = frame.require("face_id") == images["face_id"]
+        for channel in RENDERED:
+            close = np.isclose(images[channel], frame.require(channel), rtol=1e-5, atol=1e-5, equal_nan=True)
+            # Samples beside the centre may see another face.
+            assert close[same].mean() > (0.9999 if samples == 1 else 0.99)
+    # Its own multisampling takes a pass for each eye.
+    assert at_once == (separate if samples == 4 else separate / 2)
+
+
+def test_adapters_in_software_draw_each_eye_by_itself() -> None:
+    """Lavapipe draws triangles that cross an edge of the picture into the first view only."""
+    with adapter("vulkan"):
+        assert not _core.GpuDevice("vulkan").allow_two_views(False)

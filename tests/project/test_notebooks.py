@@ -51,6 +51,7 @@ def test_notebooks_hold_no_algorithms(path: Path) -> None:
             assert not any(isinstance(node, kinds) for node in ast.walk(tree)), cell["source"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_notebooks_run(path: Path, tmp_path: Path) -> None:
     need("notebook")

@@ -126,6 +126,7 @@ def test_what_lies_beyond_the_end_is_not_sent_to_the_raster() -> None:
         for t_max in (np.inf, 5.0):
             before = device.counters()[3]
             shot = nf.Shot(cameras=(camera,), channels=("range",), t_max=t_max)
-            device.truth(scene._core, camera._core, shot.settings).finish()
+            (job,) = device.truth(scene._core, [camera._core], shot.settings)
+            job.finish()
             drawn.append(device.counters()[3] - before)
     assert 0 < drawn[1] < drawn[0]

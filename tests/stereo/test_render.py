@@ -171,7 +171,7 @@ def test_nothing_beyond_the_plane_is_plain_stereo_and_nothing_before_it_one_pict
     world, far, near = scene(), rig(20000.0), rig(1.2)
     stereo = far.render(world, HEAD, AHEAD, channels=ALL)
     assert stereo.center is None
-    assert set(stereo.stats["seconds"]) == {"left", "right"}
+    assert set(stereo.stats["seconds"]) == {"culling", "eyes"}
     for side, camera in zip(("left", "right"), far.cameras(HEAD, AHEAD), strict=False):
         plain = nf.render(world, camera, channels=ALL, clip=cut(far, 0.1, math.inf))
         for name in ALL:

@@ -28,7 +28,9 @@ SHALLOW = 12.0
 """A mono plane that passes through the street's near box, wall and ground, metres."""
 
 
-def rig(mono_plane: float = SHALLOW, size: tuple[int, int] = (96, 80), cant: float = 0.0) -> HybridRig:
+def rig(
+    mono_plane: float | tuple[float, float] = SHALLOW, size: tuple[int, int] = (96, 80), cant: float = 0.0
+) -> HybridRig:
     """Asymmetric eyes, which may be turned outwards by an angle in degrees."""
     half = math.radians(cant) / 2.0
 

@@ -42,6 +42,9 @@ class Shot:
     """Samples that see no triangle are black, instead of showing the sky or a map."""
     occlusion: bool = True
     """Graphics adapters leave out geometry that lies wholly behind pixels that `mask` does not need."""
+    instances: NDArray[np.bool_] | None = field(default=None, compare=False)
+    """(N,), for each instance of a scene, those that stand before those that move, whether the pictures may show it, so
+    that graphics adapters need not find that out. None says nothing."""
 
     def __post_init__(self) -> None:
         cameras = check.items("cameras", self.cameras, Camera, "a sequence of Cameras")
@@ -57,6 +60,7 @@ class Shot:
             "mask": self._checked_mask(cameras),
             "bare": check.flag("bare", self.bare),
             "occlusion": check.flag("occlusion", self.occlusion),
+            "instances": self._checked_instances(),
             "channels": tuple(check.texts("channels", self.channels)),
             "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
             "user": None if self.user is None else check.vector("user", self.user),
@@ -76,6 +80,14 @@ class Shot:
                 raise ValueError(f"mask: expected ({height}, {width}) of bool for the camera's size, got {got}")
         return np.ascontiguousarray(mask)
 
+    def _checked_instances(self) -> NDArray[np.bool_] | None:
+        if self.instances is None:
+            return None
+        instances = check.instance("instances", self.instances, np.ndarray, "an array")
+        if instances.dtype != np.bool_ or instances.ndim != 1:
+            raise ValueError(f"instances: expected (N,) of bool, got {instances.shape} of {instances.dtype}")
+        return np.ascontiguousarray(instances)
+
     @property
     def settings(self) -> dict[str, Any]:
         """Images, samples, pixels and parts of the rays, as kernels take them beside the camera."""
@@ -88,6 +100,7 @@ class Shot:
             "mask": self.mask,
             "bare": self.bare,
             "occlusion": self.occlusion,
+            "instances": self.instances,
         }
 
     @property

@@ -43,6 +43,10 @@ class InPictures:
         return [_core.render_truth(self._core, camera._core, shot.settings, report=report) for camera in shot.cameras]
 
     def begin(self, device: GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[GpuJob]:
-        """Begin the pictures of a shot on a graphics device, one for each camera."""
+        """Begin the pictures of a shot on a graphics device, one for each camera.
+
+        Those of two cameras are drawn at once where the adapter can do so.
+        """
         check_begin(device, shot, report)
-        return [device.truth(self._core, camera._core, shot.settings, report=report) for camera in shot.cameras]
+        cameras = [camera._core for camera in shot.cameras]
+        return device.truth(self._core, cameras, shot.settings, report=report)

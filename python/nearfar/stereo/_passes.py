@@ -31,6 +31,8 @@ from nearfar.stereo._moments import Moment, carried, shifted
 
 CULLS = ("frustum", "discard", "occlusion")
 """Ways of leaving out what no eye looks up in the shared picture, by name."""
+_BITS = {"left": 1, "right": 2, "center": 4}
+"""Bits of the views in what `contents` tells of each instance."""
 ASSEMBLIES = ("bilinear", "resolved")
 """Ways of looking up the shared picture, by name."""
 
@@ -55,17 +57,17 @@ class Passes:
 
     def __post_init__(self) -> None:
         self._core = self.rig._core.jittered(self.jitter)
+        self._views: NDArray[np.uint8] | None = None
 
     def draw(self) -> tuple[Images, Images, Images | None]:
         """Return the images of the left eye, the right eye, and the shared ones if anything lies beyond the plane."""
         self.stats |= {"seconds": {}, "pixels": {}}
         left, right, center = self._cameras(self.moment)
-        has_near, has_far = self._has_near_and_far()
+        with self._timed("culling"):
+            has_near, has_far = self._has_near_and_far()
         with progress.bar("rendering") as self._report:
             if not has_far:
-                whole = self._between(self.near, self.far)
-                eyes = [self._pass(side, camera, whole) for side, camera in zip(EYES, (left, right), strict=True)]
-                return eyes[0], eyes[1], None
+                return *self._plain(left, right), None
             near = self._between(self.near, min(self.rig.planes[0], self.far))
             eyes = [
                 self._pass(side, camera, near, near=True) if has_near else self._nothing(camera)
@@ -114,21 +116,43 @@ class Passes:
             mask=mask,
             bare=near,
             occlusion=self.cull == "occlusion",
+            instances=None if self._views is None else (self._views & _BITS[name]) > 0,
         )
         with self._timed(name):
             if near and self.rig.has_zone:
                 images = self._zone(name, camera, shot)
-            elif self.device is None:
-                (images,) = self.view.drawn.trace(shot, self._report)
             else:
-                (job,) = self.view.drawn.begin(self.device, shot, self._report)
-                images = job.finish(self._report)
+                (images,) = self._pictures(shot)
         if "motion" in self.view.wanted:
             with self._timed("motion"):
                 images["motion"] = self._motion(name, camera, images, images["face_id"] >= 0 if near else mask)
         if near:
             self.stats["pixels"][name] = int((images["coverage"] > 0.0).sum())
         return images
+
+    def _plain(self, left: Camera, right: Camera) -> tuple[Images, Images]:
+        """Pictures of both eyes as plain stereo, drawn at once where the adapter can do so."""
+        shot = Shot(
+            cameras=(left, right),
+            channels=self.view.shot.channels,
+            samples=self.view.shot.samples,
+            user=self.moment.head(self.rig),
+            clip=self._between(self.near, self.far),
+        )
+        with self._timed("eyes"):
+            eyes = self._pictures(shot)
+        if "motion" in self.view.wanted:
+            with self._timed("motion"):
+                for name, camera, images in zip(EYES, (left, right), eyes, strict=True):
+                    images["motion"] = self._motion(name, camera, images, None)
+        return eyes[0], eyes[1]
+
+    def _pictures(self, shot: Shot) -> list[Images]:
+        """The pictures of a shot, one for each camera."""
+        if self.device is None:
+            return list(self.view.drawn.trace(shot, self._report))
+        jobs = self.view.drawn.begin(self.device, shot, self._report)
+        return [job.finish(self._report) for job in jobs]
 
     def _zone(self, side: str, camera: Camera, shot: Shot) -> Images:
         """An eye's own picture up to m₂, along rays that bend beyond m₁."""
@@ -220,7 +244,13 @@ class Passes:
         if not isinstance(scene, Scene):
             return True, True
         depths = (self.near, self.far)
-        near, far = self._core.reaches(scene._core, self.moment.position, self.moment.orientation, depths)
+        position, orientation = self.moment.position, self.moment.orientation
+        views, near, far = self._core.contents(scene._core, position, orientation, depths, self.device is None)
+        self.stats["instances"] = {"all": len(views)} | {
+            name: int(np.count_nonzero(views & bit)) for name, bit in _BITS.items()
+        }
+        if self.device is not None and far:
+            self._views = views
         # Rays bend in a zone, so that it needs its own pass also where nothing is beyond it.
         return near, far or has_zone
 

@@ -124,7 +124,8 @@ class HybridRig(RigGeometry):
         -------
         StereoFrame
             `left`, `right` and `center`. `stats` has `pixels`: how many of each eye show a surface of its own, how many
-            of the third camera were drawn and how many discarded; and `seconds`, the wall time of each stage.
+            of the third camera were drawn and how many discarded; `instances`: for scenes, how many each of the three
+            views may show; and `seconds`, the wall time of each stage.
 
         Raises
         ------

@@ -3,8 +3,10 @@
 use glam::{DQuat, DVec2, DVec3};
 use nearfar_core::camera::Fov;
 use nearfar_core::render::RenderView;
-use nearfar_core::stereo::{Axis, Eye, FarPicture, Head, Planes, Rig, Side, Triangles};
-use numpy::{IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3, PyReadwriteArray3};
+use nearfar_core::stereo::{Axis, Contents, Eye, FarPicture, Head, Planes, Rig, Side, Triangles};
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3, PyReadwriteArray3,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -110,17 +112,21 @@ impl HybridRig {
         })
     }
 
-    /// Whether a scene has surfaces that the eyes draw, and surfaces that the third camera draws.
-    fn reaches(
+    /// For each instance of a scene a bit for each view that may show it, (N,): 1 the left eye's, 2 the right eye's, 4
+    /// the third camera's; whether an eye has a surface of its own to draw; whether the third camera has one.
+    fn contents<'py>(
         &self,
-        py: Python<'_>,
+        py: Python<'py>,
         scene: &Scene,
         position: [f64; 3],
         orientation: [f64; 4],
         depths: (f64, f64),
-    ) -> PyResult<[bool; 2]> {
+        traced: bool,
+    ) -> PyResult<(Bound<'py, PyArray1<u8>>, bool, bool)> {
         let head = head(position, orientation, depths);
-        run::long(py, None, |progress| self.0.reaches(&scene.0, &head, progress))
+        let Contents { instances, near, far } =
+            run::long(py, None, |progress| self.0.contents(&scene.0, &head, traced, progress))?;
+        Ok((instances.into_pyarray(py), near, far))
     }
 
     /// Triangles in the views of the left eye, the right eye and the third camera, those that all three draw, and those

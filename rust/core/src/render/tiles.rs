@@ -63,6 +63,8 @@ pub struct Pixels<'a> {
     pub bare: bool,
     /// Adapters leave out geometry that lies wholly behind pixels that are not drawn, too.
     pub occlusion: bool,
+    /// For each of a scene's instances whether the picture may show it, where that is known: adapters leave others out.
+    pub instances: Option<&'a [bool]>,
 }
 
 impl Pixels<'_> {

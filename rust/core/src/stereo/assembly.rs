@@ -6,25 +6,22 @@
 //! Of the four pixels that are mixed, those whose place an eye's own surface covers are left out: where a surface
 //! crosses the plane at a slant, they may lie so far before the plane that the third camera does not draw it there.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use glam::{DMat3, DVec2};
 use rayon::prelude::*;
 
 use super::rig::{Rig, Side};
-use crate::base::{Error, Progress, Result, memory::room_for};
-use crate::render::tiles::sample_offsets;
+use crate::base::{Error, Progress, Result};
 
 /// The places of an eye's pixels in the third camera's picture, and back.
 pub(super) struct EyeMap<'a> {
-    to_center: DMat3,
+    pub to_center: DMat3,
     to_eye: DMat3,
     /// Size of the third camera's picture, pixels.
-    size: (u32, u32),
+    pub size: (u32, u32),
     /// Pixels of the eye across and down.
-    eye: (usize, usize),
+    pub eye: (usize, usize),
     /// Share of each of the eye's pixels that its own surfaces cover.
-    coverage: &'a [f32],
+    pub coverage: &'a [f32],
 }
 
 /// The four pixels of the third camera around a place, by row-major numbers, and the place's share between them to the
@@ -75,31 +72,6 @@ impl EyeMap<'_> {
         (sum > LEAST_SUM).then(|| weights.map(|weight| weight / sum))
     }
 
-    /// Whether the eye's rows lie along rows of the third camera, as those of eyes that are not turned.
-    fn is_straight(&self) -> bool {
-        let [x, y, z] = [self.to_center.x_axis, self.to_center.y_axis, self.to_center.z_axis];
-        let (width, height) = (self.eye.0 as f64, self.eye.1 as f64);
-        let tilt = [x.y * width, y.x * height, x.z * width, y.z * height].map(f64::abs);
-        x.x * z.z > 0.0 && tilt.into_iter().fold(0.0, f64::max) < STRAIGHT * z.z.abs()
-    }
-
-    /// Marks the pixels around the places of a row's pixels that own surfaces do not cover wholly, run by run.
-    fn mark_runs(&self, row: usize, shares: &[f32], mask: &[AtomicBool]) {
-        let mut column = 0;
-        while let Some(start) = shares[column..].iter().position(|share| *share < 1.0).map(|n| n + column) {
-            let end = shares[start..].iter().position(|share| *share >= 1.0).map_or(shares.len(), |n| n + start);
-            let [first, last] = [start, end - 1].map(|x| self.place(x as f64 + 0.5, row as f64 + 0.5));
-            let span =
-                |from: f64, to: f64, count| neighbours(from - MARGIN, count).0..=neighbours(to + MARGIN, count).1;
-            let columns = span(first.x, last.x, self.size.0);
-            for y in span(first.y.min(last.y), first.y.max(last.y), self.size.1) {
-                let line = &mask[y * self.size.0 as usize..][columns.clone()];
-                line.iter().for_each(|needed| needed.store(true, Ordering::Relaxed));
-            }
-            column = end;
-        }
-    }
-
     /// Share that an eye's own surfaces cover at the place of a pixel of the third camera.
     fn coverage_at(&self, pixel: usize) -> f32 {
         let (x, y) = (pixel % self.size.0 as usize, pixel / self.size.0 as usize);
@@ -122,16 +94,12 @@ impl EyeMap<'_> {
     }
 }
 
-/// Greatest tilt of rows in pixels for which they are followed in runs.
-const STRAIGHT: f64 = 1e-9;
-/// Pixels around a run that count as in it, far more than rounding.
-const MARGIN: f64 = 1e-6;
 /// Least sum of weights that can be divided by; below it, all pixels around are covered, and all count.
 const LEAST_SUM: f32 = 1e-6;
 
 /// The two pixels whose centres enclose a coordinate, and the second one's share.
 #[inline]
-fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
+pub(super) fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
     let last = f64::from(count - 1);
     let from = (at - 0.5).clamp(0.0, last);
     let first = from.floor();
@@ -165,34 +133,6 @@ impl Rig {
         let (to_eye, (width, height)) = (self.homography(side), self.size());
         let eye = (width as usize, height as usize);
         Ok(EyeMap { to_center: to_eye.inverse(), to_eye, size: self.center_size(), eye, coverage })
-    }
-
-    /// For each pixel of the third camera, whether an eye looks it up: those around the places of all pixels that have
-    /// samples without a surface of their own. `coverage` has the share of the others for each eye. Pictures that are
-    /// resolved look places up for each of their `samples`, others one for each pixel.
-    pub fn needed(&self, coverage: [&[f32]; 2], samples: u32, progress: &Progress) -> Result<Vec<bool>> {
-        let count = pixels(self.center_size());
-        room_for(count as u64)?;
-        let mask: Vec<AtomicBool> = (0..count).map(|_| AtomicBool::new(false)).collect();
-        let offsets = sample_offsets(samples);
-        for (side, coverage) in Side::BOTH.into_iter().zip(coverage) {
-            let map = self.eye_map(side, coverage)?;
-            let in_runs = samples == 1 && map.is_straight();
-            coverage.par_chunks(self.size().0 as usize).enumerate().try_for_each(|(row, shares)| {
-                if in_runs {
-                    map.mark_runs(row, shares, &mask);
-                    return progress.check();
-                }
-                for (column, _) in shares.iter().enumerate().filter(|(_, share)| **share < 1.0) {
-                    for [x, y] in &offsets {
-                        let taps = map.taps(map.place(column as f64 + x, row as f64 + y));
-                        taps.pixels.iter().for_each(|&pixel| mask[pixel].store(true, Ordering::Relaxed));
-                    }
-                }
-                progress.check()
-            })?;
-        }
-        Ok(mask.into_iter().map(AtomicBool::into_inner).collect())
     }
 
     /// Adds the third camera's picture behind an eye's own, bilinearly at the centres of the eye's pixels.
@@ -256,7 +196,7 @@ impl Rig {
     }
 }
 
-fn pixels((width, height): (u32, u32)) -> usize {
+pub(super) fn pixels((width, height): (u32, u32)) -> usize {
     width as usize * height as usize
 }
 

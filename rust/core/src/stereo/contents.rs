@@ -1,16 +1,32 @@
-//! What a scene has in the three views of a rig: whether there is anything to draw, and how many triangles.
+//! What a scene has in the three views of a rig: which instances, whether there is anything to draw, and how many
+//! triangles.
 
 use glam::{DQuat, DVec3, DVec4};
 use rayon::prelude::*;
 
+use super::error::Axis;
 use super::head::{Axes, Head};
 use super::rig::{Eye, Rig, Side, corners};
 use crate::base::{Aabb, Progress, Result};
+use crate::camera::Fov;
 use crate::scene::{Instance, Scene};
 use crate::trace::touches;
 
 /// Faces of one task.
 const TILE: usize = 1 << 16;
+/// Instances of one task.
+const BOXES: usize = 1 << 12;
+
+/// Instances that reach into the part of space that a view draws.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Contents {
+    /// For each instance the views that may show it, as bits: 1 the left eye's, 2 the right eye's, 4 the third camera's.
+    pub instances: Vec<u8>,
+    /// Whether an eye may have a surface of its own to draw.
+    pub near: bool,
+    /// Whether the third camera may have a surface to draw.
+    pub far: bool,
+}
 
 /// Triangles that reach into the part of space that a view draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,48 +39,109 @@ pub struct Triangles {
     pub plain: [u64; 2],
 }
 
+/// The half-spaces of the three views.
+struct Views {
+    eyes: [[DVec4; 4]; 2],
+    center: [DVec4; 4],
+    /// Between the depths that the eyes draw.
+    near: Vec<DVec4>,
+    /// Between the depths that the third camera draws.
+    far: Vec<DVec4>,
+}
+
+impl Views {
+    /// Views that are wider by a margin in pixels on each side.
+    fn new(rig: &Rig, axes: &Axes, head: &Head, margin: f64) -> Self {
+        let wider = |eye: Eye, size| axes.view(&Eye { fov: grown(&eye.fov, size, margin), ..eye });
+        let eyes = Side::BOTH.map(|side| {
+            let eye = rig.eye(side);
+            wider(Eye { position: rig.middle() + eye.position, ..*eye }, rig.size())
+        });
+        let behind = rig.middle() + DVec3::new(0.0, 0.0, rig.setback());
+        let center = Eye { fov: rig.center_fov(), position: behind, orientation: DQuat::IDENTITY };
+        let end = rig.planes().end;
+        Self {
+            eyes,
+            center: wider(center, rig.center_size()),
+            near: axes.slab(head.near, head.far.min(end)),
+            far: axes.slab(head.near.max(end - rig.overlap()), head.far),
+        }
+    }
+
+    /// Whether the sides of each eye's view leave something, given whether some half-spaces do.
+    fn between_sides(&self, leave: impl Fn(&[DVec4]) -> bool) -> [bool; 2] {
+        self.eyes.each_ref().map(|sides| leave(sides))
+    }
+
+    /// The same for what the left eye, the right eye and the third camera draw.
+    fn drawn(&self, sides: [bool; 2], leave: impl Fn(&[DVec4]) -> bool) -> [bool; 3] {
+        let near = (sides[0] || sides[1]) && leave(&self.near);
+        [sides[0] && near, sides[1] && near, leave(&self.far) && leave(&self.center)]
+    }
+}
+
 impl Rig {
-    /// Whether a scene has surfaces that the eyes draw, and surfaces that the third camera draws; true may be a false
-    /// alarm, because boxes of geometry are tested against the box of the eyes' views.
-    pub fn reaches(&self, scene: &Scene, head: &Head, progress: &Progress) -> Result<[bool; 2]> {
-        scene.build(progress)?;
+    /// Finds the instances of each view, by one pass over their boxes; where a picture is `traced`, triangles before the
+    /// plane are looked for, too. All of it may be a false alarm, because boxes are tested.
+    pub fn contents(&self, scene: &Scene, head: &Head, traced: bool, progress: &Progress) -> Result<Contents> {
         let axes = Axes::new(self, scene, head);
+        let margin = self.margin()?;
+        let views = Views::new(self, &axes, head, margin);
+        let boxes: Vec<&Instance> = scene.instances().collect();
+        let seen = |instance: &&Instance| {
+            let leave = |planes: &[DVec4]| !is_outside(&instance.bounds, planes);
+            let drawn = views.drawn(views.between_sides(leave), leave);
+            drawn.iter().enumerate().map(|(n, &drawn)| u8::from(drawn) << n).sum()
+        };
+        let instances: Vec<u8> = boxes.par_iter().with_min_len(BOXES).map(seen).collect();
+        let has = |bits: u8| instances.iter().any(|views| views & bits != 0);
+        let (mut near, far) = (has(3), has(4));
+        if near && traced {
+            scene.build(progress)?;
+            near = touches(scene, &self.region_before(&axes, head, margin));
+        }
+        Ok(Contents { instances, near, far })
+    }
+
+    /// By how many pixels something may be shown outside of the place where it is: pixels that lie off their places by a
+    /// part of one, and points in a zone.
+    fn margin(&self) -> Result<f64> {
+        let planes = self.planes();
+        Ok(1.0 + if planes.begin < planes.end { self.max_error(planes.end, Axis::Both)? } else { 0.0 })
+    }
+
+    /// The box of what both eyes draw, relative to the scene's origin.
+    fn region_before(&self, axes: &Axes, head: &Head, margin: f64) -> Aabb {
         let end = self.planes().end.min(head.far);
         let mut region = Aabb::EMPTY;
         for side in Side::BOTH {
-            for (corner, depth) in corners(&self.eye(side).fov).into_iter().flat_map(|c| [(c, head.near), (c, end)]) {
-                let eye = self.eye(side);
+            let eye = self.eye(side);
+            let fov = grown(&eye.fov, self.size(), margin);
+            for (corner, depth) in corners(&fov).into_iter().flat_map(|c| [(c, head.near), (c, end)]) {
                 let way = eye.orientation * corner.extend(-1.0);
                 let from = self.middle() + eye.position;
                 let at = from + way * ((depth + eye.position.z) / -way.z);
                 region.extend(axes.place(at).as_vec3());
             }
         }
-        let beyond = axes.slab(head.near.max(self.planes().end - self.overlap()), head.far);
-        Ok([touches(scene, &region), !is_outside(&scene.bounds(), &beyond)])
+        region
     }
 
     /// Counts the triangles of each view, one by one; false alarms are those outside of a view's edge but of none of its
     /// sides.
     pub fn triangles(&self, scene: &Scene, head: &Head, progress: &Progress) -> Result<Triangles> {
         let axes = Axes::new(self, scene, head);
-        let planes = self.planes();
-        let eyes = Side::BOTH
-            .map(|side| axes.view(&Eye { position: self.middle() + self.eye(side).position, ..*self.eye(side) }));
-        let behind = self.middle() + DVec3::new(0.0, 0.0, self.setback());
-        let center = axes.view(&Eye { fov: self.center_fov(), position: behind, orientation: DQuat::IDENTITY });
+        let views = Views::new(self, &axes, head, 0.0);
         let whole = axes.slab(head.near, head.far);
-        let near = axes.slab(head.near, head.far.min(planes.end));
-        let far = axes.slab(head.near.max(planes.end - self.overlap()), head.far);
         let count = |corners: [DVec3; 3]| -> Triangles {
-            let misses =
-                |planes: &[DVec4]| planes.iter().any(|p| corners.iter().all(|c| p.truncate().dot(*c) + p.w < 0.0));
-            let sides = eyes.each_ref().map(|view| !misses(view));
-            let [before, all] = [&near, &whole].map(|slab| !misses(slab));
-            let seen = [sides[0] && before, sides[1] && before, !misses(&far) && !misses(&center)];
+            let leave =
+                |planes: &[DVec4]| !planes.iter().any(|p| corners.iter().all(|c| p.truncate().dot(*c) + p.w < 0.0));
+            let sides = views.between_sides(leave);
+            let drawn = views.drawn(sides, leave);
+            let all = leave(&whole);
             Triangles {
-                views: seen.map(u64::from),
-                thrice: u64::from(seen == [true; 3]),
+                views: drawn.map(u64::from),
+                thrice: u64::from(drawn == [true; 3]),
                 plain: sides.map(|side| u64::from(side && all)),
             }
         };
@@ -78,6 +155,13 @@ impl Rig {
         });
         counted.try_reduce(Triangles::default, |a, b| Ok(a.plus(b)))
     }
+}
+
+/// A field of view that is wider by a margin in pixels on each side.
+fn grown(fov: &Fov, (width, height): (u32, u32), margin: f64) -> Fov {
+    let x = margin * (fov.right - fov.left) / f64::from(width);
+    let y = margin * (fov.up - fov.down) / f64::from(height);
+    Fov { left: fov.left - x, right: fov.right + x, down: fov.down - y, up: fov.up + y }
 }
 
 impl Triangles {
@@ -103,6 +187,8 @@ fn is_outside(bounds: &Aabb, planes: &[DVec4]) -> bool {
         || planes.iter().any(|plane| {
             let n = plane.truncate();
             let farthest = DVec3::select(n.cmpgt(DVec3::ZERO), high, low);
-            n.dot(farthest) + plane.w < 0.0
+            // The corner's rounding error, so that nothing at the edge is lost.
+            let slack = 1e-6 * farthest.abs().max_element() * n.length();
+            n.dot(farthest) + plane.w + slack < 0.0
         })
 }

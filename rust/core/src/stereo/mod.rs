@@ -7,13 +7,14 @@ mod assembly;
 mod contents;
 mod error;
 mod head;
+mod needed;
 mod resolved;
 mod rig;
 #[cfg(test)]
 mod tests;
 mod zone;
 
-pub use contents::Triangles;
+pub use contents::{Contents, Triangles};
 pub use error::Axis;
 pub use head::Head;
 pub use resolved::FarPicture;

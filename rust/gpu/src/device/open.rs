@@ -1,7 +1,7 @@
 //! An open device: its queue, its limits, and the state that is kept on it.
 
 use std::process;
-use std::sync::atomic::AtomicU64;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
 use nearfar_core::base::{Error, Result};
@@ -28,6 +28,9 @@ pub struct Device {
     extensions: Extensions,
     /// Triangles can be clipped at planes.
     pub(crate) clips: bool,
+    /// One pass can draw two views, and whether it may.
+    two_views: bool,
+    allows_two_views: AtomicBool,
     /// Passes can read the device's clock.
     pub(crate) has_clock: bool,
     pub(crate) nanoseconds_per_tick: f32,
@@ -40,8 +43,8 @@ pub struct Device {
 impl Device {
     pub(super) fn open(adapter: &Adapter, report: AdapterReport) -> Result<Self> {
         let limits = adapter.limits();
-        // wgpu 30 has neither of them for all of OpenGL's adapters that report them.
-        let native = Features::TIMESTAMP_QUERY | Features::CLIP_DISTANCES;
+        // wgpu 30 has none of them for all of OpenGL's adapters that report them.
+        let native = Features::TIMESTAMP_QUERY | Features::CLIP_DISTANCES | Features::MULTIVIEW;
         let native = if report.backend == "gl" { Features::empty() } else { native };
         let descriptor = DeviceDescriptor {
             label: Some("nearfar"),
@@ -69,12 +72,14 @@ impl Device {
         wgpu.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
         }));
+        let software = matches!(report.kind, AdapterKind::Software);
         let shared = matches!(report.kind, AdapterKind::Software | AdapterKind::Integrated);
         let (shares_memory, writes_depth) =
             (shared && wgpu.features().contains(Features::MAPPABLE_PRIMARY_BUFFERS), report.backend == "gl");
         let flags = adapter.get_texture_format_features(VISIBLE).flags;
         let multisamples = report.backend != "gl" && flags.sample_count_supported(SAMPLES);
         let clips = wgpu.features().contains(Features::CLIP_DISTANCES);
+        let two_views = wgpu.features().contains(Features::MULTIVIEW) && limits.max_multiview_view_count >= 2;
         let (has_clock, nanoseconds_per_tick) =
             (wgpu.features().contains(Features::TIMESTAMP_QUERY), queue.get_timestamp_period());
         Ok(Self {
@@ -88,6 +93,9 @@ impl Device {
             multisamples,
             extensions: Extensions::default(),
             clips,
+            two_views,
+            // In software, Mesa 22.3 draws triangles that cross an edge of a picture into the first view only.
+            allows_two_views: AtomicBool::new(!software),
             has_clock,
             nanoseconds_per_tick,
             made: Default::default(),
@@ -99,6 +107,17 @@ impl Device {
     /// Whether passes are timed.
     pub fn has_clock(&self) -> bool {
         self.has_clock
+    }
+
+    /// Whether one pass draws two views.
+    pub(crate) fn draws_two_views(&self) -> bool {
+        self.two_views && self.allows_two_views.load(Ordering::Relaxed)
+    }
+
+    /// Lets one pass draw two views or not, whatever the adapter's kind; returns whether it may have done so before. Tests
+    /// in software draw triangles that cross no edge of a picture.
+    pub fn allow_two_views(&self, allowed: bool) -> bool {
+        self.allows_two_views.swap(allowed, Ordering::Relaxed)
     }
 
     /// The adapter that it was opened on.

@@ -16,6 +16,10 @@ use super::window::Window;
 #[derive(Clone)]
 pub(crate) struct Frustum {
     planes: Vec<DVec4>,
+    /// It is that of the whole picture.
+    whole: bool,
+    /// That of another view, which is drawn at once.
+    other: Option<Box<Frustum>>,
     /// The picture's mask, and its camera relative to the scene's origin.
     mask: Option<(Arc<Mask>, Camera)>,
 }
@@ -49,7 +53,12 @@ impl Frustum {
             let normal = kept.truncate();
             normal.extend(kept.w + normal.dot(shift) + slack * normal.length())
         }));
-        Self { planes, mask: None }
+        Self { planes, whole: (window.width, window.height) == (camera.width, camera.height), other: None, mask: None }
+    }
+
+    /// All that this one or another one sees.
+    pub fn or(self, other: Self) -> Self {
+        Self { other: Some(Box::new(other)), ..self }
     }
 
     /// The same, without what no drawn pixel of a mask shows; the camera is relative to the scene's origin.
@@ -64,14 +73,25 @@ impl Frustum {
             return false;
         }
         let (low, high) = (bounds.min, bounds.max);
-        self.planes.iter().all(|plane| {
+        let inside = self.planes.iter().all(|plane| {
             let pick = |i: usize| if plane[i] > 0.0 { high[i] } else { low[i] };
             let farthest = Vec3::new(pick(0), pick(1), pick(2)).as_dvec3();
             // The corner's rounding error, so that nothing at the edge is lost.
             let slack = 1e-6 * farthest.abs().max_element();
             plane.truncate().dot(farthest) + plane.w + slack >= 0.0
-        }) && self
-            .mask
+        });
+        inside && self.is_drawn(bounds) || self.other.as_ref().is_some_and(|other| other.sees(bounds))
+    }
+
+    /// The same for a box that the whole picture's half-spaces are known to leave.
+    #[inline]
+    pub fn sees_of_seen(&self, bounds: &Aabb) -> bool {
+        if self.whole { self.is_drawn(bounds) } else { self.sees(bounds) }
+    }
+
+    /// False where no drawn pixel of the mask shows a box.
+    fn is_drawn(&self, bounds: &Aabb) -> bool {
+        self.mask
             .as_ref()
             .is_none_or(|(mask, camera)| mask.pyramid.as_ref().is_none_or(|pyramid| pyramid.sees(camera, bounds)))
     }

@@ -9,7 +9,8 @@ use nearfar_core::camera::Camera;
 use nearfar_core::render::{Channels, Frame};
 use wgpu::PollType;
 
-use super::job::{Job, window_limits};
+use super::job::Job;
+use super::outputs::window_limits;
 use super::picture::Picture;
 use super::read;
 use super::slots::Slots;
@@ -39,14 +40,17 @@ pub(crate) struct Section<'a> {
 impl Job {
     /// Leaves the frame on the device without waiting: kernels that read it come after it in the queue.
     pub fn keep(mut self, progress: &Progress) -> Result<DeviceFrame> {
-        self.device.check_whole(&self.camera, self.channels)?;
+        let [camera] = self.cameras[..] else {
+            return Err(Error::value("frame", "one picture", "two that are drawn at once"));
+        };
+        self.device.check_whole(&camera, self.channels)?;
         let Some(submitted) = self.submitted.pop_front() else {
             return Err(self.device.failure(&"a frame without a window"));
         };
         // The output was asked for in case it is read; kernels can't read it while it is open to the processor.
         submitted.slot.readable().unmap();
         progress.report(submitted.window.pixels() as u64)?;
-        let Self { device, picture, camera, channels, .. } = self;
+        let Self { device, picture, channels, .. } = self;
         Ok(DeviceFrame { device, picture, camera, channels, submitted: Some(submitted) })
     }
 }
@@ -87,7 +91,8 @@ impl DeviceFrame {
         let pixels = submitted.window.pixels();
         progress.expect(pixels as u64);
         let mut frame = Frame::new(self.channels, pixels)?;
-        read::fill(&self.words(submitted, progress)?, submitted, &self.picture, self.camera.width, &mut frame);
+        let words = self.words(submitted, progress)?;
+        read::fill(&words, submitted, &submitted.outputs[0], &self.picture, self.camera.width, &mut frame);
         progress.report(pixels as u64)?;
         Ok(frame)
     }
@@ -121,7 +126,7 @@ impl DeviceFrame {
 
     fn section(&self, channel: usize, name: &str) -> Result<Section<'_>> {
         let submitted = self.submitted()?;
-        match submitted.outputs[channel] {
+        match submitted.outputs[0][channel] {
             u32::MAX => Err(Error::value("frame", format!("one with {name}"), "one without")),
             first => Ok(Section { buffer: &submitted.slot.output, first }),
         }

@@ -7,11 +7,11 @@ use wgpu::{
     RenderPassDescriptor, StoreOp,
 };
 
-use super::inputs::BLOCK;
+use super::inputs::{BLOCK, PASS_BLOCKS};
 use super::layers::Layer;
 use super::picture::Picture;
-use super::pipelines::{Layouts, Pipelines, RasterKey, ResolveKey};
-use super::plan::{Group, PASS_BLOCKS, Plan, RecordsAt};
+use super::pipelines::{Layouts, Pipelines, RasterKey, ResolveKey, views_mask};
+use super::plan::{Group, Plan, RecordsAt};
 use super::slots::{Slot, Target};
 use super::style::Style;
 use super::timing::Stopwatch;
@@ -38,11 +38,14 @@ pub(super) struct Bound<'a> {
     plan: &'a Plan,
     slot: &'a Slot,
     view: BindGroup,
+    /// Those of both views, where a pass draws two.
+    views: Option<BindGroup>,
     raster: Vec<BindGroup>,
     resolve: Vec<BindGroup>,
     /// Bind group and block of the batch without records.
     empty: (BindGroup, u32),
-    targets: [Option<BindGroup>; 2],
+    /// What is visible in each view, with one sample and with several.
+    targets: [Vec<BindGroup>; 2],
     /// Bits of the pixels that are drawn.
     mask: Option<BindGroup>,
 }
@@ -59,16 +62,13 @@ impl<'a> Bound<'a> {
         let layouts = device.state::<Pipelines>().layouts(device);
         let inputs = slot.inputs.buffer()?;
         let map = picture.backdrop.as_ref().map_or(&placeholders.map, |backdrop| &backdrop.texels);
-        let view = group(
-            device,
-            &layouts.view,
-            &[
-                section(inputs, 0, (PASS_BLOCKS * BLOCK) as u64),
-                section(inputs, 0, BLOCK as u64),
-                BindingResource::TextureView(&map.color.view),
-                BindingResource::TextureView(&map.range.view),
-            ],
-        );
+        let views = slot.shape.views;
+        let view = |count: u32| {
+            let passes = section(inputs, 0, u64::from(count) * (PASS_BLOCKS * BLOCK) as u64);
+            let maps = [&map.color.view, &map.range.view].map(BindingResource::TextureView);
+            let [color, range] = maps;
+            group(device, &layouts.view, &[passes, section(inputs, 0, BLOCK as u64), color, range])
+        };
         let order = section(inputs, plan.order.start as u64, plan.order.len().next_multiple_of(4) as u64);
         let raster = |g: &Group| {
             let mut entries = scene(picture, inputs, g);
@@ -83,7 +83,8 @@ impl<'a> Bound<'a> {
             picture,
             plan,
             slot,
-            view,
+            view: view(1),
+            views: (views > 1).then(|| view(views)),
             raster: plan.groups.iter().map(raster).collect(),
             resolve: plan
                 .groups
@@ -103,9 +104,14 @@ impl<'a> Bound<'a> {
     pub fn encode(&self, encoder: &mut CommandEncoder, pass: PassKind) -> Result<()> {
         let samples = if pass.multisampled { SAMPLES } else { 1 };
         let target = self.slot.multisampled.as_ref().filter(|_| pass.multisampled).unwrap_or(&self.slot.single);
-        let offset = (pass.number * PASS_BLOCKS * BLOCK) as u32;
-        self.raster(encoder, target, samples, offset)?;
-        self.resolve(encoder, pass, samples, offset)
+        let views = self.slot.shape.views as usize;
+        let offset = |view: usize| ((pass.number * views + view) * PASS_BLOCKS * BLOCK) as u32;
+        self.raster(encoder, target, samples, offset(0))?;
+        let targets = &self.targets[usize::from(pass.multisampled)];
+        targets
+            .iter()
+            .enumerate()
+            .try_for_each(|(view, target)| self.resolve(encoder, pass, samples, (target, offset(view))))
     }
 
     fn raster(&self, encoder: &mut CommandEncoder, target: &Target, samples: u32, offset: u32) -> Result<()> {
@@ -123,7 +129,8 @@ impl<'a> Bound<'a> {
             let count = (0..groups.len()).take_while(|&n| same(n)).count();
             let pipeline = |g: &Group, single| {
                 let used = g.calls.iter().any(|call| call.single == single);
-                let key = raster_key(self.device, self.picture, &layers[g.layer], single, samples);
+                let (layer, views) = (&layers[g.layer], self.slot.shape.views);
+                let key = raster_key(self.device, self.picture, layer, single, samples, views);
                 used.then(|| self.device.state::<Pipelines>().raster(self.device, key)).transpose()
             };
             let pipelines: Vec<_> =
@@ -145,6 +152,7 @@ impl<'a> Bound<'a> {
                     stencil_ops: None,
                 }),
                 timestamp_writes: self.slot.watch.as_ref().and_then(Stopwatch::raster),
+                multiview_mask: views_mask(self.slot.shape.views),
                 ..RenderPassDescriptor::default()
             });
             if let (Some(mask), Some(pipeline)) = (&self.mask, &hiding) {
@@ -153,6 +161,7 @@ impl<'a> Bound<'a> {
                 pass.set_bind_group(1, &self.view, &[offset, self.empty.1]);
                 pass.draw(0..3, 0..1);
             }
+            let view = self.views.as_ref().unwrap_or(&self.view);
             for (n, (group, pipelines)) in groups[..count].iter().zip(&pipelines).enumerate() {
                 pass.set_bind_group(0, &self.raster[start + n], &[]);
                 let (mut drawn_by, mut bound) = (None, None);
@@ -163,7 +172,7 @@ impl<'a> Bound<'a> {
                         drawn_by = Some(call.single);
                     }
                     if bound != Some(call.block) {
-                        pass.set_bind_group(1, &self.view, &[offset, call.block as u32]);
+                        pass.set_bind_group(1, view, &[offset, call.block as u32]);
                         bound = Some(call.block);
                     }
                     pass.draw(call.vertices.clone(), call.instances.clone());
@@ -175,7 +184,13 @@ impl<'a> Bound<'a> {
         Ok(())
     }
 
-    fn resolve(&self, encoder: &mut CommandEncoder, kind: PassKind, samples: u32, offset: u32) -> Result<()> {
+    fn resolve(
+        &self,
+        encoder: &mut CommandEncoder,
+        kind: PassKind,
+        samples: u32,
+        (target, offset): (&BindGroup, u32),
+    ) -> Result<()> {
         let key = |style: Style, single, first, layer: Option<&Layer>| ResolveKey {
             style,
             mapped: first && self.picture.backdrop.is_some(),
@@ -204,7 +219,6 @@ impl<'a> Bound<'a> {
             label: Some("resolve"),
             timestamp_writes: self.slot.watch.as_ref().and_then(Stopwatch::resolve),
         });
-        let Some(target) = &self.targets[usize::from(kind.multisampled)] else { return Ok(()) };
         let groups = [self.slot.shape.width.div_ceil(8), self.slot.shape.height.div_ceil(8)];
         pass.set_bind_group(2, target, &[]);
         let mut dispatch = |pipeline: &wgpu::ComputePipeline, scene: &BindGroup, block: u32| {
@@ -223,18 +237,21 @@ impl<'a> Bound<'a> {
     }
 }
 
-fn raster_key(device: &Device, picture: &Picture, layer: &Layer, single: bool, samples: u32) -> RasterKey {
+fn raster_key(device: &Device, picture: &Picture, layer: &Layer, single: bool, samples: u32, views: u32) -> RasterKey {
     let (cutout, clipped) = (layer.scene.has_cutouts(), picture.clips(device, layer));
     let limited = picture.limits.is_some() && !clipped;
-    RasterKey { style: layer.style, cut: layer.cut, cutout, limited, clipped, single, samples }
+    RasterKey { style: layer.style, cut: layer.cut, cutout, limited, clipped, single, samples, views }
 }
 
-fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Option<BindGroup>; 2] {
-    let target = |layout: usize, target: &Target| {
-        let entries = [BindingResource::TextureView(&target.visible), slot.output.as_entire_binding()];
-        group(device, &layouts.target[layout], &entries)
+fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Vec<BindGroup>; 2] {
+    let views = |layout: usize, target: &Target| {
+        let bound = |view| {
+            let entries = [BindingResource::TextureView(view), slot.output.as_entire_binding()];
+            group(device, &layouts.target[layout], &entries)
+        };
+        target.views.iter().map(bound).collect()
     };
-    [Some(target(0, &slot.single)), slot.multisampled.as_ref().map(|several| target(1, several))]
+    [views(0, &slot.single), slot.multisampled.as_ref().map_or_else(Vec::new, |several| views(1, several))]
 }
 
 fn scene<'a>(picture: &'a Picture, inputs: &'a wgpu::Buffer, group: &'a Group) -> Vec<BindingResource<'a>> {

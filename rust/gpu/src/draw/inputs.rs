@@ -7,6 +7,8 @@ use crate::device::{Counted, Device};
 
 /// Bytes that offsets of uniform blocks are multiples of.
 pub(super) const BLOCK: usize = 256;
+/// Blocks that a pass takes.
+pub(super) const PASS_BLOCKS: usize = 3;
 
 /// A frame's numbers for shaders: uniform blocks, records of moving instances and the order of records.
 #[derive(Default)]

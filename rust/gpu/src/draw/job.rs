@@ -11,16 +11,17 @@ use wgpu::CommandEncoderDescriptor;
 
 use super::cull::Frustum;
 use super::encode::{Bound, PassKind};
-use super::inputs::BLOCK;
+use super::inputs::{BLOCK, PASS_BLOCKS};
 use super::layers::Layer;
+use super::outputs::{bytes_per_pixel, layouts, window_limits};
 use super::picture::Picture;
-use super::plan::{PASS_BLOCKS, Plan};
+use super::plan::Plan;
 use super::read;
 use super::slots::{Shape, Slots};
 use super::style::Displacement;
 use super::submitted::{Submitted, open_buffers};
 use super::timing::Stopwatch;
-use super::view::{CHANNELS, Outputs, Sampling, eye_of, pass_of};
+use super::view::{Sampling, eye_of, pass_of};
 use super::window::Window;
 use crate::device::{Counted, Device, SAMPLES, Scope, Submission};
 use crate::upload::Residents;
@@ -30,19 +31,18 @@ const WINDOWS_AHEAD: usize = 2;
 /// Passes in one submission: between two, the caller may cancel. In software a pass of millions of pixels takes a second.
 const PASSES_PER_SUBMISSION: usize = 8;
 const PASSES_IN_SOFTWARE: usize = 1;
-/// Bytes of a pixel's channels: colour, range, ids, position, normal, albedo, shading normal, coverage.
-const CHANNEL_BYTES: [u64; CHANNELS] = [12, 4, 8, 12, 12, 12, 12, 4];
 
-/// A frame that is being drawn.
+/// Frames that are being drawn: one, or two at once.
 pub struct Job {
     pub(super) device: Arc<Device>,
     pub(super) picture: Picture,
-    pub(super) camera: Camera,
+    /// A camera for each frame, all of one size.
+    pub(super) cameras: Vec<Camera>,
     pub(super) channels: Channels,
     samples: u32,
     waiting: VecDeque<Window>,
     pub(super) submitted: VecDeque<Submitted>,
-    frame: Frame,
+    frames: Vec<Frame>,
 }
 
 impl Job {
@@ -55,46 +55,71 @@ impl Job {
         samples: u32,
         progress: &Progress,
     ) -> Result<Self> {
+        Self::begin_views(device, picture, vec![*camera], channels, samples, progress)
+    }
+
+    /// Begins a frame for each camera; two only where `draws_both` says so.
+    pub(crate) fn begin_views(
+        device: &Arc<Device>,
+        picture: Picture,
+        cameras: Vec<Camera>,
+        channels: Channels,
+        samples: u32,
+        progress: &Progress,
+    ) -> Result<Self> {
         if !(1..=MAX_SAMPLES).contains(&samples) {
             return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), samples));
         }
-        let eye = camera.position - picture.origin;
-        let reach = nearfar_core::base::REACH;
-        if eye.abs().max_element() > reach {
-            let expected = format!("a place within {reach:e} m of the scene's origin");
-            return Err(Error::value("position", expected, format!("{:e} m", eye.abs().max_element())));
+        for camera in &cameras {
+            let away = (camera.position - picture.origin).abs().max_element();
+            let reach = nearfar_core::base::REACH;
+            if away > reach {
+                let expected = format!("a place within {reach:e} m of the scene's origin");
+                return Err(Error::value("position", expected, format!("{away:e} m")));
+            }
         }
-        let pixels = u64::from(camera.width) * u64::from(camera.height);
-        let frame = Frame::new(channels, pixels as usize)?;
+        let Camera { width, height, .. } = cameras[0];
+        let pixels = u64::from(width) * u64::from(height);
+        let frames = cameras.iter().map(|_| Frame::new(channels, pixels as usize)).collect::<Result<_>>()?;
         let (most, side) = window_limits(device, channels);
-        progress.expect(pixels);
+        progress.expect(pixels * cameras.len() as u64);
         let mut job = Self {
             device: Arc::clone(device),
             picture,
-            camera: *camera,
+            cameras,
             channels,
             samples,
-            waiting: Window::split(camera.width, camera.height, most, side).into(),
+            waiting: Window::split(width, height, most, side).into(),
             submitted: VecDeque::new(),
-            frame,
+            frames,
         };
         job.submit_ahead(progress)?;
         Ok(job)
     }
 
-    /// Waits for the frame's windows, submits those that are left, and returns the images.
-    pub fn finish(mut self, progress: &Progress) -> Result<Frame> {
+    /// Waits for the frame and returns its images; of two, those of the first one.
+    pub fn finish(self, progress: &Progress) -> Result<Frame> {
+        Ok(self.finish_all(progress)?.swap_remove(0))
+    }
+
+    /// Waits for the frames' windows, submits those that are left, and returns the images of each.
+    pub fn finish_all(mut self, progress: &Progress) -> Result<Vec<Frame>> {
         while let Some(submitted) = self.submitted.pop_front() {
             self.device.wait(&submitted.submission, progress)?;
             submitted.await_opening(&self.device, progress)?;
-            read::copy(&self.device, &submitted, &self.picture, self.camera.width, &mut self.frame)?;
+            read::copy(&self.device, &submitted, &self.picture, self.cameras[0].width, &mut self.frames)?;
             submitted.slot.readable().unmap();
             submitted.slot.watch.as_ref().map_or(Ok(()), |watch| watch.count(&self.device, progress))?;
-            progress.report(submitted.window.pixels() as u64)?;
+            progress.report((self.frames.len() * submitted.window.pixels()) as u64)?;
             self.device.state::<Slots>().give_back(submitted.slot);
             self.submit_ahead(progress)?;
         }
-        Ok(self.frame)
+        Ok(self.frames)
+    }
+
+    /// Number of its frames.
+    pub fn frame_count(&self) -> usize {
+        self.frames.len()
     }
 
     fn submit_ahead(&mut self, progress: &Progress) -> Result<()> {
@@ -108,20 +133,24 @@ impl Job {
 
     fn submit(&self, window: Window, progress: &Progress) -> Result<Submitted> {
         let (device, picture) = (&*self.device, &self.picture);
-        let outputs = layout(self.channels, &window);
+        let outputs = layouts(self.channels, &window, self.cameras.len());
         let passes = self.passes();
         let multisampled = passes.iter().any(|(pass, _)| pass.multisampled);
-        let bytes = bytes_per_pixel(self.channels) * window.pixels() as u64;
-        let shape = Shape { width: window.width, height: window.height, multisampled, bytes };
-        let mut plan = Plan::new(picture, |layer| self.frustum(layer, &window), passes.len());
+        let views = self.cameras.len();
+        let bytes = views as u64 * bytes_per_pixel(self.channels) * window.pixels() as u64;
+        let Window { width, height, .. } = window;
+        let shape = Shape { width, height, views: views as u32, multisampled, bytes };
+        let mut plan = Plan::new(picture, |layer| self.frustum(layer, &window), passes.len() * views);
         if let Some(mask) = &picture.mask {
-            plan.add_mask(&mask.bits(&window, self.camera.width));
+            plan.add_mask(&mask.bits(&window, self.cameras[0].width));
         }
         let farthest = self.farthest();
         for (pass, sampling) in &passes {
-            let block = pass_of(picture, &self.camera, &window, sampling, &outputs, farthest);
-            let at = pass.number * PASS_BLOCKS * BLOCK;
-            plan.inputs[at..at + size_of_val(&block)].copy_from_slice(bytemuck::bytes_of(&block));
+            for (view, (camera, outputs)) in self.cameras.iter().zip(&outputs).enumerate() {
+                let block = pass_of(picture, camera, &window, sampling, outputs, farthest);
+                let at = (pass.number * views + view) * PASS_BLOCKS * BLOCK;
+                plan.inputs[at..at + size_of_val(&block)].copy_from_slice(bytemuck::bytes_of(&block));
+            }
         }
         device.count(Counted::Triangles, plan.triangles * passes.len() as u64);
         let mut slot = device.state::<Slots>().take(device, shape)?;
@@ -189,57 +218,29 @@ impl Job {
 
     /// Half-spaces that visible points of a layer lie in; none where its displacement has no bound.
     fn frustum(&self, layer: &Layer, window: &Window) -> Option<Frustum> {
-        let eye = eye_of(&self.camera, &self.picture);
         let limits = self.picture.limits.unwrap_or(Limits::NONE);
-        layer.displacement.map(|moved| {
-            let frustum = Frustum::new(&self.camera, window, eye, &limits, &moved);
+        let moved = layer.displacement?;
+        let of_view = |camera: &Camera| {
+            let eye = eye_of(camera, &self.picture);
+            let frustum = Frustum::new(camera, window, eye, &limits, &moved);
             match &self.picture.mask {
-                Some(mask) if moved == Displacement::NONE => {
-                    frustum.masked(mask, Camera { position: eye, ..self.camera })
-                }
+                Some(mask) if moved == Displacement::NONE => frustum.masked(mask, Camera { position: eye, ..*camera }),
                 _ => frustum,
             }
-        })
+        };
+        self.cameras.iter().map(of_view).reduce(Frustum::or)
     }
 
     /// Depth of the farthest point along parallel rays.
     fn farthest(&self) -> f64 {
-        let eye = eye_of(&self.camera, &self.picture);
-        if !self.camera.is_parallel() {
+        let [camera] = &self.cameras[..] else { return 1.0 };
+        if !camera.is_parallel() {
             return 1.0;
         }
+        let eye = eye_of(camera, &self.picture);
         let bounds =
             self.picture.layers.iter().flat_map(|layer| layer.scene.instances()).map(|instance| instance.bounds);
         let far = |b: Aabb| (b.min.as_dvec3() - eye).abs().max((b.max.as_dvec3() - eye).abs()).length();
         bounds.filter(|bounds| !bounds.is_empty()).map(far).fold(1.0, f64::max) * 1.01
     }
-}
-
-/// Flags of the wanted channels, in the order of `CHANNEL_BYTES`.
-fn wanted(channels: Channels) -> [bool; CHANNELS] {
-    let Channels { color, coverage, range, object_id, face_id, position, normal, albedo, shading_normal } = channels;
-    [color, range, object_id || face_id, position, normal, albedo, shading_normal, coverage]
-}
-
-fn bytes_per_pixel(channels: Channels) -> u64 {
-    wanted(channels).iter().zip(CHANNEL_BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum()
-}
-
-/// The most pixels that a window may have, and the most across and down.
-pub(super) fn window_limits(device: &Device, channels: Channels) -> (u64, u32) {
-    let most = device.largest_binding() / bytes_per_pixel(channels).max(1);
-    (most.max(1), device.limits.max_texture_dimension_2d)
-}
-
-/// First word of each channel of a window.
-fn layout(channels: Channels, window: &Window) -> Outputs {
-    let mut at = 0;
-    let mut outputs = [u32::MAX; CHANNELS];
-    for ((slot, wanted), bytes) in outputs.iter_mut().zip(wanted(channels)).zip(CHANNEL_BYTES) {
-        if wanted {
-            *slot = at;
-            at += (bytes / 4) as u32 * window.pixels() as u32;
-        }
-    }
-    outputs
 }

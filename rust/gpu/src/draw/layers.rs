@@ -33,6 +33,8 @@ pub(crate) struct Layer {
     pub displacement: Option<Displacement>,
     /// It hides all layers before it: the depth buffer is cleared.
     pub covers: bool,
+    /// For each of its instances whether the picture may show it, where that is known.
+    pub seen: Option<Arc<[bool]>>,
     /// Faces of another scene that the layer's faces were made from: images hold their objects and triangles.
     pub sources: Option<Arc<Sources>>,
 }
@@ -58,6 +60,7 @@ impl Layer {
             cut: Cut::NONE,
             displacement: Some(Displacement::NONE),
             covers: false,
+            seen: None,
             sources: None,
         }
     }

@@ -1,5 +1,6 @@
 //! Frames: sets of instances drawn in order, each in its style, and the images that come back.
 
+mod both;
 mod cull;
 mod device_frame;
 mod encode;
@@ -7,6 +8,7 @@ mod inputs;
 mod job;
 mod layers;
 mod mask;
+mod outputs;
 mod picture;
 mod pipelines;
 mod plan;
@@ -22,6 +24,7 @@ mod window;
 pub use device_frame::DeviceFrame;
 pub use job::Job;
 
+pub(crate) use both::draws_both;
 pub(crate) use layers::{Layer, Set, Sources};
 pub(crate) use mask::Mask;
 pub(crate) use picture::{Backdrop, Picture};

@@ -1,6 +1,7 @@
 //! Shaders and pipelines, each compiled once on a device, and the layouts of their bindings.
 
 use std::collections::HashMap;
+use std::num::NonZeroU32;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use nearfar_core::base::Result;
@@ -31,13 +32,19 @@ pub(super) struct RasterKey {
     pub clipped: bool,
     pub single: bool,
     pub samples: u32,
+    /// The views that one pass draws, 1 or 2.
+    pub views: u32,
 }
 
 impl RasterKey {
     /// Entry points of vertices and fragments.
     fn entries(&self, writes_depth: bool) -> [&'static str; 2] {
         let plain = self.cut == Cut::NONE && !self.cutout && !self.limited;
-        let plain_vertex = if self.clipped { "clipped_vertex" } else { "plain_vertex" };
+        let plain_vertex = match (self.clipped, self.views) {
+            (false, 1) => "plain_vertex",
+            (false, _) => "plain_vertex_of_two",
+            (true, _) => "clipped_vertex",
+        };
         match (plain, writes_depth) {
             (true, false) => [plain_vertex, "plain_fragment"],
             (true, true) => [plain_vertex, "plain_fragment_with_depth"],
@@ -143,7 +150,7 @@ impl Pipelines {
                 compilation_options,
                 targets: &[Some(VISIBLE.into())],
             }),
-            multiview_mask: None,
+            multiview_mask: views_mask(key.views),
             cache: None,
         });
         scope.close()?;
@@ -260,13 +267,21 @@ const CUBE: &str = include_str!("../shaders/cube.wgsl");
 const SURFACE: &str = include_str!("../shaders/surface.wgsl");
 const RASTER: &str = include_str!("../shaders/raster.wgsl");
 const CLIPPED: &str = include_str!("../shaders/clipped.wgsl");
+const ONE_VIEW: &str = include_str!("../shaders/one_view.wgsl");
+const TWO_VIEWS: &str = include_str!("../shaders/two_views.wgsl");
 const MASK: &str = include_str!("../shaders/mask.wgsl");
 const RESOLVE: &str = include_str!("../shaders/resolve.wgsl");
 
+/// The views of a pass, as a mask, where it draws more than one.
+pub(super) fn views_mask(views: u32) -> Option<NonZeroU32> {
+    NonZeroU32::new(if views > 1 { (1 << views) - 1 } else { 0 })
+}
+
 fn raster_source(key: &RasterKey) -> String {
     let (enable, clipped) = if key.clipped { ("enable clip_distances;\n", CLIPPED) } else { ("", "") };
+    let views = if key.views == 1 { ONE_VIEW } else { TWO_VIEWS };
     let (style, cut) = (key.style.0.text, key.cut.snippet.text);
-    [enable, &shading_constants(), SCENE, CUBE, SURFACE, style, cut, RASTER, clipped].concat()
+    [enable, &shading_constants(), SCENE, views, CUBE, SURFACE, style, cut, RASTER, clipped].concat()
 }
 
 fn resolve_source(style: Style, samples: u32) -> String {
@@ -276,7 +291,7 @@ fn resolve_source(style: Style, samples: u32) -> String {
          fn load_visible(pixel: vec2<u32>, sample_index: u32) -> vec4<u32> {{ \
          return textureLoad(visible, vec2<i32>(pixel), {index}); }}\n"
     );
-    [&shading_constants()[..], SCENE, CUBE, SURFACE, style.0.text, &load, RESOLVE].concat()
+    [&shading_constants()[..], SCENE, ONE_VIEW, CUBE, SURFACE, style.0.text, &load, RESOLVE].concat()
 }
 
 /// The shading formula's numbers, written once for all renderers.

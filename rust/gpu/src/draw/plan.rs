@@ -6,7 +6,7 @@ use std::sync::Arc;
 use bytemuck::{Pod, Zeroable};
 
 use super::cull::Frustum;
-use super::inputs::BLOCK;
+use super::inputs::{BLOCK, PASS_BLOCKS};
 use super::layers::{Layer, Set};
 use super::picture::Picture;
 use super::visible::{Drawn, Visible};
@@ -132,7 +132,7 @@ impl Plan {
                 vec![(RecordsAt::Inputs(start..self.inputs.len()), 0, count)]
             }
         };
-        let mut visible = Visible::new(instances, &set.instances, frustum);
+        let mut visible = Visible::new(instances, &set.instances, frustum, layer.seen.as_deref());
         for (records, first_in_set, count) in batches {
             let first = self.numbering.last().map_or(0, |last| last.first + last.count);
             self.numbering.push(Numbering { layer: number, first, count, first_in_set });
@@ -208,6 +208,3 @@ impl Plan {
         self.inputs.resize(self.inputs.len().next_multiple_of(BLOCK), 0);
     }
 }
-
-/// Blocks that a pass takes.
-pub(super) const PASS_BLOCKS: usize = 3;

@@ -9,28 +9,38 @@ use super::layers::Layer;
 use super::picture::Picture;
 use super::plan::Numbering;
 use super::submitted::Submitted;
+use super::view::Outputs;
 use super::window::Window;
 use crate::device::Device;
 
-/// Copies a window into its place in a frame of `width` pixels a row.
+/// Copies a window into its place in each view's frame, of `width` pixels a row.
 pub(super) fn copy(
     device: &Device,
     submitted: &Submitted,
     picture: &Picture,
     width: u32,
-    frame: &mut Frame,
+    frames: &mut [Frame],
 ) -> Result<()> {
     let view = submitted.slot.readable().get_mapped_range(..submitted.slot.shape.bytes.next_multiple_of(8));
     let view = view.map_err(|error| device.failure(&error))?;
-    fill(bytemuck::cast_slice(&view), submitted, picture, width, frame);
+    for (frame, outputs) in frames.iter_mut().zip(&submitted.outputs) {
+        fill(bytemuck::cast_slice(&view), submitted, outputs, picture, width, frame);
+    }
     Ok(())
 }
 
 /// Puts a window's words into its place in a frame of `width` pixels a row.
-pub(super) fn fill(words: &[u32], submitted: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) {
+pub(super) fn fill(
+    words: &[u32],
+    submitted: &Submitted,
+    outputs: &Outputs,
+    picture: &Picture,
+    width: u32,
+    frame: &mut Frame,
+) {
     let window = &submitted.window;
     let section = |channel: usize, each: usize| {
-        let start = submitted.outputs[channel] as usize;
+        let start = outputs[channel] as usize;
         &words[start..start + each * window.pixels()]
     };
     let vectors = [

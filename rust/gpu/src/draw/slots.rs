@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use nearfar_core::base::Result;
 use wgpu::{
     BufferUsages, Extent3d, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView,
-    TextureViewDescriptor,
+    TextureViewDescriptor, TextureViewDimension,
 };
 
 use super::inputs::ShaderInputs;
@@ -27,6 +27,8 @@ pub(crate) struct Slots(Mutex<Vec<Slot>>);
 pub(super) struct Shape {
     pub width: u32,
     pub height: u32,
+    /// Views that are drawn at once.
+    pub views: u32,
     /// A target of several samples is there besides.
     pub multisampled: bool,
     /// Bytes of the output.
@@ -37,7 +39,7 @@ impl Shape {
     /// Bytes of all that a slot of this shape holds, but for the inputs.
     fn total_bytes(&self) -> u64 {
         let samples = 1 + if self.multisampled { u64::from(SAMPLES) } else { 0 };
-        2 * self.bytes + 12 * samples * u64::from(self.width) * u64::from(self.height)
+        2 * self.bytes + 12 * samples * u64::from(self.views) * u64::from(self.width) * u64::from(self.height)
     }
 }
 
@@ -45,6 +47,8 @@ impl Shape {
 pub(super) struct Target {
     pub visible: TextureView,
     pub depth: TextureView,
+    /// What is visible in each view.
+    pub views: Vec<TextureView>,
 }
 
 /// The memory of one window in flight.
@@ -112,9 +116,10 @@ impl Slot {
 
 impl Target {
     fn new(device: &Device, shape: Shape, samples: u32) -> Result<Self> {
-        let view = |label, format: TextureFormat, usage, bytes: u64| {
-            let size = Extent3d { width: shape.width, height: shape.height, depth_or_array_layers: 1 };
-            let texture = device.texture(
+        let target = TextureUsages::RENDER_ATTACHMENT;
+        let texture = |label, format: TextureFormat, usage, bytes: u64| {
+            let size = Extent3d { width: shape.width, height: shape.height, depth_or_array_layers: shape.views };
+            device.texture(
                 &TextureDescriptor {
                     label: Some(label),
                     size,
@@ -125,14 +130,23 @@ impl Target {
                     usage,
                     view_formats: &[],
                 },
-                bytes * u64::from(samples) * u64::from(shape.width) * u64::from(shape.height),
-            )?;
-            Ok(texture.create_view(&TextureViewDescriptor::default()))
+                bytes * u64::from(samples * shape.views) * u64::from(shape.width) * u64::from(shape.height),
+            )
         };
-        let target = TextureUsages::RENDER_ATTACHMENT;
+        let visible = texture("visible", VISIBLE, target | TextureUsages::TEXTURE_BINDING, 8)?;
+        let depth = texture("depth", DEPTH, target, 4)?;
+        let layer = |base_array_layer| {
+            visible.create_view(&TextureViewDescriptor {
+                dimension: Some(TextureViewDimension::D2),
+                base_array_layer,
+                array_layer_count: Some(1),
+                ..TextureViewDescriptor::default()
+            })
+        };
         Ok(Self {
-            visible: view("visible", VISIBLE, target | TextureUsages::TEXTURE_BINDING, 8)?,
-            depth: view("depth", DEPTH, target, 4)?,
+            views: (0..shape.views).map(layer).collect(),
+            visible: visible.create_view(&TextureViewDescriptor::default()),
+            depth: depth.create_view(&TextureViewDescriptor::default()),
         })
     }
 }

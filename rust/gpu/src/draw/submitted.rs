@@ -16,7 +16,8 @@ use crate::device::{Device, Submission};
 pub(super) struct Submitted {
     pub window: Window,
     pub slot: Slot,
-    pub outputs: Outputs,
+    /// Of each view.
+    pub outputs: Vec<Outputs>,
     pub numbering: Vec<Numbering>,
     pub submission: Submission,
     /// Buffers that are open again, and those that could not be opened.

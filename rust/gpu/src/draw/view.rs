@@ -6,6 +6,7 @@ use nearfar_core::camera::direction_from_face;
 use nearfar_core::camera::{Camera, Fov, Projection};
 use nearfar_core::render::{Limits, MOST_PLANES, Segment};
 
+use super::inputs::{BLOCK, PASS_BLOCKS};
 use super::picture::Picture;
 use super::style::Parameters;
 use super::window::Window;
@@ -31,7 +32,11 @@ pub(super) struct Pass {
     segment: [f32; 4],
     planes: [[f32; 4]; MOST_PLANES],
     parameters: Parameters,
+    /// Up to whole blocks, so that the passes of two views follow each other as an array.
+    unused: [[f32; 4]; 15],
 }
+
+const _: () = assert!(size_of::<Pass>() == PASS_BLOCKS * BLOCK);
 
 /// Number of an image's channels in the output.
 pub(super) const CHANNELS: usize = 8;
@@ -131,6 +136,7 @@ pub(super) fn pass_of(
         segment: segment_of(picture),
         planes: planes_of(picture, eye),
         parameters: picture.parameters,
+        unused: [[0.0; 4]; 15],
     }
 }
 

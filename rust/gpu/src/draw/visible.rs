@@ -23,14 +23,24 @@ pub(super) struct Visible {
 }
 
 impl Visible {
-    /// Instances of a set and runs of their faces that a frustum sees; all of them without one.
-    pub fn new(instances: &[Instance], placed: &[InstanceParts], frustum: Option<&Frustum>) -> Self {
+    /// Instances of a set and runs of their faces that a frustum sees; all of them without one. Where `seen` tells which
+    /// instances the whole picture may show, they are not found out again.
+    pub fn new(
+        instances: &[Instance],
+        placed: &[InstanceParts],
+        frustum: Option<&Frustum>,
+        seen: Option<&[bool]>,
+    ) -> Self {
         let sees = |bounds: &Aabb| frustum.is_none_or(|frustum| frustum.sees(bounds));
+        let shows = |n: usize, bounds: &Aabb| match seen {
+            Some(seen) => seen[n] && frustum.is_none_or(|frustum| frustum.sees_of_seen(bounds)),
+            None => sees(bounds),
+        };
         let mut calls: Vec<(Arc<Page>, Range<u32>, Vec<u32>)> = Vec::new();
         // Whole parts of meshes that are placed many times are drawn with one call.
         let mut whole: HashMap<(u64, u32), usize> = HashMap::new();
-        for (instance, InstanceParts { first_record, parts }) in instances.iter().zip(placed) {
-            if instance.mesh.faces.is_empty() || !sees(&instance.bounds) {
+        for (n, (instance, InstanceParts { first_record, parts })) in instances.iter().zip(placed).enumerate() {
+            if instance.mesh.faces.is_empty() || !shows(n, &instance.bounds) {
                 continue;
             }
             for (i, part) in parts.iter().enumerate() {

@@ -60,10 +60,14 @@ struct Plain {
     @location(0) @interpolate(flat) id: vec2<u32>,
 }
 
-@vertex
-fn plain_vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance: u32) -> Plain {
+fn plain_corner(number: u32, instance: u32) -> Plain {
     let corner = corner_of(number, instance);
     return Plain(corner.position, id_of(corner.local, number));
+}
+
+@vertex
+fn plain_vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance: u32) -> Plain {
+    return plain_corner(number, instance);
 }
 
 @fragment

@@ -38,6 +38,7 @@ struct Pass {
     planes: array<vec4<f32>, 8>,
     // Numbers that the style and the cut read.
     parameters: array<vec4<f32>, 4>,
+    unused: array<vec4<f32>, 15>,
 }
 
 struct Record {
@@ -95,7 +96,6 @@ const NONE: u32 = 0xffffffffu;
 @group(0) @binding(3) var<storage, read> materials: array<Material>;
 @group(0) @binding(4) var<storage, read> textures: array<Texture>;
 @group(0) @binding(5) var texels: texture_2d_array<u32>;
-@group(1) @binding(0) var<uniform> view: Pass;
 @group(1) @binding(1) var<uniform> batch: Batch;
 
 // The variant of the style.

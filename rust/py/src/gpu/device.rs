@@ -91,6 +91,11 @@ impl GpuDevice {
         self.0.check_whole(&camera.0, self::channels(&channels)?).map_err(to_python)
     }
 
+    /// Lets one pass draw both eyes or not; returns whether it may have done so before.
+    fn allow_two_views(&self, allowed: bool) -> bool {
+        self.0.allow_two_views(allowed)
+    }
+
     /// Closes the device in the way a driver fault would.
     fn lose(&self, py: Python<'_>) -> PyResult<()> {
         run::short(py, || {
@@ -99,22 +104,25 @@ impl GpuDevice {
         })
     }
 
-    /// Starts a frame of a scene.
-    #[pyo3(signature = (scene, camera, settings, *, report=None))]
+    /// Starts frames of a scene, one for each camera.
+    #[pyo3(signature = (scene, cameras, settings, *, report=None))]
     fn truth(
         &self,
         py: Python<'_>,
         scene: &Scene,
-        camera: &Camera,
+        cameras: Vec<PyRef<'_, Camera>>,
         settings: Settings<'_>,
         report: Option<Py<PyAny>>,
-    ) -> PyResult<GpuJob> {
+    ) -> PyResult<Vec<GpuJob>> {
         let (channels, limits, pixels) = (settings.channels()?, settings.limits()?, settings.pixels()?);
-        let (scene, camera, samples) = (&scene.0, &camera.0, settings.samples);
+        let (scene, samples) = (&scene.0, settings.samples);
+        let cameras: Vec<_> = cameras.iter().map(|camera| camera.0).collect();
         let begin =
-            |progress: &Progress| truth::begin(&self.0, scene, camera, channels, samples, (limits, pixels), progress);
-        let job = run::long(py, report, begin)?;
-        Ok(GpuJob::new(job, camera, None))
+            |progress: &Progress| truth::begin(&self.0, scene, &cameras, channels, samples, (limits, pixels), progress);
+        let jobs = run::long(py, report, begin)?;
+        let mut cameras = cameras.iter();
+        let named = |job: nearfar_gpu::Job| GpuJob::each(job, &mut cameras);
+        Ok(jobs.into_iter().flat_map(named).collect())
     }
 
     /// The channels of an environment map by name, as `bake` returns them.

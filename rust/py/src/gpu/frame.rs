@@ -1,8 +1,8 @@
 //! Frames of the GPU back end: frames being drawn, and frames kept on the device.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
-use nearfar_core::base::Error;
+use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::camera::Camera;
 use nearfar_core::render::Frame;
 use nearfar_core::render::reduced::FrameCounts;
@@ -17,8 +17,34 @@ use crate::render::frame::{add_counts, images};
 /// A frame that is being drawn.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuJob {
-    job: Mutex<Option<Job>>,
+    drawn: Arc<Mutex<Drawn>>,
+    /// Its place among the frames that are drawn at once.
+    number: usize,
     contents: Contents,
+}
+
+/// Frames that are drawn at once: all of them under way, or those that nobody has asked for yet.
+struct Drawn {
+    job: Option<Job>,
+    frames: Vec<Option<Frame>>,
+}
+
+impl Drawn {
+    fn begun(job: Job) -> Arc<Mutex<Self>> {
+        Arc::new(Mutex::new(Self { job: Some(job), frames: Vec::new() }))
+    }
+
+    /// One of the frames; the first call waits for all. Fails on the second call for a frame.
+    fn take(&mut self, number: usize, progress: &Progress) -> Result<Frame> {
+        if let Some(job) = self.job.take() {
+            self.frames = job.finish_all(progress)?.into_iter().map(Some).collect();
+        }
+        self.frames.get_mut(number).and_then(Option::take).ok_or_else(read_twice)
+    }
+}
+
+fn read_twice() -> Error {
+    Error::value("frame", "one that was not read yet", "one that was")
 }
 
 /// Size of a frame, and its counts if it shows a reduced scene.
@@ -42,14 +68,25 @@ impl Contents {
 impl GpuJob {
     /// A job whose frame has the camera's size.
     pub(crate) fn new(job: Job, camera: &Camera, counts: Option<FrameCounts>) -> Self {
+        Self::of(&Drawn::begun(job), 0, camera, counts)
+    }
+
+    /// The frames of a job, each with the next camera's size.
+    pub(crate) fn each<'a>(job: Job, cameras: &mut impl Iterator<Item = &'a Camera>) -> Vec<Self> {
+        let count = job.frame_count();
+        let drawn = Drawn::begun(job);
+        cameras.take(count).enumerate().map(|(number, camera)| Self::of(&drawn, number, camera, None)).collect()
+    }
+
+    fn of(drawn: &Arc<Mutex<Drawn>>, number: usize, camera: &Camera, counts: Option<FrameCounts>) -> Self {
         let shape = (camera.height as usize, camera.width as usize);
-        Self { job: Mutex::new(Some(job)), contents: Contents { shape, counts } }
+        Self { drawn: Arc::clone(drawn), number, contents: Contents { shape, counts } }
     }
 
     /// Takes the job; fails on the second call.
     fn take(&self) -> PyResult<Job> {
-        let job = self.job.lock().unwrap_or_else(PoisonError::into_inner).take();
-        job.ok_or_else(|| to_python(Error::value("frame", "one that was not read yet", "one that was")))
+        let job = self.drawn.lock().unwrap_or_else(PoisonError::into_inner).job.take();
+        job.ok_or_else(|| to_python(read_twice()))
     }
 }
 
@@ -59,8 +96,10 @@ impl GpuJob {
     /// called once.
     #[pyo3(signature = (report=None))]
     fn finish<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
-        let job = self.take()?;
-        let frame = run::long(py, report, |progress| job.finish(progress))?;
+        // Another thread may be waiting for the other frame: it holds the lock without the interpreter.
+        let frame = run::long(py, report, |progress| {
+            self.drawn.lock().unwrap_or_else(PoisonError::into_inner).take(self.number, progress)
+        })?;
         self.contents.named(py, frame)
     }
 }

@@ -4,7 +4,7 @@ use nearfar_core::render::reduced::FrameCounts;
 use nearfar_core::render::{Channels, Frame, Limits, Pixels, Segment};
 use nearfar_core::scene::srgb::srgb_from_all_linear;
 use numpy::ndarray::IntoDimension;
-use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray2, PyReadonlyArrayDyn};
+use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -25,6 +25,7 @@ pub struct Settings<'py> {
     mask: Option<PyReadonlyArray2<'py, bool>>,
     bare: bool,
     occlusion: bool,
+    instances: Option<PyReadonlyArray1<'py, bool>>,
 }
 
 impl Settings<'_> {
@@ -41,7 +42,8 @@ impl Settings<'_> {
     /// The pixels that are drawn.
     pub fn pixels(&self) -> PyResult<Pixels<'_>> {
         let mask = self.mask.as_ref().map(PyReadonlyArray2::as_slice).transpose()?;
-        Ok(Pixels { mask, bare: self.bare, occlusion: self.occlusion })
+        let instances = self.instances.as_ref().map(PyReadonlyArray1::as_slice).transpose()?;
+        Ok(Pixels { mask, bare: self.bare, occlusion: self.occlusion, instances })
     }
 }
 

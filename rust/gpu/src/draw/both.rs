@@ -1,0 +1,35 @@
+//! Two pictures that one pass draws.
+
+use nearfar_core::camera::Camera;
+use nearfar_core::render::Channels;
+
+use super::layers::Layer;
+use super::outputs::window_limits;
+use super::picture::Picture;
+use super::style::{Cut, Style};
+use crate::device::{Device, SAMPLES};
+
+/// Whether a device draws the frames of two cameras at once: each triangle is sent once and placed in both. All triangles
+/// are drawn whole, and both frames fit into one window.
+pub(crate) fn draws_both(
+    device: &Device,
+    picture: &Picture,
+    cameras: &[Camera],
+    channels: Channels,
+    samples: u32,
+) -> bool {
+    let [left, right] = cameras else { return false };
+    let (width, height) = (left.width, left.height);
+    let (most, side) = window_limits(device, channels);
+    let fits = width.max(height) <= side && 2 * u64::from(width) * u64::from(height) <= most;
+    let is_whole = |layer: &Layer| layer.style == Style::PLAIN && layer.cut == Cut::NONE && !layer.scene.has_cutouts();
+    device.draws_two_views()
+        && (width, height) == (right.width, right.height)
+        && !left.is_parallel()
+        && !right.is_parallel()
+        && picture.mask.is_none()
+        && picture.limits.is_none()
+        && (samples != SAMPLES || !device.multisamples)
+        && fits
+        && picture.layers.iter().all(is_whole)
+}

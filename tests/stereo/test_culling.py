@@ -1,0 +1,86 @@
+"""Tests of culling by objects: which instances each of a rig's views may show, by one pass over all of them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from tests.support.hybrid_cases import rig as make_rig
+
+BITS = {"left": 1, "right": 2, "center": 4}
+HEAD = (0.4, 1.5, -0.3)
+COUNT = 3000
+
+
+def scattered(seed: int) -> tuple[nf.Scene, NDArray[np.float64]]:
+    """Boxes all around, each an instance that can move; and points in each, (N, 125, 3)."""
+    dice = np.random.default_rng(seed)
+    world = trimesh.Scene()
+    places = dice.normal(size=(COUNT, 3)) * np.geomspace(1.0, 60.0, COUNT)[:, None]
+    sizes = dice.uniform(0.05, 1.5, size=(COUNT, 3))
+    for n, (place, size) in enumerate(zip(places, sizes, strict=True)):
+        world.add_geometry(trimesh.creation.box(size), node_name=f"box_{n:04}", transform=translated(place))
+    grid = np.stack(np.meshgrid(*[np.linspace(-0.5, 0.5, 5)] * 3), axis=-1).reshape(-1, 3)
+    scene = nf.Scene.from_trimesh(world).with_dynamic([f"box_{n:04}" for n in range(COUNT)])
+    return scene, places[:, None] + grid * sizes[:, None]
+
+
+def translated(place: NDArray[np.float64]) -> NDArray[np.float64]:
+    matrix = np.eye(4)
+    matrix[:3, 3] = place
+    return matrix
+
+
+@pytest.mark.parametrize("cant", [0.0, 8.0])
+@pytest.mark.parametrize("planes", [6.0, (3.0, 9.0)])
+def test_each_view_has_the_instances_that_it_can_show(cant: float, planes: float | tuple[float, float]) -> None:
+    rig = make_rig(planes, (80, 90), cant)
+    way = nf.Camera.look_at(HEAD, (3.0, 1.0, -5.0), fov=nf.Fov.symmetric(90), size=(1, 1)).orientation
+    scene, points = scattered(3)
+    near, far = 0.1, 40.0
+    found, has_near, has_far = rig._core.contents(scene._core, HEAD, way, (near, far), True)
+    assert (has_near, has_far) == (True, True)
+    # The names are sorted, and so are the instances.
+    first, last = rig.planes
+    ranges = {"left": (near, last), "right": (near, last), "center": (last - rig.overlap, far)}
+    for name, camera in zip(BITS, rig.cameras(HEAD, way), strict=True):
+        begin, end = ranges[name]
+        seen = inside(camera, points, depths(rig, way, points), begin, end)
+        listed = (found & BITS[name]) > 0
+        assert listed[seen].all()
+        assert 20 < seen.sum() < 0.5 * COUNT
+        # A zone may show something beside its place, which widens the views.
+        assert (listed & ~seen).sum() < (0.3 if first < last else 0.12) * listed.sum()
+
+
+def depths(
+    rig: nf.stereo.HybridRig, way: tuple[float, float, float, float], points: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Depths ahead of the plane of the eyes, by the half-space of a clip that begins there."""
+    (plane,) = rig.clip(HEAD, way, near=0.0, far=math.inf).half_spaces
+    return np.asarray(points @ plane[:3] + plane[3])
+
+
+def inside(
+    camera: nf.Camera, points: NDArray[np.float64], depth: NDArray[np.float64], begin: float, end: float
+) -> NDArray[np.bool_]:
+    """Whether any point of each box lies in a camera's picture, between two depths."""
+    at = camera.project(points.reshape(-1, 3)).reshape(points.shape)
+    width, height = camera.size
+    with np.errstate(invalid="ignore"):
+        shown = (at[..., 0] >= 0) & (at[..., 0] <= width) & (at[..., 1] >= 0) & (at[..., 1] <= height)
+    return np.asarray((shown & (depth >= begin) & (depth <= end)).any(axis=1))
+
+
+def test_pictures_say_how_many_instances_each_view_may_show() -> None:
+    scene, _ = scattered(5)
+    rig = make_rig(6.0, (40, 45))
+    stats = rig.render(scene, HEAD, backend="cpu").stats["instances"]
+    assert set(stats) == {"all", *BITS}
+    assert stats["all"] == COUNT
+    assert all(0 < stats[name] < COUNT / 2 for name in BITS)
