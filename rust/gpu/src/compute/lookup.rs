@@ -60,6 +60,7 @@ pub fn lookup(
     let program = Program {
         text: &[
             include_str!("../shaders/scene.wgsl"),
+            include_str!("../shaders/one_view.wgsl"),
             include_str!("../shaders/cube.wgsl"),
             include_str!("../shaders/compute_lookup.wgsl"),
         ],
