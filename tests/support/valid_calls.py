@@ -87,7 +87,12 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.Fov.from_angles": {"left": -1.0, "right": 1.0, "up": 1.0, "down": -1.0},
         "nearfar.Fov.symmetric": {"horizontal_deg": 90.0},
         "nearfar.Orthographic": {"left": -1.0, "right": 1.0, "down": -1.0, "up": 1.0},
-        "nearfar.Shot": {"cameras": (camera,), "channels": ("color",), "mask": np.ones(camera.size[::-1], bool)},
+        "nearfar.Shot": {
+            "cameras": (camera,),
+            "channels": ("color",),
+            "mask": np.ones(camera.size[::-1], bool),
+            "instances": np.ones(3, bool),
+        },
         "nearfar.Scene": {"core": scene._core, "names": Names(["near", "far"])},
         "nearfar.Scene.at": {"poses": poses},
         "nearfar.Scene.at_levels": {"levels": [0, 1]},

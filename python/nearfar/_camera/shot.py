@@ -84,9 +84,10 @@ class Shot:
         if self.instances is None:
             return None
         instances = check.instance("instances", self.instances, np.ndarray, "an array")
-        if instances.dtype != np.bool_ or instances.ndim != 1:
-            raise ValueError(f"instances: expected (N,) of bool, got {instances.shape} of {instances.dtype}")
-        return np.ascontiguousarray(instances)
+        if instances.dtype != np.bool_ or instances.ndim != 1 or not instances.flags.c_contiguous:
+            got = f"{instances.shape} of {instances.dtype} with strides {instances.strides}"
+            raise ValueError(f"instances: expected (N,) of bool without gaps, got {got}")
+        return instances
 
     @property
     def settings(self) -> dict[str, Any]:
