@@ -41,7 +41,7 @@ from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
 from .hmd._stereo import StereoFrame, render_eyes
-from . import datasets, hmd, stereo, gpu, lod
+from . import datasets, hmd, stereo, gpu, lod, stream
 
 __all__ = [
     "BoundaryTear",
@@ -118,6 +118,7 @@ __all__ = [
     "ssim",
     "ssim_pairs",
     "stereo",
+    "stream",
     "tear",
     "tessellate",
     "triangle_radii",

@@ -36,6 +36,7 @@ STAGES: dict[str, set[str]] = {
     "stereo": {"_camera", "_render", "_scene", "hmd"},
     "gpu": {"_camera", "_metrics", "_morph", "_render"},
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
+    "stream": {"_cubemap", "_partition", "_reduce", "_render", "_scene"},
 }
 
 PRIVATE_TO_COMMANDS = {
@@ -69,6 +70,7 @@ ROOMS = {
     "stereo": "",
     "gpu": "",
     "lod": "",
+    "stream": "",
     "cli": "calls of the other stages",
 }
 

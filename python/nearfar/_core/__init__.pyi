@@ -194,6 +194,11 @@ def triangle_radii(
     vertices: _F32 | _F64, faces: _U32 | None, center: _Point, report: _Report | None = None
 ) -> _F32 | _F64: ...
 
+def object_radii(
+    scene: Scene, object_count: int, *, center: _Point, reach: float, rule: str, report: _Report | None = None
+) -> tuple[_F32, int]: ...
+def ring_loads(scene: Scene, rings: NDArray[np.uint16], count: int) -> NDArray[np.int64]: ...
+
 @final
 class Partition:
     def __new__(
@@ -296,6 +301,19 @@ def bake(
     object_id: bool,
     report: _Report | None = None,
 ) -> tuple[dict[str, NDArray[Any]], int]: ...
+def bake_rings(
+    scene: Scene,
+    *,
+    center: _Point,
+    size: int,
+    samples: int,
+    range: bool,  # noqa: A002
+    object_id: bool,
+    rings: NDArray[np.uint16],
+    after: int,
+    mask: NDArray[np.bool_] | None = None,
+    report: _Report | None = None,
+) -> tuple[dict[str, NDArray[Any]], NDArray[np.uint16]]: ...
 
 @final
 class Reduced:

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use nearfar_core::base::{Real, Result};
-use nearfar_core::partition::{self, TriangleSet};
-use numpy::{Element, PyArray1, PyReadonlyArray1, PyReadonlyArray2, ToPyArray};
+use nearfar_core::partition::{self, Rule, TriangleSet};
+use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, ToPyArray};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -150,4 +150,39 @@ impl LoadCurve {
     fn moving(&self) -> i64 {
         self.0.moving()
     }
+}
+
+/// Least ρ of each object's static triangles within `reach`, and last that of faces without an object; and the number
+/// of triangles that were measured.
+#[pyfunction]
+#[pyo3(signature = (scene, object_count, *, center, reach, rule, report=None))]
+pub(crate) fn object_radii<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    object_count: usize,
+    center: [f64; 3],
+    reach: f64,
+    rule: &str,
+    report: Option<Py<PyAny>>,
+) -> PyResult<(Bound<'py, PyArray1<f32>>, i64)> {
+    let center = DVec3::from_array(center);
+    let found = run::long(py, report, |progress| {
+        let rule = choice("rule", rule, &[("object", Rule::Surface), ("vertex", Rule::Vertex)])?;
+        partition::object_radii(&scene.0, object_count, center, reach, rule, progress)
+    })?;
+    Ok((PyArray1::from_vec(py, found.least), found.measured))
+}
+
+/// Triangles drawn and stored, and instances that place shared meshes, by ring (count, 3).
+#[pyfunction]
+pub(crate) fn ring_loads<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    rings: PyReadonlyArray1<'py, u16>,
+    count: usize,
+) -> PyResult<Bound<'py, PyArray2<i64>>> {
+    let rings = rings.as_slice()?;
+    let loads = run::long(py, None, |progress| partition::ring_loads(&scene.0, rings, count, progress))?;
+    let rows: Vec<i64> = loads.iter().flat_map(|load| [load.drawn, load.stored, load.placed]).collect();
+    PyArray1::from_vec(py, rows).reshape([count, 3])
 }

@@ -147,7 +147,7 @@ impl Ruler {
 
 /// The box of an instance, one float32 step wider if its corners are computed, because box and corners may round
 /// differently.
-fn secure_bounds(instance: &Instance) -> Aabb {
+pub(super) fn secure_bounds(instance: &Instance) -> Aabb {
     let Aabb { min, max } = instance.bounds;
     if instance.in_place || instance.bounds.is_empty() {
         return instance.bounds;
@@ -165,6 +165,11 @@ fn candidates(codes: &[u8], faces: &[[u32; 3]]) -> Vec<u32> {
     }
     candidates.truncate(count);
     candidates
+}
+
+/// Whether all triangles of a box lie farther from the axis than a radius, by more than any rounding.
+pub(super) fn lies_beyond(bounds: &Aabb, axis: [f64; 2], radius: f64) -> bool {
+    bounds.is_empty() || radii_of_box(bounds, axis)[0] * (1.0 - MARGIN) > radius
 }
 
 /// Least and greatest ρ of a box.

@@ -4,10 +4,10 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::axis::{axis_in, check_center};
-use super::radii::{Indexed, Soup, measure, placed};
+use super::radii::measure_faces;
 use crate::base::sort::sort_by_key;
 use crate::base::{Error, Progress, Result};
-use crate::scene::{Instance, Scene};
+use crate::scene::Scene;
 
 /// Number of triangles in one task.
 const TILE: usize = 1 << 14;
@@ -36,7 +36,10 @@ impl LoadCurve {
         }
         parts.into_par_iter().try_for_each(|(instance, least)| {
             least.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, least)| {
-                measure_faces(instance, tile * TILE, axis, least);
+                let faces = tile * TILE..tile * TILE + least.len();
+                measure_faces(instance, faces, axis, |start, radii| {
+                    least[start..].iter_mut().zip(radii).for_each(|(least, radii)| *least = radii[0].to_bits());
+                });
                 progress.report(least.len() as u64)
             })
         })?;
@@ -101,23 +104,6 @@ fn each<A: Sync, B: Clone + Send>(
     let tile = |rows: &[A]| progress.check().and_then(|()| rows.iter().map(&of).collect());
     let tiles: Vec<Result<Vec<B>>> = rows.par_chunks(TILE).map(tile).collect();
     Ok(tiles.into_iter().collect::<Result<Vec<_>>>()?.concat())
-}
-
-/// Bits of the least ρ of consecutive faces of an instance.
-fn measure_faces(instance: &Instance, first: usize, axis: [f64; 2], least: &mut [u32]) {
-    let count = least.len();
-    let take = |start: usize, radii: &[[f32; 2]]| {
-        for (least, radii) in least[start..].iter_mut().zip(radii) {
-            *least = radii[0].to_bits();
-        }
-    };
-    if instance.in_place {
-        let faces = &instance.mesh.faces[first..first + count];
-        measure(&Indexed { vertices: &instance.mesh.positions, faces }, count, axis, |i| i, take);
-    } else {
-        let corners = placed(instance, first as u32..(first + count) as u32);
-        measure(&Soup(&corners), count, axis, |i| i, take);
-    }
 }
 
 #[cfg(test)]

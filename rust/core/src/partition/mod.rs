@@ -10,7 +10,9 @@ mod axis;
 mod classify;
 mod divide;
 mod load_curve;
+mod object_radii;
 mod radii;
+mod ring_load;
 #[cfg(test)]
 mod tests;
 mod validate;
@@ -19,5 +21,7 @@ mod zone;
 pub use arrays::triangle_radii;
 pub use divide::{Partition, PartitionCounts};
 pub use load_curve::LoadCurve;
+pub use object_radii::{ObjectRadii, Rule, object_radii};
 pub use radii::radii_of;
+pub use ring_load::{RingLoad, ring_loads};
 pub use zone::{ChosenFaces, Class, Mixed, TriangleSet, Zone};

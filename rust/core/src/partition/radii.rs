@@ -4,6 +4,8 @@
 //! around the axis has all corners far away. All arithmetic is in float64. Edges are differences of the given
 //! coordinates, which are exact for float32, so short edges far from the axis lose no digits.
 
+use std::ops::Range;
+
 use crate::base::Real;
 use crate::base::simd::vectorized;
 use crate::scene::Instance;
@@ -156,6 +158,23 @@ fn scatter<T: Copy>(corners: &mut Corners<T>, lane: usize, [a, b, c]: [&[T; 3]; 
     corners[3][lane] = b[2];
     corners[4][lane] = c[0];
     corners[5][lane] = c[2];
+}
+
+/// Measures consecutive faces of a placed mesh; `take` receives the place of each block in the range with its radii.
+pub(super) fn measure_faces(
+    instance: &Instance,
+    faces: Range<usize>,
+    axis: [f64; 2],
+    take: impl FnMut(usize, &[[f32; 2]]),
+) {
+    let count = faces.len();
+    if instance.in_place {
+        let faces = &instance.mesh.faces[faces];
+        measure(&Indexed { vertices: &instance.mesh.positions, faces }, count, axis, |i| i, take);
+    } else {
+        let corners = placed(instance, faces.start as u32..faces.end as u32);
+        measure(&Soup(&corners), count, axis, |i| i, take);
+    }
 }
 
 /// The corners of an instance's faces, relative to the scene's origin, as consecutive triangles.

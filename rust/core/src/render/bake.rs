@@ -5,7 +5,7 @@ use glam::{DQuat, DVec3};
 
 use super::frame::{Channels, Frame};
 use super::limits::Limits;
-use super::tiles::{Pixels, RenderView, check_reach, draw};
+use super::tiles::{Picture, Pixels, RenderView, check_reach, draw};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::camera::{Camera, Projection};
@@ -62,23 +62,40 @@ impl Bake {
 /// place, without copies.
 pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
     settings.check(scene)?;
-    let channels = settings.channels();
-    channels.check_room(6 * u64::from(settings.size).pow(2))?;
+    let standing = standing_only(scene, progress)?;
+    let beyond = BeyondRadius { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
+    if standing.has_cutouts() {
+        let filter = || AlphaFilter { scene: &standing, inner: &beyond };
+        faces(scene, settings, None, |_| Truth { scene: &standing, filter: filter() }, progress)
+    } else {
+        faces(scene, settings, None, |_| Truth { scene: &standing, filter: &beyond }, progress)
+    }
+}
+
+/// The scene without what moves, built.
+pub(super) fn standing_only(scene: &Scene, progress: &Progress) -> Result<Scene> {
     let standing = Scene { moving: Default::default(), ..scene.clone() };
     standing.build(progress)?;
-    let beyond = BeyondRadius { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
+    Ok(standing)
+}
+
+/// Six faces, one after the other, of a picture for each; texels outside the mask are black, and misses.
+pub(super) fn faces<P: Picture>(
+    scene: &Scene,
+    settings: &Bake,
+    mask: Option<&[bool]>,
+    picture: impl Fn(usize) -> P,
+    progress: &Progress,
+) -> Result<Frame> {
+    let (channels, texels) = (settings.channels(), (settings.size as usize).pow(2));
+    channels.check_room(6 * texels as u64)?;
     let mut whole = Frame::default();
     for face in 0..6 {
-        let camera = settings.camera(face)?;
-        let (origin, samples) = (scene.origin, settings.samples);
-        let (limits, pixels) = (Limits::NONE, Pixels::default());
+        let camera = settings.camera(face as u8)?;
+        let (origin, samples, limits) = (scene.origin, settings.samples, Limits::NONE);
+        let pixels = Pixels { mask: mask.map(|mask| &mask[face * texels..][..texels]), ..Pixels::default() };
         let view = RenderView { camera: &camera, origin, channels, samples, limits, pixels };
-        let part = if standing.has_cutouts() {
-            let filter = AlphaFilter { scene: &standing, inner: &beyond };
-            draw(&view, &Truth { scene: &standing, filter }, progress)?
-        } else {
-            draw(&view, &Truth { scene: &standing, filter: &beyond }, progress)?
-        };
+        let part = draw(&view, &picture(face), progress)?;
         whole.color.extend(part.color);
         whole.range.extend(part.range);
         whole.object_id.extend(part.object_id);

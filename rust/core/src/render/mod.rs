@@ -10,6 +10,7 @@ pub mod truth;
 pub mod sides;
 pub mod temporal;
 pub mod bake;
+pub mod bake_rings;
 pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};

@@ -1,0 +1,157 @@
+"""The ring of each object: whole objects become geometry where they reach inside a ring's radius."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _core
+from nearfar._base import card, check, progress
+from nearfar._scene.scene import Scene, core_of
+
+RULES = ("object", "vertex")
+"""What counts as inside a radius: any point of an object's triangles, or one of their corners."""
+
+MOST_RINGS = 1000
+"""Greatest number of rings."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Rings:
+    """Static objects of a scene in rings about the vertical axis through a centre.
+
+    Ring i holds the objects whose least ρ (distance from the axis) lies between the radii i − 1 and i; ring 0 holds
+    none: there everything is in the map. Objects beyond the last radius are always in the map, and dynamic objects never.
+    """
+
+    scene: Scene
+    """The scene."""
+    center: tuple[float, float, float]
+    """World position of the centre O, metres."""
+    radii: tuple[float, ...]
+    """Radii of the rings 1 to n in metres, ascending."""
+    rule: str
+    """"object" or "vertex": what counts as inside."""
+    least: NDArray[np.float32]
+    """(objects,) least ρ of each object in metres; infinite beyond the last radius."""
+    ring: NDArray[np.int32]
+    """(objects,) ring of each object, 1 to n; n + 1 beyond the last radius; 0 for dynamic objects."""
+    rest: int
+    """Ring of the faces that belong to no object, which count as one."""
+    measured: int
+    """Triangles whose distances were computed; others lie in boxes beyond the last radius."""
+
+    @property
+    def count(self) -> int:
+        """Number of rings n, without ring 0."""
+        return len(self.radii)
+
+    def objects(self, ring: int) -> tuple[str, ...]:
+        """Names of the objects of a ring.
+
+        Parameters
+        ----------
+        ring
+            0 for dynamic objects, 1 to n, n + 1 for those beyond the last radius.
+        """
+        number = check.integer("ring", ring, 0, self.count + 1)
+        names = self.scene.object_names
+        return tuple(names[place] for place in np.flatnonzero(self.ring == number))
+
+    def summary(self) -> list[dict[str, Any]]:
+        """Count objects and triangles of each ring.
+
+        Returns
+        -------
+        list
+            For each ring from 1 to n + 1 `radius` in metres (infinite for what lies beyond), `objects`, `triangles` as
+            drawn, and `stored`, the triangles that no earlier ring has: meshes with several instances are sent once.
+        """
+        loads = _core.ring_loads(self.scene._core, self.codes(), self.count + 2)
+        objects = np.bincount(self.ring, minlength=self.count + 2)
+        names = ("radius", "objects", "triangles", "stored")
+        rows = zip((*self.radii, np.inf), objects[1:].tolist(), *loads[1:, :2].T.tolist(), strict=True)
+        return [dict(zip(names, row, strict=True)) for row in rows]
+
+    def codes(self) -> NDArray[np.uint16]:
+        """(objects + 1,) rings as kernels take them: those of all objects, and last that of faces without one."""
+        return np.append(self.ring, self.rest).astype(np.uint16)
+
+    @card.repr_html
+    def _repr_html_(self) -> str:
+        facts = [("centre", card.point(self.center)), ("rule", self.rule)]
+        for number, row in enumerate(self.summary(), 1):
+            name = f"ring {number}, to {row['radius']:g} m" if number <= self.count else "beyond"
+            facts.append((name, f"{row['objects']:,} objects, {row['triangles']:,} triangles, {row['stored']:,} stored"))
+        return card.page("Rings", facts)
+
+    def __repr__(self) -> str:
+        return f"Rings({self.count} rings to {self.radii[-1]:g} m: {int((self.ring <= self.count).sum()):,} objects)"
+
+
+def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: str = "object") -> Rings:
+    """Divide the objects of a scene into rings.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    center
+        World position of the centre O, metres; its height does not matter.
+    radii
+        Radii of the rings in metres, positive and ascending, such as those of `rings`.
+    rule
+        "object": an object belongs to the first ring that any point of its triangles reaches. "vertex": to the first
+        ring with one of their corners; as published, for reproduction: a floor whose corners are far away stays in the
+        map under the user.
+
+    Returns
+    -------
+    Rings
+        The ring of each object.
+
+    Raises
+    ------
+    ValueError
+        For radii that fall or repeat, no radii, a centre that is not finite, and unknown rules.
+    TypeError
+        For arguments of another type.
+
+    References
+    ----------
+    CloVR (2024): "any object that has a vertex inside the cylinder" is near geometry.
+    """
+    core_of(scene)
+    middle = check.vector("center", center)
+    check.choice("rule", rule, RULES)
+    bounds = ascending("radii", radii)
+    least, rest, measured = object_radii(scene, middle, bounds[-1], rule)
+    ring = 1 + np.searchsorted(bounds, least, side="left").astype(np.int32)
+    owner = scene._core.moving_objects()
+    ring[owner] = 0
+    return Rings(scene, middle, bounds, rule, least, ring, 1 + int(np.searchsorted(bounds, rest)), measured)
+
+
+def object_radii(
+    scene: Scene, center: tuple[float, float, float], reach: float, rule: str
+) -> tuple[NDArray[np.float32], float, int]:
+    """Least ρ of each object and of faces without one, infinite beyond `reach`; and the number of measured triangles."""
+    settings: dict[str, Any] = {"center": center, "reach": reach, "rule": rule}
+    with progress.bar("rings") as report:
+        least, measured = _core.object_radii(scene._core, len(scene.object_names), **settings, report=report)
+    return least[:-1], float(least[-1]), measured
+
+
+def ascending(name: str, radii: Iterable[float]) -> tuple[float, ...]:
+    """Radii as numbers; ValueError where they are not positive and ascending."""
+    bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(check.iterable(name, radii, "radii")))
+    if not 1 <= len(bounds) <= MOST_RINGS:
+        raise ValueError(f"{name}: expected 1 to {MOST_RINGS} radii, got {len(bounds)}")
+    for before, after in zip(bounds, bounds[1:], strict=False):
+        if after <= before:
+            raise ValueError(f"{name}: expected ascending radii, got {after:g} after {before:g}")
+    return bounds

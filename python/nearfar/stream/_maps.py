@@ -1,0 +1,150 @@
+"""Environment maps of all rings: the first one whole, the others as changes to the one before."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._cubemap.envmap import EnvMap
+from nearfar.stream._assign import Rings
+
+TILE = 64
+"""Texels along a side of the tiles in which changes are sent."""
+
+MOST_SAMPLES = 1024
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class RingMaps:
+    """The maps of rings 0 to n: map i shows the static objects of all rings after i, whole.
+
+    A texel whose first surface belongs to a later ring shows the same in the next map, so each map after the first is
+    stored as the texels that change.
+    """
+
+    rings: Rings
+    """The rings."""
+    first: EnvMap
+    """Map 0, of all static objects."""
+    changes: tuple[dict[str, NDArray[Any]], ...]
+    """For each ring from 1 on `texels`, ascending numbers of the texels that change, and their new values by channel."""
+    samples: int
+    """Colour samples per texel."""
+
+    @property
+    def rays(self) -> int:
+        """Number of rays that were traced for all maps."""
+        extra = self.samples > 1 and len(self.first.channels) > 1
+        changed = sum(len(change["texels"]) for change in self.changes)
+        return (6 * self.first.face_size**2 + changed) * (self.samples + extra)
+
+    def map(self, ring: int) -> EnvMap:
+        """Return the whole map of what lies after a ring.
+
+        Parameters
+        ----------
+        ring
+            0 to n.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For rings out of range.
+        """
+        number = check.integer("ring", ring, 0, self.rings.count)
+        values = {name: np.array(getattr(self.first, name)) for name in self.first.channels}
+        for change in self.changes[:number]:
+            for name, image in values.items():
+                image.reshape(-1, *image.shape[3:])[change["texels"]] = change[name]
+        return EnvMap(self.rings.center, **values, object_names=self.first.object_names)
+
+    def changed_tiles(self, ring: int) -> NDArray[np.bool_]:
+        """Return the tiles with texels that change from the map before a ring to the ring's own.
+
+        Parameters
+        ----------
+        ring
+            1 to n.
+
+        Returns
+        -------
+        NDArray
+            (6, N, N) bool, N = ⌈face size / 64⌉.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For rings out of range.
+        """
+        number = check.integer("ring", ring, 1, self.rings.count)
+        side = self.first.face_size
+        face, place = np.divmod(self.changes[number - 1]["texels"], side * side)
+        across = -(-side // TILE)
+        tiles = np.zeros((6, across, across), bool)
+        tiles[face, place // side // TILE, place % side // TILE] = True
+        return tiles
+
+    def __repr__(self) -> str:
+        changed = sum(len(change["texels"]) for change in self.changes)
+        share = changed / (6 * self.first.face_size**2)
+        return f"RingMaps({1 + self.rings.count} maps of 6 × {self.first.face_size}², changes of {share:.2f} maps)"
+
+
+def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 1, object_id: bool = False) -> RingMaps:
+    """Bake the maps of all rings from their centre, each texel as often as it changes.
+
+    Parameters
+    ----------
+    rings
+        Rings of a scene's objects, from `assign`.
+    face_size
+        Texels along a face, 1 to 16384.
+    samples
+        Colour samples per texel, 1 to 1024; range is that of a texel's centre.
+    object_id
+        Whether to store object numbers too, for measuring.
+
+    Returns
+    -------
+    RingMaps
+        The maps, with range: whole objects reach into the map's part of space.
+
+    Raises
+    ------
+    ValueError
+        For numbers out of range.
+    TypeError
+        For arguments of another type.
+
+    References
+    ----------
+    CloVR (2024): a map for each ring. Sending changes only is ours.
+    """
+    check.instance("rings", rings, Rings)
+    size = check.integer("face_size", face_size, 1, check.MAX_SIZE)
+    count = check.integer("samples", samples, 1, MOST_SAMPLES)
+    check.flag("object_id", object_id)
+    settings: dict[str, Any] = {"center": rings.center, "size": size, "samples": count, "rings": rings.codes()}
+    settings |= {"range": True, "object_id": object_id}
+    core = rings.scene._core
+    with progress.bar("baking ring 0") as report:
+        faces, least = _core.bake_rings(core, **settings, after=0, report=report)
+    shaped = {name: image.reshape(6, size, size, *image.shape[2:]) for name, image in faces.items()}
+    names = rings.scene.object_names if object_id else ()
+    changes = []
+    for ring in range(1, rings.count + 1):
+        mask = least == ring
+        texels = np.flatnonzero(mask)
+        change: dict[str, NDArray[Any]] = {"texels": texels}
+        if len(texels):
+            with progress.bar(f"baking ring {ring}") as report:
+                faces, found = _core.bake_rings(core, **settings, after=ring, mask=mask, report=report)
+            least[texels] = found[texels]
+        change |= {name: image.reshape(6 * size * size, *image.shape[2:])[texels] for name, image in faces.items()}
+        changes.append(change)
+    return RingMaps(rings, EnvMap(rings.center, **shaped, object_names=names), tuple(changes), count)

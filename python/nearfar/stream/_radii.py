@@ -1,0 +1,160 @@
+"""Radii of rings: as published, of equal areas, or of the least expected time to quality."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _core
+from nearfar._base import check
+from nearfar._scene.scene import Scene, core_of
+from nearfar.stream._assign import MOST_RINGS, object_radii
+from nearfar.stream._footprints import footprints
+
+POLICIES = ("cost", "published", "equal_area")
+"""How radii are chosen."""
+
+PUBLISHED = (10.0, 14.0, 17.0, 22.0, 32.0, 63.0)
+"""Radii in metres that CloVR (2024) prints for its City; they are about 10 √i for i = 1, 2, 3, 5, 10, 40."""
+
+TRIANGLE_BYTES = 5.0
+"""Bytes of a triangle of compressed geometry."""
+
+INSTANCE_BYTES = 40.0
+"""Bytes of the placement of an instance."""
+
+MAP_BYTES = 700_000.0
+"""Bytes of the changes of a map from one ring to the next."""
+
+
+def rings(
+    scene: Scene,
+    *,
+    center: ArrayLike,
+    r_max: float = PUBLISHED[-1],
+    base_radius: float = PUBLISHED[0],
+    bandwidth: float = 50.0,
+    latency: float = 0.05,
+    map_bytes: float = MAP_BYTES,
+    policy: str = "cost",
+) -> tuple[float, ...]:
+    """Choose the radii of rings about a centre.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    center
+        World position of the centre O, metres.
+    r_max
+        The last radius, metres.
+    base_radius
+        Radius R of the first of the rings of equal area, R √i, metres, at most `r_max`. They are what "equal_area"
+        returns, up to `r_max`, and what "cost" merges.
+    bandwidth
+        Of the link, 10⁶ bits a second. Only for "cost".
+    latency
+        Seconds before the first byte of a ring comes. Only for "cost".
+    map_bytes
+        Bytes by which the maps of two consecutive rings differ. Only for "cost".
+    policy
+        "cost": the radii with the least expected time to quality: the mean over all directions of view, of objects
+        within `r_max`, of the time until their geometry is there. Rings come one after the other, each with its map;
+        more rings show the nearest objects sooner, but send more maps. The best division is found exactly, from bytes
+        estimated by triangles. "published": 10, 14, 17, 22, 32, 63 m, those up to `r_max`, scaled by `base_radius`/10 m.
+        "equal_area": all rings have the same area.
+
+    Returns
+    -------
+    tuple
+        Radii in metres, ascending.
+
+    Raises
+    ------
+    ValueError
+        For numbers out of range, unknown policies, and "cost" where no object reaches within `r_max`.
+    TypeError
+        For arguments of another type.
+
+    References
+    ----------
+    CloVR (2024): rings of equal area, merged by hand for the City. "cost" is ours.
+    """
+    core_of(scene)
+    middle = check.vector("center", center)
+    reach, base = check.positive("r_max", r_max), check.positive("base_radius", base_radius)
+    rate, wait = check.positive("bandwidth", bandwidth) * 1e6 / 8.0, check.at_least_zero("latency", latency)
+    size = check.at_least_zero("map_bytes", map_bytes)
+    check.choice("policy", policy, POLICIES)
+    if base > reach:
+        raise ValueError(f"base_radius: expected at most r_max = {reach:g} m, got {base:g}")
+    if policy == "published":
+        scaled = [radius * base / PUBLISHED[0] for radius in PUBLISHED]
+        return tuple(radius for radius in scaled if radius <= reach)
+    area = equal_areas(base, reach)
+    return area if policy == "equal_area" else _cheapest(scene, middle, area, rate, wait, size)
+
+
+def equal_areas(base: float, reach: float) -> tuple[float, ...]:
+    """Radii base √i below the reach, and the reach; ValueError for too many."""
+    count = math.ceil((reach / base) ** 2 * (1.0 - 1e-12)) if reach / base < MOST_RINGS else MOST_RINGS + 1
+    if count > MOST_RINGS:
+        raise ValueError(f"base_radius: expected at most {MOST_RINGS} rings of equal area, got {base:g} for {reach:g} m")
+    return (*(base * math.sqrt(n) for n in range(1, count)), reach)
+
+
+def _cheapest(
+    scene: Scene, center: tuple[float, float, float], radii: tuple[float, ...], rate: float, wait: float, map_bytes: float
+) -> tuple[float, ...]:
+    """Some of the radii, and the last, for the least expected time."""
+    least, rest, _ = object_radii(scene, center, radii[-1], "object")
+    place = np.searchsorted(radii, np.append(least, rest))
+    loads = _core.ring_loads(scene._core, place.astype(np.uint16), len(radii) + 1)[:-1]
+    sizes = loads[:, 1] * TRIANGLE_BYTES + loads[:, 2] * INSTANCE_BYTES
+    if not sizes.any():
+        raise ValueError(f"r_max: expected a radius that an object reaches inside, got {radii[-1]:g} m")
+    seen = np.bincount(place[:-1], footprints(scene, center=center), len(radii) + 1)[:-1]
+    return tuple(radii[n] for n in merged(sizes + 0.0, seen, rate, wait, map_bytes))
+
+
+def merged(
+    sizes: NDArray[np.float64], weights: NDArray[np.float64], rate: float, wait: float, map_bytes: float
+) -> list[int]:
+    """Last parts of runs of consecutive parts, which are sent one run after the other.
+
+    The cost of a division is the mean, by weight, of the time at which a part is there. That is the sum over runs of the
+    time which the run takes, times the weight of it and of all later ones: so the best division of the first n parts
+    extends the best one of fewer parts.
+
+    Parameters
+    ----------
+    sizes
+        (N,) bytes of each part.
+    weights
+        (N,) what each part is worth; parts that are worth nothing wait for those that are.
+    rate
+        Bytes a second.
+    wait
+        Seconds before a run's first byte.
+    map_bytes
+        Bytes that each run takes besides its parts.
+
+    Returns
+    -------
+    list
+        Ascending part numbers; the last is N − 1.
+    """
+    before = np.concatenate([[0.0], np.cumsum(sizes)])
+    left = np.concatenate([np.cumsum(weights[::-1])[::-1], [0.0]])
+    best, previous = np.zeros(len(before)), np.zeros(len(before), np.int64)
+    for end in range(1, len(before)):
+        costs = best[:end] + (wait + (before[end] - before[:end] + map_bytes) / rate) * left[:end]
+        previous[end] = int(np.argmin(costs))
+        best[end] = costs[previous[end]]
+    ends, end = [], len(sizes)
+    while end > 0:
+        ends.append(end - 1)
+        end = int(previous[end])
+    return ends[::-1]
