@@ -29,11 +29,11 @@ help:
 demo: .venv/built
 	$(bin)/nearfar reduce -i city -o $(OUT)/demo
 
-# Formatting, lints, types, Rust tests, Python tests; `make test-slow` runs those of whole programs.
+# Formatting, lints, types, Rust tests, Python tests; `make test-slow` runs those that take seconds each.
 test: lint test-rust .venv/built .venv/test
 	$(bin)/python -m pytest -n auto --dist worksteal
 
-# Whole programs that take many seconds each: the first hour, notebooks, large scenes. `make test` leaves them out.
+# Tests that take seconds each: whole programs, notebooks, real scenes. `make test` leaves them out.
 test-slow: .venv/built .venv/test
 	$(bin)/python -m pytest -n auto --dist worksteal -m "slow and not stress"
 
@@ -113,7 +113,7 @@ clean:
 
 # What the tests and notebooks need. pyrender pins a PyOpenGL that cannot be loaded: it comes without its requirements.
 .venv/test: .venv/base
-	$(bin)/python scripts/requirements.py lod cluster plot notebook test crosscheck > .venv/test.txt
+	$(bin)/python scripts/requirements.py lod stream cluster plot notebook test crosscheck > .venv/test.txt
 	$(pip) -r .venv/test.txt
 	$(pip) --no-deps pyrender==0.1.45
 	touch $@

@@ -65,9 +65,9 @@ def _change(node: Any, key: Any, places: list[tuple[Any, Any]], dice: random.Ran
                 node[key] = value + dice.choice(("x", "\0", "\n", "é"))
         case 7:
             if isinstance(value, int | float):
-                node[key] = dice.choice(
-                    (value + 1, value - 1, -value, value * 2, value + 0.5, float(value), str(value))
-                )
+                # Integers of JSON may be beyond float64.
+                near = min(max(value, -(10**300)), 10**300)
+                node[key] = dice.choice((value + 1, value - 1, -value, value * 2, near + 0.5, float(near), str(value)))
         case 8:
             node[key] = dice.choice(([value], {"value": value}, {str(key): value}))
         case _:

@@ -23,7 +23,7 @@ VALID = {
     "bake": ("-i", "ball.glb", "-o", "map.exr", *PLACE, *SMALL[:-2]),
     "reduce": ("-i", "ball.glb", "-o", "reduced", *PLACE, *SMALL),
     "render": ("-i", "ball.glb", "-o", "view.png", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
-    "compare": ("-i", "ball.glb", "-o", "compared", *PLACE, *SMALL),
+    "compare": ("-i", "ball.glb", "-o", "compared", *PLACE, *SMALL, "--fov", "20"),
     "lod": ("-i", "ball.glb", "-o", "model.json", "--views", "4", "--distances", "1", "--ratios", "1", "--method",
             "meshopt", "--backend", "cpu"),
     "stereo": ("-i", "ball.glb", "-o", "stereo", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),

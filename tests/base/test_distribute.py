@@ -30,6 +30,7 @@ def test_results_come_in_the_order_of_the_items() -> None:
         assert distribute(SQUARED, [], label="squaring", workers=workers) == []
 
 
+@pytest.mark.slow
 def test_a_cluster_gives_the_same() -> None:
     need("distributed")
     from distributed import Client, LocalCluster

@@ -160,6 +160,7 @@ def test_equal_pictures_keep_a_least_psnr(city: Path, tmp_path: Path, capsys: py
     assert any("no reduction: all 1,212 triangles stay geometry" in note for note in document["findings"])
 
 
+@pytest.mark.slow
 def test_the_default_view_shows_what_tells_the_methods_apart(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -176,6 +177,7 @@ def test_the_default_view_shows_what_tells_the_methods_apart(
     assert pictures["conventional"]["tear"] > 2 * pictures["continuous"]["tear"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -61,7 +61,7 @@ def test_render_shows_a_folder(
 def test_compare_measures_a_folder_against_the_scene_that_it_was_made_from(
     city: Path, light: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    view = ("--user", "0,1.7,5", "--target", "90,1,0", "--size", "192x120", "--samples", "1", "--fov", "45", "--json")
+    view = ("--user", "0,1.7,5", "--target", "90,1,0", "--size", "192x120", "--samples", "1", "--fov", "20", "--json")
     results = []
     sources = ((light,), (light, "--truth", city), (city, "--center", "0,1.7,0", *FAST[-2:]))
     for out, given in zip("abc", sources, strict=True):

@@ -24,6 +24,7 @@ def counted(reduced: nf.ReducedScene, user: tuple[float, float, float], **how: o
     return [sum(int(mask.sum()) > 9 for mask in masks) for masks in spheres]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 5])
 def test_only_the_conventional_method_adds_spheres(seed: int) -> None:
     scene, task = count_task(seed)

@@ -203,6 +203,7 @@ def test_plots_do_not_overlap() -> None:
 CITY_RANGES = {0: (10_000, 40_000), 1: (800_000, 2_500_000), 2: (5_000_000, 12_000_000), 3: (30_000_000, 80_000_000)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("detail", CITY_RANGES)
 def test_city_grows_with_detail(detail: int) -> None:
     scene = datasets.city(detail=detail)

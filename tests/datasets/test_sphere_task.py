@@ -48,6 +48,7 @@ def jump(path: Array) -> float:
     return float(np.linalg.norm(np.diff(path, n=2, axis=0), axis=1).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("user", "method"), [((8.0, 0.0, 0.0), "vertex"), ((-4.0, 0.0, -5.0), "exact")])
 def test_the_ball_jumps_with_the_conventional_method_only(
     ball: tuple[nf.ReducedScene, SphereTask], user: tuple[float, float, float], method: str
@@ -90,6 +91,7 @@ def test_the_ball_lands_on_the_right_box(seed: int, straight: bool) -> None:
             assert {names[i] for i in below} == {task.answer}, (user, how)
 
 
+@pytest.mark.slow
 def test_the_published_conventional_ball_flies_evenly_onto_a_wrong_box() -> None:
     scene, task = sphere_task(1)
     conventional, names = light(scene, task, 1024).with_morph("none"), scene.object_names
@@ -106,6 +108,7 @@ def test_the_published_conventional_ball_flies_evenly_onto_a_wrong_box() -> None
         assert task.answer not in {names[i] for i in below if i >= 0}, user
 
 
+@pytest.mark.slow
 def test_the_ball_is_hidden_by_the_same_pixels_as_in_the_ideal_picture(
     ball: tuple[nf.ReducedScene, SphereTask],
 ) -> None:

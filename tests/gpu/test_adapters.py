@@ -205,6 +205,7 @@ def test_commands_take_a_back_end(backend: str, tmp_path: object, capsys: pytest
 
 
 # memory and bytes ----------------------------------------------------------------------------------------------------
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ADAPTERS)
 def test_a_thousand_frames_make_nothing_anew(name: str) -> None:
     need("linux")
@@ -264,6 +265,7 @@ def test_passes_are_timed_where_the_adapter_has_a_clock(name: str) -> None:
                 assert taken[0][clock] < taken[1][clock] < taken[2][clock] < taken[0][clock] + 600.0
 
 
+@pytest.mark.slow
 def test_images_larger_than_a_window_are_whole() -> None:
     """All channels of 3,000 × 2,400 pixels are 346 MB, and one binding has 128 MiB on adapters in software."""
     need("vulkan")

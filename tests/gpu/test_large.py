@@ -27,6 +27,7 @@ def grid(cells: int) -> nf.Scene:
     return nf.Scene.from_arrays(vertices, faces)
 
 
+@pytest.mark.slow
 def test_a_mesh_larger_than_a_binding_is_drawn_page_by_page(backend: str) -> None:
     cells = 2200
     scene = grid(cells)

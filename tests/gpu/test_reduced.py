@@ -254,6 +254,7 @@ def test_bent_rays_are_for_the_cpu(city: nf.Scene) -> None:
         reduced.render(camera, tolerance_px=-1, backend="gpu")
 
 
+@pytest.mark.slow
 def test_tokyo_looks_the_same_on_both(tmp_path: Path) -> None:
     scene = nf.Scene.load(data("city/tokyo23/tokyo_core_lod1.glb"))
     reduced = nf.reduce(scene, center=CENTER, r1=60, r2=120, face_size=256, channels=CHANNELS, backend="gpu")

@@ -120,6 +120,7 @@ def test_nearly_clean_data_is_fitted_to_its_noise() -> None:
                     assert curve.rms <= least * (1 + 1e-9) + 1e-15 * np.ptp(y)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("noise", [0.05, 0.2, 0.5])
 def test_no_fine_search_finds_less(noise: float) -> None:
     for x, y in noisy(11, 8, 16, noise):

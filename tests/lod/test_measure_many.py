@@ -51,6 +51,7 @@ def test_processes_give_the_same_bytes(objects: dict[str, nf.lod.Levels]) -> Non
         assert own[0].scene is objects[name][0].scene
 
 
+@pytest.mark.slow
 def test_a_cluster_gives_the_same_bytes(objects: dict[str, nf.lod.Levels]) -> None:
     need("distributed")
     from distributed import Client, LocalCluster

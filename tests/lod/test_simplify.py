@@ -155,6 +155,7 @@ def test_odd_meshes_are_simplified_or_left_alone(method: str, name: str) -> None
         assert abs(counts[1] / counts[0] - 0.5) < 0.02
 
 
+@pytest.mark.slow
 def test_levels_do_not_depend_on_threads_or_on_what_came_before() -> None:
     pytest.importorskip("fast_simplification")
     code = (

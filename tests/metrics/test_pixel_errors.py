@@ -131,6 +131,7 @@ print(hashlib.sha256(repr(parts).encode()).hexdigest())
 """
 
 
+@pytest.mark.slow
 def test_bits_do_not_depend_on_the_number_of_threads() -> None:
     assert len(set(printed_by_threads(BITS))) == 1
 

@@ -48,6 +48,7 @@ def test_tear_is_its_definition(epsilon: float) -> None:
     assert differs.mean() < 0.005
 
 
+@pytest.mark.slow
 @given(st.integers(0, 2**32 - 1), st.floats(0.3, 30))
 def test_any_points_have_their_definition(seed: int, epsilon: float) -> None:
     random = np.random.default_rng(seed)

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 CHECKOUT = Path(__file__).resolve().parents[2]
 
 
@@ -13,6 +15,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 DIFFERENCES = "nearfar\\._core\\.__all__\nnearfar\\._core\\.gpu\nnearfar\\._core\\.stereo"
 
 
+@pytest.mark.slow
 def test_the_stub_matches_the_binary(tmp_path: Path) -> None:
     allowed = tmp_path / "allowed.txt"
     allowed.write_text(DIFFERENCES)

@@ -102,6 +102,7 @@ def test_far_buildings_hide_the_car_in_the_same_pixels_as_in_the_exact_picture(r
     assert 0 in seen
 
 
+@pytest.mark.slow
 def test_near_parts_are_before_all_that_is_far_wherever_the_user_is(reduced: nf.ReducedScene) -> None:
     """Beyond r₁ the picture folds, and displayed distances do not give the order along a ray."""
     user = CENTER + np.array([-35.0, 0.0, 0.0])

@@ -381,6 +381,7 @@ def test_other_folders_are_left_alone(folder: Path, tmp_path: Path) -> None:
     assert sorted(file.name for file in tmp_path.iterdir()) == ["mine", "new"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "file",
     ["city/tokyo23/tokyo_core_lod1.glb", "objects/gltf/FlightHelmet/FlightHelmet.gltf", "interior/garage/garage.gltf"],

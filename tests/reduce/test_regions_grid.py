@@ -72,6 +72,7 @@ def test_the_nearest_centre_is_found() -> None:
     np.testing.assert_array_equal(chosen[clear], ALL[found[clear, 0].astype(int)])
 
 
+@pytest.mark.slow
 @given(st.lists(POINTS, min_size=1, max_size=6))
 def test_cells_of_a_path_are_those_that_its_points_lie_in(listed: list[tuple[float, float, float]]) -> None:
     path = np.array(listed)
@@ -101,6 +102,7 @@ def test_cells_of_a_path_are_those_that_its_points_lie_in(listed: list[tuple[flo
     assert (np.diff(facts[:, 2]) >= 0).all()
 
 
+@pytest.mark.slow
 @settings(max_examples=20)
 @given(st.lists(st.tuples(NUMBERS, NUMBERS), min_size=3, max_size=6))
 def test_cells_of_an_area_are_those_that_its_points_lie_in(corners: list[tuple[float, float]]) -> None:

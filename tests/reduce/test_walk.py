@@ -108,6 +108,7 @@ def test_a_fade_of_no_time_is_a_cut(regions: nf.Regions) -> None:
         assert {**frames[0].stats, "waited": 0} == {**frames[1].stats, "waited": 0}
 
 
+@pytest.mark.slow
 def test_no_picture_folds_although_fades_go_on_beyond_the_reach(scene: nf.Scene) -> None:
     """With the least r2 for the reach, a region's picture folds where the region ends: its fade has to end there."""
     regions = nf.regions(scene, [START, END], r2=16.5, hysteresis=0.5, **SMALL)

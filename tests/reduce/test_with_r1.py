@@ -26,6 +26,7 @@ def same(one: nf.ReducedScene, other: nf.ReducedScene) -> None:
         np.testing.assert_array_equal(frames[0].require(name), frames[1].require(name))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
 @pytest.mark.parametrize("unit", ["triangle", "object"])
 def test_another_r1_is_a_reduction_with_it(morph: str, unit: str) -> None:

@@ -51,7 +51,7 @@ class Pictures:
     textured: bool
 
 
-@pytest.fixture(scope="module", params=CASES)
+@pytest.fixture(scope="module", params=[pytest.param("tokyo", marks=pytest.mark.slow), "garage", "helmet"])
 def pictures(request: pytest.FixtureRequest) -> Pictures:
     need("pyrender")
     case = CASES[request.param]

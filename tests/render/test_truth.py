@@ -255,6 +255,7 @@ def digest() -> str:
     return hashlib.sha256(b"".join(frame.require(name).tobytes() for name in DRAWN)).hexdigest()
 
 
+@pytest.mark.slow
 def test_bytes_do_not_depend_on_the_number_of_threads() -> None:
     assert printed_by_threads("from tests.render import test_truth; print(test_truth.digest())") == {digest() + "\n"}
 

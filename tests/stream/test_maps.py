@@ -55,7 +55,10 @@ def test_changed_tiles_hold_all_changed_texels(rings: nf.stream.Rings) -> None:
         changed = np.zeros(6 * 100 * 100, bool)
         changed[maps.changes[ring - 1]["texels"]] = True
         faces = changed.reshape(6, 100, 100)
-        expected = [[[faces[f, 64 * y : 64 * y + 64, 64 * x : 64 * x + 64].any() for x in (0, 1)] for y in (0, 1)] for f in range(6)]
+        expected = [
+            [[faces[f, 64 * y : 64 * y + 64, 64 * x : 64 * x + 64].any() for x in (0, 1)] for y in (0, 1)]
+            for f in range(6)
+        ]
         np.testing.assert_array_equal(tiles, expected)
 
 

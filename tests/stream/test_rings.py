@@ -58,8 +58,7 @@ def test_a_floor_without_a_corner_inside_is_near_by_surface_only() -> None:
     corners = np.array([[-50, 0, -50], [50, 0, -50], [50, 0, 50], [-50, 0, 50]], np.float32)
     floor = nf.Scene.from_arrays(corners, [[0, 1, 2], [0, 2, 3]])
     by = {rule: nf.stream.assign(floor, center=(0, 1.7, 0), radii=[10.0], rule=rule) for rule in ("object", "vertex")}
-    assert by["object"].ring.tolist() == [1] or by["object"].rest == 1
-    assert by["vertex"].ring.tolist() in ([2], []) and by["vertex"].rest == 2 or by["vertex"].ring.tolist() == [2]
+    assert [by[rule].ring.tolist() for rule in by] == [[1], [2]]
 
 
 def test_summaries_count_every_triangle_once_and_stored_ones_by_mesh(city: nf.Scene) -> None:
@@ -87,7 +86,8 @@ def test_published_radii_and_equal_areas(city: nf.Scene) -> None:
         *(5.0, 7.0, 8.5, 11.0, 16.0),
     )
     area = np.array(nf.stream.rings(city, center=CENTER, policy="equal_area", r_max=50.0))
-    assert area[-1] == 50.0 and len(area) == 25
+    assert area[-1] == 50.0
+    assert len(area) == 25
     assert np.diff(area**2) == pytest.approx(100.0)
     assert equal_areas(10.0, 45.0)[-2:] == (pytest.approx(10 * 20**0.5), 45.0)
     # The printed radii are those of equal areas, rounded.
@@ -111,9 +111,7 @@ def test_merging_finds_the_least_expected_time_of_all_divisions(seed: int) -> No
     count = int(random.integers(1, 9))
     sizes, weights = random.uniform(0, 100, count), random.uniform(0, 1, count) * random.integers(0, 2, count)
     link = (float(random.uniform(1, 50)), float(random.uniform(0, 2)), float(random.uniform(0, 60)))
-    divisions = [
-        (*chosen, count - 1) for n in range(count) for chosen in combinations(range(count - 1), n)
-    ]
+    divisions = [(*chosen, count - 1) for n in range(count) for chosen in combinations(range(count - 1), n)]
     best = min(expected_time(ends, sizes, weights, link) for ends in divisions)
     found = merged(sizes, weights, *link)
     assert expected_time(tuple(found), sizes, weights, link) == pytest.approx(best, rel=1e-12)
@@ -127,7 +125,8 @@ def test_costly_maps_make_fewer_rings(city: nf.Scene) -> None:
     # Where the link is fast, the wait for each ring counts.
     assert count(bandwidth=1e6, latency=0.5) == 1
     rings = nf.stream.rings(city, center=CENTER)
-    assert rings[-1] == 63.0 and set(rings) <= set(equal_areas(10.0, 63.0))
+    assert rings[-1] == 63.0
+    assert set(rings) <= set(equal_areas(10.0, 63.0))
 
 
 def test_footprints_are_solid_angles() -> None:
@@ -180,4 +179,4 @@ def test_the_centre_of_tokyo_is_a_corner_case() -> None:
     center = tokyo.bounds.mean(axis=0)
     rings = nf.stream.assign(tokyo, center=center, radii=(10.0, 22.0, 63.0))
     assert sum(row["triangles"] for row in rings.summary()) == tokyo.triangle_count
-    assert rings.measured < 0.2 * tokyo.triangle_count
+    assert 0 < sum(row["triangles"] for row in rings.summary()[:3]) < 1000, "nearly all of it is far"

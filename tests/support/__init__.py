@@ -81,6 +81,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "distributed": _module("distributed"),
     "fast_simplification": _module("fast_simplification"),
     "embreex": _module("embreex"),
+    "fsspec": _module("fsspec"),
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
     "git": _git,
     "gl": _adapter("gl"),

@@ -261,6 +261,7 @@ def test_other_types_are_refused() -> None:
         _core.use_instruction_set("mmx")
 
 
+@pytest.mark.slow
 def test_control_c_stops_a_long_cast() -> None:
     draw = np.random.default_rng(0)
     scene = nf.Scene.from_arrays(draw.uniform(-1, 1, (60_000, 3)), np.arange(60_000).reshape(-1, 3))

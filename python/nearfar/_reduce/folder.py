@@ -7,12 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from nearfar import _core
 from nearfar._base import check, files, formats
 from nearfar._cubemap.envmap import EnvMap
+from nearfar._scene.moving_rows import frames_of, moving_rows
 from nearfar._scene.names import MOST_OBJECTS, Names, names_of
 from nearfar._scene.scene import Scene
 
@@ -58,7 +55,7 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
         boundary=contents.boundary,
         files={"near": NEAR, "far": None if contents.env is None else FAR},
         counts=contents.counts,
-        moving=_moving(near),
+        moving=moving_rows(near),
         notes=list(near.report.notes),
         **_object_names(near, env),
     )
@@ -80,29 +77,6 @@ def _object_names(near: Scene, env: EnvMap | None) -> dict[str, Any]:
         return {"object_names": names}
     is_listed = env is None or env.object_id is None or env.object_names == tuple(names)
     return {} if is_listed else {"object_names": list(names)}
-
-
-def _moving(scene: Scene) -> list[dict[str, Any]]:
-    """Object of each moving instance, and its load transform and loaded placement where they are not the usual ones.
-
-    Instances without triangles are not written to `NEAR` either.
-    """
-    rows: list[dict[str, Any]] = []
-    core, parts = scene._core, _core.scene_parts(scene._core)
-    meshes = parts["meshes"][parts["standing_count"] :]
-    moving = zip(core.moving_objects().tolist(), scene._rest, core.moving_placements(), meshes, strict=True)
-    for owner, rest, placement, mesh in moving:
-        if not mesh.face_count:
-            continue
-        name = scene.object_names[owner]
-        transform = scene.transform(name)
-        row: dict[str, Any] = {"object": name}
-        if not np.array_equal(transform, np.eye(4)):
-            row["transform"] = transform.tolist()
-        if not np.array_equal(rest, placement):
-            row["rest"] = rest.tolist()
-        rows.append(row)
-    return rows
 
 
 def _names(stated: Any) -> Sequence[str] | int:
@@ -140,7 +114,7 @@ def load(path: str | os.PathLike[str]) -> Contents:
         decoder = glb.Decoder(data, listed)
         core, names, undrawn = decoder.decode(), decoder.names, decoder.undrawn
     with formats.guarded(folder / DOCUMENT):
-        frames, rest = _frames(document["moving"], names, core.moving_placements())
+        frames, rest = frames_of(document["moving"], names, core.moving_placements(), NEAR)
         near = Scene(core, names, frames=frames, rest=rest, notes=notes, undrawn=undrawn)
         return Contents(
             near,
@@ -152,20 +126,3 @@ def load(path: str | os.PathLike[str]) -> Contents:
             check.choice("boundary", document["boundary"], ("r1", "r2")),
             counts,
         )
-
-
-def _frames(
-    moving: list[dict[str, Any]], names: Names, placements: NDArray[np.float64]
-) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
-    """Load transforms of objects by number, and the placements that the moving instances were loaded with."""
-    if len(moving) != len(placements):
-        raise ValueError(f"moving: expected {len(placements)} instances as in {NEAR}, got {len(moving)}")
-    rows = [row.get("rest", placement) for row, placement in zip(moving, placements, strict=True)]
-    rest = np.array(rows, np.float64).reshape(-1, 3, 4)
-    numbers = [names.number("moving", row["object"]) for row in moving]
-    frames = np.tile(np.eye(4), (max(numbers, default=-1) + 1, 1, 1))
-    for number, row in zip(numbers, moving, strict=True):
-        frames[number] = row.get("transform", frames[number])
-    if not (np.isfinite(frames).all() and np.isfinite(rest).all()):
-        raise ValueError("moving: expected finite matrices")
-    return (frames if (frames != np.eye(4)).any() else None), rest

@@ -143,7 +143,8 @@ class InPictures:
         DeviceError
             As in `render`.
         """
-        drawn = self._drawn_by(Drawing(method, env, tolerance_px, radius, conventional_dynamic))
+        shown = self._drawing.radius if radius is None else radius
+        drawn = self._drawn_by(Drawing(method, env, tolerance_px, shown, conventional_dynamic))
         if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(cast(Renderable, drawn), channels, samples, lod)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import os
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -231,6 +232,21 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
         changed = self._with(zones.scene, zones, self._counts | inner)
         return changed.at(self._poses) if self._poses else changed
+
+    def with_radius(self, radius: float | None) -> ReducedScene:
+        """Return the same reduced scene drawn with another radius of the morph, by `nearfar.render` too.
+
+        Parameters
+        ----------
+        radius
+            Metres, from 0 to r2, or None for r2; see `render`. r1 shrinks in proportion.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For anything but numbers of at least 0.
+        """
+        return self._drawn_by(replace(self._drawing, radius=radius))
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write a folder of files that other programs can read, completely or not at all.

@@ -1,10 +1,12 @@
-"""CloVR (2024): rings of near geometry about a centre, each with the map of what lies beyond it."""
+"""CloVR (2024): rings of near geometry about a centre, each with the map of what lies beyond it, as files."""
 
 from __future__ import annotations
 
 from nearfar.stream._assign import Rings, assign
+from nearfar.stream._bundle import Bundle, open  # noqa: A004
+from nearfar.stream._export import export
 from nearfar.stream._footprints import footprints
 from nearfar.stream._maps import RingMaps, bake_maps
 from nearfar.stream._radii import rings
 
-__all__ = ["RingMaps", "Rings", "assign", "bake_maps", "footprints", "rings"]
+__all__ = ["Bundle", "RingMaps", "Rings", "assign", "bake_maps", "export", "footprints", "open", "rings"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -25,7 +26,7 @@ class Rings:
     """Static objects of a scene in rings about the vertical axis through a centre.
 
     Ring i holds the objects whose least ρ (distance from the axis) lies between the radii i − 1 and i; ring 0 holds
-    none: there everything is in the map. Objects beyond the last radius are always in the map, and dynamic objects never.
+    none: there everything is in the map. Objects beyond the last radius are always in the map, dynamic objects never.
     """
 
     scene: Scene
@@ -86,7 +87,9 @@ class Rings:
         facts = [("centre", card.point(self.center)), ("rule", self.rule)]
         for number, row in enumerate(self.summary(), 1):
             name = f"ring {number}, to {row['radius']:g} m" if number <= self.count else "beyond"
-            facts.append((name, f"{row['objects']:,} objects, {row['triangles']:,} triangles, {row['stored']:,} stored"))
+            facts.append(
+                (name, f"{row['objects']:,} objects, {row['triangles']:,} triangles, {row['stored']:,} stored")
+            )
         return card.page("Rings", facts)
 
     def __repr__(self) -> str:
@@ -139,7 +142,7 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: str
 def object_radii(
     scene: Scene, center: tuple[float, float, float], reach: float, rule: str
 ) -> tuple[NDArray[np.float32], float, int]:
-    """Least ρ of each object and of faces without one, infinite beyond `reach`; and the number of measured triangles."""
+    """Least ρ of each object and of faces without one, infinite beyond `reach`; and the triangles measured."""
     settings: dict[str, Any] = {"center": center, "reach": reach, "rule": rule}
     with progress.bar("rings") as report:
         least, measured = _core.object_radii(scene._core, len(scene.object_names), **settings, report=report)
@@ -148,10 +151,12 @@ def object_radii(
 
 def ascending(name: str, radii: Iterable[float]) -> tuple[float, ...]:
     """Radii as numbers; ValueError where they are not positive and ascending."""
-    bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(check.iterable(name, radii, "radii")))
+    bounds = tuple(
+        check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(check.iterable(name, radii, "radii"))
+    )
     if not 1 <= len(bounds) <= MOST_RINGS:
         raise ValueError(f"{name}: expected 1 to {MOST_RINGS} radii, got {len(bounds)}")
-    for before, after in zip(bounds, bounds[1:], strict=False):
+    for before, after in pairwise(bounds):
         if after <= before:
             raise ValueError(f"{name}: expected ascending radii, got {after:g} after {before:g}")
     return bounds

@@ -32,7 +32,7 @@ class RingMaps:
     first: EnvMap
     """Map 0, of all static objects."""
     changes: tuple[dict[str, NDArray[Any]], ...]
-    """For each ring from 1 on `texels`, ascending numbers of the texels that change, and their new values by channel."""
+    """For each ring from 1 on `texels`, ascending numbers of texels that change, and their new values by channel."""
     samples: int
     """Colour samples per texel."""
 

@@ -63,7 +63,7 @@ def rings(
         "cost": the radii with the least expected time to quality: the mean over all directions of view, of objects
         within `r_max`, of the time until their geometry is there. Rings come one after the other, each with its map;
         more rings show the nearest objects sooner, but send more maps. The best division is found exactly, from bytes
-        estimated by triangles. "published": 10, 14, 17, 22, 32, 63 m, those up to `r_max`, scaled by `base_radius`/10 m.
+        estimated by triangles. "published": 10, 14, 17, 22, 32, 63 m, those up to `r_max`, scaled by `base_radius`/10.
         "equal_area": all rings have the same area.
 
     Returns
@@ -101,12 +101,19 @@ def equal_areas(base: float, reach: float) -> tuple[float, ...]:
     """Radii base √i below the reach, and the reach; ValueError for too many."""
     count = math.ceil((reach / base) ** 2 * (1.0 - 1e-12)) if reach / base < MOST_RINGS else MOST_RINGS + 1
     if count > MOST_RINGS:
-        raise ValueError(f"base_radius: expected at most {MOST_RINGS} rings of equal area, got {base:g} for {reach:g} m")
+        raise ValueError(
+            f"base_radius: expected at most {MOST_RINGS} rings of equal area, got {base:g} for {reach:g} m"
+        )
     return (*(base * math.sqrt(n) for n in range(1, count)), reach)
 
 
 def _cheapest(
-    scene: Scene, center: tuple[float, float, float], radii: tuple[float, ...], rate: float, wait: float, map_bytes: float
+    scene: Scene,
+    center: tuple[float, float, float],
+    radii: tuple[float, ...],
+    rate: float,
+    wait: float,
+    map_bytes: float,
 ) -> tuple[float, ...]:
     """Some of the radii, and the last, for the least expected time."""
     least, rest, _ = object_radii(scene, center, radii[-1], "object")
@@ -124,9 +131,9 @@ def merged(
 ) -> list[int]:
     """Last parts of runs of consecutive parts, which are sent one run after the other.
 
-    The cost of a division is the mean, by weight, of the time at which a part is there. That is the sum over runs of the
-    time which the run takes, times the weight of it and of all later ones: so the best division of the first n parts
-    extends the best one of fewer parts.
+    The cost of a division is the mean, by weight, of the time at which a part is there. That is the sum over runs of
+    the time which the run takes, times the weight of it and of all later ones: so the best division of the first n
+    parts extends the best one of fewer parts.
 
     Parameters
     ----------

@@ -1,0 +1,53 @@
+"""Moving instances of a scene as rows of a document, for formats that store their geometry in a GLB."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._scene.names import Names
+from nearfar._scene.scene import Scene
+
+
+def moving_rows(scene: Scene) -> list[dict[str, Any]]:
+    """Object of each moving instance, and its load transform and loaded placement where they are not the usual ones.
+
+    Instances without triangles are left out, because GLB files do not have them either.
+    """
+    rows: list[dict[str, Any]] = []
+    core, parts = scene._core, _core.scene_parts(scene._core)
+    meshes = parts["meshes"][parts["standing_count"] :]
+    moving = zip(core.moving_objects().tolist(), scene._rest, core.moving_placements(), meshes, strict=True)
+    for owner, rest, placement, mesh in moving:
+        if not mesh.face_count:
+            continue
+        name = scene.object_names[owner]
+        transform = scene.transform(name)
+        row: dict[str, Any] = {"object": name}
+        if not np.array_equal(transform, np.eye(4)):
+            row["transform"] = transform.tolist()
+        if not np.array_equal(rest, placement):
+            row["rest"] = rest.tolist()
+        rows.append(row)
+    return rows
+
+
+def frames_of(
+    rows: Sequence[dict[str, Any]], names: Names, placements: NDArray[np.float64], file: str
+) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
+    """Load transforms of objects by number, and the placements that the moving instances of a file were loaded with."""
+    if len(rows) != len(placements):
+        raise ValueError(f"moving: expected {len(placements)} instances as in {file}, got {len(rows)}")
+    listed = [row.get("rest", placement) for row, placement in zip(rows, placements, strict=True)]
+    rest = np.array(listed, np.float64).reshape(-1, 3, 4)
+    numbers = [names.number("moving", row["object"]) for row in rows]
+    frames = np.tile(np.eye(4), (max(numbers, default=-1) + 1, 1, 1))
+    for number, row in zip(numbers, rows, strict=True):
+        frames[number] = row.get("transform", frames[number])
+    if not (np.isfinite(frames).all() and np.isfinite(rest).all()):
+        raise ValueError("moving: expected finite matrices")
+    return (frames if (frames != np.eye(4)).any() else None), rest

@@ -1,0 +1,268 @@
+"""Bundles: rings of near geometry and their maps as files, and the pictures that a client makes of them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from nearfar._base import card, check, formats
+from nearfar._base.errors import FormatError
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._partition.partition import partition
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar.stream import _store
+from nearfar.stream._decode import Layout, decode_colors, decode_ranges, joined, moving_scene, ring_scene
+
+NAME, VERSION = "bundle", 1
+"""Name of the manifest's format without "nearfar.", and its version."""
+
+NEAR_SHARE = 0.7
+"""Part of a ring's radius inside which nothing is morphed, as CloVR (2024) chose it."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Bundle:
+    """A bundle of files that `export` wrote, opened by `open`. Files are read when they are needed, and checked."""
+
+    _reader: _store.Reader
+    _manifest: Mapping[str, Any]
+    _kept: dict[str, bytes] = field(default_factory=dict)
+
+    @property
+    def center(self) -> tuple[float, float, float]:
+        """World position of the centre O, metres."""
+        return check.vector("center", self._manifest["center"])
+
+    @property
+    def radii(self) -> tuple[float, ...]:
+        """Radii of the rings 1 to n in metres."""
+        return tuple(float(ring["radius"]) for ring in self._rings[1:])
+
+    @property
+    def count(self) -> int:
+        """Number of rings n, without ring 0."""
+        return len(self._rings) - 1
+
+    @property
+    def nbytes(self) -> int:
+        """Size of all files without the manifest."""
+        return sum(entry["bytes"] for entry in self._manifest["files"].values())
+
+    @property
+    def _rings(self) -> list[dict[str, Any]]:
+        rings: list[dict[str, Any]] = self._manifest["rings"]
+        return rings
+
+    def summary(self) -> list[dict[str, Any]]:
+        """Count what each ring adds.
+
+        Returns
+        -------
+        list
+            For each ring from 0 on `radius` in metres, `objects`, `triangles`, and the bytes of its `geometry`, `color`
+            and `range`. A file that an earlier ring has counts there only.
+        """
+        seen: set[str] = set()
+        rows = []
+        for ring in self._rings:
+            row = {name: ring[name] for name in ("radius", "objects", "triangles")}
+            for kind, value in (("geometry", ring["geometry"]), *((k, ring["map"].get(k)) for k in ("color", "range"))):
+                names = set(_names(value)) - seen
+                seen |= names
+                row[kind] = sum(self._manifest["files"][name]["bytes"] for name in names)
+            rows.append(row)
+        return rows
+
+    def read(self, name: str) -> bytes:
+        """Return the bytes of a file of the bundle, checked against the manifest's size and hash.
+
+        Parameters
+        ----------
+        name
+            The file's name in the manifest.
+
+        Raises
+        ------
+        ValueError
+            For names that the manifest does not list.
+        FormatError
+            For a file that is missing or differs; the message names it.
+        """
+        listed = self._manifest["files"]
+        if check.text("name", name) not in listed:
+            raise ValueError(f"name: expected a file of the manifest, got {check.shortened(name)}")
+        if name not in self._kept:
+            place = self._reader.place
+            try:
+                data = self._reader.read(name)
+            except FileNotFoundError:
+                raise FormatError(f"{place}/{name}: expected the file that the manifest lists, found none") from None
+            self._kept[name] = _store.checked(place, name, data, listed[name])
+        return self._kept[name]
+
+    def verify(self) -> None:
+        """Read every file and check its size and hash.
+
+        Raises
+        ------
+        FormatError
+            For the first file that is missing or differs; the message names it.
+        """
+        for name in self._manifest["files"]:
+            self.read(name)
+            del self._kept[name]
+
+    def map(self, ring: int) -> EnvMap:
+        """Return the map of what lies after a ring, as a client has it: with range from ring 1 on.
+
+        Parameters
+        ----------
+        ring
+            0 to n.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For rings out of range.
+        FormatError
+            For files that are missing or damaged.
+        """
+        number = check.integer("ring", ring, 0, self.count)
+        maps = [entry["map"] for entry in self._rings[: number + 1]]
+        color = decode_colors(maps, self._layout, self._open)
+        ranges = decode_ranges(maps, self._layout, self._open) if number else None
+        return EnvMap(self.center, color=color, range=ranges)
+
+    def at(self, ring: int, radius: float | None = None) -> ReducedScene:
+        """Return what a client shows that has all rings up to one, while its radius grows.
+
+        Parameters
+        ----------
+        ring
+            0 to n. The geometry of rings up to this one is drawn before its map.
+        radius
+            Radius R of the morph in metres, from 0, where everything is shown as the centre sees it, to the ring's own,
+            which is the default. A client that has received ring i lets it grow from that of ring i − 1.
+
+        Returns
+        -------
+        ReducedScene
+            What `nearfar.render` draws; its dynamic objects can be posed. Static objects of ring i are called "ring i".
+
+        Raises
+        ------
+        ValueError, TypeError
+            For numbers out of range.
+        FormatError
+            For files that are missing or damaged.
+        """
+        number = check.integer("ring", ring, 0, self.count)
+        greatest = self.radii[max(number, 1) - 1]
+        shown = (greatest if number else 0.0) if radius is None else check.within("radius", radius, 0.0, greatest)
+        rings = []
+        for place, entry in enumerate(self._rings[1 : number + 1], 1):
+            if entry["geometry"] is not None:
+                rings.append(
+                    (f"ring {place}", ring_scene(self._open(entry["geometry"]), self._place(entry["geometry"])))
+                )
+        scene = joined(self._moving, rings)
+        zones = partition(scene, center=self.center, r1=NEAR_SHARE * greatest, r2=greatest)
+        counts = {**zones.summary(), "triangles": self._manifest["triangles"], "rays": 0}
+        kept: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
+        reduced = ReducedScene(scene, zones, self.map(number), **kept)
+        return reduced.with_radius(shown)
+
+    @cached_property
+    def _layout(self) -> Layout:
+        return Layout.of(self._manifest["map"])
+
+    @cached_property
+    def _moving(self) -> Any:
+        described = self._manifest["dynamic"]
+        if described is None:
+            return None
+        name = described["geometry"]
+        return moving_scene(self._open(name), described["instances"], self._place(name))
+
+    def _open(self, name: str) -> bytes:
+        return self.read(name)
+
+    def _place(self, name: str) -> str:
+        return f"{self._reader.place}/{name}"
+
+    @card.repr_html
+    def _repr_html_(self) -> str:
+        facts = [("centre", card.point(self.center)), ("bytes", f"{self.nbytes:,}")]
+        for number, row in enumerate(self.summary()):
+            text = f"{row['triangles']:,} triangles, {row['geometry']:,} + {row['color']:,} + {row['range']:,} bytes"
+            facts.append((f"ring {number}, to {row['radius']:g} m", text))
+        return card.page("Bundle", facts)
+
+    def __repr__(self) -> str:
+        return f"Bundle({self._reader.place!r}: {self.count} rings to {self.radii[-1]:g} m, {self.nbytes:,} bytes)"
+
+
+def _names(value: Any) -> list[str]:
+    """Names of the files of an entry: one, several or none."""
+    if value is None:
+        return []
+    return [value] if isinstance(value, str) else list(value)
+
+
+def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
+    """Open a bundle that `export` wrote; its files are read when they are needed.
+
+    Parameters
+    ----------
+    path
+        The folder or its `manifest.json`; or a URL of either, which needs fsspec.
+
+    Raises
+    ------
+    FormatError
+        For a manifest that is damaged or newer than this version reads.
+    OSError
+        If there is no manifest.
+    """
+    reader = _store.reader(path)
+    where = f"{reader.place}/{_store.MANIFEST}"
+    data = reader.read(_store.MANIFEST)
+    with formats.guarded(where):
+        document = formats.from_json(data)
+    manifest = formats.check(document, NAME, VERSION, where)
+    with formats.guarded(where):
+        _check(manifest)
+    return Bundle(reader, manifest)
+
+
+def _check(manifest: dict[str, Any]) -> None:
+    """Raise one of the errors of damage for a manifest that cannot be used."""
+    check.vector("center", manifest["center"])
+    check.integer("triangles", manifest["triangles"], 0, 2**62)
+    layout = Layout.of(manifest["map"])
+    files = manifest["files"]
+    for name, entry in files.items():
+        check.integer(f"{name}: bytes", entry["bytes"], 0, 2**50)
+        check.text(f"{name}: sha256", entry["sha256"])
+        if not name.startswith(f"{_store.FOLDER}/") or ".." in name or "\\" in name:
+            raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
+    rings = check.items("rings", manifest["rings"], dict, "descriptions of rings")
+    radii = [check.at_least_zero("radius", ring["radius"]) for ring in rings]
+    if len(radii) < 2 or radii[0] != 0.0 or (np.diff(radii) <= 0).any():
+        raise ValueError(f"rings: expected radii that ascend from 0, got {check.shortened(radii)}")
+    for ring in rings:
+        for name in ("objects", "triangles"):
+            check.integer(name, ring[name], 0, 2**62)
+        for value in (ring["geometry"], ring["map"].get("color"), ring["map"].get("range")):
+            for name in _names(value):
+                if name not in files:
+                    raise ValueError(f"files: expected a file {check.shortened(name)}, which a ring needs")
+    layout.check([ring["map"] for ring in rings])
+    dynamic = manifest["dynamic"]
+    if dynamic is not None and dynamic["geometry"] not in files:
+        raise ValueError("files: expected the file of dynamic objects")

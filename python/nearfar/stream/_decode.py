@@ -1,0 +1,147 @@
+"""Decoding of the parts of a bundle: maps from pictures and codes, scenes from GLB files."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import check, formats
+from nearfar._scene import glb
+from nearfar._scene.moving_rows import frames_of
+from nearfar._scene.names import Names, distinct
+from nearfar._scene.scene import Scene
+from nearfar.stream import _map_files as codec
+from nearfar.stream._map_files import RangeScale
+
+Read = Callable[[str], bytes]
+"""Returns the bytes of a file by name."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How maps are divided into files."""
+
+    face_size: int
+    tile: int
+    across: int
+    """Tiles in a row of a picture of changed tiles."""
+    scale: RangeScale
+
+    @classmethod
+    def of(cls, described: dict[str, Any]) -> Layout:
+        """Read it from a manifest; ValueError for values that cannot be."""
+        size = check.integer("face_size", described["face_size"], 1, codec.MOST_PIXELS)
+        tile = check.integer("tile", described["tile"], 1, size)
+        if size % tile:
+            raise ValueError(f"tile: expected a divisor of {size}, got {tile}")
+        across = check.integer("across", described["across"], 1, codec.MOST_PIXELS // tile)
+        least, step = (check.positive(name, described["range"][name]) for name in ("least", "step"))
+        if not math.isfinite(least * math.exp(min(codec.NOTHING * step, 700.0))) or codec.NOTHING * step > 700.0:
+            raise ValueError(f"step: expected ranges that are finite, got {step:g}")
+        return cls(size, tile, across, RangeScale(least, step))
+
+    @property
+    def tiles(self) -> int:
+        """Number of tiles of all faces."""
+        return 6 * (self.face_size // self.tile) ** 2
+
+    def check(self, maps: Sequence[dict[str, Any]]) -> None:
+        """Raise ValueError for maps that do not fit."""
+        if len(maps[0]["color"]) != 6:
+            raise ValueError("map: expected six pictures for ring 0")
+        for number, described in enumerate(maps[1:], 1):
+            listed = check.items("tiles", described["tiles"], int, "numbers of tiles")
+            if any(not before < after for before, after in zip([-1, *listed], [*listed, self.tiles], strict=True)):
+                raise ValueError(f"tiles: expected ascending numbers below {self.tiles}")
+            if bool(listed) != isinstance(described["color"], str):
+                raise ValueError("map: expected a picture exactly where tiles change")
+            if number == 1 and (isinstance(described["range"], str) or len(described["range"]) != 6):
+                raise ValueError("map: expected six files of ranges for ring 1")
+            if number > 1 and bool(listed) != isinstance(described["range"], str):
+                raise ValueError("map: expected ranges exactly where tiles change")
+
+
+def decode_colors(maps: Sequence[dict[str, Any]], layout: Layout, read: Read) -> NDArray[np.float32]:
+    """Colour (6, S, S, 3) of the last of consecutive maps from ring 0 on, linear RGB."""
+    side, tile = layout.face_size, layout.tile
+    pictures = [codec.decode_color(read(name), (side, side)) for name in maps[0]["color"]]
+    faces = np.stack(pictures)
+    for described in maps[1:]:
+        tiles = np.array(described["tiles"], np.int64)
+        if len(tiles):
+            size = (layout.across * tile, -(-len(tiles) // layout.across) * tile)
+            sheet = codec.decode_color(read(described["color"]), size)
+            codec.put_tiles(faces, tiles, codec.tiles_of_sheet(sheet, len(tiles), tile))
+    return faces
+
+
+def decode_ranges(maps: Sequence[dict[str, Any]], layout: Layout, read: Read) -> NDArray[np.float32]:
+    """Range (6, S, S) of the last of consecutive maps from ring 0 on, metres; ring 0 has none of its own."""
+    tile, whole = layout.tile, layout.tiles // 6
+    faces = np.zeros((6, layout.face_size, layout.face_size), np.uint16)
+    blocks = [codec.decode_codes(read(name), (whole, tile, tile)) for name in maps[1]["range"]]
+    codec.put_tiles(faces, np.arange(layout.tiles), np.concatenate(blocks))
+    for described in maps[2:]:
+        tiles = np.array(described["tiles"], np.int64)
+        if len(tiles):
+            codec.put_tiles(faces, tiles, codec.decode_codes(read(described["range"]), (len(tiles), tile, tile)))
+    return layout.scale.ranges(faces)
+
+
+def ring_scene(data: bytes, place: str) -> Scene:
+    """The geometry of a ring; FormatError that names the file if it is damaged."""
+    with formats.guarded(place):
+        decoder = glb.Decoder(data, None)
+        core = decoder.decode()
+        return Scene(core, decoder.names, undrawn=decoder.undrawn)
+
+
+def moving_scene(data: bytes, instances: Any, place: str) -> Scene:
+    """The dynamic objects; FormatError that names the file if it is damaged, or does not fit its description."""
+    with formats.guarded(place):
+        decoder = glb.Decoder(data, None)
+        core, names = decoder.decode(), decoder.names
+        rows = check.items("instances", instances, dict, "descriptions of instances")
+        frames, rest = frames_of(rows, names, core.moving_placements(), place)
+        return Scene(core, names, frames=frames, rest=rest, undrawn=decoder.undrawn)
+
+
+def joined(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:
+    """One scene of dynamic objects, and of rings by name as objects that are drawn whole, as dynamic ones are."""
+    if not rings:
+        return Scene(_empty((0.0, 0.0, 0.0)), Names(())) if moving is None else moving
+    base = _empty(rings[0][1]._core.origin) if moving is None else moving._core
+    core, meshes = _core.with_surfaces(base, [_about_origin(scene._core) for _, scene in rings])
+    own = () if moving is None else moving.object_names
+    names = distinct([*own, *(name for name, _ in rings)])
+    placements = np.tile(np.eye(4)[:3], (len(rings), 1, 1))
+    for placement, (_, scene) in zip(placements, rings, strict=True):
+        placement[:, 3] = scene.origin - np.asarray(core.origin)
+    numbers = np.arange(len(own), len(names), dtype=np.int32)
+    whole = _core.with_instances(core, meshes, placements, numbers, 0)
+    rest = placements if moving is None else np.concatenate([moving._rest, placements])
+    frames = None if moving is None else moving._frames
+    return Scene(whole, Names(names), frames=frames, rest=rest)
+
+
+def _about_origin(core: _core.Scene) -> _core.Scene:
+    """The same scene with its origin at 0, so that its merged mesh keeps small coordinates."""
+    return _core.Scene(**{**_core.scene_parts(core), "origin": (0.0, 0.0, 0.0)}) if any(core.origin) else core
+
+
+def _empty(origin: tuple[float, float, float]) -> _core.Scene:
+    nothing: dict[str, Any] = {
+        "placements": np.zeros((0, 3, 4)),
+        "objects": np.zeros(0, np.int32),
+        "material_colors": np.zeros((0, 4), np.float32),
+        "material_textures": np.zeros(0, np.int32),
+        "material_cutoffs": np.zeros(0, np.float32),
+        "material_tags": np.zeros(0, np.uint64),
+    }
+    return _core.Scene(origin=origin, meshes=[], standing_count=0, textures=[], **nothing)

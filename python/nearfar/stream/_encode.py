@@ -1,0 +1,104 @@
+"""Encoding of the parts of a bundle: maps as pictures and codes, rings of geometry as GLB files."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from nearfar._scene import glb
+from nearfar._scene.moving_rows import moving_rows
+from nearfar._scene.scene import Scene
+from nearfar.stream import _map_files as codec
+from nearfar.stream._assign import Rings
+from nearfar.stream._map_files import RangeScale
+from nearfar.stream._maps import TILE, RingMaps
+from nearfar.stream._store import described, named
+
+ACROSS = 16
+"""Tiles in a row of a picture of changed tiles."""
+
+
+@dataclass
+class Files:
+    """Files by name; equal content is stored once."""
+
+    content: dict[str, bytes] = field(default_factory=dict)
+
+    def add(self, data: bytes, kind: str) -> str:
+        """Add a file and return its name."""
+        name = named(data, kind)
+        self.content[name] = data
+        return name
+
+    def listed(self) -> dict[str, Any]:
+        """Size and hash of each file by name, in the order of the names."""
+        return {name: described(self.content[name]) for name in sorted(self.content)}
+
+
+def scale_of(maps: RingMaps, error: float) -> RangeScale:
+    """Codes for all ranges of all maps."""
+    ranges = [maps.first.range, *(change["range"] for change in maps.changes if "range" in change)]
+    return RangeScale.of(np.concatenate([np.ravel(values) for values in ranges]), error)
+
+
+def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: RangeScale) -> list[dict[str, Any]]:
+    """Encode the map of each ring: colour of ring 0 whole, then changed tiles; range whole from ring 1 on."""
+    first = maps.map(0)
+    listed: list[dict[str, Any]] = [
+        {"color": [files.add(codec.encode_color(face, quality), "webp") for face in first.color]}
+    ]
+    for ring in range(1, maps.rings.count + 1):
+        env = maps.map(ring)
+        tiles = np.flatnonzero(maps.changed_tiles(ring))
+        described: dict[str, Any] = {"tiles": tiles.tolist(), "color": None, "range": None}
+        assert env.range is not None
+        codes = scale.codes(env.range)
+        if len(tiles):
+            sheet = codec.sheet_of(codec.tiles_of(env.color, tiles, TILE), ACROSS)
+            described["color"] = files.add(codec.encode_color(sheet, quality), "webp")
+        if ring == 1:
+            every = np.arange(6 * (first.face_size // TILE) ** 2)
+            whole = codec.tiles_of(codes, every, TILE).reshape(6, -1, TILE, TILE)
+            described["range"] = [files.add(codec.encode_codes(face), "range") for face in whole]
+        elif len(tiles):
+            described["range"] = files.add(codec.encode_codes(codec.tiles_of(codes, tiles, TILE)), "range")
+        listed.append(described)
+    return listed
+
+
+def ring_scene(rings: Rings, ring: int) -> Scene:
+    """The static objects of a ring, and the faces without an object if they belong to it."""
+    scene = rings.scene
+    if rings.rest != ring:
+        return scene.subset(objects=rings.objects(ring))
+    return Scene(scene._core.without_objects(rings.ring != ring), scene._names, undrawn=scene._undrawn)
+
+
+def encode_geometry(rings: Rings, files: Files) -> list[dict[str, Any]]:
+    """Encode the geometry of each ring from 1 on."""
+    listed = []
+    for ring, row in enumerate(rings.summary()[: rings.count], 1):
+        near = ring_scene(rings, ring)
+        name = None
+        if near.triangle_count:
+            name = files.add(glb.encode(near._core, near.object_names, near._undrawn), "glb")
+        counts = {"objects": row["objects"], "triangles": row["triangles"], "stored": row["stored"]}
+        listed.append({"radius": row["radius"], **counts, "geometry": name})
+    return listed
+
+
+def moving_scene(rings: Rings) -> Scene | None:
+    """The dynamic objects of a scene; None if nothing moves."""
+    moving = rings.scene.subset(objects=rings.objects(0))
+    return moving if moving.triangle_count else None
+
+
+def encode_moving(rings: Rings, files: Files) -> dict[str, Any] | None:
+    """Encode the dynamic objects of a scene, with the transforms that they were loaded with."""
+    moving = moving_scene(rings)
+    if moving is None:
+        return None
+    name = files.add(glb.encode(moving._core, moving.object_names, moving._undrawn), "glb")
+    return {"geometry": name, "triangles": moving.triangle_count, "instances": moving_rows(moving)}

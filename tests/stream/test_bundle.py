@@ -1,0 +1,239 @@
+"""Bundles: what is written is what the reduction shows, whole or not at all."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from tests.support import need, valid
+
+CENTER = (3.0, 1.7, -2.0)
+RADII = (10.0, 22.0, 63.0)
+SIZE = 128
+VIEW = nf.Camera.look_at((3.6, 1.5, -1.4), (30, 3, -20), fov=nf.Fov.symmetric(90, 1.6), size=(160, 100))
+SETTINGS: dict[str, Any] = {"center": CENTER, "radii": RADII, "face_size": SIZE, "samples": 1, "quality": None}
+
+
+@pytest.fixture(scope="module")
+def city() -> nf.Scene:
+    return nf.datasets.city(blocks=3, detail=0)
+
+
+@pytest.fixture(scope="module")
+def folder(city: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("bundles") / "city"
+    nf.stream.export(city, path, **SETTINGS)
+    return path
+
+
+@pytest.fixture(scope="module")
+def bundle(folder: Path) -> nf.stream.Bundle:
+    return nf.stream.open(folder)
+
+
+def reduced(city: nf.Scene, ring: int, **changes: Any) -> nf.ReducedScene:
+    """The same state without files: whole objects within the ring's radius before the map of the others."""
+    radius = RADII[max(ring, 1) - 1]
+    given = {"center": CENTER, "r1": 0.7 * radius, "r2": radius, "unit": "object", "morph": "cylinder", **changes}
+    return nf.reduce(city, channels=("color", "range"), face_size=SIZE, samples=1, **given)
+
+
+@pytest.mark.parametrize(
+    ("ring", "radius"), [(1, 0.0), (1, 6.0), (1, 10.0), (2, 10.0), (2, 22.0), (3, 40.0), (3, 63.0)]
+)
+@pytest.mark.parametrize("method", ["exact", "vertex"])
+def test_a_client_shows_what_the_reduction_shows(
+    city: nf.Scene, bundle: nf.stream.Bundle, ring: int, radius: float, method: str
+) -> None:
+    channels = ("color", "range")
+    shown = bundle.at(ring, radius).render(VIEW, channels=channels, samples=1, method=method)
+    expected = reduced(city, ring).render(VIEW, radius=radius, channels=channels, samples=1, method=method)
+    # Lossless colour, so that pixels differ only where the rounded range decides what is in front.
+    differs = np.abs(shown.to_image().astype(int) - expected.to_image()).max(axis=-1) > 1
+    assert differs.mean() < 1e-3
+    alike = np.isclose(shown.require("range"), expected.require("range"), rtol=2.0**-10)
+    assert alike.mean() > 0.999
+
+
+def test_ring_0_is_the_map_of_everything(city: nf.Scene, bundle: nf.stream.Bundle) -> None:
+    first = bundle.at(0)
+    frame = first.render(VIEW, samples=1)
+    # Without a morph's radius all is shown as the centre sees it.
+    moved = nf.Camera(CENTER, VIEW.orientation, fov=VIEW.fov, size=VIEW.size)
+    still = city.subset(objects=[name for name in city.object_names if name not in city.poses])
+    truth = nf.render(still, moved, samples=16)
+    assert nf.psnr(truth, nf.render(first, moved)) > 20.0
+    assert np.abs(frame.color - nf.render(first, VIEW, samples=1).color).max() == 0.0
+    assert bundle.map(0).range is None
+    assert bundle.map(1).range is not None
+
+
+def test_maps_are_those_of_the_bake(city: nf.Scene, bundle: nf.stream.Bundle) -> None:
+    maps = nf.stream.bake_maps(nf.stream.assign(city, center=CENTER, radii=RADII), face_size=SIZE, samples=1)
+    for ring in range(4):
+        found, baked = bundle.map(ring), maps.map(ring)
+        assert np.abs(found.color - baked.color).max() < 0.5 / 255 * 2.3  # half a step of sRGB at its steepest
+        if ring:
+            assert found.range is not None
+            np.testing.assert_allclose(found.range, baked.range, rtol=2.0**-10.9)
+
+
+def test_moving_objects_can_be_posed(city: nf.Scene, bundle: nf.stream.Bundle) -> None:
+    name = next(iter(city.poses))
+    assert set(bundle.at(2).poses) >= set(city.poses)
+    pose = np.eye(4)
+    pose[:3, 3] = (8.0, 0.5, -6.0)
+    shown = bundle.at(2).at({name: pose}).render(VIEW, samples=1)
+    expected = reduced(city, 2).at({name: pose}).render(VIEW, samples=1)
+    assert (np.abs(shown.to_image().astype(int) - expected.to_image()).max(axis=-1) > 1).mean() < 1e-3
+    assert np.any(shown.color != bundle.at(2).render(VIEW, samples=1).color)
+
+
+def test_bytes_do_not_depend_on_the_run(city: nf.Scene, folder: Path, tmp_path: Path) -> None:
+    nf.stream.export(city, tmp_path / "again", **SETTINGS)
+    listed = sorted(path.relative_to(folder) for path in folder.rglob("*"))
+    assert listed == sorted(path.relative_to(tmp_path / "again") for path in (tmp_path / "again").rglob("*"))
+    for name in listed:
+        if (folder / name).is_file():
+            assert (folder / name).read_bytes() == (tmp_path / "again" / name).read_bytes(), name
+
+
+def test_the_manifest_lists_every_file(folder: Path, bundle: nf.stream.Bundle) -> None:
+    manifest = json.loads((folder / "manifest.json").read_text())
+    assert valid(manifest, "bundle")
+    assert set(manifest["files"]) == {f"files/{path.name}" for path in (folder / "files").iterdir()}
+    assert bundle.nbytes == sum(path.stat().st_size for path in (folder / "files").iterdir())
+    rows = bundle.summary()
+    dynamic = manifest["files"][manifest["dynamic"]["geometry"]]["bytes"]
+    assert sum(row["geometry"] + row["color"] + row["range"] for row in rows) + dynamic == bundle.nbytes
+    assert rows[0]["geometry"] == rows[0]["range"] == 0
+    bundle.verify()
+
+
+@pytest.mark.parametrize("damage", ["missing", "shorter", "changed"])
+def test_a_missing_or_altered_file_is_named(city: nf.Scene, tmp_path: Path, damage: str) -> None:
+    bundle = nf.stream.export(city, tmp_path / "b", **{**SETTINGS, "face_size": 64, "radii": [10.0]})
+    victim = sorted((tmp_path / "b" / "files").glob("*.glb"))[0]
+    data = victim.read_bytes()
+    if damage == "missing":
+        victim.unlink()
+    else:
+        victim.write_bytes(data[:-1] if damage == "shorter" else data[:-1] + bytes([data[-1] ^ 1]))
+    for use in (bundle.verify, lambda: bundle.at(1).at({})):
+        with pytest.raises(nf.FormatError, match=victim.name):
+            use()
+
+
+@pytest.mark.parametrize(
+    ("changes", "text"),
+    [
+        ({"version": 2}, "version"),
+        ({"format": "nearfar.reduced"}, "format"),
+        ({"center": [0, 1]}, "center"),
+        ({"rings": []}, "rings"),
+        ({"files": {}}, "files"),
+        ({"files": {"../secret": {"bytes": 1, "sha256": "0"}}}, "files"),
+        ({"map": {"face_size": 10**9}}, "face_size"),
+        ({"dynamic": {"geometry": "files/none.glb"}}, "dynamic"),
+    ],
+)
+def test_manifests_that_cannot_be_used_are_refused(
+    folder: Path, tmp_path: Path, changes: dict[str, Any], text: str
+) -> None:
+    manifest = json.loads((folder / "manifest.json").read_text())
+    (tmp_path / "manifest.json").write_text(json.dumps({**manifest, **changes}))
+    with pytest.raises(nf.FormatError, match=rf"manifest\.json.*{text}"):
+        nf.stream.open(tmp_path)
+
+
+def test_bundles_lie_behind_urls_too(city: nf.Scene, folder: Path, bundle: nf.stream.Bundle) -> None:
+    need("fsspec")
+    import fsspec
+
+    url = "memory://worlds/city"
+    stored = nf.stream.export(city, url, **SETTINGS)
+    assert stored.nbytes == bundle.nbytes
+    system = fsspec.filesystem("memory")
+    assert system.cat("/worlds/city/manifest.json") == (folder / "manifest.json").read_bytes()
+    remote = nf.stream.open(f"{url}/manifest.json").at(1).render(VIEW, samples=1)
+    np.testing.assert_array_equal(remote.color, bundle.at(1).render(VIEW, samples=1).color)
+    with pytest.raises(ValueError, match="expected a URL that fsspec can open"):
+        nf.stream.open("nothing-known://a/b")
+
+
+def test_a_scene_that_lies_far_away_has_the_same_pictures(tmp_path: Path) -> None:
+    # Beyond 32,768 m the scene has an origin of its own.
+    place = np.array([500_000.0, 20.0, -300_000.0])
+    trees = nf.datasets.forest(trees=60, detail=0)
+    arrays = trees.triangles().reshape(-1, 3).astype(np.float64)
+    faces = np.arange(len(arrays), dtype=np.uint32).reshape(-1, 3)
+    near, far = nf.Scene.from_arrays(arrays, faces), nf.Scene.from_arrays(arrays + place, faces)
+    assert far.origin.any()
+    frames = []
+    for scene, offset in ((near, np.zeros(3)), (far, place)):
+        path = tmp_path / str(len(frames))
+        center = np.add((0.0, 1.7, 0.0), offset)
+        bundle = nf.stream.export(scene, path, **{**SETTINGS, "center": center, "radii": [30.0], "face_size": 64})
+        view = nf.Camera.look_at(
+            np.add(center, (0.5, 0, 0.2)), np.add(center, (9, 1, -9)), fov=VIEW.fov, size=VIEW.size
+        )
+        frames.append(nf.stream.open(path).at(1).render(view, samples=1).to_image().astype(int))
+        assert bundle.radii == (30.0,)
+    # Positions relative to other origins round differently by millimetres.
+    assert (np.abs(frames[0] - frames[1]).max(axis=-1) > 8).mean() < 0.02
+
+
+def test_scenes_without_moving_objects_or_near_ones(tmp_path: Path) -> None:
+    wall = nf.Scene.from_arrays([[-5, -5, -80], [5, -5, -80], [5, 5, -80]], [[0, 1, 2]])
+    given = {**SETTINGS, "center": (0, 0, 0), "radii": [10.0, 20.0, 100.0], "face_size": 512}
+    bundle = nf.stream.export(wall, tmp_path / "wall", **given)
+    view = nf.Camera.look_at((0, 0, 0), (0, 0, -1), fov=nf.Fov.symmetric(10, 1), size=(32, 32))
+    pictures = [bundle.at(ring).render(view, samples=1) for ring in range(4)]
+    for picture in pictures[1:]:
+        assert (np.abs(picture.color - pictures[0].color).max(axis=-1) > 0.01).mean() < 0.1
+    assert [row["triangles"] for row in bundle.summary()] == [0, 0, 0, 1]
+
+
+@pytest.mark.parametrize(
+    ("changes", "text"),
+    [
+        ({"face_size": 100}, "face_size: expected a multiple of 64"),
+        ({"face_size": 8192}, "face_size"),
+        ({"quality": 101}, "quality"),
+        ({"range_error": 0.0}, "range_error"),
+        ({"radii": [5.0, 5.0]}, "radii"),
+        ({"radii": []}, "radii"),
+        ({"center": (np.nan, 0, 0)}, "center"),
+        ({"samples": 0}, "samples"),
+    ],
+)
+def test_wrong_settings_are_refused(city: nf.Scene, tmp_path: Path, changes: dict[str, Any], text: str) -> None:
+    with pytest.raises(ValueError, match=text):
+        nf.stream.export(city, tmp_path / "b", **{**SETTINGS, **changes})
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_wrong_rings_and_radii_of_a_bundle_are_refused(bundle: nf.stream.Bundle) -> None:
+    for ring in (-1, 4):
+        with pytest.raises(ValueError, match="ring"):
+            bundle.at(ring)
+        with pytest.raises(ValueError, match="ring"):
+            bundle.map(ring)
+    for radius in (-1.0, 10.5, float("nan")):
+        with pytest.raises(ValueError, match="radius"):
+            bundle.at(1, radius)
+    with pytest.raises(ValueError, match="name"):
+        bundle.read("../manifest.json")
+
+
+def test_other_folders_are_not_overwritten(city: nf.Scene, tmp_path: Path) -> None:
+    (tmp_path / "mine.txt").write_text("mine")
+    with pytest.raises(FileExistsError, match="holds other files"):
+        nf.stream.export(city, tmp_path, **{**SETTINGS, "face_size": 64, "radii": [10.0]})
+    with pytest.raises(FileNotFoundError):
+        nf.stream.open(tmp_path)
