@@ -26,6 +26,8 @@ VALID = {
     "compare": ("-i", "ball.glb", "-o", "compared", *PLACE, *SMALL, "--fov", "20"),
     "lod": ("-i", "ball.glb", "-o", "model.json", "--views", "4", "--distances", "1", "--ratios", "1", "--method",
             "meshopt", "--backend", "cpu"),
+    "export": ("-i", "ball.glb", "-o", "bundle", "--center", "0,1.7,0", "--radii", "3,8", "--samples", "1",
+               "--face-size", "64"),
     "stereo": ("-i", "ball.glb", "-o", "stereo", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
 }  # fmt: skip
 """Arguments with which each command works on a small scene."""

@@ -52,6 +52,9 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.lod.Selection": lambda: _selection(valid),
         "nearfar.lod.Selector": nf.lod.Selector,
         "nearfar.lod.Switches": lambda: nf.lod.switches(model, view=valid.camera),
+        "nearfar.stream.Bundle": lambda: valid.bundle,
+        "nearfar.stream.RingMaps": lambda: valid.ring_maps,
+        "nearfar.stream.Rings": lambda: valid.ring_maps.rings,
         "nearfar.stereo.AdaptivePlane": lambda: nf.stereo.AdaptivePlane(valid.hmd),
         "nearfar.stereo.TemporalAntialiasing": nf.stereo.TemporalAntialiasing,
         "nearfar.stereo.HybridRig": lambda: nf.stereo.HybridRig.of(valid.hmd, mono_plane=8.0, size=SIZE),
@@ -70,7 +73,8 @@ def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
 
     A name followed by " @" and a word is another call of the same callable, which reaches other checks.
     """
-    return {**_scenes(valid), **_pictures(valid), **_arrays(valid), **_devices(valid), **_levels(valid)}
+    makers = (_scenes, _pictures, _arrays, _devices, _levels, _streams)
+    return {name: arguments for make in makers for name, arguments in make(valid).items()}
 
 
 def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
@@ -157,6 +161,7 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.ReducedScene.shown_to": {"user": EYE},
         "nearfar.ReducedScene.trace": shot,
         "nearfar.ReducedScene.with_morph": {"morph": "cylinder"},
+        "nearfar.ReducedScene.with_radius": {"radius": 1.0},
         "nearfar.ReducedScene.with_r1": {"r1": 2.0},
         **_walks(valid),
         "nearfar.datasets.CountTask": _fields(nf.datasets.count_task()[1]),
@@ -302,6 +307,34 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stereo.TemporalAntialiasing.restart": {},
         "nearfar.stereo.mono_plane_for": {"hmd": hmd, "error_px": 1.0},
         "nearfar.stereo.view_vector_shader": {"language": "wgsl"},
+    }  # fmt: skip
+
+
+def _streams(valid: Valid) -> dict[str, dict[str, Any]]:
+    scene, center = valid.scene, ZONES["center"]
+    return {
+        "nearfar.stream.Bundle": _fields(valid.bundle),
+        "nearfar.stream.Bundle.at": {"ring": 1, "radius": 1.0},
+        "nearfar.stream.Bundle.map": {"ring": 1},
+        "nearfar.stream.Bundle.read": {"name": next(iter(valid.bundle.files))},
+        "nearfar.stream.Bundle.summary": {},
+        "nearfar.stream.Bundle.verify": {},
+        "nearfar.stream.RingMaps": _fields(valid.ring_maps),
+        "nearfar.stream.RingMaps.changed_tiles": {"ring": 1},
+        "nearfar.stream.RingMaps.map": {"ring": 1},
+        "nearfar.stream.Rings": _fields(valid.ring_maps.rings),
+        "nearfar.stream.Rings.codes": {},
+        "nearfar.stream.Rings.objects": {"ring": 1},
+        "nearfar.stream.Rings.summary": {},
+        "nearfar.stream.assign": {"scene": scene, "center": center, "radii": [2.0, 4.0]},
+        "nearfar.stream.bake_maps": {"rings": valid.ring_maps.rings, "face_size": 4},
+        "nearfar.stream.export": {
+            "scene": scene, "path": valid.folder / "exported", "center": center, "radii": [2.0], "face_size": 64,
+            "samples": 1,
+        },
+        "nearfar.stream.footprints": {"scene": scene, "center": center, "face_size": 4},
+        "nearfar.stream.open": {"path": valid.folder / "bundle"},
+        "nearfar.stream.rings": {"scene": scene, "center": center, "r_max": 20.0, "base_radius": 8.0},
     }  # fmt: skip
 
 

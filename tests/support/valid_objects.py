@@ -87,6 +87,18 @@ class Valid:
         return nf.regions(self.scene, [(0.0, 1.0, 1.0), (0.0, 1.0, 2.0)], **small, backend="cpu")
 
     @functools.cached_property
+    def ring_maps(self) -> nf.stream.RingMaps:
+        """Maps of two rings."""
+        rings = nf.stream.assign(self.scene, center=ZONES["center"], radii=[2.0, 4.0])
+        return nf.stream.bake_maps(rings, face_size=64)
+
+    @functools.cached_property
+    def bundle(self) -> nf.stream.Bundle:
+        """Files of two rings."""
+        given: dict[str, Any] = {"center": ZONES["center"], "radii": [2.0, 4.0], "face_size": 64, "samples": 1}
+        return nf.stream.export(self.scene, self.folder / "bundle", **given)
+
+    @functools.cached_property
     def env(self) -> nf.EnvMap:
         """A map with all channels."""
         ranges = np.full((6, 4, 4), 9.0, np.float32)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import islice, pairwise
 from typing import Any
 
 import numpy as np
@@ -151,11 +151,11 @@ def object_radii(
 
 def ascending(name: str, radii: Iterable[float]) -> tuple[float, ...]:
     """Radii as numbers; ValueError where they are not positive and ascending."""
-    bounds = tuple(
-        check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(check.iterable(name, radii, "radii"))
-    )
+    listed = islice(check.iterable(name, radii, "radii"), MOST_RINGS + 1)
+    bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(listed))
     if not 1 <= len(bounds) <= MOST_RINGS:
-        raise ValueError(f"{name}: expected 1 to {MOST_RINGS} radii, got {len(bounds)}")
+        got = len(bounds) if len(bounds) <= MOST_RINGS else "more"
+        raise ValueError(f"{name}: expected 1 to {MOST_RINGS} radii, got {got}")
     for before, after in pairwise(bounds):
         if after <= before:
             raise ValueError(f"{name}: expected ascending radii, got {after:g} after {before:g}")

@@ -49,6 +49,11 @@ class Bundle:
         return len(self._rings) - 1
 
     @property
+    def files(self) -> tuple[str, ...]:
+        """Names of all files but the manifest."""
+        return tuple(self._manifest["files"])
+
+    @property
     def nbytes(self) -> int:
         """Size of all files without the manifest."""
         return sum(entry["bytes"] for entry in self._manifest["files"].values())

@@ -39,7 +39,7 @@ class Files:
 
 def scale_of(maps: RingMaps, error: float) -> RangeScale:
     """Codes for all ranges of all maps."""
-    ranges = [maps.first.range, *(change["range"] for change in maps.changes if "range" in change)]
+    ranges: list[Any] = [maps.first.range, *(change["range"] for change in maps.changes if "range" in change)]
     return RangeScale.of(np.concatenate([np.ravel(values) for values in ranges]), error)
 
 

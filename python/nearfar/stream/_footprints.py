@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -46,9 +48,9 @@ def footprints(scene: Scene, *, center: ArrayLike, face_size: int = FACE_SIZE) -
     core_of(scene)
     size = check.integer("face_size", face_size, 1, check.MAX_SIZE)
     middle = check.vector("center", center)
-    settings = {"size": size, "samples": 1, "half": False, "device": None}
+    settings: dict[str, Any] = {"size": size, "samples": 1, "half": False, "device": None}
     env, _ = bake(scene, middle, 0.0, channels=("object_id",), **settings)
     assert env.object_id is not None
     seen = env.object_id >= 0
     weights = np.broadcast_to(cube_solid_angles(size), env.object_id.shape)[seen]
-    return np.bincount(env.object_id[seen], weights, len(scene.object_names))
+    return np.bincount(env.object_id[seen], weights, len(scene.object_names)).astype(np.float64)

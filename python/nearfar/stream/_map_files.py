@@ -44,7 +44,8 @@ def decode_color(data: bytes, size: tuple[int, int]) -> NDArray[np.float32]:
         with Image.open(io.BytesIO(data), formats=["webp"]) as image:
             if image.size != size:
                 raise ValueError(f"expected a picture of {size[0]} × {size[1]} pixels, got {image.size}")
-            return _LINEAR[np.asarray(image.convert("RGB"))]
+            linear: NDArray[np.float32] = _LINEAR[np.asarray(image.convert("RGB"))]
+            return linear
     except (OSError, SyntaxError, Image.DecompressionBombError) as error:
         raise ValueError(f"expected a WebP picture, got {error}") from None
 
@@ -77,7 +78,7 @@ class RangeScale:
         """Greatest relative error of a stored range from `NEAREST` on, before it is rounded to float32."""
         return math.expm1(0.5 * self.step)
 
-    def codes(self, ranges: NDArray[np.float32]) -> Codes:
+    def codes(self, ranges: NDArray[Any]) -> Codes:
         """Codes of ranges in metres, which may be infinite."""
         is_hit = np.isfinite(ranges)
         logarithms = np.log(np.maximum(np.where(is_hit, ranges, self.least), NEAREST, dtype=np.float64) / self.least)
@@ -88,7 +89,8 @@ class RangeScale:
         """Ranges that codes stand for."""
         table = self.least * np.exp(np.arange(NOTHING + 1) * self.step)
         table[NOTHING] = np.inf
-        return table[codes].astype(np.float32)
+        ranges: NDArray[np.float32] = table[codes].astype(np.float32)
+        return ranges
 
 
 def encode_codes(codes: Codes) -> bytes:

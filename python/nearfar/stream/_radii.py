@@ -54,11 +54,11 @@ def rings(
         Radius R of the first of the rings of equal area, R √i, metres, at most `r_max`. They are what "equal_area"
         returns, up to `r_max`, and what "cost" merges.
     bandwidth
-        Of the link, 10⁶ bits a second. Only for "cost".
+        Of the link, 10⁶ bits a second, 10⁻⁶ to 10⁹. Only for "cost".
     latency
-        Seconds before the first byte of a ring comes. Only for "cost".
+        Seconds before the first byte of a ring comes, up to 10⁶. Only for "cost".
     map_bytes
-        Bytes by which the maps of two consecutive rings differ. Only for "cost".
+        Bytes by which the maps of two consecutive rings differ, up to 10¹⁵. Only for "cost".
     policy
         "cost": the radii with the least expected time to quality: the mean over all directions of view, of objects
         within `r_max`, of the time until their geometry is there. Rings come one after the other, each with its map;
@@ -85,8 +85,8 @@ def rings(
     core_of(scene)
     middle = check.vector("center", center)
     reach, base = check.positive("r_max", r_max), check.positive("base_radius", base_radius)
-    rate, wait = check.positive("bandwidth", bandwidth) * 1e6 / 8.0, check.at_least_zero("latency", latency)
-    size = check.at_least_zero("map_bytes", map_bytes)
+    rate, wait = check.within("bandwidth", bandwidth, 1e-6, 1e9) * 1e6 / 8.0, check.within("latency", latency, 0.0, 1e6)
+    size = check.within("map_bytes", map_bytes, 0.0, 1e15)
     check.choice("policy", policy, POLICIES)
     if base > reach:
         raise ValueError(f"base_radius: expected at most r_max = {reach:g} m, got {base:g}")
@@ -123,7 +123,7 @@ def _cheapest(
     if not sizes.any():
         raise ValueError(f"r_max: expected a radius that an object reaches inside, got {radii[-1]:g} m")
     seen = np.bincount(place[:-1], footprints(scene, center=center), len(radii) + 1)[:-1]
-    return tuple(radii[n] for n in merged(sizes + 0.0, seen, rate, wait, map_bytes))
+    return tuple(radii[n] for n in merged(sizes.astype(np.float64), seen.astype(np.float64), rate, wait, map_bytes))
 
 
 def merged(

@@ -28,7 +28,13 @@ fn main() {
     for (name, covered) in [("none", none as Cover), ("ground and discs", discs), ("every other pixel", checkers)] {
         let shares: Vec<f32> = (0..SIZE.0 * SIZE.1).map(|n| f32::from(covered(n % SIZE.0, n / SIZE.0))).collect();
         let depths = [shares.clone(), shares.clone()];
-        let reads = least(|| (0..3).for_each(|_| depths.iter().for_each(|depth| drop(black_box(greatest(depth))))));
+        let reads = least(|| {
+            (0..3).for_each(|_| {
+                depths.iter().for_each(|depth| {
+                    black_box(greatest(depth));
+                })
+            })
+        });
         let find = || rig.needed([&shares, &shares], 1, &Progress::new()).unwrap();
         let needed = least(|| drop(black_box(find())));
         let mask = find();

@@ -1,6 +1,7 @@
 //! The pixels of a picture that are drawn, at several resolutions: geometry that no drawn pixel can show is left out.
 
 use glam::DVec2;
+use rayon::prelude::*;
 
 use crate::base::Aabb;
 use crate::camera::Camera;
@@ -9,6 +10,8 @@ use crate::camera::Camera;
 const FINEST: usize = 2;
 /// Blocks that a test reads each way, at most.
 const READS: usize = 4;
+/// Rows of blocks in one task.
+const BANDS: usize = 32;
 
 /// Flags of blocks of pixels. Each level has blocks twice as wide as the one before, up to a single block.
 #[derive(Clone, Debug)]
@@ -25,10 +28,11 @@ impl MaskPyramid {
         let side = 1 << FINEST;
         let across = width.div_ceil(side);
         let mut finest = vec![false; across * height.div_ceil(side)];
-        for (y, row) in mask.chunks_exact(width.max(1)).enumerate() {
-            for (x, block) in row.chunks(side).enumerate() {
-                finest[y / side * across + x] |= block.contains(&true);
-            }
+        if width > 0 {
+            let bands = finest.par_chunks_mut(across).zip(mask.par_chunks(side * width));
+            bands.with_min_len(BANDS).for_each(|(flags, band)| {
+                band.chunks_exact(width).for_each(|row| mark_blocks(row, flags));
+            });
         }
         let mut levels = vec![(across, finest)];
         while let Some((across, flags)) = levels.last().filter(|(_, flags)| flags.len() > 1) {
@@ -70,12 +74,27 @@ impl MaskPyramid {
     }
 }
 
+/// Marks the blocks of which a row of pixels has a drawn one.
+fn mark_blocks(row: &[bool], flags: &mut [bool]) {
+    // A block's four pixels as one word.
+    let (blocks, rest) = row.as_chunks::<{ 1 << FINEST }>();
+    for (flag, block) in flags.iter_mut().zip(blocks) {
+        *flag |= u32::from_ne_bytes(block.map(u8::from)) != 0;
+    }
+    if let Some(last) = flags.get_mut(blocks.len()) {
+        *last |= rest.contains(&true);
+    }
+}
+
 /// The next level: a block is drawn if one of its four is.
 fn coarser(across: usize, flags: &[bool]) -> (usize, Vec<bool>) {
-    let (wide, high) = (across.div_ceil(2), (flags.len() / across).div_ceil(2));
-    let mut next = vec![false; wide * high];
-    for (n, _) in flags.iter().enumerate().filter(|(_, flag)| **flag) {
-        next[n / across / 2 * wide + n % across / 2] = true;
+    let wide = across.div_ceil(2);
+    let mut next = Vec::with_capacity(wide * (flags.len() / across).div_ceil(2));
+    for pair in flags.chunks(2 * across) {
+        let (upper, lower) = pair.split_at(across);
+        let lower = if lower.is_empty() { upper } else { lower };
+        let twos = upper.chunks(2).zip(lower.chunks(2));
+        next.extend(twos.map(|(upper, lower)| upper.contains(&true) || lower.contains(&true)));
     }
     (wide, next)
 }

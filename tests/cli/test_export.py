@@ -1,0 +1,47 @@
+"""`nearfar export`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import nearfar as nf
+from tests.support.cli_cases import city as city
+from tests.support.cli_cases import command, document
+
+FAST = ("--center", "0,1.7,0", "--face-size", "64", "--samples", "1")
+
+
+def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "bundle"
+    status, printed, err = command(capsys, "export", "-i", city, "-o", out, "--radii", "10,22", *FAST, "--json")
+    assert status == 0, err
+    found = document(printed, "export")
+    bundle = nf.stream.open(out)
+    assert found["bytes"] == bundle.nbytes
+    assert found["rings"] == bundle.summary()
+    assert bundle.radii == (10.0, 22.0)
+    assert bundle.center == (0.0, 1.7, 0.0)
+    status, printed, err = command(capsys, "export", "-i", city, "-o", out, *FAST, "--lossless")
+    assert status == 0, err
+    for text in ("first picture", "ring 1, to", "triangles", "exported in"):
+        assert text in printed
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        (("--radii", "10,ten"), "--radii: expected metres such as 10,22,63, got '10,ten'"),
+        (("--radii", "10,5"), "radii: expected ascending radii, got 5 after 10"),
+        (("--face-size", "65"), "face_size: expected a multiple of 64"),
+        (("--quality", "101"), "quality: expected"),
+    ],
+)
+def test_mistakes_are_named(
+    arguments: tuple[str, str], text: str, city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    status, _, err = command(capsys, "export", "-i", city, "-o", tmp_path / "out", *FAST, *arguments)
+    assert status == 1
+    assert text in err
+    assert not (tmp_path / "out").exists()
