@@ -172,6 +172,8 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.datasets.beams": {"count": 1},
         "nearfar.datasets.city": {"blocks": 1, "detail": 0},
         "nearfar.datasets.count_task": {},
+        "nearfar.datasets.factory": {"detail": 0},
+        "nearfar.datasets.factory_view": {},
         "nearfar.datasets.find": {"relative": "nothing.glb"},
         "nearfar.datasets.forest": {"trees": 1, "detail": 0},
         "nearfar.datasets.landscape": {"trees": 1, "detail": 0},

@@ -19,7 +19,7 @@ Point = tuple[float, float, float]
 FACE_SIZE = 1024
 """Texels across a face of the cube map by default."""
 
-PROCEDURAL = ("city", "room", "forest", "beams", "spheres", "landscape")
+PROCEDURAL = ("city", "room", "factory", "forest", "beams", "spheres", "landscape")
 """Names of the procedural scenes."""
 
 
@@ -60,7 +60,7 @@ def option(names: str, metavar: str, text: str) -> Any:
 INPUT = option(
     "-i --input",
     "SCENE",
-    "Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room, forest, beams, spheres or landscape, as in "
+    "Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room, factory, forest, beams, spheres or landscape, as in "
     "city:blocks=4,seed=1.",
 )
 Input = Annotated[str, INPUT]
@@ -124,7 +124,7 @@ WithRange = Annotated[
 SCENE_OR_FOLDER = option(
     "-i --input",
     "SCENE",
-    "Scene file (GLB, glTF, OBJ, PLY, STL …), city, room, forest, beams, spheres or landscape, as in "
+    "Scene file (GLB, glTF, OBJ, PLY, STL …), city, room, factory, forest, beams, spheres or landscape, as in "
     "city:blocks=4,seed=1, or a folder that `nearfar reduce` wrote.",
 )
 SceneOrFolder = Annotated[str, SCENE_OR_FOLDER]
@@ -195,7 +195,7 @@ def headset(text: str) -> nf.Hmd:
 
 def _procedural(name: str, settings: str) -> nf.Scene:
     maker = getattr(nf.datasets, name)
-    defaults = {k: p.default for k, p in inspect.signature(maker).parameters.items() if isinstance(p.default, int)}
+    defaults = {k: p.default for k, p in inspect.signature(maker).parameters.items() if type(p.default) is int}
     chosen: dict[str, int] = {}
     for item in filter(None, settings.split(",")):
         key, _, value = item.partition("=")

@@ -19,6 +19,7 @@ def _from_origin() -> tuple[Point, Point]:
 KNOWN = {
     "city": nf.datasets.street_view,
     "room": nf.datasets.room_view,
+    "factory": nf.datasets.factory_view,
     **dict.fromkeys(("beams", "spheres", "landscape"), _from_origin),
 }
 """Functions that return eye and target, by the name of their procedural scene."""

@@ -2,6 +2,7 @@
 
 from nearfar._base.data import find
 from nearfar.datasets._city import city, street_view
+from nearfar.datasets._factory.hall import factory, factory_view
 from nearfar.datasets._forest import forest
 from nearfar.datasets._room import room, room_view
 from nearfar.datasets._stereo_scenes import beams, landscape, spheres
@@ -16,6 +17,8 @@ __all__ = [
     "beams",
     "city",
     "count_task",
+    "factory",
+    "factory_view",
     "find",
     "forest",
     "landscape",

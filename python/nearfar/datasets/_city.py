@@ -24,7 +24,7 @@ _MOST_BLOCKS = 64
 _SEEDS = 2**63
 
 
-def city(blocks: int = 12, seed: int = 0, detail: int = 2) -> Scene:
+def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
     """Make a city: a grid of streets with buildings, parks, trees, parked cars and a few moving ones.
 
     The ground is at y = 0, pavements are 0.15 m higher. Two avenues cross at the origin, and both can be seen along
@@ -42,6 +42,9 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2) -> Scene:
         their plant, street furniture. 3: frames, dense railings and trees of single leaves. With 12 blocks these are
         25 thousand, 1.5, 7 and 50 million triangles, of which 25 thousand, 0.25, 0.6 and 1 million are stored: the
         others are instances.
+    instanced
+        Whether repeated objects share a mesh. With False each copy is a mesh of its own, so that what instances save
+        can be measured: the same triangles, all of them stored.
 
     Returns
     -------
@@ -53,11 +56,13 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2) -> Scene:
     ------
     ValueError
         For numbers out of range.
+    TypeError
+        For an `instanced` that is not a bool.
     """
     blocks = check.integer("blocks", blocks, 1, _MOST_BLOCKS)
     seed = check.integer("seed", seed, 0, _SEEDS - 1)
     detail = check.integer("detail", detail, 0, 3)
-    stage, grid = Stage(), Grid.of(blocks)
+    stage, grid = Stage(instanced=check.flag("instanced", instanced)), Grid.of(blocks)
     stage.once(streets.ground(grid, seed, detail), "ground")
     built = layout.plots(grid, seed)
     _buildings(stage, built, seed, detail)

@@ -129,6 +129,24 @@ _COLORS = {
     "paper": 0xEDE6D6,
     "terracotta": 0xB86F4D,
     "shade": 0xF0E2BF,
+    # factories
+    "daylight": 0xF4F8FA,
+    "machine_grey": 0xC6CBC9,
+    "machine_green": 0x6E9A84,
+    "machine_blue": 0x4F7FA6,
+    "machine_cream": 0xDED6BE,
+    "robot_orange": 0xE8822B,
+    "safety_yellow": 0xF2C12E,
+    "safety_red": 0xC8352B,
+    "steel_blue": 0x6C8CA6,
+    "steel_grey": 0xA3A9AC,
+    "rack_orange": 0xD9702E,
+    "rack_blue": 0x335E96,
+    "cardboard": 0xC29A66,
+    "cardboard_pale": 0xD6B98A,
+    "barrel_blue": 0x2E68AC,
+    "pipe_green": 0x5E9C6B,
+    "rubber": 0x4A4D50,
 }
 
 _NUMBERS = {name: number for number, name in enumerate(_COLORS)}

@@ -21,10 +21,10 @@ _MERGED_TOTAL = 200_000
 
 
 class Stage:
-    """A scene under construction."""
+    """A scene under construction; without `instanced` each copy of a prototype becomes a mesh of its own."""
 
-    def __init__(self) -> None:
-        self._builder = SceneBuilder()
+    def __init__(self, *, instanced: bool = True) -> None:
+        self._builder, self._instanced = SceneBuilder(), instanced
         self._numbers = np.array([self._builder.material(color) for color in _palette.linear_colors()], np.int32)
 
     def material(
@@ -45,7 +45,8 @@ class Stage:
         if not len(soup) or not len(transforms):
             return
         joined = weld(soup)
-        if moves or len(soup) >= _MERGED_BELOW or len(soup) * len(transforms) > _MERGED_TOTAL:
+        large = len(soup) >= _MERGED_BELOW or len(soup) * len(transforms) > _MERGED_TOTAL
+        if self._instanced and (moves or large):
             self._builder.place_many(self._mesh(joined), transforms, names)
             return
         listed = [f"{names}_{i}" for i in range(len(transforms))] if isinstance(names, str) else names

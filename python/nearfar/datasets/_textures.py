@@ -10,13 +10,13 @@ from nearfar.datasets._draw import Draw, Floats, turn
 Image = NDArray[np.uint8]
 
 
-def _grid(height: int, width: int) -> tuple[Floats, Floats]:
+def grid(height: int, width: int) -> tuple[Floats, Floats]:
     """Pixel centres, 0..1 to the right and down."""
     y, x = np.meshgrid((np.arange(height) + 0.5) / height, (np.arange(width) + 0.5) / width, indexing="ij")
     return x, y
 
 
-def _image(rgb: Floats) -> Image:
+def image(rgb: Floats) -> Image:
     opaque = np.full((*rgb.shape[:2], 4), 255.0)
     opaque[..., :3] = np.clip(rgb, 0.0, 255.0)
     return np.floor(opaque + 0.5).astype(np.uint8)
@@ -24,7 +24,7 @@ def _image(rgb: Floats) -> Image:
 
 def planks(seed: int, rows: int = 8, size: int = 512) -> Image:
     """Floor boards along the picture's width; the texture repeats in both directions."""
-    x, y = _grid(size, size)
+    x, y = grid(size, size)
     row = np.floor(y * rows).astype(np.int64)
     draw = Draw(seed, 60)
     start, light, phase = draw.uniform(rows), draw.uniform(2 * rows, 0.86, 1.08), draw.uniform(2 * rows)
@@ -39,21 +39,21 @@ def planks(seed: int, rows: int = 8, size: int = 512) -> Image:
     ends = np.minimum(along % 0.5, 0.5 - along % 0.5)
     gap = (np.minimum(inside, 1.0 - inside) < 0.03) | (ends < 0.0025)
     tone = np.where(gap, 0.5 * tone, tone)
-    return _image(tone[..., None] * np.array([178.0, 132.0, 88.0]))
+    return image(tone[..., None] * np.array([178.0, 132.0, 88.0]))
 
 
 def checks(colors: tuple[tuple[float, float, float], ...], size: int = 256, count: int = 8) -> Image:
     """A woven check of two plain colours and the colour of their crossing."""
-    x, y = _grid(size, size)
+    x, y = grid(size, size)
     a, b = np.floor(x * count).astype(np.int64) % 2, np.floor(y * count).astype(np.int64) % 2
     weave = 1.0 + 0.05 * turn(x * size / 4.0)[1] * turn(y * size / 4.0)[1]
-    return _image(np.array(colors)[a + b] * weave[..., None])
+    return image(np.array(colors)[a + b] * weave[..., None])
 
 
 def painting(seed: int, number: int, size: int = 192) -> Image:
     """A painted landscape in bands: sky, hills, a sun."""
     draw = Draw(seed, 61, number)
-    x, y = _grid(size, size)
+    x, y = grid(size, size)
     low, high = draw.uniform(3, 90.0, 180.0), draw.uniform(3, 190.0, 250.0)
     rgb = low + (high - low) * (1.0 - y)[..., None]
     sun = draw.uniform(2, 0.25, 0.75)
@@ -63,4 +63,4 @@ def painting(seed: int, number: int, size: int = 192) -> Image:
         color, phase = draw.uniform(3, 40.0, 150.0) * [0.9, 1.0, 0.8], draw.number()
         ridge = 0.45 + 0.13 * band + 0.06 * turn(x * (1.0 + 0.7 * band) + phase)[1]
         rgb = np.where((y > ridge)[..., None], color, rgb)
-    return _image(rgb)
+    return image(rgb)

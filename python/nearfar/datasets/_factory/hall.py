@@ -1,0 +1,182 @@
+"""The factory: calls the builders of its parts in order."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+
+import numpy as np
+
+from nearfar._base import check
+from nearfar._scene.scene import Scene
+from nearfar.datasets._draw import Draw
+from nearfar.datasets._factory import (
+    forklifts,
+    gangway,
+    machines,
+    pipes,
+    plan,
+    presses,
+    robots,
+    shell,
+    steel,
+    storage,
+    surfaces,
+    tanks,
+)
+from nearfar.datasets._shapes import Soup
+from nearfar.datasets._stage import Stage, placements
+
+Point = tuple[float, float, float]
+
+_VIEWS: tuple[tuple[Point, Point], ...] = (
+    ((-5.2, 1.7, 1.6), (-24.0, 2.4, -1.2)),
+    ((27.0, 1.7, 40.8), (-6.0, 3.4, 42.0)),
+)
+_RACKS = (44.5, 48.2, 51.8, 55.4)
+"""The z of the rows of racks."""
+_BAYS = 10
+"""Bays of a row of racks in one block."""
+
+
+def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
+    """Make a factory hall, 160 m by 120 m and 12 m high to the eaves, full of machines, pipes, tanks and racks.
+
+    The floor is at y = 0 and the origin in the middle of the hall, where two lanes cross: see `factory_view`. The hall
+    is closed: every ray from inside meets a surface. The same arguments give the same bytes on every run and every
+    platform.
+
+    Parameters
+    ----------
+    seed
+        0 to 2⁶³ − 1; it decides which machine of a kind stands where, the loads of the racks and the cartons on the
+        conveyors. The hall and its plan are the same for all seeds.
+    detail
+        0: boxes, and pipes with few sides. 1: branches of the pipes, ducts, fences, loads piece by piece. 2: bolts,
+        grilles, rollers, hoses, bevelled edges. 3: more sides, rounder edges. These are 0.15, 0.8, 2.2 and 3.7 million
+        triangles, of which 25, 80, 220 and 360 thousand are stored: the others are instances. At detail 3, the objects
+        that reach within 63 m of `factory_view()` have 2.4 million triangles, 117 MB as vertices with position, normal
+        and texture coordinates, instances expanded; CloVR (2024) states 113 MB.
+    instanced
+        Whether repeated objects share a mesh. With False each copy is a mesh of its own, so that what instances save
+        can be measured: the same triangles, all of them stored.
+
+    Returns
+    -------
+    Scene
+        Objects are called "floor", "wall_north", "column_7", "machine_12", "robot_5", "conveyor_30", "tank_3",
+        "pipe_40", "branch_9", "rack_3", "lamp_8", "railing_2", "gangway_1", "crane_0" and so on; "forklift_0" to
+        "forklift_7" are dynamic.
+
+    Raises
+    ------
+    ValueError
+        For numbers out of range.
+    TypeError
+        For an `instanced` that is not a bool.
+    """
+    seed = check.integer("seed", seed, 0, 2**63 - 1)
+    detail = check.integer("detail", detail, 0, 3)
+    stage = Stage(instanced=check.flag("instanced", instanced))
+    shell.build(stage, seed, detail)
+    steel.build(stage, detail)
+    pipes.build(stage, detail)
+    _machines(stage, seed, detail)
+    _robots(stage, seed, detail)
+    _racks(stage, seed, detail)
+    if detail >= 1:
+        _floor_pallets(stage, seed, detail)
+    gangway.build(stage, detail)
+    return stage.build(dynamic=forklifts.build(stage, seed, detail))
+
+
+def factory_view(place: int = 0) -> tuple[Point, Point]:
+    """Return a view for pictures of any `factory`.
+
+    Parameters
+    ----------
+    place
+        0: on the lane in the middle of the hall, between machines. 1: on a lane beside the racks.
+
+    Returns
+    -------
+    tuple
+        Eye and target, world metres. Nothing is within 0.8 m of the eye.
+
+    Raises
+    ------
+    ValueError
+        For other numbers.
+    """
+    return _VIEWS[check.integer("place", place, 0, len(_VIEWS) - 1)]
+
+
+def _machines(stage: Stage, seed: int, detail: int) -> None:
+    """Add what stands alone in a slot: machines, work places, compressors and tanks."""
+    makers: tuple[tuple[str, int, Callable[..., Soup], str], ...] = (
+        ("L", 4, machines.lathe_machine, "machine"),
+        ("M", 4, machines.mill, "machine"),
+        ("P", 4, presses.press, "machine"),
+        ("C", 2, presses.compressor, "machine"),
+        ("B", 4, functools.partial(presses.bench, seed), "bench"),
+        ("T", 4, tanks.tank, "tank"),
+    )
+    first: dict[str, int] = {}
+    for kind, (letter, variants, make, name) in enumerate(makers):
+        mine = [slot for slot in plan.slots() if slot.kind == letter]
+        where = placements([s.x for s in mine], 0.0, [s.z for s in mine], [s.quarter for s in mine])
+        chosen = Draw(seed, 96, kind).integers(len(mine), variants)
+        stage.mixed(functools.partial(make, detail=detail), chosen, where, name, first.get(name, 0))
+        first[name] = first.get(name, 0) + len(mine)
+
+
+def _robots(stage: Stage, seed: int, detail: int) -> None:
+    """Add robots with their conveyors, the cartons on these, and fences in front."""
+    draw = Draw(seed, 97)
+    mine = [slot for slot in plan.slots() if slot.kind == "R"]
+    sides = [1.0 if slot.z > slot.column else -1.0 for slot in mine]
+    where = placements([s.x for s in mine], 0.0, [s.z - 0.8 * side for s, side in zip(mine, sides, strict=True)],
+                       [s.quarter for s in mine])  # fmt: skip
+    stage.mixed(functools.partial(robots.robot, detail=detail), draw.integers(len(mine), 4), where, "robot")
+    # Five slots share a conveyor, which is as long as their block.
+    lines = [(slot.x, slot.z, side) for slot, side in zip(mine[2::5], sides[2::5], strict=True)]
+    starts = np.arange(-14.0, 14.0, 2.0)
+    x = np.concatenate([middle + starts for middle, _, _ in lines])
+    belt, mesh = (
+        np.concatenate([np.full(len(starts), z + away * side) for _, z, side in lines]) for away in (0.8, 2.2)
+    )
+    stage.many(robots.conveyor(detail), placements(x, 0.0, belt), "conveyor")
+    if detail == 0:
+        return
+    stage.many(robots.fence(detail), placements(x, 0.0, mesh), "fence")
+    along = x + draw.uniform(len(x), 0.5, 1.5)
+    across = belt + draw.uniform(len(x), -0.08, 0.08)
+    boxes = placements(along, robots.DECK, across, draw.uniform(len(x), -0.03, 0.03))
+    chosen = np.where(draw.uniform(len(x)) < 0.75, draw.integers(len(x), 4), -1)
+    stage.mixed(functools.partial(robots.carton, detail=detail), chosen, boxes, "carton")
+
+
+def _racks(stage: Stage, seed: int, detail: int) -> None:
+    """Add the rows of racks on the south side of the hall."""
+    starts = [(middle + storage.WIDE * (k - 0.5 * _BAYS), z) for z in _RACKS for middle in plan.BLOCKS
+              for k in range(_BAYS)]  # fmt: skip
+    x, z = np.array(starts).T
+    chosen = Draw(seed, 98).integers(len(x), 10)
+    stage.mixed(functools.partial(storage.rack, seed, detail=detail), chosen, placements(x, 0.0, z), "rack")
+    ends = [(middle + 0.5 * storage.WIDE * _BAYS, z) for z in _RACKS for middle in plan.BLOCKS]
+    x, z = np.array(ends).T
+    stage.many(storage.rack_end(detail), placements(x, 0.0, z), "rack_end")
+
+
+def _floor_pallets(stage: Stage, seed: int, detail: int) -> None:
+    """Add pallets and barrels on the floor beside the lanes along z, and notice boards at columns."""
+    draw = Draw(seed, 99)
+    rows = sorted({slot.z for slot in plan.slots() if abs(slot.z) < 40.0})
+    x, z = (values.reshape(-1) for values in np.meshgrid([-43.6, -36.2, 36.2, 43.6], rows))
+    variants = [storage.pallet(Draw(seed, 100, k), detail) for k in range(6)]
+    chosen = np.where(draw.uniform(len(x)) < 0.8, draw.integers(len(x), len(variants)), -1)
+    turns = 0.25 + draw.uniform(len(x), -0.01, 0.01)
+    stage.mixed(variants.__getitem__, chosen, placements(x, 0.0, z, turns), "pallet")
+    white = stage.material((1.0, 1.0, 1.0, 1.0), surfaces.board(seed))
+    boards = placements([-10.0, 10.0, -30.0, 30.0], 0.0, [9.78, -9.78, 29.78, -29.78], [0.5, 0.0, 0.5, 0.0])
+    stage.many(storage.notice_board(white), boards, "notice_board")

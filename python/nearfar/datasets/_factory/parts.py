@@ -1,0 +1,194 @@
+"""Parts of machines, pipes and steelwork; round ones stand about the y axis unless they are laid down."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nearfar.datasets._draw import turn
+from nearfar.datasets._furnishings import cushion
+from nearfar.datasets._palette import material
+from nearfar.datasets._shapes import Soup, bars, boxes, cross, join, lathe, loft, ring, tube
+
+ROUND = (5, 8, 10, 12)
+"""Sides of round parts, by detail."""
+THIN = (3, 4, 5, 6)
+"""Sides of rods and hoses, by detail."""
+
+
+def copies(soup: Soup, offsets: ArrayLike) -> Soup:
+    """Repeat a soup at offsets (K, 3), metres."""
+    return join(soup.moved(offset) for offset in np.asarray(offsets, np.float64).reshape(-1, 3))
+
+
+def laid_x(soup: Soup) -> Soup:
+    """Turn a part about the y axis to lie along x; its front z becomes its top."""
+    return soup.mapped(soup.corners[..., [1, 2, 0]])
+
+
+def laid_z(soup: Soup) -> Soup:
+    """Turn a part about the y axis to lie along z."""
+    return soup.mapped(soup.corners[..., [2, 0, 1]])
+
+
+def pitched(soup: Soup, fraction: float) -> Soup:
+    """Turn a soup about the x axis by a fraction of a full turn, from y towards z."""
+    cosine, sine = turn(fraction)
+    x, y, z = soup.corners[..., 0], soup.corners[..., 1], soup.corners[..., 2]
+    return soup.mapped(np.stack([x, cosine * y - sine * z, sine * y + cosine * z], -1))
+
+
+def rod(start: ArrayLike, end: ArrayLike, radius: float, kind: int, detail: int) -> Soup:
+    """A straight bar between two points."""
+    return tube(np.array([start, end], np.float64), radius, THIN[detail], kind)
+
+
+def casing(low: ArrayLike, high: ArrayLike, radius: float, kind: int, detail: int) -> Soup:
+    """A housing: a box, with rounded edges from detail 2 on."""
+    return boxes(low, high, kind) if detail <= 1 else cushion(low, high, radius, kind, detail - 2)
+
+
+def drum(radius: float, low: float, high: float, kind: int, detail: int, rim: float = 0.0) -> Soup:
+    """A cylinder, with its rims rounded from detail 2 on."""
+    profile: ArrayLike = [(radius, low), (radius, high)]
+    if rim > 0.0 and detail >= 2:
+        steps = 1 if detail == 2 else 2
+        cosine, sine = turn(0.25 * np.arange(steps + 1) / steps)
+        lower = np.stack([radius - rim + rim * sine, low + rim - rim * cosine], -1)
+        upper = np.stack([radius - rim + rim * cosine, high - rim + rim * sine], -1)
+        profile = np.concatenate([lower, upper])
+    return lathe(profile, ROUND[detail], kind)
+
+
+def torus(radius: float, thick: float, kind: int, detail: int) -> Soup:
+    """A round ring."""
+    across = (3, 3, 5, 8)[detail]
+    cosine, sine = turn(np.append(np.arange(across), 0) / across)
+    profile = np.stack([radius + thick * cosine, thick * sine], -1)
+    return lathe(profile, ROUND[detail], kind, bottom=False, top=False)
+
+
+def handwheel(radius: float, kind: int, detail: int) -> Soup:
+    """A wheel with two spokes across and a hub; a disc at detail 0."""
+    if detail == 0:
+        return drum(radius, -0.1 * radius, 0.1 * radius, kind, detail)
+    hub = drum(0.2 * radius, -0.3 * radius, 0.2 * radius, material("metal"), min(detail, 2))
+    spokes = [
+        rod((-radius, 0, 0), (radius, 0, 0), 0.07 * radius, kind, detail),
+        rod((0, 0.01 * radius, -radius), (0, 0.01 * radius, radius), 0.07 * radius, kind, detail),
+    ]
+    return join([torus(radius, 0.11 * radius, kind, detail), hub, *spokes])
+
+
+def bolt_circle(count: int, radius: float, size: float, high: float, kind: int) -> Soup:
+    """Hexagonal bolts in a circle, from −high to +high."""
+    bolt = lathe([(size, -high), (size, high)], 6, kind)
+    x, z = ring(count, radius, 0.5).T
+    return copies(bolt, np.stack([x, np.zeros(count), z], -1))
+
+
+def flange(radius: float, kind: int, detail: int) -> Soup:
+    """The bolted joint of a pipe, half of it on each side of y = 0; none at detail 0."""
+    wide, thick = 1.45 * radius + 0.035, 0.015 + 0.07 * radius
+    if detail <= 1:
+        return drum(wide, -thick, thick, kind, detail) if detail else join([])
+    discs = [drum(wide, low, high, kind, detail) for low, high in ((-thick, -0.003), (0.003, thick))]
+    size = 0.009 + 0.03 * radius
+    bolts = bolt_circle(6, wide - 1.5 * size, size, thick + size, material("metal_dark"))
+    return join([*discs, bolts])
+
+
+def gauge(radius: float, detail: int) -> Soup:
+    """A round dial that looks towards +z, its back at z = 0."""
+    case = drum(radius, 0.0, 0.5 * radius, material("metal_dark"), detail, 0.08 * radius)
+    parts = [laid_z(case)]
+    if detail >= 1:
+        parts.append(laid_z(drum(0.84 * radius, 0.3 * radius, 0.54 * radius, material("paint_white"), detail)))
+    if detail >= 2:
+        needle = bars([-0.03 * radius, -0.15 * radius, 0.5 * radius], [0.06 * radius, 0.8 * radius, 0.08 * radius],
+                      material("safety_red"))  # fmt: skip
+        parts.append(needle)
+    return join(parts)
+
+
+def piping(points: ArrayLike, radius: float, bend: float, kind: int, detail: int, *, thin: bool = False) -> Soup:
+    """A pipe along axis-parallel pieces between points (P, 3), with bends of a radius in metres between them."""
+    line = np.asarray(points, np.float64)
+    ways = np.sign(line[1:] - line[:-1])
+    steps = (1, 2, 3, 6)[detail]
+    cosine, sine = turn(0.25 * np.arange(steps + 1.0) / steps)
+    c, s = cosine[:, None], sine[:, None]
+    # The frame of a section turns with the pipe and never about it, so that no bend is twisted.
+    side = np.roll(ways[0], 1)
+    places, alongs, sides = [line[:1]], [ways[:1]], [side[None]]
+    for corner, before, after in zip(line[1:-1], ways[:-1], ways[1:], strict=True):
+        across = cross(before[None], after[None])[0]
+        places.append(corner + bend * (after - before) - bend * after * c + bend * before * s)
+        alongs.append(before * c + after * s)
+        sides.append((side * across).sum() * across + (side * after).sum() * (after * c - before * s))
+        side = sides[-1][-1]
+    places.append(line[-1:])
+    alongs.append(ways[-1:])
+    sides.append(side[None])
+    middle, u = np.concatenate(places), np.concatenate(sides)
+    w = cross(np.concatenate(alongs), u)
+    circle = ring((THIN if thin else ROUND)[detail])
+    sections = middle[:, None] + radius * (u[:, None] * circle[None, :, :1] - w[:, None] * circle[None, :, 1:])
+    return loft(sections, kind)
+
+
+def i_beam(low: ArrayLike, length: float, high: float, wide: float, kind: int) -> Soup:
+    """A rolled section along x from its least corner: two flanges and the web between them."""
+    thick = 0.06 * high + 0.008
+    start = np.asarray(low, np.float64)
+    lows = start + np.array([[0.0, 0.0, 0.0], [0.0, high - thick, 0.0], [0.0, 0.5 * thick, 0.5 * wide - 0.4 * thick]])
+    sizes = [[length, thick, wide], [length, thick, wide], [length, high - thick, 0.8 * thick]]
+    return bars(lows, sizes, kind)
+
+
+def slats(low: ArrayLike, size: ArrayLike, step: ArrayLike, count: int, kind: int) -> Soup:
+    """Equal boxes in a row: from a least corner, of a size, at steps (3,)."""
+    return bars(np.asarray(low, float) + np.arange(count)[:, None] * np.asarray(step, float), size, kind)
+
+
+def grille(width: float, height: float, detail: int) -> Soup:
+    """A ventilation grille that looks towards +z, centred on the origin, its back at z = 0."""
+    x, y, dark = 0.5 * width, 0.5 * height, material("metal_dark")
+    plate = boxes([-x, -y, -0.01], [x, y, 0.008], dark)
+    if detail < 2:
+        return plate
+    count = max(3, round(height / (0.1 if detail == 2 else 0.08)))
+    step = (height - 0.03) / count
+    rows = slats(
+        [0.02 - x, 0.02 - y, 0.0], [width - 0.04, 0.5 * step, 0.02], [0.0, step, 0.0], count, material("metal")
+    )
+    return join([plate, rows])
+
+
+def panel(detail: int) -> Soup:
+    """A control panel that looks towards +z, 0.6 m by 0.5 m, centred on the origin, its back at z = −0.12."""
+    body = casing([-0.3, -0.25, -0.12], [0.3, 0.25, 0.0], 0.025, material("machine_grey"), detail)
+    screen = boxes([-0.25, -0.06, -0.01], [0.1, 0.2, 0.006], material("glass_blue"))
+    parts = [body, screen]
+    if detail >= 1:
+        stop = laid_z(drum(0.035, -0.02, 0.045, material("safety_red"), detail, 0.01)).moved([0.2, 0.15, 0.0])
+        parts.append(stop)
+    if detail >= 2:
+        keys = np.array([[-0.24 + 0.05 * i, -0.2 + 0.045 * j, -0.01] for i in range(5) for j in range(3)])
+        parts.append(bars(keys, [0.036, 0.032, 0.022], material("metal_dark")))
+        knobs = [[0.16, -0.19, 0.0], [0.24, -0.19, 0.0], [0.24, -0.1, 0.0]]
+        parts.append(copies(laid_z(drum(0.022, -0.01, 0.03, material("metal_light"), detail, 0.006)), knobs))
+    return join(parts)
+
+
+def signal_tower(low: float, detail: int) -> Soup:
+    """A pole with red, yellow and green lights, from a height; none at detail 0."""
+    if detail == 0:
+        return join([])
+    pole = rod((0, low, 0), (0, low + 0.3, 0), 0.015, material("metal"), detail)
+    names = ("pipe_green", "safety_yellow", "safety_red")
+    lights = [
+        drum(0.045, low + 0.3 + 0.1 * k, low + 0.395 + 0.1 * k, material(name), detail, 0.008)
+        for k, name in enumerate(names)
+    ]
+    return join([pole, *lights])

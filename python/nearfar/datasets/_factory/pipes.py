@@ -1,0 +1,176 @@
+"""Pipes: racks of them along the columns, risers, branches to the machines, ducts and sprinklers under the roof."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nearfar.datasets._factory import parts, plan
+from nearfar.datasets._palette import material
+from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe
+from nearfar.datasets._stage import Stage, placements
+
+# For each pipe of a rack: distance from the line of columns, height of its underside, radius, material.
+_RACK = (
+    (-0.82, 4.2, 0.1, "pipe_green"), (-0.46, 4.2, 0.15, "steel_grey"), (0.46, 4.2, 0.15, "machine_blue"),
+    (0.82, 4.2, 0.09, "safety_yellow"), (-0.6, 5.4, 0.26, "metal_light"), (0.6, 5.4, 0.26, "metal_light"),
+)  # fmt: skip
+_LENGTH = 10.0
+_ENDS = (-70.0, 70.0)
+_FED = "MLPBC"
+"""Kinds of machines that a branch of the rack leads to."""
+
+
+def build(stage: Stage, detail: int) -> None:
+    """Add all pipes, numbered through."""
+    starts = np.arange(_ENDS[0], _ENDS[1] - 1.0, _LENGTH)
+    count = 0
+    for across, low, radius, name in _RACK:
+        insulated = radius > 0.2
+        x, z = (values.reshape(-1) for values in np.meshgrid(starts, plan.COLUMNS_Z + across))
+        pipe = straight(radius, material(name), detail, insulated=insulated)
+        numbers = [f"pipe_{count + k}" for k in range(len(x))]
+        stage.many(pipe, placements(x, low + radius, z), numbers)
+        count += len(x)
+        end = riser(low + radius, radius, material(name), detail)
+        ends = np.concatenate([placements(_ENDS[1], low + radius, plan.COLUMNS_Z + across),
+                               placements(_ENDS[0], low + radius, plan.COLUMNS_Z + across, 0.5)])  # fmt: skip
+        stage.many(end, ends, [f"pipe_{count + k}" for k in range(len(ends))])
+        count += len(ends)
+    if detail == 0:
+        return
+    _supports(stage, detail)
+    fed = [slot for slot in plan.slots() if slot.kind in _FED]
+    where = placements([s.x for s in fed], 0.0, [s.column for s in fed], [s.quarter for s in fed])
+    stage.many(branch(detail), where, [f"branch_{k}" for k in range(len(fed))])
+    _under_roof(stage, detail)
+
+
+def straight(radius: float, kind: int, detail: int, *, insulated: bool) -> Soup:
+    """A pipe of 10 m along x from the origin; a joint at its start, or bands around its insulation."""
+    pipe = parts.laid_x(parts.drum(radius, 0.0, _LENGTH, kind, detail))
+    soups = [pipe]
+    if insulated and detail >= 1:
+        step = (2.0, 5.0, 2.0, 1.0)[detail]
+        band = parts.laid_x(parts.drum(radius + 0.012, -0.025, 0.025, material("metal"), detail))
+        soups.append(parts.copies(band, [[x, 0.0, 0.0] for x in np.arange(0.5 * step, _LENGTH, step).tolist()]))
+    soups.append(parts.laid_x(parts.flange(radius, kind, detail)))
+    return join(soups)
+
+
+def riser(height: float, radius: float, kind: int, detail: int) -> Soup:
+    """The end of a pipe of the rack: a bend down to the floor, with a valve and a joint."""
+    out, bend = 0.6 + 2.5 * radius, 2.2 * radius
+    line = [[0.0, 0.0, 0.0], [out, 0.0, 0.0], [out, -height - 0.05, 0.0]]
+    soups = [parts.piping(line, radius, bend, kind, detail)]
+    soups.append(parts.laid_x(parts.flange(radius, kind, detail)).moved([0.3, 0.0, 0.0]))
+    soups.append(parts.flange(radius, kind, detail).moved([out, 0.25 - height, 0.0]))
+    soups.append(valve(radius, detail).moved([out, 1.3 - height, 0.0]))
+    return join(soups)
+
+
+def valve(radius: float, detail: int) -> Soup:
+    """A gate valve on an upright pipe, with its handwheel towards +x."""
+    red, body = material("safety_red"), material("steel_grey")
+    reach = 2.2 * radius + 0.12
+    profile = [(1.05 * radius, -1.6 * radius - 0.06), (1.35 * radius + 0.01, -0.6 * radius),
+               (1.35 * radius + 0.01, 0.6 * radius), (1.05 * radius, 1.6 * radius + 0.06)]  # fmt: skip
+    soups = [lathe(profile, parts.ROUND[detail], body)]
+    if detail == 0:
+        return soups[0]
+    bonnet = parts.laid_x(parts.drum(0.7 * radius + 0.01, 0.0, 0.7 * reach, body, detail, 0.1 * radius))
+    stem = parts.rod(
+        (0.5 * reach, 0.0, 0.0), (reach + 0.06, 0.0, 0.0), 0.12 * radius + 0.006, material("metal"), detail
+    )
+    wheel = parts.laid_x(parts.handwheel(1.1 * radius + 0.05, red, detail)).moved([reach, 0.0, 0.0])
+    soups += [bonnet, stem, wheel]
+    joint = parts.flange(radius, body, detail)
+    away = 1.6 * radius + 0.06
+    soups.append(parts.copies(joint, [[0.0, -away, 0.0], [0.0, away, 0.0]]))
+    return join(soups)
+
+
+def branch(detail: int) -> Soup:
+    """A branch from the rack at z = 0.46 to the supply cabinet of the machine at +z."""
+    steel, radius, height = material("machine_blue"), 0.05, 4.35
+    line = [[0.0, height, 0.46], [0.0, height + 0.42, 0.46], [0.0, height + 0.42, 1.3], [0.0, 1.05, 1.3]]
+    soups = [parts.piping(line, radius, 0.14, steel, detail)]
+    soups.append(parts.flange(radius, steel, detail).moved([0.0, height + 0.25, 0.46]))
+    soups.append(valve(radius, detail).moved([0.0, 1.75, 1.3]))
+    soups.append(parts.flange(radius, steel, detail).moved([0.0, 3.0, 1.3]))
+    dial = parts.gauge(0.08, detail)
+    neck = parts.rod((0.0, 2.3, 1.3), (0.0, 2.3, 1.4), 0.015, material("metal"), detail)
+    soups += [neck, dial.moved([0.0, 2.3, 1.39])]
+    soups.append(parts.casing([-0.4, 0.05, 1.1], [0.4, 1.1, 1.5], 0.02, material("machine_grey"), detail))
+    soups.append(boxes([-0.38, -0.02, 1.12], [0.38, 0.06, 1.48], material("metal_dark")))
+    cable = [[0.25, 1.0, 1.3], [0.25, 3.9, 1.3]]
+    soups.append(parts.rod(cable[0], cable[1], 0.03, material("rubber"), detail))
+    soups.append(bars([[0.19, 3.9, 0.9]], [[0.12, 0.1, 0.5]], material("metal")))
+    return join(soups)
+
+
+def _supports(stage: Stage, detail: int) -> None:
+    """Arms on the columns and posts between them, beside the lanes, which carry the racks."""
+    z, cx = np.repeat(plan.COLUMNS_Z, len(plan.COLUMNS_X)), np.tile(plan.COLUMNS_X, len(plan.COLUMNS_Z))
+    stage.many(_arms(detail), placements(cx, 0.0, z), "pipe_arm")
+    middles = np.array([-60.0, -42.8, -37.2, -20.0, -3.4, 3.4, 20.0, 37.2, 42.8, 60.0])
+    mz, mx = np.repeat(plan.COLUMNS_Z, len(middles)), np.tile(middles, len(plan.COLUMNS_Z))
+    steel = material("steel_blue")
+    post = join([
+        boxes([-0.08, 0.02, -0.08], [0.08, 5.3, 0.08], steel),
+        boxes([-0.2, -0.02, -0.2], [0.2, 0.03, 0.2], steel),
+        _arms(detail),
+    ])  # fmt: skip
+    stage.many(post, placements(mx, 0.0, mz), "pipe_post")
+
+
+def _arms(detail: int) -> Soup:
+    """Two arms across, under the pipes of a rack, with clips around the pipes from detail 2 on."""
+    steel = material("steel_blue")
+    soups = [bars([[-0.06, 4.08, -1.05], [-0.065, 5.27, -1.0]], [[0.12, 0.115, 2.1], [0.13, 0.125, 2.0]], steel)]
+    if detail >= 2:
+        for across, low, radius, _ in _RACK:
+            clip = parts.laid_x(parts.drum(radius + 0.012, -0.03, 0.03, material("metal_dark"), detail))
+            soups.append(clip.moved([0.0, low + radius, across]))
+    return join(soups)
+
+
+def _under_roof(stage: Stage, detail: int) -> None:
+    """Air ducts with outlets, and thin sprinkler pipes, all along x."""
+    starts = np.arange(_ENDS[0], _ENDS[1] - 1.0, _LENGTH)
+    x, z = (values.reshape(-1) for values in np.meshgrid(starts, [-45.0, -25.0, -15.0, 15.0, 25.0, 45.0]))
+    stage.many(duct(detail), placements(x, 8.85, z), "duct")
+    lines = np.array([-55.0, -35.0, -5.0, 5.0, 35.0, 55.0])
+    x, z = (values.reshape(-1) for values in np.meshgrid(starts, lines))
+    stage.many(sprinkler(detail), placements(x, 9.6, z), "sprinkler")
+
+
+def duct(detail: int) -> Soup:
+    """A round duct of 10 m along x, with seams, an outlet below, and rods to the gutter that it hangs from."""
+    tin, radius = material("metal_light"), 0.5
+    soups = [parts.laid_x(parts.drum(radius, 0.0, _LENGTH, tin, detail))]
+    step = (5.0, 5.0, 2.5, 2.0)[detail]
+    seam = parts.laid_x(parts.torus(radius + 0.004, 0.02, tin, detail))
+    soups.append(parts.copies(seam, [[x, 0.0, 0.0] for x in np.arange(0.5 * step, _LENGTH, step).tolist()]))
+    soups.append(boxes([4.4, -0.72, -0.35], [5.6, -0.3, 0.35], tin))
+    outlet = parts.grille(1.1, 0.6, detail)
+    soups.append(parts.pitched(outlet, 0.25).moved([5.0, -0.715, 0.0]))
+    dark = material("metal_dark")
+    for side in (-0.54, 0.54):
+        soups.append(parts.rod((0.18, -0.54, side), (0.18, 2.78, side), 0.012, dark, min(detail, 1)))
+    soups.append(boxes([0.14, -0.56, -0.57], [0.22, -0.5, 0.57], dark))
+    return join(soups)
+
+
+def sprinkler(detail: int) -> Soup:
+    """Ten metres of a thin red pipe along x with heads, and the rod to the gutter that it hangs from."""
+    red = material("safety_red")
+    soups = [parts.rod((0, 0, 0), (_LENGTH, 0, 0), 0.035, red, detail)]
+    for x in (1.25, 3.75, 6.25, 8.75):
+        if detail >= 1:
+            soups.append(parts.rod((x, 0.0, 0.0), (x, -0.16, 0.0), 0.018, material("metal_light"), min(detail, 2)))
+        if detail >= 2:
+            soups.append(
+                lathe([(0.05, -0.17), (0.05, -0.16)], parts.THIN[detail], material("metal_light")).moved([x, 0, 0])
+            )
+    soups.append(parts.rod((0.18, 0.0, 0.0), (0.18, 2.02, 0.0), 0.01, material("metal_dark"), min(detail, 1)))
+    return join(soups)

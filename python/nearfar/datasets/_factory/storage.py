@@ -1,0 +1,183 @@
+"""Pallet racks and what lies in them: pallets with cartons, barrels, sacks and crates."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nearfar.datasets._draw import Draw
+from nearfar.datasets._factory import parts
+from nearfar.datasets._palette import material, materials
+from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, textured
+
+WIDE = 2.8
+"""Width of a bay of a rack, metres."""
+_LEVELS = (0.0, 1.55, 3.1, 4.65)
+_DEEP = 1.1
+
+
+def rack(seed: int, variant: int, detail: int) -> Soup:
+    """A bay of a pallet rack along x from the origin, with its left upright and two pallets on each of four levels."""
+    draw = Draw(seed, 94, variant)
+    soups = [_upright(detail)]
+    for level in _LEVELS[1:]:
+        if detail == 0:
+            beam = boxes(
+                [0.05, level - 0.13, -0.5 * _DEEP], [WIDE - 0.045, level, 0.5 * _DEEP], material("rack_orange")
+            )
+            soups.append(beam)
+            continue
+        for z in (-0.5 * _DEEP, 0.5 * _DEEP - 0.05):
+            soups.append(boxes([0.05, level - 0.13, z], [WIDE - 0.05, level, z + 0.05], material("rack_orange")))
+        if detail >= 2:
+            ends = [
+                [x, level - 0.16, z] for x in (0.045, WIDE - 0.065) for z in (-0.5 * _DEEP - 0.006, 0.5 * _DEEP - 0.056)
+            ]
+            soups.append(bars(ends, [0.02, 0.2, 0.062], material("rack_orange")))
+    for level in _LEVELS:
+        for x in (0.74, 2.06):
+            if draw.chance(0.12):
+                continue
+            shift = draw.number(-0.03, 0.03)
+            load = pallet(draw, detail) if detail else _bulk(draw)
+            soups.append(load.moved([x + shift, level + 0.003, 0.0]))
+    return join(soups)
+
+
+def _bulk(draw: Draw) -> Soup:
+    """A loaded pallet as one box."""
+    kinds = materials("cardboard", "cardboard_pale", "barrel_blue", "paper", "steel_grey")
+    return boxes([-0.58, 0.0, -0.43], [0.58, draw.number(0.8, 1.2), 0.43], draw.pick(kinds), without="-y")
+
+
+def rack_end(detail: int) -> Soup:
+    """The upright that ends a row of bays, with a guard at its foot."""
+    guard = boxes([-0.02, 0.0, -0.62], [0.1, 0.4, -0.56], material("safety_yellow"))
+    other = boxes([-0.02, 0.0, 0.56], [0.1, 0.4, 0.62], material("safety_yellow"))
+    return join([_upright(detail), guard, other])
+
+
+def _upright(detail: int) -> Soup:
+    """A frame of two posts with lacing between them."""
+    blue, high = material("rack_blue"), 6.1
+    posts = bars(
+        [[-0.045, -0.01, -0.5 * _DEEP + 0.002], [-0.045, -0.01, 0.5 * _DEEP - 0.082]], [0.09, high, 0.08], blue
+    )
+    if detail == 0:
+        return posts
+    soups = [posts]
+    step = (2.0, 2.0, 1.0, 1.0)[detail]
+    z = 0.5 * _DEEP - 0.06
+    for k, low in enumerate(np.arange(0.2, high - step, step).tolist()):
+        ends = ((0.0, low, -z), (0.0, low + step, z)) if k % 2 == 0 else ((0.0, low, z), (0.0, low + step, -z))
+        soups.append(parts.rod(*ends, 0.018, blue, min(detail, 1)))
+    if detail >= 2:
+        feet = [[-0.08, 0.0, z0] for z0 in (-0.5 * _DEEP - 0.02, 0.5 * _DEEP - 0.1)]
+        soups.append(bars(feet, [0.16, 0.012, 0.12], material("metal_dark")))
+    return join(soups)
+
+
+def pallet(draw: Draw, detail: int) -> Soup:
+    """A wooden pallet, 1.2 m by 0.9 m on y = 0, with a drawn load up to 1.3 m high."""
+    if detail == 0:
+        return _bulk(draw)
+    kind = int(draw.integers(1, 5)[0])
+    load = (_cartons, _barrels, _sacks, _crate, _cartons)[kind](draw, detail)
+    return join([_boards(detail), load.moved([0.0, 0.145, 0.0])])
+
+
+def _boards(detail: int) -> Soup:
+    wood = material("wood_pale")
+    runners = [[-0.595, 0.0, z] for z in (-0.44, -0.05, 0.34)]
+    if detail <= 1:
+        plate = boxes([-0.6, 0.122, -0.45], [0.6, 0.144, 0.45], wood)
+        return join([plate, bars(runners, [1.19, 0.122, 0.1], wood)])
+    top = parts.slats([-0.6, 0.122, -0.45], [1.2, 0.022, 0.13], [0.0, 0.0, 0.1925], 5, wood)
+    blocks = bars(
+        [[x, 0.018, z + 0.002] for x in (-0.59, -0.07, 0.45) for _, _, z in runners], [0.14, 0.088, 0.096], wood
+    )
+    if detail <= 2:
+        return join([top, bars(runners, [1.19, 0.122, 0.1], wood)])
+    across = bars([[x - 0.002, 0.104, -0.445] for x in (-0.59, -0.07, 0.45)], [0.144, 0.02, 0.89], wood)
+    return join([top, bars(runners, [1.19, 0.02, 0.1], wood), blocks, across])
+
+
+def _cartons(draw: Draw, detail: int) -> Soup:
+    """Cartons in layers, sometimes with the last ones missing."""
+    nx, ny, nz = draw.pick(((2, 2, 2), (3, 3, 2), (2, 3, 1), (3, 2, 2)))
+    wide, high, deep = 1.16 / nx, draw.number(0.85, 1.15) / ny, 0.86 / nz
+    brown = material(draw.pick(("cardboard", "cardboard_pale", "cardboard")))
+    gap, cells = 0.006, [(i, j, k) for j in range(ny) for k in range(nz) for i in range(nx)]
+    missing = int(draw.integers(1, nx)[0])
+    soups = []
+    for i, j, k in cells[: len(cells) - missing]:
+        low = np.array([-0.58 + i * wide + gap, j * high, -0.43 + k * deep + gap])
+        size = np.array([wide - 2.0 * gap, high - 0.5 * gap, deep - 2.0 * gap])
+        soups.append(bars(low, size, brown))
+        if detail >= 3:
+            middle = low[2] + 0.5 * size[2]
+            tape = [low[0] - 0.001, low[1] + 0.6 * high, middle - 0.025]
+            end = [low[0] + size[0] + 0.001, low[1] + size[1] + 0.001, middle + 0.025]
+            soups.append(boxes(tape, end, material("paper")))
+    return join(soups)
+
+
+def barrel(kind: int, detail: int) -> Soup:
+    """A steel drum with rolled hoops, 0.88 m high, on y = 0."""
+    if detail <= 1:
+        return lathe([(0.285, 0.0), (0.285, 0.88)], parts.ROUND[detail], kind)
+    profile: list[tuple[float, float]] = [(0.28, 0.0), (0.29, 0.02)]
+    if detail >= 3:
+        for hoop in (0.3, 0.58):
+            profile += [(0.285, hoop - 0.03), (0.3, hoop), (0.285, hoop + 0.03)]
+    profile += [(0.285, 0.85), (0.292, 0.87), (0.28, 0.885), (0.27, 0.865)]
+    return lathe(profile, parts.ROUND[detail], kind)
+
+
+def _barrels(draw: Draw, detail: int) -> Soup:
+    kind = draw.pick(materials("barrel_blue", "barrel_blue", "sign_green", "safety_red", "metal_light"))
+    at = [[-0.3, 0.0, -0.22], [0.3, 0.0, -0.22], [-0.3, 0.0, 0.22], [0.3, 0.0, 0.22]]
+    # Four drums do not fit a pallet's depth side by side, so these are slimmer.
+    return parts.copies(barrel(kind, detail).scaled([0.74, 1.0, 0.74]), at)
+
+
+def _sacks(draw: Draw, detail: int) -> Soup:
+    """Sacks in layers of alternating direction."""
+    cloth = material(draw.pick(("paper", "fabric_sand", "paint_white")))
+    layers = int(3 + draw.integers(1, 4)[0])
+    soups = []
+    for layer in range(layers):
+        for k in range(3):
+            low = [-0.57 + 0.38 * k, 0.15 * layer - 0.005, -0.43]
+            size = [0.375, 0.16, 0.86]
+            if layer % 2:
+                low, size = [-0.57, 0.15 * layer - 0.005, -0.43 + 0.287 * k], [1.14, 0.16, 0.283]
+            soups.append(parts.casing(low, np.add(low, size), 0.065, cloth, 2 if detail == 3 else 1))
+    return join(soups)
+
+
+def _crate(draw: Draw, detail: int) -> Soup:
+    """A mesh crate with parts in it."""
+    steel, kind = material("steel_grey"), draw.pick(materials("machine_blue", "metal", "rack_orange", "machine_green"))
+    posts = bars([[x, 0.0, z] for x in (-0.58, 0.54) for z in (-0.42, 0.38)], [0.04, 0.9, 0.04], steel)
+    soups = [posts, boxes([-0.57, 0.01, -0.41], [0.57, 0.05, 0.41], steel)]
+    count = (2, 2, 5, 6)[detail]
+    heights = np.linspace(0.08, 0.86, count)
+    for z in (-0.41, 0.39):
+        low = np.stack([np.full(count, -0.56), heights, np.full(count, z)], -1)
+        soups.append(bars(low, [1.12, 0.012, 0.012], steel))
+    for x in (-0.57, 0.55):
+        low = np.stack([np.full(count, x), heights, np.full(count, -0.4)], -1)
+        soups.append(bars(low, [0.012, 0.012, 0.8], steel))
+    for k in range(6):
+        x, z = -0.38 + 0.38 * (k % 3), -0.2 + 0.4 * (k // 3)
+        part = parts.drum(0.16, 0.04, draw.number(0.45, 0.8), kind, detail - 1, 0.03)
+        soups.append(part.moved([x, 0.0, z]))
+    return join(soups)
+
+
+def notice_board(picture: int) -> Soup:
+    """A notice board on legs against a column at −z, 1.6 m wide."""
+    frame = boxes([[-0.84, 0.96, -0.02], [-0.6, 0.0, 0.0], [0.54, 0.0, 0.0]],
+                  [[0.84, 2.04, 0.03], [-0.54, 1.0, 0.02], [0.6, 1.0, 0.02]], material("metal_light"))  # fmt: skip
+    sheet = textured([[[-0.8, 1.0, 0.034], [0.8, 1.0, 0.034], [0.8, 2.0, 0.034], [-0.8, 2.0, 0.034]]], picture)
+    return join([frame, sheet])
