@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from nearfar import _core
 from nearfar._scene.srgb import to_linear
@@ -33,6 +32,8 @@ def encode_color(linear: NDArray[np.float32], quality: int | None) -> bytes:
     """Encode a picture (H, W, 3), linear RGB, as WebP in sRGB; `quality` 0 to 100, or None for a lossless one."""
     height, width = linear.shape[:2]
     codes = _core.encode_srgb(np.ascontiguousarray(linear, np.float32)).reshape(height, width, 3)
+    from PIL import Image
+
     file, settings = io.BytesIO(), {"lossless": True} if quality is None else {"quality": quality}
     Image.fromarray(codes).save(file, "webp", method=4, **settings)
     return file.getvalue()
@@ -40,6 +41,8 @@ def encode_color(linear: NDArray[np.float32], quality: int | None) -> bytes:
 
 def decode_color(data: bytes, size: tuple[int, int]) -> NDArray[np.float32]:
     """Decode a picture of known width and height to (H, W, 3), linear RGB; ValueError for anything else."""
+    from PIL import Image
+
     try:
         with Image.open(io.BytesIO(data), formats=["webp"]) as image:
             if image.size != size:
