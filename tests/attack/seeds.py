@@ -17,6 +17,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base import data as data_files
+from tests.support import meshopt_cases
 from tests.support.lod_cases import SMALL, levels
 from tests.support.reduce_cases import CENTER, street
 
@@ -109,6 +110,23 @@ def _sparse() -> bytes:
     return glb(json.dumps(document).encode(), binary)
 
 
+def _compressed() -> bytes:
+    """A GLB of meshoptimizer's streams: a mesh and the places of its instances."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], np.float32)
+    quaternions = np.array([[0, 0, 0, 0x7FF], [0, 0, 2047, 0x7FF], [0, 0, 0, 0x7FC]], np.int16)
+    streams = [
+        meshopt_cases.attributes(corners),
+        meshopt_cases.triangles(np.array([[0, 1, 2], [2, 1, 3]], np.uint16)),
+        meshopt_cases.attributes(np.tile(np.array([0, 0, 127, 0], np.int8), (4, 1)), filter="OCTAHEDRAL", type="VEC3"),
+        meshopt_cases.attributes(2 * corners[:3]),
+        meshopt_cases.attributes(quaternions, filter="QUATERNION", normalized=True),
+    ]
+    primitive = {"attributes": {"POSITION": 0, "NORMAL": 2}, "indices": 1}
+    places = {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 3, "ROTATION": 4}}}
+    nodes = [{"mesh": 0, "extensions": places}]
+    return meshopt_cases.glb(streams, meshes=[{"primitives": [primitive]}], nodes=nodes)
+
+
 def glb(document: bytes, binary: bytes) -> bytes:
     document += b" " * (-len(document) % 4)
     chunks = len(document).to_bytes(4, "little") + b"JSON" + document
@@ -146,7 +164,7 @@ def scene_files() -> dict[str, list[Files]]:
     colored, textured = _colored(), _textured()
     archive = _scene().export(file_type="3mf")
     return {
-        "glb": [{"a.glb": _scene().export(file_type="glb")}, {"a.glb": _sparse()}],
+        "glb": [{"a.glb": _scene().export(file_type="glb")}, {"a.glb": _sparse()}, {"a.glb": _compressed()}],
         "gltf": [_gltf()],
         "obj": [
             {"a.obj": _OBJ, "a.mtl": _MTL, "a.png": image(), "a.jpg": image("JPEG")},

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
+from nearfar._scene import gltf_meshopt
 from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.undrawn import EncodedImage, TextureSource
 
@@ -74,6 +75,7 @@ class Buffers:
         self._header, self._binary, self._resolver, self._budget = header, binary, resolver, budget
         self._buffers: dict[int, bytes] = {}
         self._blobs: dict[tuple[int, int, int], bytes] = {}
+        self._decoded: dict[int, memoryview] = {}
         self._images: dict[int, EncodedImage | None] = {}
         self._encoded: dict[bytes, EncodedImage | None] = {}
         self._textures: dict[int, TextureSource | None] = {}
@@ -118,18 +120,30 @@ class Buffers:
 
     def blob(self, view: int) -> bytes:
         """The bytes of a buffer view, one copy of each range."""
-        key = self._range(view)
+        described = entry(self._header, "bufferViews", view)
+        key = _range(gltf_meshopt.stream(described) or described)
         if key not in self._blobs:
-            self._budget.hold(key[2])
-            self._blobs[key] = bytes(self._view(view))
+            data = self._view(view)
+            self._budget.hold(len(data))
+            self._blobs[key] = bytes(data)
         return self._blobs[key]
 
-    def _range(self, view: int) -> tuple[int, int, int]:
-        described = entry(self._header, "bufferViews", view)
-        return described["buffer"], described.get("byteOffset", 0), described["byteLength"]
-
     def _view(self, number: int) -> memoryview:
-        buffer, start, length = self._range(number)
+        """The bytes of a buffer view. Plain ones are preferred to compressed ones beside them."""
+        described = entry(self._header, "bufferViews", number)
+        stream = gltf_meshopt.stream(described)
+        if stream is None or not self._is_placeholder(described["buffer"]):
+            return self._bytes(*_range(described))
+        if number not in self._decoded:
+            data = self._bytes(*_range(stream))
+            self._decoded[number] = gltf_meshopt.decoded(number, described, stream, data, self._budget)
+        return self._decoded[number]
+
+    def _is_placeholder(self, buffer: int) -> bool:
+        described = entry(self._header, "buffers", buffer)
+        return gltf_meshopt.is_placeholder(described, buffer, has_binary=bool(self._binary))
+
+    def _bytes(self, buffer: int, start: int, length: int) -> memoryview:
         if buffer not in self._buffers:
             described = entry(self._header, "buffers", buffer)
             self._buffers[buffer] = self._file(described["uri"]) if "uri" in described else self._binary
@@ -190,6 +204,11 @@ class Buffers:
             raise IndexError(f"{count} rows from byte {start} of {len(data)}")
         shape, strides = (count, width), (step, kind.itemsize)
         return np.ndarray(shape, kind, data, start, strides) if count else np.zeros(shape, kind)
+
+
+def _range(described: dict[str, Any]) -> tuple[int, int, int]:
+    """Buffer, first byte and number of bytes of a view or of its stream."""
+    return described["buffer"], described.get("byteOffset", 0), described["byteLength"]
 
 
 def _component(described: dict[str, Any]) -> np.dtype[Any]:

@@ -7,14 +7,15 @@ from typing import Any
 
 from nearfar._base.errors import UnusableError
 from nearfar._scene.gltf_buffers import IMAGE_EXTENSIONS
+from nearfar._scene.gltf_instances import INSTANCING
+from nearfar._scene.gltf_meshopt import MESHOPT
 from nearfar._scene.undrawn import EXTENSIONS, TRANSFORM
 
 DRACO = "KHR_draco_mesh_compression"
-_QUANTIZATION = "KHR_mesh_quantization"
-_MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
+_READ = {DRACO, "KHR_mesh_quantization", INSTANCING, *MESHOPT}
+"""Extensions of shapes that are read."""
 
 _REMEDIES = {
-    **dict.fromkeys(_MESHOPT, "which is not read: save the model without compression"),
     "KHR_texture_basisu": "which is not read: save its textures as PNG or JPEG",
     "MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG",
 }
@@ -26,18 +27,18 @@ _DISPENSABLE = {
 }
 """Extensions whose absence leaves the shapes and base colours of a file right."""
 
-_SILENT = {DRACO, _QUANTIZATION, TRANSFORM, *EXTENSIONS, *IMAGE_EXTENSIONS, *_REMEDIES}
+_SILENT = {*_READ, TRANSFORM, *EXTENSIONS, *IMAGE_EXTENSIONS, *_REMEDIES}
 """Extensions that are read, refused, or noted where they are used."""
 
 
-def check(header: dict[str, Any], *, has_binary: bool) -> None:
-    """Refuse a document that cannot be decoded; `has_binary` says that it comes with a GLB's second chunk."""
+def check(header: dict[str, Any]) -> None:
+    """Refuse a document that cannot be decoded."""
     for name in header.get("extensionsRequired", []):
         if name in _REMEDIES:
             raise UnusableError(f"it needs the extension {name}, {_REMEDIES[name]}")
         if name in IMAGE_EXTENSIONS:
             _check_image_support(name)
-        elif name not in _DISPENSABLE | EXTENSIONS | {DRACO, _QUANTIZATION}:
+        elif name not in _DISPENSABLE | EXTENSIONS | _READ:
             raise UnusableError(f"it needs the extension {name}, which is not read: save the model without it")
     for mesh in header.get("meshes", []):
         for primitive in mesh["primitives"]:
@@ -49,10 +50,6 @@ def check(header: dict[str, Any], *, has_binary: bool) -> None:
                 raise UnusableError(
                     f"it needs the extension {DRACO}, which the Python package DracoPy decodes: pip install DracoPy"
                 )
-    for view in header.get("bufferViews", []):
-        names = [name for name in _MESHOPT if name in view.get("extensions", {})]
-        if names and _is_placeholder(header["buffers"][view["buffer"]], view["buffer"], has_binary=has_binary):
-            raise UnusableError(f"it needs the extension {names[0]}, {_REMEDIES[names[0]]}")
 
 
 def _check_image_support(name: str) -> None:
@@ -63,12 +60,6 @@ def _check_image_support(name: str) -> None:
             f"it needs the extension {name}, which the Python package Pillow decodes if it was built "
             f"with {IMAGE_EXTENSIONS[name]}: save its textures as PNG or JPEG"
         )
-
-
-def _is_placeholder(buffer: dict[str, Any], number: int, *, has_binary: bool) -> bool:
-    """Whether a buffer stands for data that only a decoder makes."""
-    is_fallback = any(buffer.get("extensions", {}).get(name, {}).get("fallback") for name in _MESHOPT)
-    return "uri" not in buffer and (is_fallback or number > 0 or not has_binary)
 
 
 def without_data(primitive: dict[str, Any], header: dict[str, Any]) -> bool:

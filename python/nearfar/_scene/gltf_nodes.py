@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -38,22 +39,52 @@ def check_trees(header: dict[str, Any]) -> None:
             raise UnusableError(f"its scene {number} lists node {below}, which is a child of node {parents[below]}")
 
 
-def placed(header: dict[str, Any], shapes: Mapping[int, Sequence[str]]) -> Nodes:
-    """Placed shapes in the file's order, children before their parents; `shapes` are those of each mesh by number."""
+def placed(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instances: Mapping[int, Floats]) -> Nodes:
+    """Placed shapes in the file's order, children before their parents.
+
+    Parameters
+    ----------
+    header
+        The document.
+    shapes
+        Names of each mesh's shapes, by the mesh's number.
+    instances
+        Transforms instance→node (N, 4, 4) of nodes that place their mesh many times, by the node's number. Each
+        instance is an object.
+    """
     nodes = header.get("nodes", [])
     order, above = _traversed(header)
     world = _world(_local([nodes[number] for number in order]), above)
-    names = distinct([str(node.get("name") or number) for number, node in enumerate(nodes)])
-    rows: list[int] = []
+    names = _object_names(nodes, instances)
+    objects: list[str] = []
     chosen: list[str] = []
+    rows: list[int] = []
+    # For each node with instances: the first of its places, its number, and the number of its mesh's shapes.
+    spans: list[tuple[int, int, int]] = []
     for row in range(len(order) - 1, -1, -1):
-        node = nodes[order[row]]
-        if "mesh" in node:
-            entry(header, "meshes", node["mesh"])
-            for shape in reversed(shapes.get(node["mesh"], ())):
-                rows.append(row)
-                chosen.append(shape)
-    return Nodes([names[order[row]] for row in rows], world[rows], chosen)
+        number = order[row]
+        if "mesh" not in nodes[number]:
+            continue
+        entry(header, "meshes", nodes[number]["mesh"])
+        of_mesh = shapes.get(nodes[number]["mesh"], ())[::-1]
+        if number in instances:
+            spans.append((len(rows), number, len(of_mesh)))
+        objects += [name for name in names[number] for _ in of_mesh]
+        chosen += [*of_mesh] * len(names[number])
+        rows += [row] * len(of_mesh) * len(names[number])
+    transforms = world[rows]
+    for start, number, width in spans:
+        local = np.repeat(instances[number], width, axis=0)
+        transforms[start : start + len(local)] = transforms[start : start + len(local)] @ local
+    return Nodes(objects, transforms, chosen)
+
+
+def _object_names(nodes: list[dict[str, Any]], instances: Mapping[int, Floats]) -> list[list[str]]:
+    """Names of the objects that each node places: its own or its number, made distinct."""
+    counts = [len(instances[number]) if number in instances else 1 for number in range(len(nodes))]
+    names = [str(node.get("name") or number) for number, node in enumerate(nodes)]
+    all_names = iter(distinct([name for name, count in zip(names, counts, strict=True) for _ in range(count)]))
+    return [list(islice(all_names, count)) for count in counts]
 
 
 def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
@@ -82,16 +113,25 @@ def _local(nodes: list[dict[str, Any]]) -> Floats:
     """Transforms node→parent (N, 4, 4): a matrix, or translation · rotation · scale (glTF 2.0, 3.5.3)."""
     count = len(nodes)
     matrix = _given(nodes, "matrix", np.eye(4).ravel()).reshape(count, 4, 4).transpose(0, 2, 1).copy()
-    parts = np.tile(np.eye(4), (count, 1, 1))
-    parts[:, :3, :3] = _rotations(_given(nodes, "rotation", np.array([0.0, 0.0, 0.0, 1.0])))
-    parts[:, :3, :3] *= _given(nodes, "scale", np.ones(3))[:, None, :]
-    parts[:, :3, 3] = _given(nodes, "translation", np.zeros(3))
+    parts = composed(
+        _given(nodes, "translation", np.zeros(3)),
+        _given(nodes, "rotation", np.array([0.0, 0.0, 0.0, 1.0])),
+        _given(nodes, "scale", np.ones(3)),
+    )
     has_parts = np.array([not _PARTS.isdisjoint(node) for node in nodes], bool)
     has_matrix = np.array(["matrix" in node for node in nodes], bool)
     both = has_parts & has_matrix
     matrix[both] = matrix[both] @ parts[both]
     matrix[has_parts & ~has_matrix] = parts[has_parts & ~has_matrix]
     return matrix
+
+
+def composed(translations: Floats, rotations: Floats, scales: Floats) -> Floats:
+    """Transforms (N, 4, 4) that scale (N, 3), then rotate by quaternions (N, 4), then translate (N, 3)."""
+    matrices = np.tile(np.eye(4), (len(translations), 1, 1))
+    matrices[:, :3, :3] = _rotations(rotations) * scales[:, None, :]
+    matrices[:, :3, 3] = translations
+    return matrices
 
 
 _PARTS = {"translation", "rotation", "scale"}

@@ -98,11 +98,10 @@ class Primitives:
         return shape
 
     def _attribute(self, name: str, number: int, rows: NDArray[Any]) -> NDArray[Any]:
-        """Rows of an attribute; normals are brought to length 1 later, so that their unit does not matter."""
+        """Rows of an attribute, which may be whole numbers with or without a unit (KHR_mesh_quantization)."""
         if rows.shape[1] != _WIDTHS[name]:
             raise UnusableError(f"expected {_WIDTHS[name]} numbers in each row of {name}, got {rows.shape[1]}")
-        if name != "NORMAL":
-            rows = self._buffers.fractions(number, rows)
+        rows = self._buffers.fractions(number, rows)
         if name == "TEXCOORD_0" and rows.dtype.kind != "f":
             return rows.astype(np.float32)
         return rows

@@ -8,7 +8,7 @@ from typing import Any
 
 from nearfar._base import glb
 from nearfar._base.errors import UnusableError
-from nearfar._scene import gltf_extensions, gltf_nodes
+from nearfar._scene import gltf_extensions, gltf_instances, gltf_nodes
 from nearfar._scene.budget import Budget
 from nearfar._scene.gltf_buffers import Buffers, name_files
 from nearfar._scene.gltf_primitives import MODES, Primitives, mode
@@ -29,11 +29,12 @@ def read(label: str, data: bytes, kind: str, resolver: Any, materials: Materials
     notes = _notes(header)
     gltf_nodes.check_trees(header)
     gltf_extensions.choose_images(header)
-    gltf_extensions.check(header, has_binary=kind == "glb" and len(data) > end)
+    gltf_extensions.check(header)
     name_files(header, resolver)
     buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver, budget)
     shapes, names = _shapes(header, Primitives(header, buffers, resolver, materials, budget))
-    return Source(label, shapes, gltf_nodes.placed(header, names), notes)
+    instances = gltf_instances.transforms(header, buffers, budget)
+    return Source(label, shapes, gltf_nodes.placed(header, names, instances), notes)
 
 
 def _shapes(header: dict[str, Any], primitives: Primitives) -> tuple[dict[str, Shape], dict[int, list[str]]]:

@@ -57,6 +57,7 @@ mod _core {
         render::temporal::{gather_frames, sample_offsets},
         render::truth::render_truth,
         scene::levels::{Levels, placements_of, with_instances, with_surfaces},
+        scene::meshopt::decode_meshopt,
         scene::parts::{mesh_parts, scene_parts},
         scene::wavefront::read_wavefront,
         scene::{Mesh, Scene},

@@ -7,6 +7,7 @@ mod levels;
 mod material;
 mod merge;
 mod mesh;
+pub mod meshopt;
 mod normal;
 pub mod srgb;
 mod texture;

@@ -2,6 +2,7 @@
 
 pub mod levels;
 pub mod mesh;
+pub mod meshopt;
 pub mod parts;
 pub mod placements;
 #[expect(clippy::module_inception, reason = "the file of the class Scene")]

@@ -1,0 +1,170 @@
+"""Nodes of glTF files that place their mesh many times by arrays (EXT_mesh_gpu_instancing)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from tests.support.gltf_cases import encode
+from tests.support.meshopt_cases import COMPONENTS, Stream, attributes, glb, triangles
+
+NAME = "EXT_mesh_gpu_instancing"
+CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
+MESH = [{"primitives": [{"attributes": {"POSITION": 0}}]}]
+PLACES = np.array([[5, 0, 0], [0, 6, 0], [0, 0, 7]], np.float32)
+HALF = np.sqrt(0.5)
+QUATERNIONS = np.array([[0, 0, 0, 1], [0, 0, HALF, HALF], [1, 0, 0, 0]])
+"""None, a quarter of a turn about z, half of one about x."""
+TURNED = np.array([CORNERS, [[0, 0, 0], [0, 1, 0], [-1, 0, 0]], [[0, 0, 0], [1, 0, 0], [0, -1, 0]]])
+"""The corners after these rotations."""
+SCALES = np.array([[1, 1, 1], [2, 3, 1], [1, 2, -1]], np.float32)
+
+
+def document(arrays: list[NDArray[Any]], **changes: Any) -> bytes:
+    """A GLB whose accessors are these arrays, whole numbers normalised; the corners are the first one."""
+    views: list[dict[str, Any]] = []
+    accessors: list[dict[str, Any]] = []
+    binary = b""
+    for rows in [CORNERS, *arrays]:
+        views.append({"buffer": 0, "byteOffset": len(binary), "byteLength": rows.nbytes})
+        accessor = {"bufferView": len(accessors), "componentType": COMPONENTS[rows.dtype.str[1:]], "count": len(rows)}
+        accessors.append(accessor | {"type": f"VEC{rows.shape[1]}", "normalized": rows.dtype.kind != "f"})
+        binary += rows.tobytes() + bytes(-rows.nbytes % 4)
+    described: dict[str, Any] = {
+        "asset": {"version": "2.0"},
+        "extensionsRequired": [NAME],
+        "scenes": [{"nodes": [0]}],
+        "meshes": MESH,
+        "accessors": accessors,
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(binary)}],
+    }
+    return encode(described | changes, binary)
+
+
+def node(**attributes: int) -> dict[str, Any]:
+    return {"mesh": 0, "name": "tree", "extensions": {NAME: {"attributes": attributes}}}
+
+
+def load(folder: Path, content: bytes, **options: Any) -> nf.Scene:
+    (folder / "a.glb").write_bytes(content)
+    return nf.Scene.load(folder / "a.glb", **options)
+
+
+def test_instances_share_one_mesh_and_stand_in_the_files_order(tmp_path: Path) -> None:
+    scene = load(tmp_path, document([PLACES], nodes=[node(TRANSLATION=1)]))
+    np.testing.assert_array_equal(scene.triangles(), CORNERS + PLACES[:, None])
+    assert scene._core.instance_count == 3
+    assert len(set(scene._core.mesh_ids().tolist())) == 1
+    assert scene.object_names == ("tree", "tree_1", "tree_2")
+    assert scene.report.notes == ()
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.int8, np.int16])
+def test_rotations_may_be_whole_numbers(tmp_path: Path, kind: type[Any]) -> None:
+    most = 1 if kind is np.float32 else np.iinfo(kind).max
+    turns = QUATERNIONS * most
+    rows = turns.astype(kind) if kind is np.float32 else np.rint(turns).astype(kind)
+    scene = load(tmp_path, document([rows], nodes=[node(ROTATION=1)]))
+    # A quaternion of equal parts keeps its direction when it is rounded.
+    np.testing.assert_allclose(scene.triangles(), TURNED, atol=1e-6)
+
+
+def test_parts_are_scaled_then_rotated_then_translated_then_placed_by_the_node(tmp_path: Path) -> None:
+    parent = {"name": "root", "translation": [100, 0, 0], "children": [1]}
+    many = node(TRANSLATION=1, ROTATION=2, SCALE=3) | {"scale": [2, 2, 2]}
+    scene = load(tmp_path, document([PLACES, QUATERNIONS.astype(np.float32), SCALES], nodes=[parent, many]))
+    quarter = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    turns = [np.eye(3), quarter, np.diag([1, -1, -1])]
+    parts = zip(turns, SCALES, PLACES, strict=True)
+    expected = [100 * np.eye(3)[0] + 2 * ((CORNERS * scale) @ turn.T + place) for turn, scale, place in parts]
+    found = [scene.subset(objects=[name]).triangles()[0] for name in ("tree", "tree_1", "tree_2")]
+    for triangle, corners in zip(found, expected, strict=True):
+        # A mirrored mesh has its faces turned.
+        order = np.lexsort(corners.T), np.lexsort(np.round(triangle, 3).T)
+        np.testing.assert_allclose(triangle[order[1]], corners[order[0]], atol=1e-5)
+
+
+def test_objects_have_all_primitives_and_names_that_no_other_has(tmp_path: Path) -> None:
+    nodes = [node(TRANSLATION=1), {"mesh": 0, "name": "tree_1"}, {"mesh": 0, "translation": [9, 9, 9]}]
+    meshes = [{"primitives": MESH[0]["primitives"] * 2}]
+    scene = load(tmp_path, document([PLACES], nodes=nodes, scenes=[{"nodes": [0, 1, 2]}], meshes=meshes))
+    assert scene.triangle_count == 10
+    assert scene.object_names == ("tree", "tree_2", "tree_3", "tree_1", "2")
+    np.testing.assert_array_equal(scene.subset(objects=["tree_3"]).triangles(), [CORNERS + PLACES[2]] * 2)
+
+
+def test_children_of_instances_stand_once(tmp_path: Path) -> None:
+    nodes = [node(TRANSLATION=1) | {"children": [1]}, {"mesh": 0, "name": "bird"}]
+    scene = load(tmp_path, document([PLACES], nodes=nodes))
+    assert scene.triangle_count == 4
+    np.testing.assert_array_equal(scene.subset(objects=["bird"]).triangles()[0], CORNERS)
+
+
+def test_one_instance_is_placed_and_further_attributes_are_not_read(tmp_path: Path) -> None:
+    ids = np.zeros((1, 3), np.float32)
+    scene = load(tmp_path, document([PLACES[:1], ids], nodes=[node(TRANSLATION=1, _FEATURE_ID_0=2)]))
+    np.testing.assert_array_equal(scene.triangles()[0], CORNERS + PLACES[0])
+    assert scene.object_names == ("tree",)
+    # Nodes without a mesh place nothing.
+    nodes = [{"mesh": 0, "children": [1]}, {"extensions": {NAME: {"attributes": {"TRANSLATION": 99}}}}]
+    assert load(tmp_path, document([], nodes=nodes)).triangle_count == 1
+
+
+def test_instances_may_be_compressed(tmp_path: Path) -> None:
+    # The largest part of a quaternion is left out: two bits say which; 2047 stands for √½ (12 bits).
+    packed = np.array([[0, 0, 0, 0x7FF], [0, 0, 2047, 0x7FF], [0, 0, 0, 0x7FC]], np.int16)
+    streams: list[Stream] = [
+        attributes(CORNERS),
+        triangles(np.array([[0, 1, 2]], np.uint16)),
+        attributes(PLACES),
+        attributes(packed, filter="QUATERNION", normalized=True),
+    ]
+    mesh = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}]
+    scene = load(tmp_path, glb(streams, meshes=mesh, nodes=[node(TRANSLATION=2, ROTATION=3)]))
+    np.testing.assert_allclose(scene.triangles(), TURNED + PLACES[:, None], atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("attributes", "words"),
+    [
+        ({"TRANSLATION": 1, "ROTATION": 2}, "instances of node 0, got 3 of TRANSLATION, 2 of ROTATION"),
+        ({"TRANSLATION": 1, "_ID": 2}, "instances of node 0, got 3 of TRANSLATION, 2 of _ID"),
+        ({}, "instances of node 0, got none"),
+        ({"ROTATION": 1}, "expected 4 numbers in each row of ROTATION, got 3"),
+        ({"SCALE": 2}, "expected 3 numbers in each row of SCALE, got 4"),
+        ({"SCALE": 9}, "does not hold"),
+        ({"SCALE": "a"}, "another type|does not hold|not well-formed"),
+    ],
+)
+def test_attributes_that_do_not_fit_are_errors(tmp_path: Path, attributes: dict[str, Any], words: str) -> None:
+    content = document([PLACES, QUATERNIONS[:2].astype(np.float32)], nodes=[node(**attributes)])
+    with pytest.raises(nf.SceneError, match=rf"a\.glb: .*({words})"):
+        load(tmp_path, content)
+
+
+def test_transforms_that_are_not_finite_are_errors_or_left_out(tmp_path: Path) -> None:
+    places = PLACES.copy()
+    places[1, 0] = np.nan
+    content = document([places], nodes=[node(TRANSLATION=1)])
+    with pytest.raises(nf.SceneError, match="a transform that is not finite and affine at node 'tree_1'"):
+        load(tmp_path, content)
+    assert load(tmp_path, content, on_invalid="drop").object_names == ("tree", "tree_2")
+
+
+def test_instances_count_before_they_are_made(tmp_path: Path) -> None:
+    """Many nodes name the same array, and one array claims rows that the file has not."""
+    places = np.zeros((2000, 3), np.float32)
+    nodes = [node(TRANSLATION=1)] * 2000
+    content = document([places], nodes=nodes, scenes=[{"nodes": list(range(2000))}])
+    with pytest.raises(nf.SceneError, match=r"a\.glb: it unpacks to more than 268,435,456 bytes"):
+        load(tmp_path, content)
+    corners = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
+    bare = {"componentType": 5126, "count": 1 << 31, "type": "VEC3"}
+    with pytest.raises(nf.SceneError, match=r"a\.glb: it unpacks to more than 268,435,456 bytes"):
+        load(tmp_path, document([], accessors=[corners, bare], nodes=[node(_ID=1)]))
