@@ -34,6 +34,7 @@ RUST_STAGES: dict[str, set[str]] = {
     "tessellate": {"base", "scene", "morph"},
     "render": {"base", "scene", "camera", "cubemap", "trace", "partition", "morph", "bend", "tessellate"},
     "stereo": {"base", "scene", "camera", "trace", "render"},
+    "export": {"base", "scene"},
     "exr": {"base"},
     "metrics": {"base", "camera"},
     "bounds": {"base"},

@@ -6,6 +6,9 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._core.export import (
+    Export as Export,
+)
 from nearfar._core.gpu import (
     GpuDevice as GpuDevice,
 )

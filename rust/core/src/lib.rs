@@ -21,6 +21,7 @@ pub mod bend;
 pub mod tessellate;
 pub mod render;
 pub mod stereo;
+pub mod export;
 pub mod exr;
 pub mod metrics;
 pub mod bounds;

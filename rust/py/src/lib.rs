@@ -15,6 +15,7 @@ mod bend;
 mod tessellate;
 mod render;
 mod stereo;
+mod export;
 mod metrics;
 mod bounds;
 mod lens;
@@ -38,6 +39,7 @@ mod _core {
         camera::{Camera, DepthBuffer},
         cubemap::layouts::{convert_envmap, convert_envmap_nearest, envmap_directions, envmap_texels},
         cubemap::lookup::{cube_footprint, cube_lookup, cube_nearest, cube_next_level, cube_solid_angles},
+        export::Export,
         exr::{decode_exr, encode_exr},
         files::exchange_paths,
         gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity},

@@ -1,0 +1,118 @@
+"""Time and size of the geometry's files against plain arrays, zlib, and gltfpack if it is on the path."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+import time
+import zlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import best, machine, table
+from nearfar import _core
+from nearfar._base import data
+
+STEP = 2.0**-10
+RADII = (20.0, 60.0, 200.0)
+
+
+def exporter(scene: nf.Scene, *, compressed: bool) -> _core.Export:
+    """Export with the rings about the middle of the scene as groups, without images."""
+    rings = nf.stream.assign(scene, center=np.mean(scene.bounds, axis=0), radii=RADII)
+    textures = len(_core.scene_parts(scene._core)["textures"])
+    return _core.Export(
+        scene._core,
+        rings.codes(),
+        rings.count + 2,
+        names=list(scene.object_names),
+        images=[f"{number}.webp" for number in range(textures)],
+        step=STEP,
+        compressed=compressed,
+    )
+
+
+def encode(scene: nf.Scene, *, compressed: bool) -> tuple[list[bytes], dict[str, Any]]:
+    """All files, shared meshes in buffers of their own, and the sums of their statistics."""
+    export = exporter(scene, compressed=compressed)
+    shared = export.shared()
+    uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
+    files = [export.glb(group, uris=uris) for group in range(len(RADII) + 2)]
+    parts = [statistics for *_, statistics in shared] + [statistics for _, statistics in files]
+    sums = {name: sum(part[name] for part in parts) for name in ("raw_bytes", "triangles", "vertices", "dropped")}
+    sums |= {f"{kind} bytes": sum(part["bytes"][kind] for part in parts) for kind in parts[0]["bytes"]}
+    sums["position_error"] = max(part["position_error"] for part in parts)
+    return [mesh for mesh, *_ in shared] + [glb for glb, _ in files], sums
+
+
+def gltfpack(glb: bytes) -> tuple[float, int] | None:
+    """Seconds and bytes of gltfpack's compression of a file with positions of the same step."""
+    program = shutil.which("gltfpack")
+    if program is None:
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        given, made = Path(folder, "given.glb"), Path(folder, "made.glb")
+        given.write_bytes(glb)
+        start = time.perf_counter()
+        subprocess.run([program, "-c", "-vpf", "-i", given, "-o", made], check=True, capture_output=True)
+        return time.perf_counter() - start, made.stat().st_size
+
+
+def sizes(name: str, scene: nf.Scene) -> str:
+    """Table of times and sizes for one scene."""
+    files, sums = encode(scene, compressed=True)
+    plain, _ = encode(scene, compressed=False)
+    raw, triangles = sums["raw_bytes"], sums["triangles"]
+    rows = []
+    for label, compressed, made in (("plain", False, plain), ("meshopt", True, files)):
+        timing = best(lambda compressed=compressed: encode(scene, compressed=compressed), repeat=3)  # type: ignore[misc]
+        size = sum(map(len, made))
+        rows.append([label, *_row(timing.wall, timing.cpu, raw, size, triangles)])
+    deflated = best(lambda: [zlib.compress(file) for file in plain], repeat=1)
+    size = sum(len(zlib.compress(file)) for file in plain)
+    rows.append(["plain, then zlib", *_row(deflated.wall, deflated.cpu, raw, size, triangles)])
+    size = sum(len(zlib.compress(file)) for file in files)
+    rows.append(["meshopt, then zlib", "", "", "", f"{size / 1e6:.2f}", f"{size / triangles:.2f}"])
+    packed = gltfpack(_one_file(scene))
+    if packed is not None:
+        rows.append(["gltfpack -c -vpf, one file", *_row(packed[0], packed[0], raw, packed[1], triangles)])
+    kinds = ", ".join(f"{kind} {sums[kind] / triangles:.2f}" for kind in sums if kind.endswith("bytes"))
+    note = (
+        f"{triangles:,} triangles and {sums['vertices']:,} vertices stored, {scene.triangle_count:,} in the scene, "
+        f"{sums['dropped']:,} without area; error {sums['position_error'] * 1e3:.2f} mm. Bytes a triangle: {kinds}.\n"
+    )
+    header = ["", "wall ms", "CPU ms", "raw MB/s a core", "MB", "bytes a triangle"]
+    return table(name, header, rows) + "\n" + note
+
+
+def _row(wall: float, cpu: float, raw: float, size: int, triangles: int) -> list[str]:
+    speed = raw / cpu / 1e6
+    return [f"{wall * 1e3:.0f}", f"{cpu * 1e3:.0f}", f"{speed:.0f}", f"{size / 1e6:.2f}", f"{size / triangles:.2f}"]
+
+
+def _one_file(scene: nf.Scene) -> bytes:
+    """The whole scene as one plain file without images."""
+    textures = len(_core.scene_parts(scene._core)["textures"])
+    groups = np.zeros(len(scene.object_names) + 1, np.uint16)
+    export = _core.Export(scene._core, groups, 1, names=[], images=[None] * textures, step=STEP, compressed=False)
+    return export.glb(0, uris=[None] * len(export.shared()))[0]
+
+
+def main() -> None:
+    print(machine())
+    print(sizes("City of 3 × 3 blocks", nf.datasets.city(blocks=3, detail=2)))
+    for name, path in (
+        ("FlightHelmet", "objects/gltf/FlightHelmet/FlightHelmet.gltf"),
+        ("Tokyo core", "city/tokyo23/tokyo_core_lod1.glb"),
+    ):
+        file = data.find(path)
+        if file is not None:
+            print(sizes(name, nf.Scene.load(file)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,28 @@
+"""Kernels of the geometry that is streamed, which `nearfar._core` exports; there is no such module at run time."""
+
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._core import Scene, _Report
+
+# export -------------------------------------------------------------------------------------------------------------
+@final
+class Export:
+    def __new__(
+        cls,
+        scene: Scene,
+        groups: NDArray[np.uint16],
+        count: int,
+        *,
+        names: list[str],
+        images: list[str | None],
+        step: float,
+        compressed: bool,
+        report: _Report | None = None,
+    ) -> Export: ...
+    def shared(self) -> list[tuple[bytes, list[int], dict[str, Any]]]: ...
+    def glb(
+        self, group: int, *, uris: list[str | None], report: _Report | None = None
+    ) -> tuple[bytes, dict[str, Any]]: ...

@@ -1,0 +1,271 @@
+//! A GLB: lists of views, accessors, meshes and nodes, and the bytes that they describe.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::{DAffine3, DVec3};
+use serde_json::{Map, Value, json};
+
+use super::attribute::{Attribute, Stream};
+use super::mesh::{ALIGNMENT, EncodedMesh, append};
+use super::statistics::Kind;
+use super::surfaces::{Surfaces, WEBP};
+use crate::base::{Error, Result};
+
+const COMPRESSION: &str = "EXT_meshopt_compression";
+const PLACEMENT: &str = "EXT_mesh_gpu_instancing";
+const QUANTIZATION: &str = "KHR_mesh_quantization";
+
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+
+const MAGIC: &[u8; 4] = b"glTF";
+const VERSION: u32 = 2;
+
+/// Buffer that a view lies in. The numbers of buffers are known when all of them are.
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    /// The file's own chunk.
+    Chunk,
+    /// A buffer with a URI.
+    External(usize),
+}
+
+#[derive(Clone, Debug)]
+struct View {
+    source: Source,
+    offset: usize,
+    length: usize,
+    attribute: Attribute,
+    count: usize,
+}
+
+/// The parts of a GLB.
+#[derive(Debug, Default)]
+pub(super) struct Document {
+    compressed: bool,
+    chunk: Vec<u8>,
+    /// URI and number of bytes of each external buffer.
+    external: Vec<(String, usize)>,
+    views: Vec<View>,
+    accessors: Vec<Value>,
+    meshes: Vec<Value>,
+    nodes: Vec<Value>,
+    /// Numbers in the file of materials, with or without their textures.
+    materials: BTreeMap<(i32, bool), usize>,
+    extensions: BTreeSet<&'static str>,
+}
+
+impl Document {
+    pub fn new(compressed: bool) -> Self {
+        Self { compressed, ..Self::default() }
+    }
+
+    /// Adds a mesh, which lies in an external buffer if `uri` is given; returns its number.
+    pub fn add_mesh(&mut self, mesh: &EncodedMesh, uri: Option<&str>) -> usize {
+        let external = uri.map(|uri| (uri, self.external.len()));
+        let mut place = 0;
+        let mut primitives = Vec::new();
+        for primitive in &mesh.primitives {
+            let mut attributes = Map::new();
+            let mut entry = json!({});
+            for stream in &primitive.streams {
+                let accessor = match external {
+                    None => self.add(stream),
+                    Some((_, number)) => {
+                        let start = place;
+                        place = (start + stream.bytes.len()).next_multiple_of(ALIGNMENT);
+                        self.describe(stream, Source::External(number), start)
+                    }
+                };
+                match stream.attribute {
+                    Attribute::Corners | Attribute::ShortCorners => entry["indices"] = json!(accessor),
+                    attribute => drop(attributes.insert(attribute.name().into(), json!(accessor))),
+                }
+            }
+            let next = self.materials.len();
+            let material = (primitive.key.material, primitive.key.textured);
+            entry["material"] = json!(*self.materials.entry(material).or_insert(next));
+            entry["attributes"] = Value::Object(attributes);
+            primitives.push(entry);
+        }
+        self.external.extend(external.map(|(uri, _)| (uri.to_owned(), place)));
+        self.meshes.push(json!({ "primitives": primitives }));
+        self.meshes.len() - 1
+    }
+
+    /// Adds a node that shows a mesh.
+    pub fn add_node(&mut self, mesh: usize, name: Option<&str>, to_scene: &DAffine3) {
+        let mut node = json!({ "mesh": mesh });
+        if let Some(name) = name {
+            node["name"] = json!(name);
+        }
+        if *to_scene != DAffine3::IDENTITY {
+            node["matrix"] = json!(glam::DMat4::from(*to_scene).to_cols_array());
+        }
+        self.nodes.push(node);
+    }
+
+    /// Adds a node that shows a mesh at several placements, given as arrays.
+    pub fn add_placements(&mut self, mesh: usize, placements: &[Stream]) {
+        let mut attributes = Map::new();
+        for stream in placements {
+            attributes.insert(stream.attribute.name().into(), json!(self.add(stream)));
+        }
+        self.extensions.insert(PLACEMENT);
+        let extensions = json!({ PLACEMENT: { "attributes": attributes } });
+        self.nodes.push(json!({ "mesh": mesh, "extensions": extensions }));
+    }
+
+    /// Adds an array to the file's chunk; returns the number of its accessor.
+    fn add(&mut self, stream: &Stream) -> usize {
+        let start = append(&mut self.chunk, &stream.bytes);
+        self.describe(stream, Source::Chunk, start)
+    }
+
+    /// Adds a view and an accessor of an array.
+    fn describe(&mut self, stream: &Stream, source: Source, offset: usize) -> usize {
+        let (attribute, count) = (stream.attribute, stream.count);
+        if attribute == Attribute::ShortNormal {
+            self.extensions.insert(QUANTIZATION);
+        }
+        let layout = attribute.layout();
+        let mut accessor = json!({
+            "bufferView": self.views.len(), "componentType": layout.component, "count": count, "type": layout.shape,
+        });
+        if layout.normalized {
+            accessor["normalized"] = json!(true);
+        }
+        if let Some([least, most]) = stream.extent {
+            (accessor["min"], accessor["max"]) = (json!(least), json!(most));
+        }
+        self.views.push(View { source, offset, length: stream.bytes.len(), attribute, count });
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
+    }
+
+    /// The file's bytes. All nodes are children of the first one, which the scene's origin moves.
+    pub fn encode(mut self, origin: DVec3, surfaces: &Surfaces) -> Result<Vec<u8>> {
+        let mut used: Vec<((i32, bool), usize)> = self.materials.iter().map(|(&key, &number)| (key, number)).collect();
+        used.sort_by_key(|&(_, number)| number);
+        let used: Vec<(i32, bool)> = used.into_iter().map(|(key, _)| key).collect();
+        let (surfaces, has_webp) = surfaces.describe(&used);
+        if has_webp {
+            self.extensions.insert(WEBP);
+        }
+        if self.compressed && !self.views.is_empty() {
+            self.extensions.insert(COMPRESSION);
+        }
+        let (buffers, views) = self.buffers();
+        let mut root = json!({ "name": "nearfar" });
+        if origin != DVec3::ZERO {
+            root["translation"] = json!(origin.to_array());
+        }
+        if !self.nodes.is_empty() {
+            root["children"] = json!((1..=self.nodes.len()).collect::<Vec<_>>());
+        }
+        let nodes = std::iter::once(root).chain(self.nodes).collect();
+        let extensions: Vec<Value> = self.extensions.iter().map(|name| json!(name)).collect();
+        let mut document = json!({
+            "asset": { "version": "2.0", "generator": concat!("nearfar ", env!("CARGO_PKG_VERSION")) },
+            "scene": 0,
+            "scenes": [{ "nodes": [0] }],
+        });
+        let lists = [
+            ("nodes", nodes),
+            ("meshes", self.meshes),
+            ("accessors", self.accessors),
+            ("bufferViews", views),
+            ("buffers", buffers),
+            ("extensionsUsed", extensions.clone()),
+            ("extensionsRequired", extensions),
+        ];
+        // glTF does not allow empty lists.
+        for (name, list) in lists.into_iter().chain(surfaces).filter(|(_, list)| !list.is_empty()) {
+            document[name] = Value::Array(list);
+        }
+        file(&document.to_string(), &self.chunk)
+    }
+
+    /// Entries of the document's buffers and views. Compressed views have a second place in a buffer without bytes, which
+    /// the extension demands for the decompressed arrays.
+    fn buffers(&self) -> (Vec<Value>, Vec<Value>) {
+        let has_chunk = usize::from(!self.chunk.is_empty());
+        let number = |source| match source {
+            Source::Chunk => 0,
+            Source::External(number) => has_chunk + number,
+        };
+        let decompressed = has_chunk + self.external.len();
+        let mut place = 0;
+        let mut views = Vec::new();
+        for view in &self.views {
+            let stored = (number(view.source), view.offset, view.length);
+            let raw = view.count * view.attribute.layout().stride;
+            let mut entry = if self.compressed {
+                entry_at(decompressed, place, raw)
+            } else {
+                entry_at(stored.0, stored.1, stored.2)
+            };
+            describe_use(&mut entry, view.attribute);
+            if self.compressed {
+                place = (place + raw).next_multiple_of(ALIGNMENT);
+                entry["extensions"] = json!({ COMPRESSION: compression(view, stored) });
+            }
+            views.push(entry);
+        }
+        let chunk = (has_chunk == 1).then(|| json!({ "byteLength": self.chunk.len() }));
+        let external = self.external.iter().map(|(uri, length)| json!({ "uri": uri, "byteLength": length }));
+        let fallback = (self.compressed && !views.is_empty())
+            .then(|| json!({ "byteLength": place, "extensions": { COMPRESSION: { "fallback": true } } }));
+        (chunk.into_iter().chain(external).chain(fallback).collect(), views)
+    }
+}
+
+fn entry_at(buffer: usize, offset: usize, length: usize) -> Value {
+    json!({ "buffer": buffer, "byteOffset": offset, "byteLength": length })
+}
+
+/// Adds what vertex attributes and corners need besides their place; placements need nothing.
+fn describe_use(entry: &mut Value, attribute: Attribute) {
+    match attribute.kind() {
+        Kind::Corners => entry["target"] = json!(ELEMENT_ARRAY_BUFFER),
+        Kind::Placements => {}
+        _ => {
+            entry["target"] = json!(ARRAY_BUFFER);
+            entry["byteStride"] = json!(attribute.layout().stride);
+        }
+    }
+}
+
+/// The extension of a compressed view.
+fn compression(view: &View, (buffer, offset, length): (usize, usize, usize)) -> Value {
+    let mode = if view.attribute.kind() == Kind::Corners { "TRIANGLES" } else { "ATTRIBUTES" };
+    let mut entry = entry_at(buffer, offset, length);
+    entry["byteStride"] = json!(view.attribute.layout().stride);
+    entry["count"] = json!(view.count);
+    entry["mode"] = json!(mode);
+    if view.attribute.filter() != "NONE" {
+        entry["filter"] = json!(view.attribute.filter());
+    }
+    entry
+}
+
+/// A GLB of a document and a chunk of bytes.
+fn file(document: &str, chunk: &[u8]) -> Result<Vec<u8>> {
+    let mut text = document.as_bytes().to_vec();
+    text.resize(text.len().next_multiple_of(ALIGNMENT), b' ');
+    let chunks: &[(&[u8; 4], &[u8])] =
+        if chunk.is_empty() { &[(b"JSON", &text)] } else { &[(b"JSON", &text), (b"BIN\0", chunk)] };
+    let total = 12 + chunks.iter().map(|(_, bytes)| 8 + bytes.len()).sum::<usize>();
+    let total_bytes =
+        u32::try_from(total).map_err(|_| Error::value("scene", "a file of less than 4 GiB in each group", total))?;
+    let mut bytes = Vec::with_capacity(total);
+    bytes.extend_from_slice(MAGIC);
+    bytes.extend(VERSION.to_le_bytes());
+    bytes.extend(total_bytes.to_le_bytes());
+    for (kind, content) in chunks {
+        bytes.extend((content.len() as u32).to_le_bytes());
+        bytes.extend_from_slice(*kind);
+        bytes.extend_from_slice(content);
+    }
+    Ok(bytes)
+}

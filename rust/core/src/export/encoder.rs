@@ -1,0 +1,292 @@
+//! The files of a scene.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use rayon::prelude::*;
+
+use super::attribute::{Attribute, Stream};
+use super::document::Document;
+use super::faces::{Frame, Part};
+use super::grid::Grid;
+use super::mesh::EncodedMesh;
+use super::placement::{Trs, greatest_stretch, is_mirrored};
+use super::plan::{Body, Contents, Moving, OwnFaces, Plan};
+use super::settings::Settings;
+use super::statistics::{Kind, Statistics};
+use super::surfaces::Surfaces;
+use crate::base::{Error, Progress, Result};
+use crate::scene::Scene;
+
+/// A scene divided into files.
+#[derive(Debug)]
+pub struct Export {
+    scene: Scene,
+    settings: Settings,
+    names: Vec<String>,
+    surfaces: Surfaces,
+    plan: Plan,
+    shared: Vec<SharedMesh>,
+}
+
+/// A mesh with several placements.
+#[derive(Debug)]
+pub struct SharedMesh {
+    encoded: EncodedMesh,
+    groups: Vec<u16>,
+}
+
+/// A file.
+#[derive(Clone, Debug)]
+pub struct Glb {
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+    /// What it holds; shared meshes in buffers of their own are counted there, except for the triangles drawn.
+    pub statistics: Statistics,
+}
+
+impl SharedMesh {
+    /// The bytes of the buffer that files refer to by its URI.
+    pub fn bytes(&self) -> Vec<u8> {
+        self.encoded.bytes()
+    }
+
+    /// Groups with placements of the mesh, ascending.
+    pub fn groups(&self) -> &[u16] {
+        &self.groups
+    }
+
+    /// Sizes, counts and errors; nothing of it is drawn before it is placed.
+    pub fn statistics(&self) -> &Statistics {
+        &self.encoded.statistics
+    }
+}
+
+impl Export {
+    /// Divides a scene and encodes the meshes that have several placements.
+    ///
+    /// `groups` has the group of each object, and last that of faces without an object; all are below `count`. `names`
+    /// are the objects' names; those of moving objects become names of nodes. `images` are the URIs of the images of
+    /// all textures, `None` to leave a texture out.
+    pub fn new(
+        scene: &Scene,
+        groups: &[u16],
+        count: usize,
+        names: Vec<String>,
+        images: Vec<Option<String>>,
+        settings: Settings,
+        progress: &Progress,
+    ) -> Result<Self> {
+        settings.check()?;
+        let surfaces = Surfaces::new(scene, images)?;
+        let plan = Plan::new(scene, groups, count, settings.step, progress)?;
+        progress.expect(plan.shared.iter().map(|plan| plan.mesh.faces.len() as u64).sum());
+        let encode = |plan: &super::plan::SharedPlan| {
+            let part = Part { mesh: &plan.mesh, frame: Frame::Own { turned: plan.turned }, faces: None };
+            let mut encoded = EncodedMesh::new(&[part], plan.grid, &surfaces, settings.compressed, progress)?;
+            encoded.statistics.position_error *= plan.stretch;
+            Ok(SharedMesh { encoded, groups: plan.groups.clone() })
+        };
+        let shared = plan.shared.par_iter().map(encode).collect::<Result<_>>()?;
+        Ok(Self { scene: scene.clone(), settings, names, surfaces, plan, shared })
+    }
+
+    /// Meshes with several placements.
+    pub fn shared(&self) -> &[SharedMesh] {
+        &self.shared
+    }
+
+    /// The file of a group. `uris` names the buffers of shared meshes; those without a URI are written into the file.
+    pub fn glb(&self, group: u16, uris: &[Option<String>], progress: &Progress) -> Result<Glb> {
+        let contents = self
+            .plan
+            .groups
+            .get(usize::from(group))
+            .ok_or_else(|| Error::value("group", format!("a number below {}", self.plan.groups.len()), group))?;
+        if uris.len() != self.shared.len() {
+            let expected = format!("a URI or none for each of {} shared meshes", self.shared.len());
+            return Err(Error::value("uris", expected, uris.len()));
+        }
+        let mut file = FileWriter {
+            export: self,
+            document: Document::new(self.settings.compressed),
+            statistics: Statistics::default(),
+        };
+        let (merged, moving) = self.encode(contents, progress)?;
+        file.add_merged(&merged);
+        let numbers = file.add_shared(contents, uris);
+        file.add_placed(contents, &numbers)?;
+        file.add_moving(contents, &moving, &numbers);
+        file.finish()
+    }
+
+    /// The merged mesh of a group, and the meshes of its moving objects where they are not shared.
+    fn encode(&self, contents: &Contents, progress: &Progress) -> Result<(EncodedMesh, Vec<Option<EncodedMesh>>)> {
+        let merged: Vec<Part<'_>> = contents
+            .merged
+            .iter()
+            .map(|own| Part { frame: Frame::Scene(self.scene.instance(own.instance)), ..self.own_part(own) })
+            .collect();
+        let own_faces = |moving: &Moving| match &moving.body {
+            Body::Own(own) => self.own_part(own).count(),
+            Body::Shared(_) => 0,
+        };
+        let faces =
+            merged.iter().map(Part::count).sum::<usize>() + contents.moving.iter().map(own_faces).sum::<usize>();
+        progress.expect(faces as u64);
+        let encode = |parts: &[Part<'_>], grid| {
+            EncodedMesh::new(parts, grid, &self.surfaces, self.settings.compressed, progress)
+        };
+        let own_mesh = |moving: &Moving| match &moving.body {
+            Body::Shared(_) => Ok(None),
+            Body::Own(own) => {
+                let (part, grid, stretch) = self.moving_part(own);
+                let mut encoded = encode(&[part], grid)?;
+                encoded.statistics.position_error *= stretch;
+                Ok(Some(encoded))
+            }
+        };
+        let merged = encode(&merged, self.plan.merged_grid)?;
+        Ok((merged, contents.moving.par_iter().map(own_mesh).collect::<Result<_>>()?))
+    }
+
+    fn own_part<'a>(&'a self, own: &'a OwnFaces) -> Part<'a> {
+        let instance = self.scene.instance(own.instance);
+        let frame = Frame::Own { turned: is_mirrored(&instance.to_scene) };
+        Part { mesh: &instance.mesh, frame, faces: own.faces.as_deref() }
+    }
+
+    /// Faces of a moving object with their grid, and the factor by which placements extend errors.
+    fn moving_part<'a>(&'a self, own: &'a OwnFaces) -> (Part<'a>, Grid, f64) {
+        let part = self.own_part(own);
+        let stretch = greatest_stretch(&self.scene.instance(own.instance).to_scene.matrix3);
+        let grid = Grid::new(self.settings.step / stretch, f64::from(part.mesh.bounds().reach()));
+        (part, grid, stretch)
+    }
+}
+
+/// A file that is being written.
+struct FileWriter<'a> {
+    export: &'a Export,
+    document: Document,
+    statistics: Statistics,
+}
+
+impl FileWriter<'_> {
+    fn add_merged(&mut self, merged: &EncodedMesh) {
+        self.statistics.add(&merged.statistics);
+        self.statistics.drawn += merged.statistics.triangles;
+        if !merged.primitives.is_empty() {
+            let mesh = self.document.add_mesh(merged, None);
+            self.document.add_node(mesh, Some("static"), &glam::DAffine3::IDENTITY);
+        }
+    }
+
+    /// Adds the shared meshes that a group needs; returns their numbers in the file. Those without faces have none.
+    fn add_shared(&mut self, contents: &Contents, uris: &[Option<String>]) -> BTreeMap<usize, usize> {
+        let placed = contents.placed.iter().map(|&(shared, _)| shared);
+        let moving = contents.moving.iter().filter_map(|moving| match moving.body {
+            Body::Shared(shared) => Some(shared),
+            Body::Own(_) => None,
+        });
+        let needed: BTreeSet<usize> = placed.chain(moving).collect();
+        let mut numbers = BTreeMap::new();
+        for shared in needed {
+            let encoded = &self.export.shared[shared].encoded;
+            if encoded.primitives.is_empty() {
+                continue;
+            }
+            if uris[shared].is_none() {
+                self.statistics.add(&encoded.statistics);
+            }
+            numbers.insert(shared, self.document.add_mesh(encoded, uris[shared].as_deref()));
+        }
+        numbers
+    }
+
+    /// Adds the static placements of shared meshes.
+    fn add_placed(&mut self, contents: &Contents, numbers: &BTreeMap<usize, usize>) -> Result<()> {
+        let mut by_mesh: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
+        contents.placed.iter().for_each(|&(shared, instance)| by_mesh.entry(shared).or_default().push(instance));
+        for (shared, instances) in by_mesh {
+            let Some(&mesh) = numbers.get(&shared) else { continue };
+            let plan = &self.export.plan.shared[shared];
+            self.count_drawn(shared, instances.len());
+            let (bounds, rounding) = (plan.mesh.bounds(), self.export.shared[shared].statistics().position_error);
+            let mut placements = Vec::new();
+            for instance in instances {
+                let to_scene = &self.export.scene.instance(instance).to_scene;
+                // Viewers turn mirrored nodes back, but not mirrored placements of an instanced mesh.
+                let trs = Some(Trs::of(to_scene)).filter(|_| self.export.settings.compressed && !plan.turned);
+                let error = trs.map(|trs| trs.error(to_scene, &bounds));
+                match trs.zip(error).filter(|&(_, error)| error <= self.export.settings.step / 2.0) {
+                    Some((trs, error)) => {
+                        self.statistics.position_error = self.statistics.position_error.max(rounding + error);
+                        placements.push(trs);
+                    }
+                    None => self.document.add_node(mesh, None, to_scene),
+                }
+            }
+            if !placements.is_empty() {
+                let streams = placement_streams(&placements)?;
+                self.count_own(&streams);
+                self.document.add_placements(mesh, &streams);
+            }
+        }
+        Ok(())
+    }
+
+    fn add_moving(&mut self, contents: &Contents, own: &[Option<EncodedMesh>], numbers: &BTreeMap<usize, usize>) {
+        for (moving, own) in contents.moving.iter().zip(own) {
+            let mesh = match (&moving.body, own) {
+                (Body::Shared(shared), _) => {
+                    self.count_drawn(*shared, 1);
+                    numbers.get(shared).copied()
+                }
+                (Body::Own(_), Some(encoded)) if !encoded.primitives.is_empty() => {
+                    self.statistics.add(&encoded.statistics);
+                    self.statistics.drawn += encoded.statistics.triangles;
+                    Some(self.document.add_mesh(encoded, None))
+                }
+                (Body::Own(_), _) => None,
+            };
+            let name = usize::try_from(moving.object).ok().and_then(|object| self.export.names.get(object));
+            if let Some(mesh) = mesh {
+                let to_scene = &self.export.scene.instance(moving.instance).to_scene;
+                self.document.add_node(mesh, name.map(String::as_str), to_scene);
+            }
+        }
+    }
+
+    fn count_drawn(&mut self, shared: usize, placements: usize) {
+        let statistics = self.export.shared[shared].statistics();
+        self.statistics.drawn += statistics.triangles * placements as u64;
+        self.statistics.position_error = self.statistics.position_error.max(statistics.position_error);
+    }
+
+    fn count_own(&mut self, streams: &[Stream]) {
+        for stream in streams {
+            self.statistics.count(stream.attribute.kind(), stream.bytes.len());
+            self.statistics.raw_bytes += stream.raw_bytes() as u64;
+        }
+    }
+
+    fn finish(self) -> Result<Glb> {
+        let Self { export, document, mut statistics } = self;
+        let bytes = document.encode(export.scene.origin, &export.surfaces)?;
+        let arrays: u64 = Kind::ALL.iter().map(|&kind| statistics.bytes(kind)).sum();
+        statistics.count(Kind::Document, bytes.len() - arrays as usize);
+        Ok(Glb { bytes, statistics })
+    }
+}
+
+/// Placements as arrays.
+fn placement_streams(placements: &[Trs]) -> Result<[Stream; 3]> {
+    let translations: Vec<[f32; 3]> = placements.iter().map(|trs| trs.translation).collect();
+    let rotations: Vec<[f32; 4]> = placements.iter().map(|trs| trs.rotation).collect();
+    let scales: Vec<[f32; 3]> = placements.iter().map(|trs| trs.scale).collect();
+    Ok([
+        Stream::rows(Attribute::Translation, &translations, true)?,
+        Stream::rows(Attribute::Rotation, &rotations, true)?,
+        Stream::rows(Attribute::Scale, &scales, true)?,
+    ])
+}

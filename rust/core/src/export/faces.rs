@@ -1,0 +1,156 @@
+//! Faces that become one primitive: those of one material whose vertices have the same attributes.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+use super::surfaces::Surfaces;
+use crate::base::{Progress, Result};
+use crate::scene::{Instance, Mesh};
+
+/// Number of faces in one task.
+const TILE: usize = 1 << 16;
+
+/// Most faces of one primitive. Larger ones are divided, so that several threads share the work, cancelling takes less
+/// than a second, and viewers get meshes that all of them can draw.
+const MOST_FACES: usize = 1 << 18;
+
+/// Material and attributes of a primitive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Key {
+    /// Number of the material, −1 for none.
+    pub material: i32,
+    /// Whether vertices have texture coordinates.
+    pub textured: bool,
+    /// Whether vertices have colours.
+    pub colored: bool,
+    /// Whether vertices have normals.
+    pub lit: bool,
+}
+
+/// The frame that vertices are written in.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Frame<'a> {
+    /// The scene, where an instance places them.
+    Scene(&'a Instance),
+    /// The mesh's own. `turned` faces show their other side, because a mirrored placement turns them back.
+    Own {
+        /// Whether the placement is a mirror.
+        turned: bool,
+    },
+}
+
+/// Faces of a mesh.
+#[derive(Clone, Debug)]
+pub(super) struct Part<'a> {
+    pub mesh: &'a Mesh,
+    pub frame: Frame<'a>,
+    /// Numbers of the faces; `None` for all.
+    pub faces: Option<&'a [u32]>,
+}
+
+/// Faces of a part that belong to one primitive.
+#[derive(Clone, Debug)]
+pub(super) struct Piece<'a> {
+    pub mesh: &'a Mesh,
+    pub frame: Frame<'a>,
+    pub faces: Vec<u32>,
+}
+
+impl Part<'_> {
+    /// Number of faces.
+    pub fn count(&self) -> usize {
+        self.faces.map_or(self.mesh.faces.len(), <[u32]>::len)
+    }
+
+    /// Number of the face at a place of the list.
+    fn face(&self, place: usize) -> u32 {
+        self.faces.map_or(place as u32, |faces| faces[place])
+    }
+}
+
+/// The faces of all parts by primitive, in the order of keys, parts and faces.
+pub(super) fn primitives<'a>(
+    parts: &[Part<'a>],
+    surfaces: &Surfaces,
+    progress: &Progress,
+) -> Result<Vec<(Key, Vec<Piece<'a>>)>> {
+    let by_part: Vec<BTreeMap<Key, Vec<u32>>> =
+        parts.par_iter().map(|part| by_key(part, surfaces, progress)).collect::<Result<_>>()?;
+    let mut by_primitive: BTreeMap<Key, Vec<Piece<'a>>> = BTreeMap::new();
+    for (part, by_key) in parts.iter().zip(by_part) {
+        for (key, faces) in by_key {
+            by_primitive.entry(key).or_default().push(Piece { mesh: part.mesh, frame: part.frame, faces });
+        }
+    }
+    let divided = by_primitive.into_iter().flat_map(|(key, pieces)| divided(pieces).into_iter().map(move |p| (key, p)));
+    Ok(divided.collect())
+}
+
+/// The faces of a part by primitive.
+fn by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Result<BTreeMap<Key, Vec<u32>>> {
+    let sorted = |start: usize| -> Result<Vec<(Key, u32)>> {
+        progress.check()?;
+        let places = start..(start + TILE).min(part.count());
+        let mut keyed: Vec<(Key, u32)> =
+            places.map(|place| part.face(place)).map(|face| (key_of(part.mesh, face, surfaces), face)).collect();
+        keyed.sort_by_key(|&(key, _)| key);
+        Ok(keyed)
+    };
+    let tiles: Vec<Vec<(Key, u32)>> =
+        (0..part.count()).into_par_iter().step_by(TILE).map(sorted).collect::<Result<_>>()?;
+    let mut joined: BTreeMap<Key, Vec<u32>> = BTreeMap::new();
+    for run in tiles.iter().flat_map(|tile| tile.chunk_by(|a, b| a.0 == b.0)) {
+        joined.entry(run[0].0).or_default().extend(run.iter().map(|&(_, face)| face));
+    }
+    Ok(joined)
+}
+
+fn key_of(mesh: &Mesh, face: u32, surfaces: &Surfaces) -> Key {
+    let material = surfaces.drawn(mesh.materials.get(face));
+    let has_normal = |normals: &[[f32; 3]]| mesh.faces[face as usize].iter().any(|&v| normals[v as usize] != [0.0; 3]);
+    Key {
+        material,
+        textured: mesh.uvs.is_some() && surfaces.texture(material).is_some(),
+        colored: mesh.colors.is_some(),
+        lit: mesh.normals.as_deref().is_some_and(has_normal),
+    }
+}
+
+/// Pieces divided into primitives of at most `MOST_FACES` faces.
+fn divided(pieces: Vec<Piece<'_>>) -> Vec<Vec<Piece<'_>>> {
+    let (mut primitives, mut open, mut room) = (Vec::new(), Vec::new(), MOST_FACES);
+    for mut piece in pieces {
+        while piece.faces.len() > room {
+            let rest = piece.faces.split_off(room);
+            open.push(Piece { faces: std::mem::replace(&mut piece.faces, rest), ..piece });
+            primitives.push(std::mem::take(&mut open));
+            room = MOST_FACES;
+        }
+        room -= piece.faces.len();
+        open.push(piece);
+    }
+    primitives.push(open);
+    primitives
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::FaceMap;
+
+    #[test]
+    fn large_primitives_are_divided_and_no_face_is_lost() {
+        let none = FaceMap::Uniform(-1);
+        let mesh = Mesh::new(vec![].into(), vec![].into(), None, None, none.clone(), none).unwrap();
+        let piece =
+            |count: u32| Piece { mesh: &mesh, frame: Frame::Own { turned: false }, faces: (0..count).collect() };
+        let most = MOST_FACES as u32;
+        let counts = |pieces: Vec<Piece<'_>>| -> Vec<Vec<usize>> {
+            divided(pieces).iter().map(|pieces| pieces.iter().map(|piece| piece.faces.len()).collect()).collect()
+        };
+        assert_eq!(counts(vec![piece(3), piece(4)]), [[3, 4]]);
+        assert_eq!(counts(vec![piece(3), piece(2 * most)]), [vec![3, MOST_FACES - 3], vec![MOST_FACES], vec![3]]);
+        assert_eq!(counts(vec![piece(most)]), [[MOST_FACES]]);
+    }
+}

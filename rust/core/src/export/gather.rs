@@ -1,0 +1,233 @@
+//! The vertices and faces of a primitive, rounded.
+//!
+//! Normals are rounded to 8 bits by octahedral coordinates: Meyer, Süßmuth, Sußner, Stamminger, Greiner: On
+//! floating-point normal vectors, 2010.
+
+use std::sync::LazyLock;
+
+use glam::{DVec3, I64Vec3, Vec3};
+
+use super::faces::{Frame, Key, Piece};
+use super::grid::Grid;
+use super::numbering::Numbering;
+use super::surfaces::Surfaces;
+use crate::base::{Progress, Result};
+use crate::scene::srgb::linear_from_srgb;
+
+/// Greatest angle in degrees between a normal and the one in the file. The angle is greatest at a corner of a cell of
+/// the octahedral grid; the corners of all cells are at most 1.273° from the bytes that the cell's centre decodes to.
+pub const NORMAL_ERROR_DEG: f64 = 1.28;
+
+const NORMAL_BITS: i32 = 8;
+
+const WHITE: [u16; 4] = [u16::MAX; 4];
+
+/// Linear 16-bit values of the 256 sRGB codes: those are at least 20 of these apart, so all codes come back.
+static LINEAR: LazyLock<[u16; 256]> =
+    LazyLock::new(|| linear_from_srgb().map(|linear| (f64::from(linear) * 65535.0).round() as u16));
+
+/// A primitive with rounded vertices.
+#[derive(Clone, Debug)]
+pub(super) struct Primitive {
+    pub grid: Grid,
+    /// Points of the grid.
+    pub positions: Vec<[i32; 3]>,
+    /// Octahedral coordinates as the OCTAHEDRAL filter stores them.
+    pub normals: Option<Vec<[i8; 4]>>,
+    /// Points of a grid, v downwards, and the grid.
+    pub uvs: Option<(Vec<[i32; 2]>, Grid)>,
+    /// Linear colours.
+    pub colors: Option<Vec<[u16; 4]>>,
+    pub faces: Vec<[u32; 3]>,
+    /// Number of faces that are left out because they have no area on the grid.
+    pub dropped: usize,
+}
+
+/// Rounds the faces of some pieces to a primitive.
+pub(super) fn gather(
+    key: Key,
+    pieces: &[Piece<'_>],
+    grid: Grid,
+    surfaces: &Surfaces,
+    progress: &Progress,
+) -> Result<Primitive> {
+    let mut gathered = Gatherer::new(key, grid);
+    for piece in pieces {
+        progress.check()?;
+        gathered.add(piece);
+    }
+    Ok(gathered.finish(surfaces))
+}
+
+struct Gatherer {
+    key: Key,
+    grid: Grid,
+    positions: Vec<[i32; 3]>,
+    /// Unit normals, zero for vertices without one; the fourth number is 0.
+    normals: Vec<[f32; 4]>,
+    uvs: Vec<[f32; 2]>,
+    colors: Vec<[u16; 4]>,
+    faces: Vec<[u32; 3]>,
+    dropped: usize,
+}
+
+impl Gatherer {
+    fn new(key: Key, grid: Grid) -> Self {
+        let (positions, normals, uvs, colors, faces) = (vec![], vec![], vec![], vec![], vec![]);
+        Self { key, grid, positions, normals, uvs, colors, faces, dropped: 0 }
+    }
+
+    fn add(&mut self, piece: &Piece<'_>) {
+        let turned = matches!(piece.frame, Frame::Own { turned: true });
+        let listed = |&face: &u32| piece.mesh.faces[face as usize];
+        let chosen: Vec<[u32; 3]> = piece.faces.iter().map(listed).collect();
+        let numbering = Numbering::new(&chosen);
+        let first = self.positions.len() as u32;
+        self.add_vertices(piece, &numbering);
+        self.faces.reserve(chosen.len());
+        for face in chosen {
+            let face = face.map(|vertex| first + numbering.number(vertex));
+            self.add_face(if turned { other_side(face) } else { face });
+        }
+    }
+
+    fn add_vertices(&mut self, piece: &Piece<'_>, numbering: &Numbering) {
+        let mesh = piece.mesh;
+        let grid = self.grid;
+        let own = |vertex: u32| Vec3::from_array(mesh.positions[vertex as usize]).as_dvec3();
+        let round = |point: DVec3| point.to_array().map(|x| grid.round(x));
+        match piece.frame {
+            Frame::Scene(instance) if !instance.in_place => {
+                let placed = |vertex| round(instance.to_scene.transform_point3(own(vertex)));
+                self.positions.extend(numbering.vertices().map(placed));
+            }
+            _ => self.positions.extend(numbering.vertices().map(|vertex| round(own(vertex)))),
+        }
+        if let Some(normals) = mesh.normals.as_deref().filter(|_| self.key.lit) {
+            let own = |vertex: u32| Vec3::from_array(normals[vertex as usize]).as_dvec3();
+            let unit = |normal: DVec3| normal.normalize_or_zero().as_vec3().extend(0.0).to_array();
+            match piece.frame {
+                Frame::Scene(instance) if !instance.in_place => {
+                    // Normals belong to planes, which the inverse transpose of the placement's matrix transforms.
+                    let matrix = instance.to_object.matrix3.transpose();
+                    self.normals.extend(numbering.vertices().map(|vertex| unit(matrix * own(vertex))));
+                }
+                _ => self.normals.extend(numbering.vertices().map(|vertex| unit(own(vertex)))),
+            }
+        }
+        if let Some(uvs) = mesh.uvs.as_deref().filter(|_| self.key.textured) {
+            self.uvs.extend(numbering.vertices().map(|vertex| uvs[vertex as usize]));
+        }
+        if let Some(colors) = mesh.colors.as_deref().filter(|_| self.key.colored) {
+            let linear = &*LINEAR;
+            let stored = |[r, g, b, a]: [u8; 4]| {
+                let [r, g, b] = [r, g, b].map(|code| linear[usize::from(code)]);
+                [r, g, b, u16::from(a) * 257]
+            };
+            self.colors.extend(numbering.vertices().map(|vertex| stored(colors[vertex as usize])));
+        }
+    }
+
+    /// Adds a face unless it has no area.
+    fn add_face(&mut self, face: [u32; 3]) {
+        let [a, b, c] = face.map(|vertex| I64Vec3::from_array(self.positions[vertex as usize].map(i64::from)));
+        // Exact: edges have at most 25 bits.
+        let across = (b - a).cross(c - a);
+        if across == I64Vec3::ZERO {
+            self.dropped += 1;
+            return;
+        }
+        let face = if self.key.lit { self.lit(face, across.as_dvec3().normalize()) } else { face };
+        self.faces.push(face);
+    }
+
+    /// A face that shows the side of its normals, and with its own normal at corners that have none. Files order the
+    /// corners of faces inconsistently; nearfar lights a face from the side of its normals, but viewers of glTF from the
+    /// side from which its corners go round counter-clockwise.
+    fn lit(&mut self, face: [u32; 3], mut plane: DVec3) -> [u32; 3] {
+        let normal = |&[x, y, z, _]: &[f32; 4]| Vec3::new(x, y, z);
+        let normals = face.map(|vertex| normal(&self.normals[vertex as usize]));
+        let sum: Vec3 = normals.iter().sum();
+        let mut shown = face;
+        if sum.as_dvec3().dot(plane) < 0.0 {
+            (shown, plane) = (other_side(face), -plane);
+        }
+        if !normals.contains(&Vec3::ZERO) {
+            return shown;
+        }
+        let plane = plane.as_vec3().extend(0.0).to_array();
+        shown.map(|vertex| {
+            if normal(&self.normals[vertex as usize]) == Vec3::ZERO { self.copied(vertex, plane) } else { vertex }
+        })
+    }
+
+    /// A copy of a vertex with another normal.
+    fn copied(&mut self, vertex: u32, normal: [f32; 4]) -> u32 {
+        let row = vertex as usize;
+        self.positions.push(self.positions[row]);
+        self.normals.push(normal);
+        if self.key.textured {
+            self.uvs.push(self.uvs[row]);
+        }
+        if self.key.colored {
+            self.colors.push(self.colors[row]);
+        }
+        self.positions.len() as u32 - 1
+    }
+
+    fn finish(self, surfaces: &Surfaces) -> Primitive {
+        let Self { key, grid, positions, normals, uvs, colors, faces, dropped } = self;
+        let normals = key.lit.then(|| meshopt::encode_filter_oct(&normals, NORMAL_BITS));
+        let uvs = key.textured.then(|| rounded_uvs(&uvs, key.material, surfaces));
+        // White is the neutral colour, which merged meshes have where a part has none.
+        let colors = Some(colors).filter(|colors| colors.iter().any(|&color| color != WHITE));
+        Primitive { grid, positions, normals, uvs, colors, faces, dropped }
+    }
+}
+
+/// The face with its corners in the opposite order.
+fn other_side([a, b, c]: [u32; 3]) -> [u32; 3] {
+    [a, c, b]
+}
+
+/// Texture coordinates with v downwards on the grid of a material; 0 for those that are not finite, as `Texture` reads
+/// them.
+fn rounded_uvs(uvs: &[[f32; 2]], material: i32, surfaces: &Surfaces) -> (Vec<[i32; 2]>, Grid) {
+    let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
+    let downwards = |&[u, v]: &[f32; 2]| [finite(f64::from(u)), finite(1.0 - f64::from(v))];
+    let reach = uvs.iter().flat_map(downwards).fold(0.0, |reach: f64, x| reach.max(x.abs()));
+    let grid = surfaces.uv_grid(material, reach);
+    (uvs.iter().map(|uv| downwards(uv).map(|x| grid.round(x))).collect(), grid)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random::uniform;
+    use crate::scene::srgb::srgb_from_linear;
+
+    #[test]
+    fn colors_come_back() {
+        assert!((0..=255u8).all(|code| srgb_from_linear(f32::from(LINEAR[usize::from(code)]) / 65535.0) == code));
+    }
+
+    #[test]
+    fn normals_are_within_their_bound() {
+        // Random directions, and directions about the axes and diagonals, where octahedral cells differ most.
+        let random = |i: u64| {
+            let (z, turn) = (2.0 * uniform(1, 0, i) - 1.0, std::f64::consts::TAU * uniform(1, 1, i));
+            let across = (1.0 - z * z).sqrt();
+            DVec3::new(across * turn.cos(), across * turn.sin(), z)
+        };
+        let near_axis = |i: u64| (DVec3::AXES[(i % 3) as usize] + 0.05 * random(i)).normalize();
+        let directions: Vec<DVec3> = (0..300_000).map(random).chain((0..30_000).map(near_axis)).collect();
+        let rows: Vec<[f32; 4]> = directions.iter().map(|n| n.as_vec3().extend(0.0).to_array()).collect();
+        let mut stored: Vec<[i8; 4]> = meshopt::encode_filter_oct(&rows, NORMAL_BITS);
+        meshopt::decode_filter_oct(&mut stored);
+        let angle = |(&[x, y, z, _], exact): (&[i8; 4], &DVec3)| {
+            DVec3::new(f64::from(x), f64::from(y), f64::from(z)).angle_between(*exact).to_degrees()
+        };
+        let worst = stored.iter().zip(&directions).map(angle).fold(0.0, f64::max);
+        assert!(worst <= NORMAL_ERROR_DEG && worst > 0.75 * NORMAL_ERROR_DEG, "{worst}");
+    }
+}

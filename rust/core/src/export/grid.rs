@@ -1,0 +1,115 @@
+//! The grid that positions and texture coordinates are rounded to. Its points are multiples of a power of two, which
+//! float32 and the EXPONENTIAL filter of `EXT_meshopt_compression` hold exactly: a mantissa of 24 bits with a sign, and
+//! an exponent for each number. Farther numbers are multiples of greater powers, so rounding depends on nothing but the
+//! number, and equal corners of different meshes stay equal.
+
+/// Greatest mantissa.
+const MOST_MANTISSA: i32 = (1 << 23) - 1;
+
+/// Greatest number of steps: products of differences stay exact in 64 bits.
+const MOST: i32 = 1 << 29;
+
+/// Least and greatest exponent that the extension allows, without the exponents of far numbers.
+const EXPONENTS: std::ops::RangeInclusive<i32> = -100..=94;
+
+/// The multiples of 2^exponent; beyond 2²³ of them, of the least greater power that fits the mantissa.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Grid {
+    exponent: i32,
+}
+
+impl Grid {
+    /// The coarsest grid whose step is at most `step`, a positive number; or the finest coarser one that holds numbers up
+    /// to `reach`.
+    pub fn new(step: f64, reach: f64) -> Self {
+        let mut grid = Self { exponent: exponent(step).clamp(*EXPONENTS.start(), *EXPONENTS.end()) };
+        while grid.exponent < *EXPONENTS.end() && reach > f64::from(MOST) * grid.step() {
+            grid.exponent += 1;
+        }
+        grid
+    }
+
+    /// Distance of neighbouring points near 0.
+    pub fn step(self) -> f64 {
+        power(self.exponent)
+    }
+
+    /// Greatest error of numbers that round to at most this many steps.
+    pub fn error(self, steps: i32) -> f64 {
+        power(self.exponent + shift(steps)) / 2.0
+    }
+
+    /// The nearest point as a number of steps, limited to those that the grid holds; 0 for NaN.
+    #[inline]
+    pub fn round(self, x: f64) -> i32 {
+        let near = ((x * power(-self.exponent)).round_ties_even() as i32).clamp(-MOST, MOST);
+        if near.unsigned_abs() <= MOST_MANTISSA.unsigned_abs() {
+            return near;
+        }
+        let shift = shift(near);
+        ((x * power(-self.exponent - shift)).round_ties_even() as i32).clamp(-(MOST >> shift), MOST >> shift) << shift
+    }
+
+    /// The value of a point.
+    #[inline]
+    pub fn value(self, steps: i32) -> f32 {
+        (f64::from(steps) * self.step()) as f32
+    }
+
+    /// A point as the EXPONENTIAL filter stores it: exponent in the upper 8 bits, mantissa in the lower 24.
+    #[inline]
+    pub fn packed(self, steps: i32) -> u32 {
+        let shift = shift(steps);
+        ((self.exponent + shift) as u32) << 24 | ((steps >> shift) as u32 & 0x00ff_ffff)
+    }
+}
+
+/// Number of lower bits of a number that do not fit in the mantissa. Rounding has made them 0.
+#[inline]
+fn shift(steps: i32) -> i32 {
+    (9 - steps.unsigned_abs().leading_zeros() as i32).max(0)
+}
+
+/// Exponent of the greatest power of two that is at most a positive, normal number.
+fn exponent(x: f64) -> i32 {
+    (x.to_bits() >> 52) as i32 - 1023
+}
+
+/// 2^exponent, for exponents of normal numbers.
+#[inline]
+fn power(exponent: i32) -> f64 {
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random::uniform;
+
+    #[test]
+    fn steps_are_powers_of_two_that_reach_far_enough() {
+        let step = |step, reach| Grid::new(step, reach).step();
+        assert_eq!(step(1.0, 0.0), 1.0);
+        assert_eq!(step(0.9, 0.0), 0.5);
+        assert_eq!(step(1.0 / 1024.0, 524_288.0), 1.0 / 1024.0);
+        assert_eq!(step(1.0 / 1024.0, 524_289.0), 1.0 / 512.0);
+        assert_eq!(step(1.0, f64::MAX), power(94));
+    }
+
+    #[test]
+    fn points_survive_the_filter_bit_for_bit_and_are_near() {
+        let grid = Grid::new(1.0 / 1024.0, 0.0);
+        let ends = [0.0, -8191.999, 8191.9995, 8192.0, 16383.9999, -524_288.0, 0.4999 / 1024.0, 1e30];
+        let random = (0..10_000).map(|i| (2.0 * uniform(1, 0, i) - 1.0) * 10f64.powf(6.0 * uniform(1, 1, i) - 0.3));
+        for x in ends.into_iter().chain(random).map(|x| x.clamp(-524_288.0, 524_288.0)) {
+            let steps = grid.round(x);
+            let mut packed = [[grid.packed(steps)]];
+            meshopt::decode_filter_exp(&mut packed);
+            let value = f32::from_bits(packed[0][0]);
+            assert_eq!(value, grid.value(steps), "{x}");
+            assert!((f64::from(value) - x).abs() <= grid.error(steps), "{x}");
+        }
+        assert_eq!((grid.error(8_388_607), grid.error(-8_388_608)), (power(-11), power(-10)));
+        assert_eq!((grid.round(f64::INFINITY), grid.round(f64::NAN)), (MOST, 0));
+    }
+}

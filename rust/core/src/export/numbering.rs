@@ -1,0 +1,69 @@
+//! Numbers of the vertices that some faces of a mesh use.
+
+/// The used vertices of a mesh, numbered in their order. A bit for each vertex and a count for each 64 of them take a
+/// fraction of the memory of a table with an entry for each vertex.
+#[derive(Debug, Default)]
+pub(super) struct Numbering {
+    /// First vertex of the first word.
+    start: u32,
+    /// A bit for each vertex.
+    used: Vec<u64>,
+    /// Number of used vertices before each word.
+    before: Vec<u32>,
+}
+
+impl Numbering {
+    /// Numbers the vertices of faces.
+    pub fn new(faces: &[[u32; 3]]) -> Self {
+        let corners = faces.as_flattened();
+        let (Some(&least), Some(&most)) = (corners.iter().min(), corners.iter().max()) else {
+            return Self::default();
+        };
+        let start = least & !63;
+        let mut used = vec![0u64; ((most - start) / 64) as usize + 1];
+        for corner in corners {
+            used[((corner - start) / 64) as usize] |= 1 << (corner % 64);
+        }
+        let mut count = 0;
+        let before = used.iter().map(|word| {
+            count += word.count_ones();
+            count - word.count_ones()
+        });
+        Self { start, before: before.collect(), used }
+    }
+
+    /// The number of a used vertex.
+    #[inline]
+    pub fn number(&self, vertex: u32) -> u32 {
+        let word = ((vertex - self.start) / 64) as usize;
+        self.before[word] + (self.used[word] & ((1 << (vertex % 64)) - 1)).count_ones()
+    }
+
+    /// The used vertices, ascending.
+    pub fn vertices(&self) -> impl Iterator<Item = u32> + '_ {
+        self.used.iter().enumerate().flat_map(|(place, &word)| {
+            let first = self.start + 64 * place as u32;
+            let mut rest = word;
+            std::iter::from_fn(move || {
+                let bit = (rest != 0).then(|| rest.trailing_zeros())?;
+                rest &= rest - 1;
+                Some(first + bit)
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn used_vertices_are_numbered_in_their_order() {
+        let faces = [[70, 200, 64], [1000, 127, 128], [70, 200, 999]];
+        let numbering = Numbering::new(&faces);
+        let vertices: Vec<u32> = numbering.vertices().collect();
+        assert_eq!(vertices, [64, 70, 127, 128, 200, 999, 1000]);
+        assert!(vertices.iter().enumerate().all(|(number, &vertex)| numbering.number(vertex) == number as u32));
+        assert_eq!(Numbering::new(&[]).vertices().count(), 0);
+    }
+}

@@ -1,0 +1,115 @@
+//! Placements as translation, rotation and scale, and how far they stretch rounding errors.
+
+use glam::{DAffine3, DMat3, DQuat, DVec3};
+
+use crate::base::Aabb;
+
+/// A placement as float32 translation, unit quaternion (x, y, z, w) and scale, applied in the opposite order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Trs {
+    pub translation: [f32; 3],
+    pub rotation: [f32; 4],
+    pub scale: [f32; 3],
+}
+
+impl Trs {
+    /// The nearest parts of a placement. Of a sheared placement the shear is lost.
+    pub fn of(to_scene: &DAffine3) -> Self {
+        let (scale, rotation, translation) = to_scene.to_scale_rotation_translation();
+        Self {
+            translation: translation.as_vec3().to_array(),
+            rotation: rotation.as_quat().to_array(),
+            scale: scale.as_vec3().to_array(),
+        }
+    }
+
+    /// The placement of these parts.
+    fn affine(&self) -> DAffine3 {
+        let rotation = DQuat::from_array(self.rotation.map(f64::from)).normalize();
+        let (scale, translation) = (self.scale.map(f64::from), self.translation.map(f64::from));
+        DAffine3::from_scale_rotation_translation(DVec3::from_array(scale), rotation, DVec3::from_array(translation))
+    }
+
+    /// Greatest distance on an axis by which points of a box are placed elsewhere.
+    pub fn error(&self, to_scene: &DAffine3, bounds: &Aabb) -> f64 {
+        displacement(to_scene, &self.affine(), bounds)
+    }
+}
+
+/// Whether a placement is translation, rotation and scale without shear, up to a displacement of a box's points.
+pub(super) fn is_trs(to_scene: &DAffine3, bounds: &Aabb, tolerance: f64) -> bool {
+    let (scale, rotation, translation) = to_scene.to_scale_rotation_translation();
+    let again = DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), translation);
+    displacement(to_scene, &again, bounds) <= tolerance
+}
+
+/// Whether a placement is a mirror.
+pub(super) fn is_mirrored(to_scene: &DAffine3) -> bool {
+    to_scene.matrix3.determinant() < 0.0
+}
+
+/// Greatest difference on an axis between two placements of a box. It is affine in the point, so greatest at a corner.
+fn displacement(a: &DAffine3, b: &DAffine3, bounds: &Aabb) -> f64 {
+    let ends = [bounds.min.as_dvec3(), bounds.max.as_dvec3()];
+    let corner = |i: usize| DVec3::new(ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2 & 1].z);
+    let distance = |point: DVec3| (a.transform_point3(point) - b.transform_point3(point)).abs().max_element();
+    (0..8).map(|i| distance(corner(i))).fold(0.0, f64::max)
+}
+
+/// Greatest error on an axis of the scene for errors of at most 1 on each axis of the mesh: the greatest sum of a row's
+/// absolute values.
+pub(super) fn stretch(matrix: &DMat3) -> f64 {
+    (matrix.x_axis.abs() + matrix.y_axis.abs() + matrix.z_axis.abs()).max_element()
+}
+
+/// A bound of `stretch` for all poses that differ by rotations: an error vector has at most √3, the matrix extends it by
+/// at most the root of the greatest eigenvalue of MᵀM, which its greatest row sum bounds.
+pub(super) fn greatest_stretch(matrix: &DMat3) -> f64 {
+    (3.0 * stretch(&(matrix.transpose() * *matrix))).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random::uniform;
+
+    fn rotation(seed: u64) -> DQuat {
+        let [x, y, z] = [0, 1, 2].map(|index| 6.0 * uniform(seed, 0, index));
+        DQuat::from_euler(glam::EulerRot::XYZ, x, y, z)
+    }
+
+    fn placement(seed: u64) -> DAffine3 {
+        let vector = |cell| DVec3::from_array([0, 1, 2].map(|index| uniform(seed, cell, index)));
+        DAffine3::from_scale_rotation_translation(vector(1) + 0.5, rotation(seed), vector(2) * 1000.0)
+    }
+
+    #[test]
+    fn parts_place_a_box_where_the_placement_does() {
+        let bounds = Aabb { min: glam::Vec3::splat(-3.0), max: glam::Vec3::splat(5.0) };
+        for seed in 0..50 {
+            let to_scene = placement(seed);
+            // Half of float32's step at 1000 m is 2⁻¹⁵ m; rotation and scale add three roundings of 2⁻²⁴ for 12 m.
+            assert!(Trs::of(&to_scene).error(&to_scene, &bounds) < 1.2 * 2f64.powi(-15), "{seed}");
+            assert!(is_trs(&to_scene, &bounds, 1e-9), "{seed}");
+            let sheared =
+                to_scene * DAffine3::from_mat3(DMat3::from_cols(DVec3::X, DVec3::new(0.1, 1.0, 0.0), DVec3::Z));
+            assert!(!is_trs(&sheared, &bounds, 1e-3), "{seed}");
+            let mirrored = to_scene * DAffine3::from_scale(DVec3::new(1.0, -1.0, 1.0));
+            assert!(is_mirrored(&mirrored) && !is_mirrored(&to_scene) && is_trs(&mirrored, &bounds, 1e-9), "{seed}");
+        }
+    }
+
+    #[test]
+    fn stretches_bound_the_errors_of_points() {
+        for seed in 0..50 {
+            let matrix = placement(seed).matrix3;
+            let error =
+                |i: u64| DVec3::from_array([0, 1, 2].map(|axis| 2.0 * uniform(seed, 3 + axis, i) - 1.0)).signum();
+            let worst = (0..40).map(|i| (matrix * error(i)).abs().max_element()).fold(0.0, f64::max);
+            assert!((worst - stretch(&matrix)).abs() < 1e-12, "{seed}: all signs occur");
+            let turned = DMat3::from_quat(rotation(seed + 1)) * matrix;
+            assert!(stretch(&turned) <= greatest_stretch(&matrix), "{seed}");
+        }
+        assert!((greatest_stretch(&DMat3::from_diagonal(DVec3::new(1.0, 2.0, 0.5))) - 12f64.sqrt()).abs() < 1e-12);
+    }
+}

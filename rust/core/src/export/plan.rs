@@ -1,0 +1,220 @@
+//! Which file holds what: merged faces, placements of shared meshes, and moving objects, by group.
+
+use std::collections::{BTreeMap, HashMap};
+use std::ptr;
+use std::sync::Arc;
+
+use super::grid::Grid;
+use super::placement::{greatest_stretch, is_mirrored, is_trs, stretch};
+use crate::base::{Error, FaceMap, Progress, Result};
+use crate::scene::{Instance, Mesh, Scene};
+
+/// A mesh with several placements.
+#[derive(Clone, Debug)]
+pub(super) struct SharedPlan {
+    pub mesh: Arc<Mesh>,
+    /// Whether its faces are turned, for mirrored placements.
+    pub turned: bool,
+    pub grid: Grid,
+    /// Greatest factor by which a placement extends an error on an axis.
+    pub stretch: f64,
+    /// Groups with a placement, ascending.
+    pub groups: Vec<u16>,
+}
+
+/// Faces of an instance, which are not shared.
+#[derive(Clone, Debug)]
+pub(super) struct OwnFaces {
+    /// Number of the instance.
+    pub instance: u32,
+    /// Numbers of the faces; `None` for all.
+    pub faces: Option<Vec<u32>>,
+}
+
+/// Triangles of a moving object.
+#[derive(Clone, Debug)]
+pub(super) enum Body {
+    /// Number of a shared mesh.
+    Shared(usize),
+    /// Faces of its own.
+    Own(OwnFaces),
+}
+
+/// A moving instance, or an object's part of one.
+#[derive(Clone, Debug)]
+pub(super) struct Moving {
+    /// Number of the instance.
+    pub instance: u32,
+    /// Number of the object, −1 for none.
+    pub object: i32,
+    pub body: Body,
+}
+
+/// Content of a group.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Contents {
+    /// Static faces to be merged.
+    pub merged: Vec<OwnFaces>,
+    /// Static placements, as numbers of the shared mesh and the instance.
+    pub placed: Vec<(usize, u32)>,
+    pub moving: Vec<Moving>,
+}
+
+/// Contents of all groups.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    pub shared: Vec<SharedPlan>,
+    pub groups: Vec<Contents>,
+    /// Grid of all merged faces: one for all files, so that no cracks open between them.
+    pub merged_grid: Grid,
+}
+
+/// A mesh, and whether its faces are turned.
+type Shape = (*const Mesh, bool);
+
+/// An instance with its number and the object of all its faces, if there is one.
+struct Placed<'a> {
+    number: u32,
+    instance: &'a Instance,
+    object: Option<i32>,
+    moves: bool,
+}
+
+impl Placed<'_> {
+    fn shape(&self) -> Shape {
+        (ptr::from_ref(&*self.instance.mesh), is_mirrored(&self.instance.to_scene))
+    }
+
+    /// Whether the instance can place a shared mesh: sheared placements are no valid nodes, and instances with several
+    /// objects may belong to several groups.
+    fn can_share(&self, step: f64) -> bool {
+        let (to_scene, bounds) = (&self.instance.to_scene, self.instance.mesh.bounds());
+        self.object.is_some() && (self.moves || is_trs(to_scene, &bounds, step / 2.0))
+    }
+}
+
+impl Plan {
+    /// Divides a scene. `groups` has the group of each object, and last that of faces without an object; all are below
+    /// `count`.
+    pub fn new(scene: &Scene, groups: &[u16], count: usize, step: f64, progress: &Progress) -> Result<Self> {
+        let group_of = group_function(groups, count)?;
+        let placed = placed_instances(scene);
+        let shared = shared_meshes(&placed, step, &group_of);
+        let numbers: HashMap<Shape, usize> =
+            shared.iter().enumerate().map(|(i, plan)| ((ptr::from_ref(&*plan.mesh), plan.turned), i)).collect();
+        let mut contents = vec![Contents::default(); count];
+        let mut reach: f32 = 0.0;
+        for one in &placed {
+            progress.check()?;
+            let known = one.object.filter(|_| one.can_share(step)).zip(numbers.get(&one.shape()).copied());
+            if let Some((object, number)) = known {
+                let contents = &mut contents[usize::from(group_of(object))];
+                if one.moves {
+                    contents.moving.push(Moving { instance: one.number, object, body: Body::Shared(number) });
+                } else {
+                    contents.placed.push((number, one.number));
+                }
+            } else if one.moves {
+                for (object, faces) in by_object(one) {
+                    let body = Body::Own(OwnFaces { instance: one.number, faces });
+                    let moving = Moving { instance: one.number, object, body };
+                    contents[usize::from(group_of(object))].moving.push(moving);
+                }
+            } else {
+                reach = reach.max(one.instance.bounds.reach());
+                for (group, faces) in by_group(one, &group_of) {
+                    contents[usize::from(group)].merged.push(OwnFaces { instance: one.number, faces });
+                }
+            }
+        }
+        Ok(Self { shared, groups: contents, merged_grid: Grid::new(step, f64::from(reach)) })
+    }
+}
+
+/// The group of an object by its number.
+fn group_function(groups: &[u16], count: usize) -> Result<impl Fn(i32) -> u16 + '_> {
+    let Some(last) = groups.len().checked_sub(1) else {
+        return Err(Error::value("groups", "a group for faces without an object", "none"));
+    };
+    if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {
+        return Err(Error::value("groups", format!("group numbers below {count}"), wrong));
+    }
+    Ok(move |object| groups[usize::try_from(object).map_or(last, |object| object.min(last))])
+}
+
+/// All instances with faces, in order.
+fn placed_instances(scene: &Scene) -> Vec<Placed<'_>> {
+    let standing = scene.standing.instances().len();
+    let placed = |(number, instance): (usize, &'_ Instance)| {
+        let object = match instance.mesh.objects {
+            FaceMap::Uniform(object) => Some(instance.object.unwrap_or(object)),
+            _ => instance.object,
+        };
+        (number, object)
+    };
+    let with_faces = scene.instances().enumerate().filter(|(_, instance)| !instance.mesh.faces.is_empty());
+    with_faces
+        .map(|(number, instance)| {
+            let (number, object) = placed((number, instance));
+            Placed { number: number as u32, instance, object, moves: number >= standing }
+        })
+        .collect()
+}
+
+/// Meshes with several placements, in the order of their first ones.
+fn shared_meshes(placed: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) -> Vec<SharedPlan> {
+    let mut users: HashMap<Shape, Vec<&Placed<'_>>> = HashMap::new();
+    for one in placed.iter().filter(|one| one.can_share(step)) {
+        users.entry(one.shape()).or_default().push(one);
+    }
+    let mut several: Vec<(Shape, Vec<&Placed<'_>>)> = users.into_iter().filter(|(_, users)| users.len() > 1).collect();
+    several.sort_by_key(|(_, users)| users[0].number);
+    let plan = |((_, turned), users): (Shape, Vec<&Placed<'_>>)| {
+        let mesh = Arc::clone(&users[0].instance.mesh);
+        let stretch_of = |one: &&Placed<'_>| {
+            let matrix = &one.instance.to_scene.matrix3;
+            if one.moves { greatest_stretch(matrix) } else { stretch(matrix) }
+        };
+        let stretch = users.iter().map(stretch_of).fold(f64::MIN_POSITIVE, f64::max);
+        let grid = Grid::new(step / stretch, f64::from(mesh.bounds().reach()));
+        let mut groups: Vec<u16> = users.iter().filter_map(|one| one.object.map(group_of)).collect();
+        groups.sort_unstable();
+        groups.dedup();
+        SharedPlan { mesh, turned, grid, stretch, groups }
+    };
+    several.into_iter().map(plan).collect()
+}
+
+/// Numbers of an instance's faces by what they belong to; `None` for all of them.
+type Faces = Option<Vec<u32>>;
+
+fn by_group(one: &Placed<'_>, group_of: &impl Fn(i32) -> u16) -> Vec<(u16, Faces)> {
+    match one.object {
+        Some(object) => vec![(group_of(object), None)],
+        None => divided(&one.instance.mesh, group_of),
+    }
+}
+
+fn by_object(one: &Placed<'_>) -> Vec<(i32, Faces)> {
+    match one.object {
+        Some(object) => vec![(object, None)],
+        None => divided(&one.instance.mesh, &|object| object),
+    }
+}
+
+/// Faces of a mesh that gives the objects, by a key of the object.
+fn divided<K: Ord + Copy>(mesh: &Mesh, key_of: &impl Fn(i32) -> K) -> Vec<(K, Faces)> {
+    let mut divided: BTreeMap<K, Vec<u32>> = BTreeMap::new();
+    let mut open = None;
+    let mut close = |open: Option<(usize, K)>, end: usize| {
+        if let Some((start, key)) = open {
+            divided.entry(key).or_default().extend(start as u32..end as u32);
+        }
+    };
+    for (start, object) in mesh.objects.runs(mesh.faces.len()) {
+        close(open.replace((start, key_of(object))), start);
+    }
+    close(open, mesh.faces.len());
+    let all = |faces: &Vec<u32>| faces.len() == mesh.faces.len();
+    divided.into_iter().map(|(key, faces)| (key, Some(faces).filter(|faces| !all(faces)))).collect()
+}

@@ -1,0 +1,36 @@
+//! Settings of an export.
+
+use crate::base::{Error, Result, number};
+
+/// Limits of `Settings::step`: far beyond what float32 positions and scenes need, and within the exponents of the
+/// EXPONENTIAL filter.
+const LEAST_STEP: f64 = 1.0 / (1u64 << 40) as f64;
+const MOST_STEP: f64 = (1u64 << 20) as f64;
+
+/// Settings of an export.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Step of the grid of positions in metres, rounded down to a power of two. A position differs from the scene's by
+    /// at most half a step on each axis. Coordinates beyond 2²³ steps get the next coarser one, as far as float32
+    /// demands; `Statistics` has the greatest error.
+    pub step: f64,
+    /// Whether arrays are compressed; otherwise files need no extension, unless images are WebP.
+    pub compressed: bool,
+}
+
+impl Default for Settings {
+    /// 2⁻¹⁰ m: errors of half a millimetre, up to 8 km from the origin.
+    fn default() -> Self {
+        Self { step: 1.0 / 1024.0, compressed: true }
+    }
+}
+
+impl Settings {
+    pub(super) fn check(&self) -> Result<()> {
+        if !(LEAST_STEP..=MOST_STEP).contains(&self.step) {
+            let expected = format!("metres from {} to {}", number(LEAST_STEP), number(MOST_STEP));
+            return Err(Error::value("step", expected, number(self.step)));
+        }
+        Ok(())
+    }
+}

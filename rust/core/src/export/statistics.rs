@@ -1,0 +1,79 @@
+//! Sizes, counts and errors of what was encoded.
+
+/// Kind of the bytes of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Positions of vertices.
+    Positions,
+    /// Normals of vertices.
+    Normals,
+    /// Texture coordinates of vertices.
+    Uvs,
+    /// Colours of vertices.
+    Colors,
+    /// Corners of faces.
+    Corners,
+    /// Placements of shared meshes.
+    Placements,
+    /// The JSON document with the headers and padding of the file.
+    Document,
+}
+
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Self; 7] =
+        [Self::Positions, Self::Normals, Self::Uvs, Self::Colors, Self::Corners, Self::Placements, Self::Document];
+
+    /// The kind's public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Positions => "positions",
+            Self::Normals => "normals",
+            Self::Uvs => "uvs",
+            Self::Colors => "colors",
+            Self::Corners => "corners",
+            Self::Placements => "placements",
+            Self::Document => "document",
+        }
+    }
+}
+
+/// Sizes, counts and errors of what was encoded.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    pub(super) bytes: [u64; Kind::ALL.len()],
+    /// Bytes of the same arrays without compression.
+    pub raw_bytes: u64,
+    /// Triangles stored.
+    pub triangles: u64,
+    /// Vertices stored.
+    pub vertices: u64,
+    /// Triangles shown: stored ones, and those of shared meshes at each placement.
+    pub drawn: u64,
+    /// Triangles left out because they have no area after rounding.
+    pub dropped: u64,
+    /// Greatest error of a position on each axis in metres.
+    pub position_error: f64,
+}
+
+impl Statistics {
+    /// Bytes of a kind.
+    pub fn bytes(&self, kind: Kind) -> u64 {
+        self.bytes[kind as usize]
+    }
+
+    pub(super) fn count(&mut self, kind: Kind, bytes: usize) {
+        self.bytes[kind as usize] += bytes as u64;
+    }
+
+    /// Adds what else was encoded.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.bytes.iter_mut().zip(other.bytes).for_each(|(sum, bytes)| *sum += bytes);
+        self.raw_bytes += other.raw_bytes;
+        self.triangles += other.triangles;
+        self.vertices += other.vertices;
+        self.drawn += other.drawn;
+        self.dropped += other.dropped;
+        self.position_error = self.position_error.max(other.position_error);
+    }
+}

@@ -1,0 +1,188 @@
+//! Materials with the images that the caller has named.
+
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
+
+use serde_json::{Value, json};
+
+use super::grid::Grid;
+use crate::base::{Error, Result};
+use crate::scene::{Alpha, Material, Scene, Texture};
+
+/// Greatest error of a texture coordinate in texels of the longer side, for coordinates up to 2²³ steps of its grid:
+/// 2¹¹ periods of a texture of up to 1024 texels. Farther ones have about the precision of float32.
+pub const UV_ERROR_TEXELS: f64 = 1.0 / 8.0;
+
+/// Greatest step of texture coordinates. A texture of up to 1024 texels gets it, larger ones get finer steps.
+const MOST_UV_STEP: f64 = 1.0 / 4096.0;
+
+const REPEAT: u32 = 10497;
+const LINEAR: u32 = 9729;
+const LINEAR_MIPMAP_LINEAR: u32 = 9987;
+
+/// Extension that textures with WebP images need.
+pub(super) const WEBP: &str = "EXT_texture_webp";
+
+/// Materials of a scene and URIs of its textures.
+#[derive(Debug)]
+pub(super) struct Surfaces {
+    materials: Arc<Vec<Material>>,
+    textures: Arc<Vec<Texture>>,
+    images: Vec<Option<String>>,
+    /// For each material the first one that is drawn alike; they may differ in what is not drawn.
+    alike: Vec<i32>,
+}
+
+impl Surfaces {
+    /// `images` are the URIs of the textures' images; materials without one are drawn without a texture.
+    pub fn new(scene: &Scene, images: Vec<Option<String>>) -> Result<Self> {
+        if images.len() != scene.textures.len() {
+            let expected = format!("a URI or none for each of {} textures", scene.textures.len());
+            return Err(Error::value("images", expected, images.len()));
+        }
+        let mut first: HashMap<_, i32> = HashMap::new();
+        let mut alike = Vec::with_capacity(scene.materials.len());
+        for (number, material) in scene.materials.iter().enumerate() {
+            let cutoff = match material.alpha {
+                Alpha::Opaque => None,
+                Alpha::Mask { cutoff } => Some(cutoff.to_bits()),
+            };
+            let texture = material.texture.filter(|&texture| images[texture as usize].is_some());
+            let looks = (material.base_color.map(f32::to_bits), texture, cutoff);
+            alike.push(*first.entry(looks).or_insert(number as i32));
+        }
+        Ok(Self { materials: Arc::clone(&scene.materials), textures: Arc::clone(&scene.textures), images, alike })
+    }
+
+    /// The first material that is drawn like this one; −1 for none.
+    #[inline]
+    pub fn drawn(&self, material: i32) -> i32 {
+        usize::try_from(material).ok().and_then(|number| self.alike.get(number)).map_or(-1, |&first| first)
+    }
+
+    fn material(&self, number: i32) -> Material {
+        usize::try_from(number).ok().and_then(|number| self.materials.get(number)).copied().unwrap_or_default()
+    }
+
+    /// Number of a material's texture, if its image has a URI.
+    #[inline]
+    pub fn texture(&self, material: i32) -> Option<u32> {
+        self.material(material).texture.filter(|&texture| self.images[texture as usize].is_some())
+    }
+
+    /// Texels of the longer side of a material's texture; 1 without one.
+    pub fn texels(&self, material: i32) -> f64 {
+        let texture = self.texture(material).map(|texture| &self.textures[texture as usize]);
+        texture.map_or(1.0, |texture| f64::from(texture.width.max(texture.height)))
+    }
+
+    /// The grid of a material's texture coordinates up to `reach`. Half its step is at most an eighth of a texel.
+    pub fn uv_grid(&self, material: i32, reach: f64) -> Grid {
+        Grid::new((2.0 * UV_ERROR_TEXELS / self.texels(material)).min(MOST_UV_STEP), reach)
+    }
+
+    /// The document's lists for materials, each with or without its texture, in this order. Also whether one of the
+    /// images is WebP.
+    pub fn describe(&self, used: &[(i32, bool)]) -> (BTreeMap<&'static str, Vec<Value>>, bool) {
+        let mut images = Vec::new();
+        let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
+        let mut textures = Vec::new();
+        let mut has_webp = false;
+        let mut materials = Vec::new();
+        for &(number, textured) in used {
+            let texture = self.texture(number).filter(|_| textured).map(|texture| {
+                *numbers.entry(texture).or_insert_with(|| {
+                    let uri = self.images[texture as usize].as_deref().unwrap_or_default();
+                    let is_webp = uri.to_ascii_lowercase().ends_with(".webp");
+                    has_webp |= is_webp;
+                    textures.push(texture_entry(images.len(), is_webp));
+                    images.push(json!({ "uri": uri }));
+                    images.len() - 1
+                })
+            });
+            materials.push(material_entry(&self.material(number), texture));
+        }
+        let sampler =
+            json!({ "magFilter": LINEAR, "minFilter": LINEAR_MIPMAP_LINEAR, "wrapS": REPEAT, "wrapT": REPEAT });
+        let samplers = if images.is_empty() { Vec::new() } else { vec![sampler] };
+        let lists =
+            [("materials", materials), ("textures", textures), ("images", images), ("samplers", samplers)].into();
+        (lists, has_webp)
+    }
+}
+
+fn texture_entry(image: usize, is_webp: bool) -> Value {
+    let mut entry = json!({ "sampler": 0 });
+    if is_webp {
+        entry["extensions"] = json!({ WEBP: { "source": image } });
+    } else {
+        entry["source"] = json!(image);
+    }
+    entry
+}
+
+fn material_entry(material: &Material, texture: Option<usize>) -> Value {
+    // glTF allows factors from 0 to 1; shading clamps to white in any case.
+    let color = material.base_color.map(|x| x.clamp(0.0, 1.0));
+    let mut surface = json!({ "baseColorFactor": color, "metallicFactor": 0, "roughnessFactor": 1 });
+    if let Some(texture) = texture {
+        surface["baseColorTexture"] = json!({ "index": texture });
+    }
+    let mut entry = json!({ "pbrMetallicRoughness": surface, "doubleSided": true });
+    if let Alpha::Mask { cutoff } = material.alpha {
+        entry["alphaMode"] = json!("MASK");
+        // Like 0, cutoffs below 0, which glTF does not allow, cut nothing out.
+        entry["alphaCutoff"] = json!(cutoff.max(0.0));
+    }
+    entry
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    fn surfaces(images: [Option<&str>; 2]) -> Surfaces {
+        let material = |texture, tag| Material { texture, tag, ..Material::default() };
+        let cut = Material { alpha: Alpha::Mask { cutoff: -0.5 }, ..material(None, 0) };
+        let materials = vec![material(Some(0), 1), material(None, 2), material(Some(0), 3), cut, material(Some(1), 0)];
+        let texture = |side: u32| Texture::new(side, 1, vec![[0; 4]; side as usize].into()).unwrap();
+        let textures = Arc::new(vec![texture(4), texture(1500)]);
+        let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::new(materials), textures).unwrap();
+        Surfaces::new(&scene, images.map(|uri| uri.map(Into::into)).into()).unwrap()
+    }
+
+    #[test]
+    fn materials_that_are_drawn_alike_are_one() {
+        let both = surfaces([Some("a.png"), Some("b.WebP")]);
+        assert_eq!([0, 1, 2, 3, 4, -1, 9].map(|number| both.drawn(number)), [0, 1, 0, 3, 4, -1, -1]);
+        let neither = surfaces([None, None]);
+        assert_eq!([0, 1, 2, 3, 4].map(|number| neither.drawn(number)), [0, 0, 0, 3, 0]);
+        assert!(neither.texture(0).is_none());
+    }
+
+    #[test]
+    fn only_used_images_are_listed_and_webp_needs_its_extension() {
+        let all = surfaces([Some("a.png"), Some("b.WebP")]);
+        let (lists, has_webp) = all.describe(&[(0, true), (0, false), (3, false), (-1, false)]);
+        assert!(!has_webp);
+        assert_eq!(lists["images"], [json!({ "uri": "a.png" })]);
+        assert_eq!(lists["textures"], [json!({ "sampler": 0, "source": 0 })]);
+        let with = |i: usize| lists["materials"][i]["pbrMetallicRoughness"].get("baseColorTexture").is_some();
+        assert_eq!([0, 1, 2, 3].map(with), [true, false, false, false]);
+        assert_eq!(lists["materials"][2]["alphaCutoff"], json!(0.0));
+        let (lists, has_webp) = all.describe(&[(4, true)]);
+        assert!(has_webp);
+        assert_eq!(lists["textures"], [json!({ "sampler": 0, "extensions": { WEBP: { "source": 0 } } })]);
+        assert!(all.describe(&[]).0.values().all(Vec::is_empty));
+    }
+
+    #[test]
+    fn texture_coordinates_are_exact_to_an_eighth_of_a_texel() {
+        let all = surfaces([Some("a.png"), Some("b.png")]);
+        assert_eq!(all.uv_grid(0, 1.0).step(), MOST_UV_STEP);
+        let step = all.uv_grid(4, 1.0).step();
+        assert!(step / 2.0 * 1500.0 <= UV_ERROR_TEXELS && step * 1500.0 > UV_ERROR_TEXELS);
+    }
+}
