@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 
 import nearfar as nf
 from tests.support import need, valid
@@ -16,7 +17,14 @@ CENTER = (3.0, 1.7, -2.0)
 RADII = (10.0, 22.0, 63.0)
 SIZE = 128
 VIEW = nf.Camera.look_at((3.6, 1.5, -1.4), (30, 3, -20), fov=nf.Fov.symmetric(90, 1.6), size=(160, 100))
-SETTINGS: dict[str, Any] = {"center": CENTER, "radii": RADII, "face_size": SIZE, "samples": 1, "quality": None}
+SETTINGS: dict[str, Any] = {
+    "center": CENTER,
+    "radii": RADII,
+    "face_size": SIZE,
+    "samples": 1,
+    "quality": None,
+    "step": 2.0**-14,
+}
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +64,9 @@ def test_a_client_shows_what_the_reduction_shows(
     # Lossless colour, so that pixels differ only where the rounded range decides what is in front.
     differs = np.abs(shown.to_image().astype(int) - expected.to_image()).max(axis=-1) > 1
     assert differs.mean() < 1e-3
-    alike = np.isclose(shown.require("range"), expected.require("range"), rtol=2.0**-10)
+    # Twice the error of stored ranges; moved vertices depend on how triangles are split, which rounding changes.
+    limit = 2.0**-10 if method == "exact" else 2.0**-9
+    alike = np.isclose(shown.require("range"), expected.require("range"), rtol=limit)
     assert alike.mean() > 0.999
 
 
@@ -211,6 +221,8 @@ def test_scenes_without_moving_objects_or_near_ones(tmp_path: Path) -> None:
         ({"radii": []}, "radii"),
         ({"center": (np.nan, 0, 0)}, "center"),
         ({"samples": 0}, "samples"),
+        ({"step": 0.0}, "step"),
+        ({"compression": "draco"}, "compression"),
     ],
 )
 def test_wrong_settings_are_refused(city: nf.Scene, tmp_path: Path, changes: dict[str, Any], text: str) -> None:
@@ -230,6 +242,22 @@ def test_wrong_rings_and_radii_of_a_bundle_are_refused(bundle: nf.stream.Bundle)
             bundle.at(1, radius)
     with pytest.raises(ValueError, match="name"):
         bundle.read("../manifest.json")
+
+
+def test_plain_geometry_is_what_other_readers_load(city: nf.Scene, folder: Path, tmp_path: Path) -> None:
+    plain = nf.stream.export(city, tmp_path / "plain", **SETTINGS, compression=None)
+    packed = nf.stream.open(folder)
+    for ring in range(1, 4):
+        sizes = [bundle.summary()[ring]["geometry"] for bundle in (plain, packed)]
+        # Descriptions of extensions outweigh what they save for a few triangles.
+        assert sizes[1] < sizes[0] or plain.summary()[ring]["triangles"] < 200
+        pictures = [bundle.at(ring).render(VIEW, samples=1).to_image().astype(int) for bundle in (plain, packed)]
+        assert (np.abs(pictures[0] - pictures[1]).max(axis=-1) > 1).mean() < 1e-3
+    manifest = json.loads((tmp_path / "plain" / "manifest.json").read_text())
+    for ring, row in zip(manifest["rings"][1:], plain.summary()[1:], strict=True):
+        loaded = trimesh.load_scene(tmp_path / "plain" / ring["geometry"])
+        assert sum(len(mesh.faces) for mesh in loaded.dump()) == row["triangles"]
+        assert ring["error"] <= 2.0**-10  # float32 of coordinates up to 16 km
 
 
 def test_other_folders_are_not_overwritten(city: nf.Scene, tmp_path: Path) -> None:

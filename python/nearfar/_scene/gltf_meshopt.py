@@ -55,4 +55,4 @@ def decoded(
         )
     except (SceneError, ValueError) as error:
         raise UnusableError(f"its buffer view {number} cannot be decoded: {error}") from None
-    return memoryview(words.view(np.uint8)[: count * stride])
+    return words.view(np.uint8)[: count * stride].data

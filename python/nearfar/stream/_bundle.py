@@ -69,14 +69,15 @@ class Bundle:
         Returns
         -------
         list
-            For each ring from 0 on `radius` in metres, `objects`, `triangles`, and the bytes of its `geometry`, `color`
-            and `range`. A file that an earlier ring has counts there only.
+            For each ring from 0 on `radius` in metres, `objects`, `triangles`, and the bytes of its `geometry` with
+            textures, `color` and `range`. A file that an earlier ring has counts there only.
         """
         seen: set[str] = set()
         rows = []
         for ring in self._rings:
             row = {name: ring[name] for name in ("radius", "objects", "triangles")}
-            for kind, value in (("geometry", ring["geometry"]), *((k, ring["map"].get(k)) for k in ("color", "range"))):
+            for kind in ("geometry", "color", "range"):
+                value = [*_names(ring["geometry"]), *ring["parts"]] if kind == "geometry" else ring["map"].get(kind)
                 names = set(_names(value)) - seen
                 seen |= names
                 row[kind] = sum(self._manifest["files"][name]["bytes"] for name in names)
@@ -139,8 +140,8 @@ class Bundle:
         """
         number = check.integer("ring", ring, 0, self.count)
         maps = [entry["map"] for entry in self._rings[: number + 1]]
-        color = decode_colors(maps, self._layout, self._open)
-        ranges = decode_ranges(maps, self._layout, self._open) if number else None
+        color = decode_colors(maps, self._layout, self.read)
+        ranges = decode_ranges(maps, self._layout, self.read) if number else None
         return EnvMap(self.center, color=color, range=ranges)
 
     def at(self, ring: int, radius: float | None = None) -> ReducedScene:
@@ -172,9 +173,8 @@ class Bundle:
         rings = []
         for place, entry in enumerate(self._rings[1 : number + 1], 1):
             if entry["geometry"] is not None:
-                rings.append(
-                    (f"ring {place}", ring_scene(self._open(entry["geometry"]), self._place(entry["geometry"])))
-                )
+                name = entry["geometry"]
+                rings.append((f"ring {place}", ring_scene(name, entry["parts"], self.read, self._place(name))))
         scene = joined(self._moving, rings)
         zones = partition(scene, center=self.center, r1=NEAR_SHARE * greatest, r2=greatest)
         counts = {**zones.summary(), "triangles": self._manifest["triangles"], "rays": 0}
@@ -192,10 +192,7 @@ class Bundle:
         if described is None:
             return None
         name = described["geometry"]
-        return moving_scene(self._open(name), described["instances"], self._place(name))
-
-    def _open(self, name: str) -> bytes:
-        return self.read(name)
+        return moving_scene(self.read(name), described["instances"], self._place(name))
 
     def _place(self, name: str) -> str:
         return f"{self._reader.place}/{name}"
@@ -263,7 +260,8 @@ def _check(manifest: dict[str, Any]) -> None:
     for ring in rings:
         for name in ("objects", "triangles"):
             check.integer(name, ring[name], 0, 2**62)
-        for value in (ring["geometry"], ring["map"].get("color"), ring["map"].get("range")):
+        parts = check.texts("parts", ring["parts"])
+        for value in (ring["geometry"], parts, ring["map"].get("color"), ring["map"].get("range")):
             for name in _names(value):
                 if name not in files:
                     raise ValueError(f"files: expected a file {check.shortened(name)}, which a ring needs")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 import numpy as np
@@ -12,6 +14,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import check, formats
+from nearfar._base.errors import FormatError, SceneError
 from nearfar._scene import glb
 from nearfar._scene.moving_rows import frames_of
 from nearfar._scene.names import Names, distinct
@@ -94,12 +97,16 @@ def decode_ranges(maps: Sequence[dict[str, Any]], layout: Layout, read: Read) ->
     return layout.scale.ranges(faces)
 
 
-def ring_scene(data: bytes, place: str) -> Scene:
+def ring_scene(name: str, parts: Sequence[str], read: Read, place: str) -> Scene:
     """The geometry of a ring; FormatError that names the file if it is damaged."""
-    with formats.guarded(place):
-        decoder = glb.Decoder(data, None)
-        core = decoder.decode()
-        return Scene(core, decoder.names, undrawn=decoder.undrawn)
+    with tempfile.TemporaryDirectory() as folder:
+        paths = {part: Path(folder) / PurePosixPath(part).name for part in (name, *parts)}
+        for part, path in paths.items():
+            path.write_bytes(read(part))
+        try:
+            return Scene.load(paths[name])
+        except SceneError as error:
+            raise FormatError(str(error).replace(str(paths[name]), place)) from None
 
 
 def moving_scene(data: bytes, instances: Any, place: str) -> Scene:

@@ -7,6 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from nearfar import _core
+from nearfar._base import glb as binary
+from nearfar._base import progress
 from nearfar._scene import glb
 from nearfar._scene.moving_rows import moving_rows
 from nearfar._scene.scene import Scene
@@ -14,7 +17,7 @@ from nearfar.stream import _map_files as codec
 from nearfar.stream._assign import Rings
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
-from nearfar.stream._store import described, named
+from nearfar.stream._store import FOLDER, described, named
 
 ACROSS = 16
 """Tiles in a row of a picture of changed tiles."""
@@ -68,25 +71,54 @@ def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: Ran
     return listed
 
 
-def ring_scene(rings: Rings, ring: int) -> Scene:
-    """The static objects of a ring, and the faces without an object if they belong to it."""
+def encode_geometry(
+    rings: Rings, files: Files, *, step: float, compressed: bool, quality: int | None
+) -> list[dict[str, Any]]:
+    """Encode the geometry of each ring from 1 on; meshes and images that rings share are files of their own."""
     scene = rings.scene
-    if rings.rest != ring:
-        return scene.subset(objects=rings.objects(ring))
-    return Scene(scene._core.without_objects(rings.ring != ring), scene._names, undrawn=scene._undrawn)
-
-
-def encode_geometry(rings: Rings, files: Files) -> list[dict[str, Any]]:
-    """Encode the geometry of each ring from 1 on."""
+    textures = [codec.encode_texture(texels, quality) for texels in _core.scene_parts(scene._core)["textures"]]
+    images = [named(data, "webp") for data in textures]
+    with progress.bar("encoding geometry") as report:
+        export = _core.Export(
+            scene._core,
+            rings.codes(),
+            rings.count + 2,
+            names=list(scene.object_names),
+            images=[_beside(name) for name in images],
+            step=step,
+            compressed=compressed,
+            report=report,
+        )
+    uris: list[str | None] = []
+    for data, groups, _ in export.shared():
+        users = sum(1 <= group <= rings.count for group in groups)
+        uris.append(_beside(files.add(data, "bin")) if users > 1 else None)
     listed = []
     for ring, row in enumerate(rings.summary()[: rings.count], 1):
-        near = ring_scene(rings, ring)
-        name = None
-        if near.triangle_count:
-            name = files.add(glb.encode(near._core, near.object_names, near._undrawn), "glb")
+        described: dict[str, Any] = {"geometry": None, "parts": []}
+        if row["triangles"]:
+            with progress.bar(f"encoding ring {ring}") as report:
+                data, facts = export.glb(ring, uris=uris, report=report)
+            parts = referenced(data)
+            for name, texture in zip(images, textures, strict=True):
+                if name in parts:
+                    files.add(texture, "webp")
+            described = {"geometry": files.add(data, "glb"), "parts": parts, "error": facts["position_error"]}
         counts = {"objects": row["objects"], "triangles": row["triangles"], "stored": row["stored"]}
-        listed.append({"radius": row["radius"], **counts, "geometry": name})
+        listed.append({"radius": row["radius"], **counts, **described})
     return listed
+
+
+def referenced(data: bytes) -> list[str]:
+    """Names of the files that a GLB of a bundle refers to."""
+    document, _ = binary.header(data)
+    entries = [*document.get("buffers", []), *document.get("images", [])]
+    return sorted({f"{FOLDER}/{entry['uri']}" for entry in entries if "uri" in entry})
+
+
+def _beside(name: str) -> str:
+    """URI of a file as other files in its folder refer to it."""
+    return name.removeprefix(f"{FOLDER}/")
 
 
 def moving_scene(rings: Rings) -> Scene | None:

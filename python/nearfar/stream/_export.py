@@ -31,6 +31,8 @@ def export(
     samples: int = 4,
     quality: int | None = 90,
     range_error: float = 2.0**-11,
+    step: float = 2.0**-10,
+    compression: str | None = "meshopt",
 ) -> Bundle:
     """Write a scene as a bundle: near geometry in rings about a centre, each with the map of what lies beyond it.
 
@@ -53,10 +55,15 @@ def export(
     samples
         Colour samples per texel, 1 to 1024.
     quality
-        Quality of the maps' WebP pictures, 0 to 100; None for lossless ones.
+        Quality of the WebP pictures of maps and textures, 0 to 100; None for lossless ones.
     range_error
         Greatest relative error of the maps' ranges, 10⁻⁶ to 0.1. Where 16 bits do not suffice for it, the error is
         larger; the manifest states it.
+    step
+        Positions are rounded to multiples of this, metres, so that neighbours stay joined; it becomes a power of two
+        that is not greater. Beyond 2²³ steps from the scene's origin they are as precise as float32.
+    compression
+        Of geometry: "meshopt" (`EXT_meshopt_compression`), or None for files that any reader of glTF 2.0 loads.
 
     Returns
     -------
@@ -83,6 +90,9 @@ def export(
     count = check.integer("samples", samples, 1, MOST_SAMPLES)
     level = None if quality is None else check.integer("quality", quality, 0, 100)
     error = check.within("range_error", range_error, 1e-6, 0.1)
+    grid = check.within("step", step, 1e-6, 1.0)
+    if compression is not None:
+        check.choice("compression", compression, ("meshopt",))
     middle = check.vector("center", center)
     if not _store.is_url(path):
         check.path("path", path)
@@ -91,8 +101,9 @@ def export(
     maps = bake_maps(rings, face_size=size, samples=count)
     files, scale = Files(), scale_of(maps, error)
     pictures = encode_maps(maps, files, quality=level, scale=scale)
-    geometry: list[dict[str, Any]] = [{"radius": 0.0, "objects": 0, "triangles": 0, "stored": 0, "geometry": None}]
-    geometry += encode_geometry(rings, files)
+    nothing: dict[str, Any] = {"objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
+    geometry = [{"radius": 0.0, **nothing}]
+    geometry += encode_geometry(rings, files, step=grid, compressed=compression is not None, quality=level)
     manifest = formats.header(
         NAME,
         VERSION,
