@@ -57,7 +57,7 @@ fn discs(x: u32, y: u32) -> bool {
 }
 
 fn checkers(x: u32, y: u32) -> bool {
-    (x + y) % 2 == 0
+    (x + y).is_multiple_of(2)
 }
 
 /// One read of a buffer at the speed of memory: eight running maxima for each thread's part.

@@ -278,7 +278,7 @@ mod tests {
     #[test]
     fn damaged_bytes_are_an_error_or_rows() {
         for (bytes, layout) in streams() {
-            for (number, word) in noise(2000).into_iter().enumerate() {
+            for (number, word) in noise(2_000).into_iter().enumerate() {
                 let mut damaged = bytes.clone();
                 damaged[(word.wrapping_mul(31) as usize + number) % bytes.len()] ^= 1 << (word % 8);
                 if let Ok(words) = decode(&damaged, layout) {
