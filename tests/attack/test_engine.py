@@ -67,3 +67,9 @@ def test_damage_depends_on_the_dice_alone_and_hits_everything() -> None:
     texts = [mutate_json.text(mutate_json.damaged(document, dice), dice) for dice in map(random.Random, range(300))]
     assert len(set(texts)) > 150
     assert document == {"a": [1, 2, {"b": "text"}], "c": None}
+
+
+def test_documents_with_numbers_beyond_float64_are_damaged_too() -> None:
+    document = {"a": 10**400, "b": [-(10**400), 1e308]}
+    results = [mutate_json.damaged(document, random.Random(seed)) for seed in range(300)]
+    assert len({repr(result) for result in results}) > 50
