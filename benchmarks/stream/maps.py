@@ -49,11 +49,13 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
         else:
             changed = np.flatnonzero(maps.changed_tiles(ring))
             tiles = len(changed)
-            data = codec.encode_color(codec.sheet_of(codec.tiles_of(env.color, changed, TILE), ACROSS), QUALITY)
-            color = len(data)
-            ranges = whole_range if ring == 1 else len(codec.encode_codes(codec.tiles_of(codes, changed, TILE)))
-            sheet = codec.decode_color(data, (ACROSS * TILE, -(-tiles // ACROSS) * TILE))
-            codec.put_tiles(shown, changed, codec.tiles_of_sheet(sheet, tiles, TILE))
+            color = ranges = 0
+            if tiles:
+                data = codec.encode_color(codec.sheet_of(codec.tiles_of(env.color, changed, TILE), ACROSS), QUALITY)
+                color, ranges = len(data), len(codec.encode_codes(codec.tiles_of(codes, changed, TILE)))
+                sheet = codec.decode_color(data, (ACROSS * TILE, -(-tiles // ACROSS) * TILE))
+                codec.put_tiles(shown, changed, codec.tiles_of_sheet(sheet, tiles, TILE))
+            ranges = whole_range if ring == 1 else ranges
             totals += (color, ranges, sum(map(len, whole)), whole_range)
         decoded = np.stack([codec.decode_color(data, (size, size)) for data in whole])
         quality = [decibels(picture, env.color) for picture in (shown, decoded)]

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import check, formats
 from nearfar._base.errors import FormatError, SceneError
-from nearfar._scene import glb
 from nearfar._scene.moving_rows import frames_of
 from nearfar._scene.names import Names, distinct
 from nearfar._scene.scene import Scene
@@ -111,6 +110,8 @@ def ring_scene(name: str, parts: Sequence[str], read: Read, place: str) -> Scene
 
 def moving_scene(data: bytes, instances: Any, place: str) -> Scene:
     """The dynamic objects; FormatError that names the file if it is damaged, or does not fit its description."""
+    from nearfar._scene import glb
+
     with formats.guarded(place):
         decoder = glb.Decoder(data, None)
         core, names = decoder.decode(), decoder.names

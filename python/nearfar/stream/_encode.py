@@ -10,7 +10,6 @@ import numpy as np
 from nearfar import _core
 from nearfar._base import glb as binary
 from nearfar._base import progress
-from nearfar._scene import glb
 from nearfar._scene.moving_rows import moving_rows
 from nearfar._scene.scene import Scene
 from nearfar.stream import _map_files as codec
@@ -129,6 +128,8 @@ def moving_scene(rings: Rings) -> Scene | None:
 
 def encode_moving(rings: Rings, files: Files) -> dict[str, Any] | None:
     """Encode the dynamic objects of a scene, with the transforms that they were loaded with."""
+    from nearfar._scene import glb
+
     moving = moving_scene(rings)
     if moving is None:
         return None
