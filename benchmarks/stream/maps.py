@@ -90,15 +90,25 @@ def seen_table(scene: nf.Scene, center: tuple[float, float, float], size: int, a
     rows = []
     ovc, ofc = nf.object_completion(truth, faces_of(scene, center))
     rows.append(["truth at O", f"{ovc:.3f}", f"{ofc:.3f}"])
+    ovc, ofc = nf.object_completion(truth, faces_of(first_picture(scene, center, size), user))
+    rows.append(["ring 0", f"{ovc:.3f}", f"{ofc:.3f}"])
     for radius in PUBLISHED:
         reduced = nf.reduce(scene, center=center, r1=0.7 * radius, r2=radius, unit="object", morph="cylinder",
                             channels=("color", "range", "object_id"), face_size=size, samples=1)  # fmt: skip
-        if radius == PUBLISHED[0]:
-            ovc, ofc = nf.object_completion(truth, faces_of(reduced.with_radius(0.0), user))
-            rows.append(["ring 0", f"{ovc:.3f}", f"{ofc:.3f}"])
         ovc, ofc = nf.object_completion(truth, faces_of(reduced, user))
         rows.append([f"ring to {radius:g} m", f"{ovc:.3f}", f"{ofc:.3f}"])
     return table(f"objects seen by a user {away:g} m beside O, all directions", ["picture", "OVC", "OFC"], rows)
+
+
+def first_picture(scene: nf.Scene, center: tuple[float, float, float], size: int) -> nf.ReducedScene:
+    """The map of ring 0 with object numbers, behind what moves."""
+    rings = nf.stream.assign(scene, center=center, radii=PUBLISHED)
+    maps = nf.stream.bake_maps(rings, face_size=size, object_id=True)
+    moving = scene.subset(objects=rings.objects(0))
+    zones = nf.partition(moving, center=center, r1=0.7 * PUBLISHED[0], r2=PUBLISHED[0])
+    counts = {**zones.summary(), "rays": 0}
+    reduced = nf.ReducedScene(moving, zones, maps.first, morph="cylinder", boundary="r2", counts=counts, is_whole=False)
+    return reduced.with_radius(0.0)
 
 
 def faces_of(source: Any, eye: tuple[float, float, float]) -> Any:
