@@ -219,7 +219,7 @@ def test_copies_that_share_no_mesh_look_alike(name: str) -> None:
     shared, copied = MAKERS[name](), MAKERS[name](instanced=False)
     assert copied.triangle_count == shared.triangle_count
     assert copied.object_names == shared.object_names
-    # What does not move is one mesh; each of the eight moving objects has its own.
+    # All static objects are one mesh; each of the eight moving objects has its own.
     assert copied.report.dynamic == shared.report.dynamic == 8
     assert copied.report.meshes == copied.report.instances == 9
     assert shared.report.instances > 100

@@ -16,7 +16,7 @@ from nearfar._scene.gltf_nodes import composed
 INSTANCING = "EXT_mesh_gpu_instancing"
 
 _DEFAULTS = {"TRANSLATION": (0.0, 0.0, 0.0), "ROTATION": (0.0, 0.0, 0.0, 1.0), "SCALE": (1.0, 1.0, 1.0)}
-"""What the transform of an instance has where a file says nothing."""
+"""Parts of an instance's transform that a file leaves out."""
 
 _BYTES = 512
 """Bytes of memory that an instance takes: some copies of its transform, its name and its place in the scene."""

@@ -15,7 +15,7 @@ MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 
 
 def stream(view: dict[str, Any]) -> dict[str, Any] | None:
-    """What an extension says of a view: where its compressed bytes are, and what they stand for; None for none."""
+    """An extension's description of a view: place of its compressed bytes, and their layout; None without one."""
     extensions = view.get("extensions", {})
     found: dict[str, Any] | None = next((extensions[name] for name in MESHOPT if name in extensions), None)
     return found

@@ -15,7 +15,7 @@ from nearfar._base import card, check, progress
 from nearfar._scene.scene import Scene, core_of
 
 RULES = ("object", "vertex")
-"""What counts as inside a radius: any point of an object's triangles, or one of their corners."""
+"""Points of an object that can be inside a radius: those of its triangles, or their corners alone."""
 
 MOST_RINGS = 1000
 """Greatest number of rings."""

@@ -56,16 +56,17 @@ def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: Ran
         tiles = np.flatnonzero(maps.changed_tiles(ring))
         described: dict[str, Any] = {"tiles": tiles.tolist(), "color": None, "range": None}
         assert env.range is not None
-        codes = scale.codes(env.range)
         if len(tiles):
             sheet = codec.sheet_of(codec.tiles_of(env.color, tiles, TILE), ACROSS)
             described["color"] = files.add(codec.encode_color(sheet, quality), "webp")
         if ring == 1:
             every = np.arange(6 * (first.face_size // TILE) ** 2)
-            whole = codec.tiles_of(codes, every, TILE).reshape(6, -1, TILE, TILE)
+            whole = codec.tiles_of(scale.codes(env.range), every, TILE).reshape(6, -1, TILE, TILE)
             described["range"] = [files.add(codec.encode_codes(face), "range") for face in whole]
         elif len(tiles):
-            described["range"] = files.add(codec.encode_codes(codec.tiles_of(codes, tiles, TILE)), "range")
+            described["range"] = files.add(
+                codec.encode_codes(scale.codes(codec.tiles_of(env.range, tiles, TILE))), "range"
+            )
         listed.append(described)
     return listed
 

@@ -25,7 +25,7 @@ PITCH = 6.0
 ASIDE = 3.8
 """Distance of a row of slots from its line of columns, metres."""
 
-# What the four blocks of each row hold: Lathes, Mills, Presses, Robots at a conveyor, Benches, Tanks, Compressors.
+# Machines in the four blocks of each row: Lathes, Mills, Presses, Robots at a conveyor, Benches, Tanks, Compressors.
 _ROWS = (
     (-53.8, "CTTC"), (-46.2, "TTTT"), (-33.8, "PRRL"), (-26.2, "MLMP"), (-13.8, "LRRB"), (-6.2, "BPML"),
     (6.2, "MLPM"), (13.8, "PRBR"), (26.2, "LMLM"), (33.8, "BPRB"),

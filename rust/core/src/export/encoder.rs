@@ -40,7 +40,7 @@ pub struct SharedMesh {
 pub struct Glb {
     /// Its bytes.
     pub bytes: Vec<u8>,
-    /// What it holds; shared meshes in buffers of their own are counted there, except for the triangles drawn.
+    /// Counts and bytes of its content; shared meshes in buffers of their own are counted there, except for the triangles drawn.
     pub statistics: Statistics,
 }
 

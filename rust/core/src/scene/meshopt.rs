@@ -20,7 +20,7 @@ const TRIANGLES_TAIL: usize = 16;
 /// Bytes at the end of indices.
 const INDICES_TAIL: usize = 4;
 
-/// What the rows of a stream are.
+/// The codec of a stream, by its kind of rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// Rows of vertices.
@@ -31,7 +31,7 @@ pub enum Mode {
     Indices,
 }
 
-/// What attributes are decoded to after the codec.
+/// The filter that turns decoded rows into attributes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Filter {
     /// They stay as they are.
@@ -46,16 +46,16 @@ pub enum Filter {
     Color,
 }
 
-/// What a stream is decoded to.
+/// Size and kind of a decoded stream.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
     /// Number of rows.
     pub count: usize,
     /// Bytes of a row: a multiple of 4 up to 256 for attributes, 2 or 4 for indices.
     pub stride: usize,
-    /// What the rows are.
+    /// Kind of the rows.
     pub mode: Mode,
-    /// What attributes are decoded to; other rows have no filter.
+    /// Filter of attributes; other rows have none.
     pub filter: Filter,
 }
 
