@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar.stereo._passes import single_holes
 from tests.support import data
 
 SCENES: dict[str, Callable[[], nf.Scene]] = {
@@ -50,12 +51,26 @@ def check(name: str, views: int) -> None:
             inner = surrounded(whole, reach)
             missing = inner & (getattr(frame, side).require("coverage") == 0.0)
             checked += int(inner.sum())
-            # Surfaces that cross the plane less than a metre beside the line of sight, and edges that are hidden in the
-            # eye's own view, leave single pixels.
-            assert missing.sum() <= 8, (head, ahead, hmd.name, rig.mono_plane)
+            # Gaps of one pixel are filled; one of two pixels was found in a thousand pictures.
+            assert missing.sum() <= 2, (head, ahead, hmd.name, rig.mono_plane)
             worst = max(worst, int(missing.sum()))
     print(f"{name}: at most {worst} pixels of a picture are missing in {views} views")
     assert checked > 5000 * views
+
+
+def test_outlines_have_no_holes() -> None:
+    """Gaps one pixel wide are found, and nothing beside straight outlines of any direction."""
+    rows, columns = np.mgrid[:60, :80] + 0.5
+    for turn in np.linspace(0.0, 2.0 * np.pi, 97):
+        beside = np.cos(turn) * (columns - 40.0) + np.sin(turn) * (rows - 30.0)
+        half = beside < 0.3
+        # Beyond the picture all counts as covered, so its own edge is left out.
+        assert not single_holes(half)[1:-1, 1:-1].any()
+    crack = np.ones((9, 9), bool)
+    crack[4, 2:7] = False
+    assert (single_holes(crack) == ~crack).all()
+    crack[5] = False
+    assert not single_holes(crack)[4:6, 3:6].any()
 
 
 @pytest.mark.parametrize("name", ["beams", "spheres", "landscape"])

@@ -77,6 +77,8 @@ class Passes:
             for side, camera, images in zip(EYES, (left, right), eyes, strict=True):
                 with self._timed("assembly"):
                     self._assemble(side, camera, images, center, shared)
+                if self._fills:
+                    self._fill(side, camera, images)
         return eyes[0], eyes[1], shared
 
     def _shared(self, camera: Camera, eyes: list[Images]) -> Images:
@@ -103,7 +105,7 @@ class Passes:
         mask: NDArray[np.bool_] | None = None,
         faces: bool = False,
     ) -> Images:
-        extra = ["coverage"] if near else []
+        extra = ["coverage"] if near or self._fills else []
         if faces or (near and self._others):
             extra.append("face_id")
         channels = dict.fromkeys([*self.view.shot.channels, *extra])
@@ -177,7 +179,7 @@ class Passes:
                 core.resolve(side, coverage, scene._core, center._core, settings, picture, images["color"])
             else:
                 core.assemble(side, coverage, shared["color"], images["color"])
-        if set(self.view.wanted) == {"color"}:
+        if set(self.view.wanted) == {"color"} and "coverage" not in shared:
             return
         nearest = core.nearest(side, coverage)
         if self._others:
@@ -193,6 +195,29 @@ class Passes:
         if "coverage" in shared:
             # The share of its own surfaces, and of the shared picture's behind the rest.
             images["coverage"] = coverage + (1.0 - coverage) * shared["coverage"].reshape(-1)[nearest]
+
+    def _fill(self, side: str, camera: Camera, images: Images) -> None:
+        """Show what the eye sees beyond the plane in single pixels that both pictures leave open, in place.
+
+        A surface that is seen on its edge, or crosses the plane beside the line of sight, shows the eye one side, and
+        the third camera the other one.
+        """
+        beyond = self._between(self.rig.planes[1], self.far)
+        covered, tried = images["coverage"] > 0.0, np.zeros(images["coverage"].shape, bool)
+        self.stats["pixels"].setdefault("filled", 0)
+        # Where one is filled, its neighbour may turn out to be one.
+        while (holes := single_holes(covered) & ~tried).any():
+            found = self._pass(side, camera, beyond, mask=holes)
+            filled = holes & (found["coverage"] > 0.0)
+            for name in {*self.view.wanted, "coverage"}:
+                images[name][filled] = found[name][filled]
+            covered, tried = covered | filled, tried | holes
+            self.stats["pixels"]["filled"] += int(filled.sum())
+
+    @property
+    def _fills(self) -> bool:
+        """Whether single open pixels are filled: by the tracer, whose work is that of these pixels alone."""
+        return self.device is None and not self.rig.has_zone
 
     @property
     def _others(self) -> list[str]:
@@ -272,6 +297,16 @@ class Passes:
         yield
         seconds = self.stats["seconds"]
         seconds[name] = seconds.get(name, 0.0) + time.perf_counter() - start
+
+
+def single_holes(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Pixels (H, W) that are not covered, though those on two opposite sides are; beyond the edge counts as covered.
+
+    Outside a straight outline there are none, whatever its direction.
+    """
+    padded = np.pad(covered, 1, constant_values=True)
+    across, upright = padded[1:-1, :-2] & padded[1:-1, 2:], padded[:-2, 1:-1] & padded[2:, 1:-1]
+    return np.asarray(~covered & (across | upright))
 
 
 def check_depths(rig: RigGeometry, near: float, far: float) -> tuple[float, float]:
