@@ -23,7 +23,7 @@ FAR = 1000.0
 CULLS = ("frustum", "discard", "occlusion")
 KINDS = (*CULLS, "resolved")
 """Hybrid pictures: those assembled bilinearly by what is culled, and those that are resolved."""
-STAGES = ("left", "right", "culling", "center", "assembly")
+STAGES = ("left", "right", "culling", "center", "assembly", "filling")
 HEAD = (0.0, 1.7, 0.0)
 AHEAD = (0.0, 0.0, 0.0, 1.0)
 
@@ -124,7 +124,7 @@ def found_stages(frame: nf.StereoFrame) -> dict[str, float]:
 
 
 STAGE_HEADER = [
-    *("m, m", "left / right / culling / centre / assembly, s"),
+    *("m, m", "left / right / culling / centre / assembly / filling, s"),
     *("triangles of left / right / centre, thousands", "drawn thrice", "against plain"),
     *("pixels of left / right / centre, thousands", "against plain"),
 ]

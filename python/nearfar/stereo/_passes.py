@@ -104,7 +104,9 @@ class Passes:
         near: bool = False,
         mask: NDArray[np.bool_] | None = None,
         faces: bool = False,
+        stage: str | None = None,
     ) -> Images:
+        """Draw one picture; its seconds count for the stage, which has the picture's name by default."""
         extra = ["coverage"] if near or self._fills else []
         if faces or (near and self._others):
             extra.append("face_id")
@@ -120,7 +122,7 @@ class Passes:
             occlusion=self.cull == "occlusion",
             instances=None if self._views is None else (self._views & _BITS[name]) > 0,
         )
-        with self._timed(name):
+        with self._timed(stage or name):
             if near and self.rig.has_zone:
                 images = self._zone(name, camera, shot)
             else:
@@ -207,7 +209,7 @@ class Passes:
         self.stats["pixels"].setdefault("filled", 0)
         # Where one is filled, its neighbour may turn out to be one.
         while (holes := single_holes(covered) & ~tried).any():
-            found = self._pass(side, camera, beyond, mask=holes)
+            found = self._pass(side, camera, beyond, mask=holes, stage="filling")
             filled = holes & (found["coverage"] > 0.0)
             for name in {*self.view.wanted, "coverage"}:
                 images[name][filled] = found[name][filled]

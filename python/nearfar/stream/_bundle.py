@@ -8,21 +8,14 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-
-from nearfar._base import card, check, formats
+from nearfar._base import card, check
 from nearfar._base.errors import FormatError
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
-from nearfar.stream import _store
+from nearfar.stream import _manifest, _store
 from nearfar.stream._decode import Layout, decode_colors, decode_ranges, joined, moving_scene, ring_scene
-
-NAME, VERSION = "bundle", 1
-"""Name of the manifest's format without "nearfar.", and its version."""
-
-NEAR_SHARE = 0.7
-"""Part of a ring's radius inside which nothing is morphed, as CloVR (2024) chose it."""
+from nearfar.stream._manifest import NEAR_SHARE, names_of
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -77,8 +70,8 @@ class Bundle:
         for ring in self._rings:
             row = {name: ring[name] for name in ("radius", "objects", "triangles")}
             for kind in ("geometry", "color", "range"):
-                value = [*_names(ring["geometry"]), *ring["parts"]] if kind == "geometry" else ring["map"].get(kind)
-                names = set(_names(value)) - seen
+                value = [*names_of(ring["geometry"]), *ring["parts"]] if kind == "geometry" else ring["map"].get(kind)
+                names = set(names_of(value)) - seen
                 seen |= names
                 row[kind] = sum(self._manifest["files"][name]["bytes"] for name in names)
             rows.append(row)
@@ -209,13 +202,6 @@ class Bundle:
         return f"Bundle({self._reader.place!r}: {self.count} rings to {self.radii[-1]:g} m, {self.nbytes:,} bytes)"
 
 
-def _names(value: Any) -> list[str]:
-    """Names of the files of an entry: one, several or none."""
-    if value is None:
-        return []
-    return [value] if isinstance(value, str) else list(value)
-
-
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     """Open a bundle that `export` wrote; its files are read when they are needed.
 
@@ -232,40 +218,4 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
         If there is no manifest.
     """
     reader = _store.reader(path)
-    where = f"{reader.place}/{_store.MANIFEST}"
-    data = reader.read(_store.MANIFEST)
-    with formats.guarded(where):
-        document = formats.from_json(data)
-    manifest = formats.check(document, NAME, VERSION, where)
-    with formats.guarded(where):
-        _check(manifest)
-    return Bundle(reader, manifest)
-
-
-def _check(manifest: dict[str, Any]) -> None:
-    """Raise one of the errors of damage for a manifest that cannot be used."""
-    check.vector("center", manifest["center"])
-    check.integer("triangles", manifest["triangles"], 0, 2**62)
-    layout = Layout.of(manifest["map"])
-    files = manifest["files"]
-    for name, entry in files.items():
-        check.integer(f"{name}: bytes", entry["bytes"], 0, 2**50)
-        check.text(f"{name}: sha256", entry["sha256"])
-        if not name.startswith(f"{_store.FOLDER}/") or ".." in name or "\\" in name:
-            raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
-    rings = check.items("rings", manifest["rings"], dict, "descriptions of rings")
-    radii = [check.at_least_zero("radius", ring["radius"]) for ring in rings]
-    if len(radii) < 2 or radii[0] != 0.0 or (np.diff(radii) <= 0).any():
-        raise ValueError(f"rings: expected radii that ascend from 0, got {check.shortened(radii)}")
-    for ring in rings:
-        for name in ("objects", "triangles"):
-            check.integer(name, ring[name], 0, 2**62)
-        parts = check.texts("parts", ring["parts"])
-        for value in (ring["geometry"], parts, ring["map"].get("color"), ring["map"].get("range")):
-            for name in _names(value):
-                if name not in files:
-                    raise ValueError(f"files: expected a file {check.shortened(name)}, which a ring needs")
-    layout.check([ring["map"] for ring in rings])
-    dynamic = manifest["dynamic"]
-    if dynamic is not None and dynamic["geometry"] not in files:
-        raise ValueError("files: expected the file of dynamic objects")
+    return Bundle(reader, _manifest.read(reader))

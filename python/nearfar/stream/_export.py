@@ -12,9 +12,10 @@ from nearfar._base import check, formats
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _store
 from nearfar.stream._assign import assign
-from nearfar.stream._bundle import NAME, NEAR_SHARE, VERSION, Bundle
+from nearfar.stream._bundle import Bundle
 from nearfar.stream._bundle import open as open_bundle
 from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, encode_moving, scale_of
+from nearfar.stream._manifest import NAME, NEAR_SHARE, VERSION
 from nearfar.stream._maps import MOST_SAMPLES, TILE, bake_maps
 from nearfar.stream._radii import rings as choose
 
