@@ -43,13 +43,18 @@ class Bundle:
 
     @property
     def files(self) -> tuple[str, ...]:
-        """Names of all files but the manifest."""
+        """Names of the files that clients load: all but `manifest.json` and `tileset.json`."""
         return tuple(self._manifest["files"])
 
     @property
     def nbytes(self) -> int:
-        """Size of all files without the manifest."""
+        """Size of the files that clients load, in bytes."""
         return sum(entry["bytes"] for entry in self._manifest["files"].values())
+
+    @property
+    def _listed(self) -> dict[str, dict[str, Any]]:
+        """Size and hash of every file but the manifest, by name."""
+        return {**self._manifest["files"], _store.TILESET: self._manifest["tileset"]}
 
     @property
     def _rings(self) -> list[dict[str, Any]]:
@@ -83,7 +88,7 @@ class Bundle:
         Parameters
         ----------
         name
-            The file's name in the manifest.
+            The file's name in the manifest, or "tileset.json".
 
         Raises
         ------
@@ -92,7 +97,7 @@ class Bundle:
         FormatError
             For a file that is missing or differs; the message names it.
         """
-        listed = self._manifest["files"]
+        listed = self._listed
         if check.text("name", name) not in listed:
             raise ValueError(f"name: expected a file of the manifest, got {check.shortened(name)}")
         if name not in self._kept:
@@ -112,7 +117,7 @@ class Bundle:
         FormatError
             For the first file that is missing or differs; the message names it.
         """
-        for name in self._manifest["files"]:
+        for name in self._listed:
             self.read(name)
             del self._kept[name]
 

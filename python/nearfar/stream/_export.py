@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import check, formats
 from nearfar._scene.scene import Scene, core_of
-from nearfar.stream import _store
+from nearfar.stream import _store, _tileset
 from nearfar.stream._assign import assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._bundle import open as open_bundle
@@ -38,7 +38,8 @@ def export(
     """Write a scene as a bundle: near geometry in rings about a centre, each with the map of what lies beyond it.
 
     A client shows the picture of ring 0, which is a map alone, as soon as it has that; each further ring makes nearby
-    objects geometry. Files are named by their content, so that a server may let clients keep them for ever.
+    objects geometry. Files are named by their content, so that a server may let clients keep them for ever. Viewers of
+    3D Tiles show the near geometry of all rings: `tileset.json` lists it.
 
     Parameters
     ----------
@@ -105,6 +106,8 @@ def export(
     nothing: dict[str, Any] = {"objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
     geometry = [{"radius": 0.0, **nothing}]
     geometry += encode_geometry(rings, files, step=grid, compressed=compression is not None, quality=level)
+    dynamic = encode_moving(rings, files)
+    tileset = _tileset.encode(middle, geometry, dynamic, files.content)
     manifest = formats.header(
         NAME,
         VERSION,
@@ -121,10 +124,11 @@ def export(
             "range": {"least": scale.least, "step": scale.step, "error": scale.error},
         },
         rings=[{**ring, "map": picture} for ring, picture in zip(geometry, pictures, strict=True)],
-        dynamic=encode_moving(rings, files),
+        dynamic=dynamic,
         notes=list(scene.report.notes),
+        tileset=_store.described(tileset),
         files=files.listed(),
     )
     text = formats.to_json(manifest, compact=True).encode()
-    _store.write(path, {**files.content, _store.MANIFEST: text})
+    _store.write(path, {**files.content, _store.TILESET: tileset, _store.MANIFEST: text})
     return open_bundle(path)

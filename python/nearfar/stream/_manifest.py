@@ -42,9 +42,10 @@ def _check(manifest: dict[str, Any]) -> None:
     check.integer("triangles", manifest["triangles"], 0, 2**62)
     layout = Layout.of(manifest["map"])
     files = manifest["files"]
-    for name, entry in files.items():
+    for name, entry in {**files, _store.TILESET: manifest["tileset"]}.items():
         check.integer(f"{name}: bytes", entry["bytes"], 0, 2**50)
         check.text(f"{name}: sha256", entry["sha256"])
+    for name in files:
         if not name.startswith(f"{_store.FOLDER}/") or ".." in name or "\\" in name:
             raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
     rings = check.items("rings", manifest["rings"], dict, "descriptions of rings")

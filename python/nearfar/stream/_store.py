@@ -14,6 +14,7 @@ from nearfar._base import check, files
 from nearfar._base.errors import FormatError
 
 MANIFEST = "manifest.json"
+TILESET = "tileset.json"
 FOLDER = "files"
 """Folder of the files that are named by their content."""
 
@@ -88,15 +89,15 @@ def reader(path: str | os.PathLike[str]) -> Reader:
 
 
 def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
-    """Write the files of a bundle, which include the manifest.
+    """Write the files of a bundle, which include the manifest and the tileset.
 
-    A local folder is written aside and takes its place at once; of a URL the manifest is written last, and no file with
+    A local folder is written aside and takes its place at once; of a URL these two are written last, and no file with
     a name of its content changes, so that a reader never sees a part.
     """
     if is_url(path):
         system, root = _system(str(path))
         system.makedirs(f"{root}/{FOLDER}", exist_ok=True)
-        for name in sorted(content, key=lambda name: (name == MANIFEST, name)):
+        for name in sorted(content, key=lambda name: (name in (TILESET, MANIFEST), name)):
             system.pipe_file(f"{root}/{name}", content[name])
         return
     with files.atomic_folder(check.path("path", path), marker=MANIFEST) as folder:
