@@ -14,8 +14,9 @@ from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream import _manifest, _store
-from nearfar.stream._decode import Layout, decode_colors, decode_ranges, joined, moving_scene, ring_scene
+from nearfar.stream._decode import Layout, decode_colors, decode_ranges, joined, ring_scene
 from nearfar.stream._manifest import NEAR_SHARE, names_of
+from nearfar.stream._moving import moving_scene
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -184,8 +185,7 @@ class Bundle:
         described = self._manifest["dynamic"]
         if described is None:
             return None
-        name = described["geometry"]
-        return moving_scene(self.read(name), described["instances"], self._place(name))
+        return moving_scene(described, self.read, self._place(described["geometry"]))
 
     def _place(self, name: str) -> str:
         return f"{self._reader.place}/{name}"

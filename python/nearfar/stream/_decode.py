@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import check, formats
+from nearfar._base import check
 from nearfar._base.errors import FormatError, SceneError
-from nearfar._scene.moving_rows import frames_of
+from nearfar._scene.assembly import Assembled
 from nearfar._scene.names import Names, distinct
 from nearfar._scene.scene import Scene
 from nearfar.stream import _map_files as codec
@@ -98,26 +98,21 @@ def decode_ranges(maps: Sequence[dict[str, Any]], layout: Layout, read: Read) ->
 
 def ring_scene(name: str, parts: Sequence[str], read: Read, place: str) -> Scene:
     """The geometry of a ring; FormatError that names the file if it is damaged."""
+    return Scene._from_assembled(assembled(name, parts, read, place))
+
+
+def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves: bool = False) -> Assembled:
+    """The parts of a scene of files, whose objects are all dynamic with `moves`."""
+    from nearfar._scene import load
+
     with tempfile.TemporaryDirectory() as folder:
         paths = {part: Path(folder) / PurePosixPath(part).name for part in (name, *parts)}
         for part, path in paths.items():
             path.write_bytes(read(part))
         try:
-            return Scene.load(paths[name])
+            return load.load(paths[name], moves=moves)
         except SceneError as error:
             raise FormatError(str(error).replace(str(paths[name]), place)) from None
-
-
-def moving_scene(data: bytes, instances: Any, place: str) -> Scene:
-    """The dynamic objects; FormatError that names the file if it is damaged, or does not fit its description."""
-    from nearfar._scene import glb
-
-    with formats.guarded(place):
-        decoder = glb.Decoder(data, None)
-        core, names = decoder.decode(), decoder.names
-        rows = check.items("instances", instances, dict, "descriptions of instances")
-        frames, rest = frames_of(rows, names, core.moving_placements(), place)
-        return Scene(core, names, frames=frames, rest=rest, undrawn=decoder.undrawn)
 
 
 def joined(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:

@@ -14,7 +14,7 @@ from nearfar.stream import _store
 from nearfar.stream._assign import assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._bundle import open as open_bundle
-from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, encode_moving, scale_of
+from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, scale_of
 from nearfar.stream._manifest import NAME, NEAR_SHARE, VERSION
 from nearfar.stream._maps import MOST_SAMPLES, TILE, bake_maps
 from nearfar.stream._radii import rings as choose
@@ -103,8 +103,8 @@ def export(
     files, scale = Files(), scale_of(maps, error)
     pictures = encode_maps(maps, files, quality=level, scale=scale)
     nothing: dict[str, Any] = {"objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
-    geometry = [{"radius": 0.0, **nothing}]
-    geometry += encode_geometry(rings, files, step=grid, compressed=compression is not None, quality=level)
+    near, moving = encode_geometry(rings, files, step=grid, compressed=compression is not None, quality=level)
+    geometry = [{"radius": 0.0, **nothing}, *near]
     manifest = formats.header(
         NAME,
         VERSION,
@@ -121,7 +121,7 @@ def export(
             "range": {"least": scale.least, "step": scale.step, "error": scale.error},
         },
         rings=[{**ring, "map": picture} for ring, picture in zip(geometry, pictures, strict=True)],
-        dynamic=encode_moving(rings, files),
+        dynamic=moving,
         notes=list(scene.report.notes),
         files=files.listed(),
     )

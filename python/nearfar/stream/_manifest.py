@@ -61,5 +61,7 @@ def _check(manifest: dict[str, Any]) -> None:
                     raise ValueError(f"files: expected a file {check.shortened(name)}, which a ring needs")
     layout.check([ring["map"] for ring in rings])
     dynamic = manifest["dynamic"]
-    if dynamic is not None and dynamic["geometry"] not in files:
-        raise ValueError("files: expected the file of dynamic objects")
+    if dynamic is not None:
+        for name in (check.text("geometry", dynamic["geometry"]), *check.texts("parts", dynamic["parts"])):
+            if name not in files:
+                raise ValueError(f"files: expected a file {check.shortened(name)}, which dynamic objects need")
