@@ -53,6 +53,11 @@ class Bundle:
         return sum(entry["bytes"] for entry in self._manifest["files"].values())
 
     @property
+    def findings(self) -> tuple[str, ...]:
+        """What makes the bundle show little, a sentence each: its centre, empty rings, endless objects, units."""
+        return tuple(self._manifest["findings"])
+
+    @property
     def _rings(self) -> list[dict[str, Any]]:
         rings: list[dict[str, Any]] = self._manifest["rings"]
         return rings
@@ -196,6 +201,7 @@ class Bundle:
         for number, row in enumerate(self.summary()):
             text = f"{row['triangles']:,} triangles, {row['geometry']:,} + {row['color']:,} + {row['range']:,} bytes"
             facts.append((f"ring {number}, to {row['radius']:g} m", text))
+        facts += [("note", finding) for finding in self.findings]
         return card.page("Bundle", facts)
 
     def __repr__(self) -> str:

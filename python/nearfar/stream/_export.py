@@ -17,6 +17,7 @@ from nearfar.stream._bundle import open as open_bundle
 from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, scale_of
 from nearfar.stream._manifest import NAME, NEAR_SHARE, VERSION
 from nearfar.stream._maps import MOST_SAMPLES, TILE, bake_maps
+from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import rings as choose
 
 MOST_FACE_SIZE = 4096
@@ -123,6 +124,7 @@ def export(
         rings=[{**ring, "map": picture} for ring, picture in zip(geometry, pictures, strict=True)],
         dynamic=moving,
         notes=list(scene.report.notes),
+        findings=findings_of(rings),
         files=files.listed(),
     )
     text = formats.to_json(manifest, compact=True).encode()

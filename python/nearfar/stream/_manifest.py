@@ -40,6 +40,8 @@ def _check(manifest: dict[str, Any]) -> None:
     """Raise one of the errors of damage for a manifest that cannot be used."""
     check.vector("center", manifest["center"])
     check.integer("triangles", manifest["triangles"], 0, 2**62)
+    for name in ("notes", "findings"):
+        check.texts(name, manifest[name])
     layout = Layout.of(manifest["map"])
     files = manifest["files"]
     for name, entry in files.items():
