@@ -134,7 +134,7 @@ def test_damaged_descriptions_name_the_file(tmp_path: Path) -> None:
     wrong += [[*rows[:-1], rows[-1] | {key: value}] for key in ("rest", "transform") for value in (1, [[0.0]], "x")]
     for instances in wrong:
         path.write_text(json.dumps(manifest | {"dynamic": manifest["dynamic"] | {"instances": instances}}))
-        with pytest.raises(nf.FormatError, match=Path(manifest["dynamic"]["geometry"]).name):
+        with pytest.raises(nf.FormatError, match=Path(manifest["dynamic"]["geometry"]).name + "|manifest.json"):
             nf.stream.open(tmp_path / "b").at(0)
     assert bundle.at(0).scene.triangle_count == 8
 

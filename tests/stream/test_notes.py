@@ -96,9 +96,8 @@ def test_units_that_look_wrong_are_told() -> None:
 def test_long_objects_are_those_of_all_corners() -> None:
     """The oracle takes the triangles of each object out of the scene."""
     city = nf.datasets.city(blocks=3, detail=0)
-    moved = nf.Scene.from_arrays(
-        city.triangles().reshape(-1, 3) + [60_000.0, 0, 0], np.arange(3 * city.triangle_count).reshape(-1, 3)
-    )
+    corners = np.add(city.triangles().reshape(-1, 3), (60_000.0, 0, 0))
+    moved = nf.Scene.from_arrays(corners, np.arange(len(corners)).reshape(-1, 3))
     for of, center, radii in (
         (city, (3.0, 1.7, -2.0), (4.0, 9.0)),
         (city, (3.0, 1.7, -2.0), (60.0, 70.0)),

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from nearfar._base import card, check
-from nearfar._base.errors import FormatError
+from nearfar._base import card, check, formats
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
@@ -106,7 +105,7 @@ class Bundle:
             try:
                 data = self._reader.read(name)
             except FileNotFoundError:
-                raise FormatError(f"{place}/{name}: expected the file that the manifest lists, found none") from None
+                raise _store.missing(place, name) from None
             self._kept[name] = _store.checked(place, name, data, listed[name])
         return self._kept[name]
 
@@ -139,8 +138,8 @@ class Bundle:
         """
         number = check.integer("ring", ring, 0, self.count)
         maps = [entry["map"] for entry in self._rings[: number + 1]]
-        color = decode_colors(maps, self._layout, self.read)
-        ranges = decode_ranges(maps, self._layout, self.read) if number else None
+        color = decode_colors(maps, self._layout, self._decoded)
+        ranges = decode_ranges(maps, self._layout, self._decoded) if number else None
         return EnvMap(self.center, color=color, range=ranges)
 
     def at(self, ring: int, radius: float | None = None) -> ReducedScene:
@@ -192,6 +191,11 @@ class Bundle:
             return None
         return moving_scene(described, self.read, self._place(described["geometry"]))
 
+    def _decoded(self, name: str, decode: Callable[[bytes], Any]) -> Any:
+        data = self.read(name)
+        with formats.guarded(self._place(name)):
+            return decode(data)
+
     def _place(self, name: str) -> str:
         return f"{self._reader.place}/{name}"
 
@@ -209,7 +213,9 @@ class Bundle:
 
 
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
-    """Open a bundle that `export` wrote; its files are read when they are needed.
+    """Open a bundle that `export` wrote; its files are read when they are needed, and checked.
+
+    In a local folder all files must be there with the listed sizes.
 
     Parameters
     ----------
@@ -219,9 +225,14 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     Raises
     ------
     FormatError
-        For a manifest that is damaged or newer than this version reads.
+        For a manifest that is damaged or newer than this version reads, and for a file of a local folder that is
+        missing or has another size; the message names the file.
+    ValueError
+        For a URL whose file system is not known, and where fsspec is missing.
     OSError
         If there is no manifest.
     """
     reader = _store.reader(path)
-    return Bundle(reader, _manifest.read(reader))
+    manifest = _manifest.read(reader)
+    _store.check_presence(reader, manifest["files"])
+    return Bundle(reader, manifest)

@@ -39,10 +39,11 @@ def _outside(rings: Rings) -> str:
     center = np.array(rings.center)
     away = np.maximum(np.maximum(low - center, center - high), 0.0)
     distance = math.hypot(*away)
-    if not distance or (away[[0, 2]] == 0.0).all() and 0.0 < center[1] - high[1] <= rings.radii[-1]:
+    is_beside = bool(away[[0, 2]].any())
+    if not distance or (not is_beside and 0.0 < center[1] - high[1] <= rings.radii[-1]):
         return ""
     where = "outside the bounds of the scene"
-    if not away[[0, 2]].any():
+    if not is_beside:
         where = "below the scene's lowest point" if center[1] < low[1] else "above the scene's highest point"
     shown = f"{distance:.3g}" if distance < 1000.0 else f"{distance:,.0f}"
     return f"the centre lies {shown} m {where}"
