@@ -83,7 +83,7 @@ def test_behind_a_url_the_first_use_names_the_file(folder: Path) -> None:
             system.pipe_file(f"/damaged/{name}", altered)
         opened = nf.stream.open("memory://damaged")
         for act in (opened.verify, lambda: use(opened)):  # noqa: B023
-            with pytest.raises(nf.FormatError, match=f"memory://damaged/{name}: expected "):
+            with pytest.raises(nf.FormatError, match=re.escape(f"memory://damaged/{name}: expected ")):
                 act()
         system.pipe_file(f"/damaged/{name}", b"")
 
@@ -116,6 +116,15 @@ HEADER = ("generator", "units", "axes", "origin")
 WRONG = (True, -1, 0.5, 2**70, "x", "../x", [], {}, [[]], [None], [-1.0])
 
 
+def refusal(folder: Path) -> str:
+    """The message with which a bundle, or one of its uses, is refused; "" if all can be used."""
+    try:
+        use(nf.stream.open(folder))
+    except nf.FormatError as error:
+        return str(error)
+    return ""
+
+
 def check_values(folder: Path, values: tuple[Any, ...]) -> int:
     """Put values in all places of a manifest; returns how many were refused. What breaks the schema must be."""
     path = folder / "manifest.json"
@@ -126,11 +135,10 @@ def check_values(folder: Path, values: tuple[Any, ...]) -> int:
         for value in values:
             document = changed(whole, place, value)
             path.write_text(json.dumps(document))
-            try:
-                use(nf.stream.open(folder))
-            except nf.FormatError as error:
-                assert str(folder) in str(error)
-                assert "\n" not in str(error)
+            message = refusal(folder)
+            if message:
+                assert str(folder) in message
+                assert "\n" not in message
                 refused += 1
                 continue
             # Python's True is a number in lists, as 1 is.
@@ -188,7 +196,7 @@ def test_manifests_that_are_no_document_are_refused(copied: Path, data: bytes) -
 
 def test_a_missing_manifest_is_named(tmp_path: Path) -> None:
     for place in (tmp_path, tmp_path / "none", tmp_path / "none" / "manifest.json"):
-        with pytest.raises(FileNotFoundError, match="manifest.json"):
+        with pytest.raises(FileNotFoundError, match=r"manifest\.json"):
             nf.stream.open(place)
     need("fsspec")
     with pytest.raises(FileNotFoundError, match=r"memory://nowhere/manifest\.json"):
@@ -248,17 +256,14 @@ class Fuzz:
 
 def check_fuzzed(folder: Path, mutate: Callable[[Path, st.DataObject], None], data: st.DataObject) -> None:
     files = content(folder)
-    try:
-        mutate(folder, data)
-        use(nf.stream.open(folder))
-    except nf.FormatError as error:
-        assert str(folder) in str(error)
-        assert len(str(error)) < len(str(folder)) + 600
-    finally:
-        shutil.rmtree(folder)
-        for name, content_of in files.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_bytes(content_of)
+    mutate(folder, data)
+    message = refusal(folder)
+    shutil.rmtree(folder)
+    for name, original in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(original)
+    assert not message or str(folder) in message
+    assert len(message) < len(str(folder)) + 600
 
 
 QUICK = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
