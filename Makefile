@@ -33,8 +33,8 @@ demo: .venv/built
 test: lint test-rust .venv/built .venv/test
 	$(bin)/python -m pytest -n auto --dist worksteal
 
-# Tests that take seconds each: whole programs, notebooks, real scenes. `make test` leaves them out.
-test-slow: .venv/built .venv/test
+# Tests that take seconds each: whole programs, notebooks, real scenes, other programs' readers. `make test` leaves them out.
+test-slow: .venv/built .venv/test .venv/readers
 	$(bin)/python -m pytest -n auto --dist worksteal -m "slow and not stress"
 
 # Formatting, lints and types only.
@@ -74,7 +74,7 @@ notebooks: .venv/built .venv/test
 	$(bin)/python scripts/notebooks.py $(OUT)/notebooks
 
 # Large sizes and many random cases: the whole of Tokyo, tens of millions of triangles, thousands of examples.
-stress: .venv/built .venv/test
+stress: .venv/built .venv/test .venv/readers
 	cargo test --release --quiet --workspace -- --include-ignored
 	NEARFAR_HYPOTHESIS=thorough $(bin)/python -m pytest -m "stress or not stress"
 
@@ -97,7 +97,7 @@ setup: .venv/built .venv/test
 
 # Remove what was built, installed and written.
 clean:
-	rm -rf .venv target $(OUT) python/nearfar/_core.abi3.so
+	rm -rf .venv target $(OUT) python/nearfar/_core.abi3.so tests/readers/node_modules
 
 # The environment itself, once cargo is known to be there.
 .venv/made:
@@ -118,6 +118,12 @@ clean:
 	$(pip) -r .venv/test.txt
 	$(pip) --no-deps pyrender==0.1.45
 	touch $@
+
+# Readers of glTF and 3D Tiles from npm; without it the tests that run them skip.
+.venv/readers: .venv/made tests/readers/package.json tests/readers/package-lock.json
+	@if command -v npm > /dev/null; then \
+		npm ci --prefix tests/readers --ignore-scripts --no-audit --no-fund --loglevel=error && touch $@; \
+	else echo "readers: skipped; they need npm (scripts/system-packages.sh)"; fi
 
 # What only the benchmarks compare with.
 .venv/bench: .venv/test

@@ -151,6 +151,7 @@ def test_a_missing_or_altered_file_is_named(city: nf.Scene, tmp_path: Path, dama
         ({"files": {"../secret": {"bytes": 1, "sha256": "0"}}}, "files"),
         ({"map": {"face_size": 10**9}}, "face_size"),
         ({"dynamic": {"geometry": "files/none.glb"}}, "triangles"),
+        ({"tileset": {"bytes": -1, "sha256": "0"}}, "tileset"),
     ],
 )
 def test_manifests_that_cannot_be_used_are_refused(

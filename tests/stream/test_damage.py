@@ -57,7 +57,10 @@ def test_a_missing_or_altered_file_is_named(copied: Path, damage: str) -> None:
         if altered is not None:
             (copied / name).write_bytes(altered)
         named = re.escape(f"{copied}/{name}: expected ")
-        for act in (opened.verify, lambda: use(opened), lambda: opened.read(name)):  # noqa: B023
+        acts: list[Callable[[], object]] = [opened.verify, lambda: opened.read(name)]  # noqa: B023
+        if name != "tileset.json":  # which is for other programs
+            acts.append(lambda: use(opened))  # noqa: B023
+        for act in acts:
             with pytest.raises(nf.FormatError, match=named):
                 act()
         if damage == "changed":
@@ -113,7 +116,7 @@ def changed(document: Any, path: tuple[Any, ...], value: Any) -> Any:
 HEADER = ("generator", "units", "axes", "origin")
 """Fields of all our files that say how to read them; readers of one version need none of them."""
 
-WRONG = (True, -1, 0.5, 2**70, "x", "../x", [], {}, [[]], [None], [-1.0])
+WRONG: tuple[Any, ...] = (True, -1, 0.5, 2**70, "x", "../x", [], {}, [[]], [None], [-1.0])
 
 
 def refusal(folder: Path) -> str:

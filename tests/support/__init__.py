@@ -18,6 +18,7 @@ from referencing import Registry, Resource
 import nearfar as nf
 from nearfar._base import data as data_files
 from nearfar._base import formats
+from tests.support.reader_cases import no_browser, no_node
 
 
 def _module(name: str) -> Callable[[], str]:
@@ -76,6 +77,7 @@ def _release() -> str:
 
 
 PARTS: dict[str, Callable[[], str]] = {
+    "browser": no_browser,
     "data": _data_folder,
     "DracoPy": _module("DracoPy"),
     "distributed": _module("distributed"),
@@ -90,6 +92,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "matplotlib": _module("matplotlib"),
     "miniball": _module("miniball"),
     "OpenEXR": _module("OpenEXR"),
+    "node": no_node,
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")() or _module("ipywidgets")(),
     "pyrender": _pyrender,
     "release": _release,

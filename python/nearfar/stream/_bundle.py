@@ -43,18 +43,22 @@ class Bundle:
 
     @property
     def files(self) -> tuple[str, ...]:
-        """Names of all files but the manifest."""
+        """Names of the files that clients load: all but `manifest.json` and `tileset.json`."""
         return tuple(self._manifest["files"])
 
     @property
     def nbytes(self) -> int:
-        """Size of all files without the manifest."""
+        """Size of the files that clients load, in bytes."""
         return sum(entry["bytes"] for entry in self._manifest["files"].values())
 
     @property
     def findings(self) -> tuple[str, ...]:
         """What makes the bundle show little, a sentence each: its centre, empty rings, endless objects, units."""
         return tuple(self._manifest["findings"])
+
+    @property
+    def _listed(self) -> dict[str, dict[str, Any]]:
+        return _manifest.listed(self._manifest)
 
     @property
     def _rings(self) -> list[dict[str, Any]]:
@@ -88,7 +92,7 @@ class Bundle:
         Parameters
         ----------
         name
-            The file's name in the manifest.
+            The file's name in the manifest, or "tileset.json".
 
         Raises
         ------
@@ -97,7 +101,7 @@ class Bundle:
         FormatError
             For a file that is missing or differs; the message names it.
         """
-        listed = self._manifest["files"]
+        listed = self._listed
         if check.text("name", name) not in listed:
             raise ValueError(f"name: expected a file of the manifest, got {check.shortened(name)}")
         if name not in self._kept:
@@ -117,7 +121,7 @@ class Bundle:
         FormatError
             For the first file that is missing or differs; the message names it.
         """
-        for name in self._manifest["files"]:
+        for name in self._listed:
             self.read(name)
             del self._kept[name]
 
@@ -234,5 +238,5 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     """
     reader = _store.reader(path)
     manifest = _manifest.read(reader)
-    _store.check_presence(reader, manifest["files"])
+    _store.check_presence(reader, _manifest.listed(manifest))
     return Bundle(reader, manifest)

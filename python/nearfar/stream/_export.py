@@ -39,7 +39,8 @@ def export(
     """Write a scene as a bundle: near geometry in rings about a centre, each with the map of what lies beyond it.
 
     A client shows the picture of ring 0, which is a map alone, as soon as it has that; each further ring makes nearby
-    objects geometry. Files are named by their content, so that a server may let clients keep them for ever.
+    objects geometry. Files are named by their content, so that a server may let clients keep them for ever. Viewers of
+    3D Tiles show the near geometry of all rings: `tileset.json` lists it.
 
     Parameters
     ----------
@@ -87,6 +88,8 @@ def export(
     ----------
     CloVR (2024): rings of near geometry, each with its cube map. Maps as changes to the one before are ours.
     """
+    from nearfar.stream import _tileset
+
     core_of(scene)
     size = check.integer("face_size", face_size, TILE, MOST_FACE_SIZE)
     if size % TILE:
@@ -107,6 +110,7 @@ def export(
     nothing: dict[str, Any] = {"objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
     near, moving = encode_geometry(rings, files, step=grid, compressed=compression is not None, quality=level)
     geometry = [{"radius": 0.0, **nothing}, *near]
+    tileset = _tileset.encode(middle, geometry, moving, files.content)
     manifest = formats.header(
         NAME,
         VERSION,
@@ -126,8 +130,9 @@ def export(
         dynamic=moving,
         notes=list(scene.report.notes),
         findings=findings_of(rings),
+        tileset=_store.described(tileset),
         files=files.listed(),
     )
     text = formats.to_json(manifest, compact=True).encode()
-    _store.write(path, {**files.content, _store.MANIFEST: text})
+    _store.write(path, {**files.content, _store.TILESET: tileset, _store.MANIFEST: text})
     return open_bundle(path)

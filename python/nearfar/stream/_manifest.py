@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -41,6 +42,11 @@ def read(reader: _store.Reader) -> dict[str, Any]:
     return manifest
 
 
+def listed(manifest: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Size and hash of every file of a bundle but the manifest, by name."""
+    return {**manifest["files"], _store.TILESET: manifest["tileset"]}
+
+
 def names_of(value: Any) -> list[str]:
     """Names of the files of an entry: one, several or none."""
     if value is None:
@@ -66,6 +72,7 @@ def _check(manifest: dict[str, Any]) -> None:
     files = manifest["files"]
     for name, entry in files.items():
         _check_file(name, entry)
+    _check_described(_store.TILESET, manifest["tileset"])
     rings = check.items("rings", manifest["rings"], dict, "descriptions of rings")
     radii = [check.at_least_zero("radius", ring["radius"]) for ring in rings]
     if len(radii) < 2 or radii[0] != 0.0 or (np.diff(radii) <= 0).any():
@@ -89,6 +96,10 @@ def _check_file(name: str, entry: dict[str, Any]) -> None:
     folder, _, own = name.partition("/")
     if folder != _store.FOLDER or own in ("", ".", "..") or not _NAME.fullmatch(own):
         raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
+    _check_described(name, entry)
+
+
+def _check_described(name: str, entry: dict[str, Any]) -> None:
     check.integer(f"{name}: bytes", entry["bytes"], 0, 2**50)
     if not _HASH.fullmatch(check.text(f"{name}: sha256", entry["sha256"])):
         raise ValueError(f"{name}: sha256: expected 64 digits of 0-9a-f, got {check.shortened(entry['sha256'])}")

@@ -15,6 +15,7 @@ from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
 
 MANIFEST = "manifest.json"
+TILESET = "tileset.json"
 FOLDER = "files"
 """Folder of the files that are named by their content."""
 
@@ -56,11 +57,8 @@ class _Folder:
         return (self._path / name).read_bytes()
 
     def sizes(self) -> Mapping[str, int] | None:
-        folder = self._path / FOLDER
-        if not folder.is_dir():
-            return {}
-        with os.scandir(folder) as entries:
-            return {f"{FOLDER}/{entry.name}": entry.stat().st_size for entry in entries if entry.is_file()}
+        paths = [self._path / TILESET, *self._path.glob(f"{FOLDER}/*")]
+        return {path.relative_to(self._path).as_posix(): path.stat().st_size for path in paths if path.is_file()}
 
 
 class _Remote:
@@ -178,10 +176,11 @@ def _refuse_foreign_manifest(path: Path, wanted: str) -> None:
 
 
 def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
-    """Write the files of a bundle, which include the manifest.
+    """Write the files of a bundle, which include the manifest and the tileset.
 
-    A local folder is written aside and takes its place at once. At a URL the manifest is written last, and files that
-    are there already, by name and size, are not touched: until then a reader sees the bundle that was there before.
+    A local folder is written aside and takes its place at once. At a URL the tileset and last the manifest are written
+    after all files, and files that are there already, by name and size, are not touched: until then a reader sees the
+    bundle that was there before.
     """
     if not is_url(path):
         with files.atomic_folder(local(path), marker=MANIFEST) as folder:
@@ -193,7 +192,7 @@ def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
     with _as_os_errors(str(path), "written"):
         system.makedirs(f"{root}/{FOLDER}", exist_ok=True)
         present = _sizes_at(system, f"{root}/{FOLDER}")
-        for name in sorted(content, key=lambda name: (name == MANIFEST, name)):
+        for name in sorted(content, key=lambda name: (name == MANIFEST, name == TILESET, name)):
             if name == MANIFEST or present.get(name) != len(content[name]):
                 system.pipe_file(f"{root}/{name}", content[name])
 
@@ -230,7 +229,9 @@ def differs(place: str, name: str, field: str, expected: object, found: object) 
 def check_presence(source: Reader, listed: Mapping[str, Mapping[str, Any]]) -> None:
     """Compare the files of a local folder with a manifest's sizes; FormatError that names the first wrong one."""
     sizes = source.sizes()
-    for name, entry in listed.items() if sizes is not None else ():
+    if sizes is None:
+        return
+    for name, entry in listed.items():
         if name not in sizes:
             raise missing(source.place, name)
         if sizes[name] != entry["bytes"]:

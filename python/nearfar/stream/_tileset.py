@@ -1,0 +1,102 @@
+"""The near part of a bundle as a 3D Tiles 1.1 tileset, for other programs' viewers: a tile for each ring's GLB.
+
+Tilesets are z-up; viewers turn the y-up content of glTF by (x, y, z) → (x, −z, y) themselves (3D Tiles 1.1, "glTF
+transforms"), so boxes are turned here and content is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import formats, glb
+from nearfar._base.version import __version__
+from nearfar._scene import gltf_instances, gltf_nodes
+from nearfar._scene.budget import Budget
+from nearfar._scene.gltf_buffers import Buffers
+
+VERSION = "1.1"
+"""Of 3D Tiles."""
+
+GRID = 2.0**-10
+"""Boxes end at multiples of this, metres, at least one of them outside of the geometry: flat ones have a volume, and
+the bytes do not depend on how sums are rounded."""
+
+_TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+
+
+def encode(
+    center: Sequence[float],
+    rings: Sequence[Mapping[str, Any]],
+    dynamic: Mapping[str, Any] | None,
+    content: Mapping[str, bytes],
+) -> bytes:
+    """Encode `tileset.json`.
+
+    Parameters
+    ----------
+    center
+        World position of the centre in metres, where the box of a tileset without geometry lies.
+    rings, dynamic
+        As the manifest describes them; those with geometry become tiles, dynamic objects in the pose that they were
+        loaded in.
+    content
+        Files by name.
+    """
+    tiles = [
+        (entry["geometry"], {"ring": number, "radius": entry["radius"]})
+        for number, entry in enumerate(rings)
+        if entry["geometry"] is not None
+    ]
+    if dynamic is not None:
+        tiles.append((dynamic["geometry"], {"dynamic": True}))
+    boxes = [box_of(content[name]) for name, _ in tiles]
+    # Files whose faces all lost their area show nothing.
+    shown = [(tile, box) for tile, box in zip(tiles, boxes, strict=True) if box is not None]
+    whole = _union([box for _, box in shown]) if shown else np.array([center, center])
+    # Without its children the root shows nothing, which is wrong by as much as there is to show.
+    error = float(np.ceil(np.linalg.norm(whole[1] - whole[0])))
+    root: dict[str, Any] = {"boundingVolume": _volume(whole), "geometricError": error, "refine": "ADD"}
+    if shown:
+        root["children"] = [
+            {"boundingVolume": _volume(box), "geometricError": 0.0, "content": {"uri": name}, "extras": facts}
+            for (name, facts), box in shown
+        ]
+    asset = {"version": VERSION, "extras": {"generator": f"nearfar {__version__}"}}
+    return formats.to_json({"asset": asset, "geometricError": error, "root": root}, compact=True).encode()
+
+
+def box_of(data: bytes) -> NDArray[np.float64] | None:
+    """Box (2, 3) in glTF's axes, metres, around the placed boxes of a GLB's meshes; None if it shows none."""
+    document, end = glb.header(data)
+    budget = Budget(len(data) << 20)  # our own file
+    buffers = Buffers(document, glb.binary(data, end), None, budget)
+    meshes = {number: [str(number)] for number in range(len(document.get("meshes", [])))}
+    nodes = gltf_nodes.placed(document, meshes, gltf_instances.transforms(document, buffers, budget))
+    if not nodes.shapes:
+        return None
+    local = np.array([_mesh_box(document, mesh) for mesh in document["meshes"]])[[int(name) for name in nodes.shapes]]
+    linear, offset = nodes.transforms[:, :3, :3], nodes.transforms[:, :3, 3]
+    middle = np.einsum("nij,nj->ni", linear, local.mean(axis=1)) + offset
+    half = np.einsum("nij,nj->ni", np.abs(linear), np.ptp(local, axis=1) / 2)
+    return np.array([(middle - half).min(axis=0), (middle + half).max(axis=0)])
+
+
+def _mesh_box(document: dict[str, Any], mesh: dict[str, Any]) -> NDArray[np.float64]:
+    accessors = [document["accessors"][primitive["attributes"]["POSITION"]] for primitive in mesh["primitives"]]
+    return _union([np.array([accessor["min"], accessor["max"]], np.float64) for accessor in accessors])
+
+
+def _union(boxes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
+    return np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
+
+
+def _volume(box: NDArray[np.float64]) -> dict[str, list[float]]:
+    """A bounding volume, z-up: the middle, then half of each edge."""
+    corners = np.stack([np.floor(box[0] / GRID) - 1, np.ceil(box[1] / GRID) + 1]) * GRID
+    turned = corners @ _TO_Z_UP.T
+    half = np.ptp(turned, axis=0) / 2
+    return {"box": [*turned.mean(axis=0).tolist(), *np.diag(half).ravel().tolist()]}

@@ -1,0 +1,153 @@
+"""Runs other programs' readers: scripts in Node, and a page in headless Chromium. They lie in tests/readers."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import queue
+import shutil
+import signal
+import subprocess
+import threading
+import time
+from collections.abc import Iterable, Mapping
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path(__file__).resolve().parents[1] / "readers"
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+SECONDS = 300
+"""After which a program that does not answer is stopped."""
+
+_FLAGS = (
+    "--headless",
+    "--no-sandbox",
+    "--no-first-run",
+    "--disable-quic",
+    "--disable-sync",
+    "--disable-dev-shm-usage",
+    "--disable-background-networking",
+    "--disable-component-update",
+    # WebGL 2 without a graphics card.
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+)
+
+
+def no_node() -> str:
+    """Return why scripts cannot run in Node, or "" if they can."""
+    if not shutil.which("node"):
+        return "node is not installed"
+    return "" if (FOLDER / "node_modules").is_dir() else "`npm ci --prefix tests/readers` has not run"
+
+
+def no_browser() -> str:
+    """Return why pages cannot be shown, or "" if they can."""
+    return no_node() if _browser() else f"there is no {' or '.join(BROWSERS)}; see scripts/system-packages.sh"
+
+
+def _browser() -> str | None:
+    return next(filter(None, map(shutil.which, BROWSERS)), None)
+
+
+def node(script: str, paths: Iterable[Path]) -> dict[str, Any]:
+    """What a script prints as JSON about files."""
+    command = ["node", str(FOLDER / script), *map(str, paths)]
+    process = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+    assert process.returncode == 0, process.stderr
+    answer: dict[str, Any] = json.loads(process.stdout)
+    return answer
+
+
+class _Handler(SimpleHTTPRequestHandler):
+    """Serves the readers, and bundles below /bundles; takes the page's answer."""
+
+    def __init__(
+        self, *request: Any, job: bytes, bundles: Mapping[str, Path], answers: queue.Queue[bytes], **kept: Any
+    ) -> None:
+        self._job, self._bundles, self._answers = job, bundles, answers
+        super().__init__(*request, directory=str(FOLDER), **kept)
+
+    def translate_path(self, path: str) -> str:
+        parts = path.split("/")
+        if parts[1] == "bundles":
+            return str(self._bundles[parts[2]].joinpath(*parts[3:]))
+        return super().translate_path(path)
+
+    def do_GET(self) -> None:
+        if self.path == "/job.json":
+            self._reply(self._job, "application/json")
+        else:
+            super().do_GET()
+
+    def do_POST(self) -> None:
+        self._answers.put(self.rfile.read(int(self.headers["Content-Length"])))
+        self._reply(b"", "text/plain")
+
+    def _reply(self, content: bytes, kind: str) -> None:
+        self.send_response(200)
+        self.send_header("Content-Type", kind)
+        self.send_header("Content-Length", str(len(content)))
+        self.end_headers()
+        self.wfile.write(content)
+
+    def log_message(self, *_: Any) -> None:
+        """Print nothing."""
+
+
+def in_browser(bundles: Mapping[str, Path], views: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, Any]:
+    """What three.js and 3d-tiles-renderer load of bundles, by the bundles' names.
+
+    Parameters
+    ----------
+    bundles
+        Folders by name.
+    views
+        For each the `eye` and `target` in metres, `size` in pixels and the vertical `angle` in degrees of a picture.
+    folder
+        An empty folder for the browser's profile.
+    """
+    described = [
+        {"name": name, "place": f"/bundles/{name}", "files": _glbs(path), "view": views[name]}
+        for name, path in bundles.items()
+    ]
+    answers: queue.Queue[bytes] = queue.Queue()
+    job = json.dumps({"bundles": described}).encode()
+    handler = partial(_Handler, job=job, bundles=bundles, answers=answers)
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        try:
+            answer = _shown(f"http://127.0.0.1:{server.server_port}/page.html", answers, folder)
+        finally:
+            server.shutdown()
+    assert "error" not in answer, answer["error"]
+    return answer
+
+
+def _glbs(bundle: Path) -> list[str]:
+    return sorted(f"files/{path.name}" for path in (bundle / "files").glob("*.glb"))
+
+
+def _shown(url: str, answers: queue.Queue[bytes], folder: Path) -> dict[str, Any]:
+    """Show a page until it answers."""
+    browser = _browser()
+    assert browser
+    with (folder / "log").open("w") as log:
+        command = [browser, *_FLAGS, f"--user-data-dir={folder / 'profile'}", url]
+        process = subprocess.Popen(command, stdout=log, stderr=log, start_new_session=True)
+        try:
+            deadline = time.monotonic() + SECONDS
+            while True:
+                try:
+                    answer: dict[str, Any] = json.loads(answers.get(timeout=1))
+                    return answer
+                except queue.Empty:
+                    is_over = process.poll() is not None or time.monotonic() > deadline
+                    assert not is_over, f"no answer from {browser}: {(folder / 'log').read_text()[-2000:]}"
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
