@@ -40,10 +40,10 @@ test-slow: .venv/built .venv/test .venv/readers
 # Formatting, lints and types only.
 lint: lint-rust lint-python
 
-# In a profile of their own, whose folder the build of the package does not lock.
+# In the debug profile, whose folder the build of the package does not lock.
 lint-rust: .venv/made
 	cargo fmt --all --check
-	cargo clippy --profile quick --quiet --workspace --all-targets -- -D warnings
+	cargo clippy --quiet --workspace --all-targets -- -D warnings
 
 # Types come from stubs, so that nothing need be built: it runs while the build leaves a core free.
 lint-python: .venv/test
@@ -56,14 +56,14 @@ lint-fuzz:
 	cargo fmt --all --check --manifest-path fuzz/Cargo.toml
 	cargo clippy --quiet --all-targets --manifest-path fuzz/Cargo.toml -- -D warnings
 
-# Of the core alone, so that it is compiled once, in the linters' profile and after them: building the package leaves a
-# core free for most of its time.
+# Of the core alone, in the linters' profile and after them: building the package leaves a core free for most of its time.
+# Without optimization, because compiling takes longer than all tests do.
 test-rust: lint-rust
-	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet -p nearfar-core --lib
+	CARGO_INCREMENTAL=0 cargo test --quiet -p nearfar-core --lib
 
 # Rust tests on graphics adapters, whose crates take minutes to compile; `make test` draws on adapters from Python.
 test-adapters:
-	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet -p nearfar-gpu --lib
+	CARGO_INCREMENTAL=0 cargo test --quiet -p nearfar-gpu --lib
 
 # Run time against error for every kernel and its peers, as tables in out/bench.
 bench: .venv/built .venv/bench

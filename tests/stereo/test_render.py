@@ -59,7 +59,7 @@ def test_eyes_show_their_own_near_part_before_the_shared_picture(samples: int, c
         far = (shared.require("color")[rows, columns] * weights[..., None]).sum(axis=2)
         expected = own.require("color") + (1.0 - coverage) * (far - nothing.require("color"))
         tolerance = 2e-6 if samples == 1 else 4e-3
-        # Gaps of one pixel that both pictures leave open show what the eye itself sees there.
+        # Narrow gaps that both pictures leave open show what the eye itself sees there.
         most = weights.argmax(axis=-1)[..., None]
         nearest = [np.take_along_axis(values, most, -1)[..., 0] for values in (rows, columns)]
         behind = nf.render(world, camera, samples=samples, clip=cut(hybrid, SHALLOW, math.inf), channels=channels)
@@ -186,7 +186,7 @@ def test_nothing_beyond_the_plane_is_plain_stereo_and_nothing_before_it_one_pict
         for name in ALL:
             np.testing.assert_array_equal(getattr(stereo, side).require(name), plain.require(name))
     mono = near.render(street(ground=False), HEAD, AHEAD, channels=ALL)
-    assert set(mono.stats["seconds"]) == {"center", "culling", "assembly"}
+    assert set(mono.stats["seconds"]) == {"center", "culling", "assembly", "filling"}
     assert mono.center is not None
     assert (mono.left.require("face_id") >= 0).any()
 

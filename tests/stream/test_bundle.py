@@ -150,7 +150,7 @@ def test_a_missing_or_altered_file_is_named(city: nf.Scene, tmp_path: Path, dama
         ({"files": {}}, "files"),
         ({"files": {"../secret": {"bytes": 1, "sha256": "0"}}}, "files"),
         ({"map": {"face_size": 10**9}}, "face_size"),
-        ({"dynamic": {"geometry": "files/none.glb"}}, "dynamic"),
+        ({"dynamic": {"geometry": "files/none.glb"}}, "triangles"),
         ({"tileset": {"bytes": -1, "sha256": "0"}}, "tileset"),
     ],
 )

@@ -132,10 +132,10 @@ def peak():
 """Code for programs on Linux: peak memory in bytes. `getrusage` includes the parent's memory at the start."""
 
 
-def printed_by_threads(code: str) -> set[str]:
-    """Return the output of a program in processes with one, two and three threads; one text if all agree."""
+def printed_by_threads(code: str, counts: str = "123") -> set[str]:
+    """Return the output of a program in processes with these numbers of threads; one text if all agree."""
     printed = set()
-    for threads in "123":
+    for threads in counts:
         environment = os.environ | {"NEARFAR_NUM_THREADS": threads, "PYTHONPATH": os.pathsep.join(sys.path)}
         command = [sys.executable, "-c", code]
         process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)

@@ -25,9 +25,15 @@ from nearfar._scene.source import UP, Source, assemble
 
 
 def load(
-    path: str | os.PathLike[str], *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None = None
+    path: str | os.PathLike[str],
+    *,
+    up: str = "y",
+    on_invalid: str = "raise",
+    scale: float | None = None,
+    max_bytes: int | None = None,
+    moves: bool = False,
 ) -> Assembled:
-    """Load a file; `nearfar.Scene.load` documents the arguments."""
+    """Load a file; `nearfar.Scene.load` documents the arguments. With `moves` all objects are dynamic."""
     check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
     if scale is not None:
@@ -36,7 +42,8 @@ def load(
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder(path), os.fspath(path))
     most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
-    return background.run(lambda: _load(path, Budget(most), up=up, on_invalid=on_invalid, scale=scale), alone=True)
+    how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "moves": moves}
+    return background.run(lambda: _load(path, Budget(most), **how), alone=True)
 
 
 def _load(path: Path, budget: Budget, **how: Any) -> Assembled:

@@ -47,7 +47,10 @@ def frames_of(
     numbers = [names.number("moving", row["object"]) for row in rows]
     frames = np.tile(np.eye(4), (max(numbers, default=-1) + 1, 1, 1))
     for number, row in zip(numbers, rows, strict=True):
-        frames[number] = row.get("transform", frames[number])
+        transform = np.array(row.get("transform", frames[number]), np.float64)
+        if transform.shape != (4, 4):
+            raise ValueError(f"moving: expected transforms of 4 × 4 numbers, got shape {transform.shape}")
+        frames[number] = transform
     if not (np.isfinite(frames).all() and np.isfinite(rest).all()):
         raise ValueError("moving: expected finite matrices")
     return (frames if (frames != np.eye(4)).any() else None), rest

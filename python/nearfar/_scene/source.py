@@ -73,11 +73,17 @@ class Source:
 
 
 def assemble(
-    source: Source, *, up: str, on_invalid: str, scale: float | None = None, budget: Budget | None = None
+    source: Source,
+    *,
+    up: str,
+    on_invalid: str,
+    scale: float | None = None,
+    budget: Budget | None = None,
+    moves: bool = False,
 ) -> Assembled:
     """Assemble a scene's parts in one pass over the source's meshes; SceneError if they cannot be used.
 
-    A `budget` counts the copies of what is placed many times.
+    A `budget` counts the copies of what is placed many times. With `moves` all objects are dynamic.
     """
     check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
@@ -107,7 +113,7 @@ def assemble(
     try:
         placed = np.array([handles[shape] for shape in nodes.shapes], np.int64)
         builder._place(placed, transforms_of("transforms", transforms), nodes.objects)
-        parts = builder._assemble(budget=budget)
+        parts = builder._assemble(nodes.objects if moves else (), budget)
     except ValueError as error:
         raise SceneError(f"{source.label}: {error}") from error
     notes = [*source.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._scene.scene import Scene
+from nearfar._trace.behind import from_behind
 from nearfar._trace.rays import Hits, cast_rays
 
 Point = tuple[float, float, float]
@@ -240,13 +241,8 @@ def _distances(hits: Hits) -> NDArray[np.float64]:
 def _inside_solid(scene: Scene, hits: Hits, asked: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Whether most of the rays around each eye of those that are asked for hit surfaces from behind."""
     numbers = hits.triangle_index.reshape(-1, DIRECTIONS)[asked]
-    hit = numbers >= 0
-    used = np.unique(numbers[hit])
-    corners = scene.subset(triangles=used).triangles()
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    facing = normals[np.searchsorted(used, np.where(hit, numbers, used[:1]))]
-    from_behind = (facing * _ring()).sum(axis=-1) > 0.0
-    return np.asarray((from_behind & hit).sum(axis=1) > 0.5 * hit.sum(axis=1))
+    behind = from_behind(scene, numbers, _ring())
+    return np.asarray(behind.sum(axis=1) > 0.5 * (numbers >= 0).sum(axis=1))
 
 
 def _point(values: NDArray[np.float64]) -> Point:

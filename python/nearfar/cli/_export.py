@@ -55,6 +55,7 @@ def export(
     document = formats.header("export", VERSION) | {
         "source": scene,
         "notes": list(loaded.report.notes),
+        "findings": list(bundle.findings),
         "folder": str(output),
         "center": list(bundle.center),
         "triangles": loaded.triangle_count,

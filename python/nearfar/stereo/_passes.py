@@ -199,7 +199,7 @@ class Passes:
             images["coverage"] = coverage + (1.0 - coverage) * shared["coverage"].reshape(-1)[nearest]
 
     def _fill(self, side: str, camera: Camera, images: Images) -> None:
-        """Show what the eye sees beyond the plane in single pixels that both pictures leave open, in place.
+        """Show what the eye sees beyond the plane in narrow gaps that both pictures leave open, in place.
 
         A surface that is seen on its edge, or crosses the plane beside the line of sight, shows the eye one side, and
         the third camera the other one.
@@ -208,7 +208,7 @@ class Passes:
         covered, tried = images["coverage"] > 0.0, np.zeros(images["coverage"].shape, bool)
         self.stats["pixels"].setdefault("filled", 0)
         # Where one is filled, its neighbour may turn out to be one.
-        while (holes := single_holes(covered) & ~tried).any():
+        while (holes := narrow_gaps(covered) & ~tried).any():
             found = self._pass(side, camera, beyond, mask=holes, stage="filling")
             filled = holes & (found["coverage"] > 0.0)
             for name in {*self.view.wanted, "coverage"}:
@@ -218,7 +218,7 @@ class Passes:
 
     @property
     def _fills(self) -> bool:
-        """Whether single open pixels are filled: by the tracer, whose work is that of these pixels alone."""
+        """Whether narrow gaps are filled: by the tracer, whose work is that of these pixels alone."""
         return self.device is None and not self.rig.has_zone
 
     @property
@@ -301,14 +301,20 @@ class Passes:
         seconds[name] = seconds.get(name, 0.0) + time.perf_counter() - start
 
 
-def single_holes(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Pixels (H, W) that are not covered, though those on two opposite sides are; beyond the edge counts as covered.
+def narrow_gaps(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Pixels (H, W) in gaps of one or two pixels, across or down, between covered ones; beyond the edge counts as such.
 
     Outside a straight outline there are none, whatever its direction.
     """
-    padded = np.pad(covered, 1, constant_values=True)
-    across, upright = padded[1:-1, :-2] & padded[1:-1, 2:], padded[:-2, 1:-1] & padded[2:, 1:-1]
-    return np.asarray(~covered & (across | upright))
+    return ~covered & (_bridged(covered) | _bridged(covered.T).T)
+
+
+def _bridged(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Pixels with covered ones to the left and the right that are at most three pixels apart."""
+    padded = np.pad(covered, ((0, 0), (2, 2)), constant_values=True)
+    second, first, after, behind = padded[:, :-4], padded[:, 1:-3], padded[:, 3:-1], padded[:, 4:]
+    bridged: NDArray[np.bool_] = (first & after) | (first & behind) | (second & after)
+    return bridged
 
 
 def check_depths(rig: RigGeometry, near: float, far: float) -> tuple[float, float]:

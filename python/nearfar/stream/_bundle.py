@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from nearfar._base import card, check
-from nearfar._base.errors import FormatError
+from nearfar._base import card, check, formats
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream import _manifest, _store
-from nearfar.stream._decode import Layout, decode_colors, decode_ranges, joined, moving_scene, ring_scene
+from nearfar.stream._decode import Layout, decode_colors, decode_ranges, joined, ring_scene
 from nearfar.stream._manifest import NEAR_SHARE, names_of
+from nearfar.stream._moving import moving_scene
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -52,9 +52,13 @@ class Bundle:
         return sum(entry["bytes"] for entry in self._manifest["files"].values())
 
     @property
+    def findings(self) -> tuple[str, ...]:
+        """What makes the bundle show little, a sentence each: its centre, empty rings, endless objects, units."""
+        return tuple(self._manifest["findings"])
+
+    @property
     def _listed(self) -> dict[str, dict[str, Any]]:
-        """Size and hash of every file but the manifest, by name."""
-        return {**self._manifest["files"], _store.TILESET: self._manifest["tileset"]}
+        return _manifest.listed(self._manifest)
 
     @property
     def _rings(self) -> list[dict[str, Any]]:
@@ -105,7 +109,7 @@ class Bundle:
             try:
                 data = self._reader.read(name)
             except FileNotFoundError:
-                raise FormatError(f"{place}/{name}: expected the file that the manifest lists, found none") from None
+                raise _store.missing(place, name) from None
             self._kept[name] = _store.checked(place, name, data, listed[name])
         return self._kept[name]
 
@@ -138,8 +142,8 @@ class Bundle:
         """
         number = check.integer("ring", ring, 0, self.count)
         maps = [entry["map"] for entry in self._rings[: number + 1]]
-        color = decode_colors(maps, self._layout, self.read)
-        ranges = decode_ranges(maps, self._layout, self.read) if number else None
+        color = decode_colors(maps, self._layout, self._decoded)
+        ranges = decode_ranges(maps, self._layout, self._decoded) if number else None
         return EnvMap(self.center, color=color, range=ranges)
 
     def at(self, ring: int, radius: float | None = None) -> ReducedScene:
@@ -189,8 +193,12 @@ class Bundle:
         described = self._manifest["dynamic"]
         if described is None:
             return None
-        name = described["geometry"]
-        return moving_scene(self.read(name), described["instances"], self._place(name))
+        return moving_scene(described, self.read, self._place(described["geometry"]))
+
+    def _decoded(self, name: str, decode: Callable[[bytes], Any]) -> Any:
+        data = self.read(name)
+        with formats.guarded(self._place(name)):
+            return decode(data)
 
     def _place(self, name: str) -> str:
         return f"{self._reader.place}/{name}"
@@ -201,6 +209,7 @@ class Bundle:
         for number, row in enumerate(self.summary()):
             text = f"{row['triangles']:,} triangles, {row['geometry']:,} + {row['color']:,} + {row['range']:,} bytes"
             facts.append((f"ring {number}, to {row['radius']:g} m", text))
+        facts += [("note", finding) for finding in self.findings]
         return card.page("Bundle", facts)
 
     def __repr__(self) -> str:
@@ -208,7 +217,9 @@ class Bundle:
 
 
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
-    """Open a bundle that `export` wrote; its files are read when they are needed.
+    """Open a bundle that `export` wrote; its files are read when they are needed, and checked.
+
+    In a local folder all files must be there with the listed sizes.
 
     Parameters
     ----------
@@ -218,9 +229,14 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     Raises
     ------
     FormatError
-        For a manifest that is damaged or newer than this version reads.
+        For a manifest that is damaged or newer than this version reads, and for a file of a local folder that is
+        missing or has another size; the message names the file.
+    ValueError
+        For a URL whose file system is not known, and where fsspec is missing.
     OSError
         If there is no manifest.
     """
     reader = _store.reader(path)
-    return Bundle(reader, _manifest.read(reader))
+    manifest = _manifest.read(reader)
+    _store.check_presence(reader, _manifest.listed(manifest))
+    return Bundle(reader, manifest)

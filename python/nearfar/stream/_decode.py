@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import check, formats
+from nearfar._base import check
 from nearfar._base.errors import FormatError, SceneError
-from nearfar._scene.moving_rows import frames_of
+from nearfar._scene.assembly import Assembled
 from nearfar._scene.names import Names, distinct
 from nearfar._scene.scene import Scene
 from nearfar.stream import _map_files as codec
@@ -23,6 +23,9 @@ from nearfar.stream._map_files import RangeScale
 
 Read = Callable[[str], bytes]
 """Returns the bytes of a file by name."""
+
+Decoded = Callable[[str, Callable[[bytes], Any]], Any]
+"""Returns what a function makes of the bytes of a file by name; errors over its content name the file."""
 
 
 @dataclass(frozen=True)
@@ -69,55 +72,59 @@ class Layout:
                 raise ValueError("map: expected ranges exactly where tiles change")
 
 
-def decode_colors(maps: Sequence[dict[str, Any]], layout: Layout, read: Read) -> NDArray[np.float32]:
+def decode_colors(maps: Sequence[dict[str, Any]], layout: Layout, decoded: Decoded) -> NDArray[np.float32]:
     """Colour (6, S, S, 3) of the last of consecutive maps from ring 0 on, linear RGB."""
     side, tile = layout.face_size, layout.tile
-    pictures = [codec.decode_color(read(name), (side, side)) for name in maps[0]["color"]]
-    faces = np.stack(pictures)
+
+    def picture(name: str, size: tuple[int, int]) -> NDArray[np.float32]:
+        found: NDArray[np.float32] = decoded(name, lambda data: codec.decode_color(data, size))
+        return found
+
+    faces = np.stack([picture(name, (side, side)) for name in maps[0]["color"]])
     for described in maps[1:]:
         tiles = np.array(described["tiles"], np.int64)
         if len(tiles):
             size = (layout.across * tile, -(-len(tiles) // layout.across) * tile)
-            sheet = codec.decode_color(read(described["color"]), size)
+            sheet = picture(described["color"], size)
             codec.put_tiles(faces, tiles, codec.tiles_of_sheet(sheet, len(tiles), tile))
     return faces
 
 
-def decode_ranges(maps: Sequence[dict[str, Any]], layout: Layout, read: Read) -> NDArray[np.float32]:
+def decode_ranges(maps: Sequence[dict[str, Any]], layout: Layout, decoded: Decoded) -> NDArray[np.float32]:
     """Range (6, S, S) of the last of consecutive maps from ring 0 on, metres; ring 0 has none of its own."""
     tile, whole = layout.tile, layout.tiles // 6
     faces = np.zeros((6, layout.face_size, layout.face_size), np.uint16)
-    blocks = [codec.decode_codes(read(name), (whole, tile, tile)) for name in maps[1]["range"]]
+
+    def codes(name: str, count: int) -> codec.Codes:
+        found: codec.Codes = decoded(name, lambda data: codec.decode_codes(data, (count, tile, tile)))
+        return found
+
+    blocks = [codes(name, whole) for name in maps[1]["range"]]
     codec.put_tiles(faces, np.arange(layout.tiles), np.concatenate(blocks))
     for described in maps[2:]:
         tiles = np.array(described["tiles"], np.int64)
         if len(tiles):
-            codec.put_tiles(faces, tiles, codec.decode_codes(read(described["range"]), (len(tiles), tile, tile)))
+            codec.put_tiles(faces, tiles, codes(described["range"], len(tiles)))
     return layout.scale.ranges(faces)
 
 
 def ring_scene(name: str, parts: Sequence[str], read: Read, place: str) -> Scene:
     """The geometry of a ring; FormatError that names the file if it is damaged."""
+    return Scene._from_assembled(assembled(name, parts, read, place))
+
+
+def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves: bool = False) -> Assembled:
+    """The parts of a scene of files, whose objects are all dynamic with `moves`."""
+    from nearfar._scene import load
+
     with tempfile.TemporaryDirectory() as folder:
         paths = {part: Path(folder) / PurePosixPath(part).name for part in (name, *parts)}
         for part, path in paths.items():
             path.write_bytes(read(part))
         try:
-            return Scene.load(paths[name])
+            return load.load(paths[name], moves=moves)
         except SceneError as error:
             raise FormatError(str(error).replace(str(paths[name]), place)) from None
-
-
-def moving_scene(data: bytes, instances: Any, place: str) -> Scene:
-    """The dynamic objects; FormatError that names the file if it is damaged, or does not fit its description."""
-    from nearfar._scene import glb
-
-    with formats.guarded(place):
-        decoder = glb.Decoder(data, None)
-        core, names = decoder.decode(), decoder.names
-        rows = check.items("instances", instances, dict, "descriptions of instances")
-        frames, rest = frames_of(rows, names, core.moving_placements(), place)
-        return Scene(core, names, frames=frames, rest=rest, undrawn=decoder.undrawn)
 
 
 def joined(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:

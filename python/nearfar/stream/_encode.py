@@ -10,12 +10,11 @@ import numpy as np
 from nearfar import _core
 from nearfar._base import glb as binary
 from nearfar._base import progress
-from nearfar._scene.moving_rows import moving_rows
-from nearfar._scene.scene import Scene
 from nearfar.stream import _map_files as codec
 from nearfar.stream._assign import Rings
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
+from nearfar.stream._moving import rows_of
 from nearfar.stream._store import FOLDER, described, named
 
 ACROSS = 16
@@ -73,8 +72,11 @@ def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: Ran
 
 def encode_geometry(
     rings: Rings, files: Files, *, step: float, compressed: bool, quality: int | None
-) -> list[dict[str, Any]]:
-    """Encode the geometry of each ring from 1 on; meshes and images that rings share are files of their own."""
+) -> tuple[list[dict[str, Any]], dict[str, Any] | None]:
+    """Encode the geometry of each ring from 1 on, and the dynamic objects, None if nothing moves.
+
+    Meshes and images that several of them have are files of their own.
+    """
     scene = rings.scene
     textures = [codec.encode_texture(texels, quality) for texels in _core.scene_parts(scene._core)["textures"]]
     images = [named(data, "webp") for data in textures]
@@ -91,22 +93,31 @@ def encode_geometry(
         )
     uris: list[str | None] = []
     for data, groups, _ in export.shared():
-        users = sum(1 <= group <= rings.count for group in groups)
+        users = sum(group <= rings.count for group in groups)
         uris.append(_beside(files.add(data, "bin")) if users > 1 else None)
+
+    def encoded(group: int, label: str) -> tuple[bytes, dict[str, Any]] | None:
+        with progress.bar(f"encoding {label}") as report:
+            data, facts = export.glb(group, uris=uris, report=report)
+        if not facts["drawn"]:  # faces may lose their area when positions are rounded
+            return None
+        parts = referenced(data)
+        for name, texture in zip(images, textures, strict=True):
+            if name in parts:
+                files.add(texture, "webp")
+        return data, {"geometry": files.add(data, "glb"), "parts": parts, "error": facts["position_error"]}
+
     listed = []
     for ring, row in enumerate(rings.summary()[: rings.count], 1):
-        described: dict[str, Any] = {"geometry": None, "parts": []}
-        if row["triangles"]:
-            with progress.bar(f"encoding ring {ring}") as report:
-                data, facts = export.glb(ring, uris=uris, report=report)
-            parts = referenced(data)
-            for name, texture in zip(images, textures, strict=True):
-                if name in parts:
-                    files.add(texture, "webp")
-            described = {"geometry": files.add(data, "glb"), "parts": parts, "error": facts["position_error"]}
-        counts = {"objects": row["objects"], "triangles": row["triangles"], "stored": row["stored"]}
-        listed.append({"radius": row["radius"], **counts, **described})
-    return listed
+        found = encoded(ring, f"ring {ring}") if row["triangles"] else None
+        counts = {name: row[name] for name in ("radius", "objects", "triangles", "stored")}
+        listed.append({**counts, **({"geometry": None, "parts": []} if found is None else found[1])})
+    moving = scene.triangle_count - scene._core.standing_triangle_count
+    found = encoded(0, "dynamic objects") if moving else None
+    if found is None:
+        return listed, None
+    data, described = found
+    return listed, {**described, "triangles": moving, "instances": rows_of(scene, data)}
 
 
 def referenced(data: bytes) -> list[str]:
@@ -119,20 +130,3 @@ def referenced(data: bytes) -> list[str]:
 def _beside(name: str) -> str:
     """URI of a file as other files in its folder refer to it."""
     return name.removeprefix(f"{FOLDER}/")
-
-
-def moving_scene(rings: Rings) -> Scene | None:
-    """The dynamic objects of a scene; None if nothing moves."""
-    moving = rings.scene.subset(objects=rings.objects(0))
-    return moving if moving.triangle_count else None
-
-
-def encode_moving(rings: Rings, files: Files) -> dict[str, Any] | None:
-    """Encode the dynamic objects of a scene, with the transforms that they were loaded with."""
-    from nearfar._scene import glb
-
-    moving = moving_scene(rings)
-    if moving is None:
-        return None
-    name = files.add(glb.encode(moving._core, moving.object_names, moving._undrawn), "glb")
-    return {"geometry": name, "triangles": moving.triangle_count, "instances": moving_rows(moving)}

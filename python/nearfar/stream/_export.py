@@ -10,13 +10,14 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import check, formats
 from nearfar._scene.scene import Scene, core_of
-from nearfar.stream import _store, _tileset
-from nearfar.stream._assign import assign
+from nearfar.stream import _store
+from nearfar.stream._assign import ascending, assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._bundle import open as open_bundle
-from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, encode_moving, scale_of
-from nearfar.stream._manifest import NAME, NEAR_SHARE, VERSION
+from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, scale_of
+from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._maps import MOST_SAMPLES, TILE, bake_maps
+from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import rings as choose
 
 MOST_FACE_SIZE = 4096
@@ -46,8 +47,8 @@ def export(
     scene
         The scene.
     path
-        The folder; its parent must exist. An existing folder is replaced if it is empty or contains a `manifest.json`.
-        A URL such as ``s3://bucket/city`` needs fsspec.
+        The folder; its parent must exist. An existing folder is replaced if it is empty or contains a bundle's
+        `manifest.json`. A URL such as ``s3://bucket/city`` needs fsspec.
     center
         World position O in metres that the maps are baked from: an eye's height above the ground.
     radii
@@ -75,16 +76,20 @@ def export(
     Raises
     ------
     ValueError
-        For numbers out of range, radii that fall or repeat, and a centre that is not finite.
+        For numbers out of range, radii that fall or repeat, a centre that is not finite, and a URL whose file system is
+        not known or only reads; before any work.
     TypeError
         For arguments of another type.
     OSError
-        If the folder cannot be written or contains other files.
+        If the folder cannot be written, has no parent or contains other files: before any work. If the disk is full:
+        then what was there stays.
 
     References
     ----------
     CloVR (2024): rings of near geometry, each with its cube map. Maps as changes to the one before are ours.
     """
+    from nearfar.stream import _tileset
+
     core_of(scene)
     size = check.integer("face_size", face_size, TILE, MOST_FACE_SIZE)
     if size % TILE:
@@ -96,18 +101,16 @@ def export(
     if compression is not None:
         check.choice("compression", compression, ("meshopt",))
     middle = check.vector("center", center)
-    if not _store.is_url(path):
-        check.path("path", path)
-    chosen = choose(scene, center=middle) if radii is None else radii
-    rings = assign(scene, center=middle, radii=chosen)
+    given = None if radii is None else ascending("radii", radii)
+    _store.check_target(path, f"nearfar.{NAME}")
+    rings = assign(scene, center=middle, radii=choose(scene, center=middle) if given is None else given)
     maps = bake_maps(rings, face_size=size, samples=count)
     files, scale = Files(), scale_of(maps, error)
     pictures = encode_maps(maps, files, quality=level, scale=scale)
     nothing: dict[str, Any] = {"objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
-    geometry = [{"radius": 0.0, **nothing}]
-    geometry += encode_geometry(rings, files, step=grid, compressed=compression is not None, quality=level)
-    dynamic = encode_moving(rings, files)
-    tileset = _tileset.encode(middle, geometry, dynamic, files.content)
+    near, moving = encode_geometry(rings, files, step=grid, compressed=compression is not None, quality=level)
+    geometry = [{"radius": 0.0, **nothing}, *near]
+    tileset = _tileset.encode(middle, geometry, moving, files.content)
     manifest = formats.header(
         NAME,
         VERSION,
@@ -118,14 +121,15 @@ def export(
         bounds=scene.bounds.tolist(),
         map={
             "face_size": size,
-            "orientation": "Vulkan/WebGPU cube faces",
+            "orientation": ORIENTATION,
             "tile": TILE,
             "across": ACROSS,
             "range": {"least": scale.least, "step": scale.step, "error": scale.error},
         },
         rings=[{**ring, "map": picture} for ring, picture in zip(geometry, pictures, strict=True)],
-        dynamic=dynamic,
+        dynamic=moving,
         notes=list(scene.report.notes),
+        findings=findings_of(rings),
         tileset=_store.described(tileset),
         files=files.listed(),
     )

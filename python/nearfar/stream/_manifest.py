@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -12,6 +14,17 @@ from nearfar.stream._decode import Layout
 
 NAME, VERSION = "bundle", 1
 """Name of the manifest's format without "nearfar.", and its version."""
+
+_NAME = re.compile(r"[\w.-]+", re.ASCII)
+"""Names of files, which are safe on every system and in every URL."""
+
+_HASH = re.compile("[0-9a-f]{64}")
+
+ORIENTATION = "Vulkan/WebGPU cube faces"
+"""Order and directions of the maps' faces."""
+
+MOST = 2**62
+"""Greatest number of triangles and objects."""
 
 NEAR_SHARE = 0.7
 """Part of a ring's radius inside which nothing is morphed, as CloVR (2024) chose it."""
@@ -29,6 +42,11 @@ def read(reader: _store.Reader) -> dict[str, Any]:
     return manifest
 
 
+def listed(manifest: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Size and hash of every file of a bundle but the manifest, by name."""
+    return {**manifest["files"], _store.TILESET: manifest["tileset"]}
+
+
 def names_of(value: Any) -> list[str]:
     """Names of the files of an entry: one, several or none."""
     if value is None:
@@ -39,28 +57,66 @@ def names_of(value: Any) -> list[str]:
 def _check(manifest: dict[str, Any]) -> None:
     """Raise one of the errors of damage for a manifest that cannot be used."""
     check.vector("center", manifest["center"])
-    check.integer("triangles", manifest["triangles"], 0, 2**62)
+    check.integer("triangles", manifest["triangles"], 0, MOST)
+    for name in ("notes", "findings"):
+        check.texts(name, manifest[name])
+    low, high = manifest["bounds"]
+    check.vector("bounds", low), check.vector("bounds", high)
+    check.choice("color_space", manifest["color_space"], ("sRGB",))
+    check.choice("morph", manifest["morph"]["kind"], ("cylinder",))
+    if check.positive("near_share", manifest["morph"]["near_share"]) != NEAR_SHARE:
+        raise ValueError(f"near_share: expected {NEAR_SHARE}, got {manifest['morph']['near_share']}")
     layout = Layout.of(manifest["map"])
+    check.choice("orientation", manifest["map"]["orientation"], (ORIENTATION,))
+    check.positive("error", manifest["map"]["range"]["error"])
     files = manifest["files"]
-    for name, entry in {**files, _store.TILESET: manifest["tileset"]}.items():
-        check.integer(f"{name}: bytes", entry["bytes"], 0, 2**50)
-        check.text(f"{name}: sha256", entry["sha256"])
-    for name in files:
-        if not name.startswith(f"{_store.FOLDER}/") or ".." in name or "\\" in name:
-            raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
+    for name, entry in files.items():
+        _check_file(name, entry)
+    _check_described(_store.TILESET, manifest["tileset"])
     rings = check.items("rings", manifest["rings"], dict, "descriptions of rings")
     radii = [check.at_least_zero("radius", ring["radius"]) for ring in rings]
     if len(radii) < 2 or radii[0] != 0.0 or (np.diff(radii) <= 0).any():
         raise ValueError(f"rings: expected radii that ascend from 0, got {check.shortened(radii)}")
     for ring in rings:
-        for name in ("objects", "triangles"):
-            check.integer(name, ring[name], 0, 2**62)
-        parts = check.texts("parts", ring["parts"])
-        for value in (ring["geometry"], parts, ring["map"].get("color"), ring["map"].get("range")):
-            for name in names_of(value):
-                if name not in files:
-                    raise ValueError(f"files: expected a file {check.shortened(name)}, which a ring needs")
+        for name in ("objects", "triangles", "stored"):
+            check.integer(name, ring[name], 0, MOST)
+        _check_geometry(ring, files)
+        for name in ("color", "range"):
+            _check_listed(ring["map"].get(name), files, name)
     layout.check([ring["map"] for ring in rings])
     dynamic = manifest["dynamic"]
-    if dynamic is not None and dynamic["geometry"] not in files:
-        raise ValueError("files: expected the file of dynamic objects")
+    if dynamic is not None:
+        check.integer("triangles", dynamic["triangles"], 0, MOST)
+        check.items("instances", dynamic["instances"], dict, "descriptions of instances")
+        check.text("geometry", dynamic["geometry"])
+        _check_geometry(dynamic, files)
+
+
+def _check_file(name: str, entry: dict[str, Any]) -> None:
+    folder, _, own = name.partition("/")
+    if folder != _store.FOLDER or own in ("", ".", "..") or not _NAME.fullmatch(own):
+        raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
+    _check_described(name, entry)
+
+
+def _check_described(name: str, entry: dict[str, Any]) -> None:
+    check.integer(f"{name}: bytes", entry["bytes"], 0, 2**50)
+    if not _HASH.fullmatch(check.text(f"{name}: sha256", entry["sha256"])):
+        raise ValueError(f"{name}: sha256: expected 64 digits of 0-9a-f, got {check.shortened(entry['sha256'])}")
+
+
+def _check_geometry(described: dict[str, Any], files: dict[str, Any]) -> None:
+    """Check the files of a GLB: itself, its buffers and its images."""
+    name = described["geometry"]
+    if not (name is None or isinstance(name, str)):
+        raise TypeError(f"geometry: expected the name of a file, got {check.described(name)}")
+    _check_listed(name, files, "geometry")
+    _check_listed(check.texts("parts", described["parts"]), files, "parts")
+    if "error" in described:
+        check.at_least_zero("error", described["error"])
+
+
+def _check_listed(value: Any, files: dict[str, Any], kind: str) -> None:
+    for name in names_of(value):
+        if name not in files:
+            raise ValueError(f"files: expected a file {check.shortened(name)}, which {kind} of the manifest needs")

@@ -52,7 +52,7 @@ def encode_texture(texels: NDArray[np.uint8], quality: int | None) -> bytes:
 
 def decode_color(data: bytes, size: tuple[int, int]) -> NDArray[np.float32]:
     """Decode a picture of known width and height to (H, W, 3), linear RGB; ValueError for anything else."""
-    from PIL import Image
+    from PIL import Image, UnidentifiedImageError
 
     try:
         with Image.open(io.BytesIO(data), formats=["webp"]) as image:
@@ -60,6 +60,8 @@ def decode_color(data: bytes, size: tuple[int, int]) -> NDArray[np.float32]:
                 raise ValueError(f"expected a picture of {size[0]} × {size[1]} pixels, got {image.size}")
             linear: NDArray[np.float32] = _LINEAR[np.asarray(image.convert("RGB"))]
             return linear
+    except UnidentifiedImageError:
+        raise ValueError("expected a WebP picture, got something else") from None
     except (OSError, SyntaxError, Image.DecompressionBombError) as error:
         raise ValueError(f"expected a WebP picture, got {error}") from None
 

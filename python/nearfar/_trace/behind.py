@@ -1,0 +1,32 @@
+"""Rays that hit surfaces from behind, of which the inside of solids consists."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._scene.scene import Scene
+
+
+def from_behind(scene: Scene, triangles: NDArray[np.int64], directions: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether rays hit their triangle's back.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    triangles
+        (…, N) triangle that each ray hits, −1 for none.
+    directions
+        (N, 3) directions of the rays.
+    """
+    hit = triangles >= 0
+    used = np.unique(triangles[hit])
+    if not len(used):
+        return np.zeros(triangles.shape, bool)
+    mask = np.zeros(scene.triangle_count, bool)
+    mask[used] = True
+    corners = scene._core.subset_of_triangles(mask).triangles().astype(np.float64)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    facing = normals[np.searchsorted(used, np.where(hit, triangles, used[0]))]
+    return np.asarray(((facing * directions).sum(axis=-1) > 0.0) & hit)

@@ -1,0 +1,154 @@
+"""Sentences on centres and rings that were hardly meant: they are no errors, but a bundle of them shows little."""
+
+from __future__ import annotations
+
+import math
+from itertools import islice, pairwise, product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._scene.report import count
+from nearfar._trace.behind import from_behind
+from nearfar._trace.rays import cast_rays
+from nearfar.stream._assign import Rings
+
+RAYS = 256
+"""Rays in all directions from a centre."""
+
+SEEN = 0.25
+"""Least share of the rays that see backs of surfaces around a centre inside of something."""
+
+MOST_NAMED = 3
+"""Objects or rings that a sentence names."""
+
+
+def findings_of(rings: Rings) -> list[str]:
+    """Say what makes the bundle of a scene's rings show little: units, the centre, empty rings, endless objects."""
+    note = rings.scene.report.unit_note
+    found = [_outside(rings), _inside(rings), _empty(rings), _endless(rings)]
+    return [note] * bool(note) + [sentence for sentence in found if sentence]
+
+
+def _outside(rings: Rings) -> str:
+    """A centre beside or below the scene, or farther above it than the last ring reaches."""
+    if not rings.scene.triangle_count:
+        return ""
+    low, high = rings.scene.bounds
+    center = np.array(rings.center)
+    away = np.maximum(np.maximum(low - center, center - high), 0.0)
+    distance = math.hypot(*away)
+    is_beside = bool(away[[0, 2]].any())
+    if not distance or (not is_beside and 0.0 < center[1] - high[1] <= rings.radii[-1]):
+        return ""
+    where = "outside the bounds of the scene"
+    if not is_beside:
+        where = "below the scene's lowest point" if center[1] < low[1] else "above the scene's highest point"
+    shown = f"{distance:.3g}" if distance < 1000.0 else f"{distance:,.0f}"
+    return f"the centre lies {shown} m {where}"
+
+
+def _inside(rings: Rings) -> str:
+    """A centre within a solid, such as a wall, or under the ground: from there one sees backs of surfaces."""
+    reach, directions = rings.radii[-1], _sphere(RAYS)
+    hits = cast_rays(rings.scene, rings.center, directions, t_max=reach)
+    stays = hits.object_id < 0
+    stays |= ~np.isin(hits.object_id, rings.scene._core.moving_objects())
+    seen = np.where(stays, hits.triangle_index, -1)
+    behind = from_behind(rings.scene, seen, directions)
+    if behind.sum() < max(SEEN * RAYS, 0.5 * (seen >= 0).sum()):
+        return ""
+    owners = hits.object_id[behind & (hits.object_id >= 0)]
+    name = f"'{rings.scene.object_names[np.bincount(owners).argmax()]}'" if len(owners) else "something"
+    below = directions[:, 1] < 0.0
+    where = "inside" if (behind & below).sum() > 0.5 * below.sum() else "under"
+    return (
+        f"the centre seems to lie {where} {name}: {behind.sum()} of {RAYS} rays from it hit backs of surfaces within "
+        f"{reach:g} m"
+    )
+
+
+def _empty(rings: Rings) -> str:
+    """Rings without geometry."""
+    bounds = list(pairwise((0.0, *rings.radii)))
+    rows = zip(bounds, rings.summary()[: rings.count], strict=True)
+    empty = [number for number, (_, row) in enumerate(rows, 1) if not row["triangles"]]
+    if len(empty) == rings.count:
+        return f"all rings are empty: no static object lies within {rings.radii[-1]:g} m of the centre's vertical axis"
+    if not empty:
+        return ""
+    named = [f"ring {number} ({bounds[number - 1][0]:g} to {bounds[number - 1][1]:g} m)" for number in empty]
+    verb = "is" if len(named) == 1 else "are"
+    return f"{_listed(named)} {verb} empty: no object begins there, so that the map before stays"
+
+
+def _endless(rings: Rings) -> str:
+    """Objects that reach from within the first ring beyond the last one: they are sent whole with ring 1."""
+    found = _endless_objects(rings)
+    if not found:
+        return ""
+    total = sum(found.values())
+    named = [
+        f"{_named(rings, number)} ({count(size, 'triangle')})"
+        for number, size in sorted(found.items(), key=lambda item: (-item[1], item[0]))
+    ]
+    verb, them, noun = ("is", "it", "reaches") if len(named) == 1 else ("are", "they", "reach")
+    whole = "" if len(named) == 1 else f", {count(total, 'triangle')} together"
+    return (
+        f"{_listed(named)} {noun} from within ring 1 beyond the last ring{whole}: {them} {verb} sent whole with ring 1"
+    )
+
+
+def _endless_objects(rings: Rings) -> dict[int, int]:
+    """Triangles of each object that reaches from within the first radius beyond the last one; −1 for no object."""
+    core, names = rings.scene._core, rings.scene.object_names
+    chosen = np.append(rings.ring == 1, rings.rest == 1)
+    if not chosen.any():
+        return {}
+    parts, last = _core.scene_parts(core), rings.radii[-1]
+    x, y, z = np.subtract(rings.center, core.origin).tolist()
+    greatest, triangles = np.zeros(len(names) + 1), np.zeros(len(names) + 1, np.int64)
+    placed = zip(parts["meshes"], parts["placements"], parts["objects"].tolist(), strict=True)
+    for mesh, placement, owner in islice(placed, parts["standing_count"]):
+        # Most instances end within the last ring; a box is farthest at one of its corners.
+        if owner >= 0 and not (chosen[owner] and _farthest(mesh.bounds(), placement, (x, z)) > last):
+            continue
+        arrays = _core.mesh_parts(mesh)
+        owners = np.where(owner < 0, arrays["objects"], owner)
+        used = chosen[owners]
+        vertices = arrays["positions"]
+        if not np.array_equal(placement, np.eye(4)[:3]):
+            vertices = vertices @ placement[:, :3].T + placement[:, 3]
+        far = _core.triangle_radii(vertices, arrays["faces"][used], (x, y, z))[:, 1]
+        np.maximum.at(greatest, owners[used], far)
+        np.add.at(triangles, owners[used], 1)
+    return {
+        number if number < len(names) else -1: int(triangles[number])
+        for number in np.flatnonzero(greatest > last).tolist()
+    }
+
+
+def _farthest(bounds: NDArray[np.float64], placement: NDArray[np.float64], axis: tuple[float, float]) -> float:
+    """Greatest distance of a placed box's corners from a vertical axis."""
+    corners = np.array(list(product(*bounds.T.tolist()))) @ placement[:, :3].T + placement[:, 3]
+    return float(np.hypot(corners[:, 0] - axis[0], corners[:, 2] - axis[1]).max())
+
+
+def _sphere(number: int) -> NDArray[np.float64]:
+    """Unit vectors (number, 3) that cover all directions evenly: a Fibonacci lattice."""
+    height = 1.0 - (2.0 * np.arange(number) + 1.0) / number
+    turn = np.arange(number) * (math.pi * (3.0 - math.sqrt(5.0)))
+    flat = np.sqrt(1.0 - height * height)
+    return np.column_stack([flat * np.cos(turn), height, flat * np.sin(turn)])
+
+
+def _named(rings: Rings, number: int) -> str:
+    return "faces without an object" if number < 0 else f"'{rings.scene.object_names[number]}'"
+
+
+def _listed(names: list[str]) -> str:
+    """Words for a list, of which the first few are named."""
+    more = len(names) - MOST_NAMED
+    shown = names if more <= 0 else [*names[:MOST_NAMED], f"{more} more"]
+    return shown[0] if len(shown) == 1 else f"{', '.join(shown[:-1])} and {shown[-1]}"

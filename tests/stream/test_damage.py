@@ -1,0 +1,288 @@
+"""Files and manifests of bundles that are missing or damaged: each is named, by `open`, `verify` and the first use."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import nearfar as nf
+from nearfar.stream import _store
+from tests.support import bundle_cases, need, valid
+from tests.support.bundle_cases import content, use
+
+DAMAGES: dict[str, Callable[[bytes], bytes | None]] = {
+    "missing": lambda data: None,
+    "shorter": lambda data: data[:-1],
+    "changed": lambda data: data[:-1] + bytes([data[-1] ^ 1]),
+    "empty": lambda data: b"",
+}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("bundles") / "village"
+    bundle_cases.write(path)
+    return path
+
+
+@pytest.fixture
+def copied(folder: Path, tmp_path: Path) -> Path:
+    shutil.copytree(folder, tmp_path / "copy")
+    return tmp_path / "copy"
+
+
+def test_the_village_has_files_of_every_kind(folder: Path) -> None:
+    kinds = {name.rpartition(".")[2] for name in content(folder)}
+    assert kinds == {"json", "webp", "range", "glb", "bin"}
+    assert len(json.loads((folder / "manifest.json").read_text())["dynamic"]["parts"]) == 0
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_a_missing_or_altered_file_is_named(copied: Path, damage: str) -> None:
+    listed = sorted(name for name in content(copied) if name != "manifest.json")
+    for name in listed:
+        opened = nf.stream.open(copied)
+        data = (copied / name).read_bytes()
+        altered = DAMAGES[damage](data)
+        (copied / name).unlink()
+        if altered is not None:
+            (copied / name).write_bytes(altered)
+        named = re.escape(f"{copied}/{name}: expected ")
+        acts: list[Callable[[], object]] = [opened.verify, lambda: opened.read(name)]  # noqa: B023
+        if name != "tileset.json":  # which is for other programs
+            acts.append(lambda: use(opened))  # noqa: B023
+        for act in acts:
+            with pytest.raises(nf.FormatError, match=named):
+                act()
+        if damage == "changed":
+            nf.stream.open(copied)  # which does not read it
+        else:
+            with pytest.raises(nf.FormatError, match=named):
+                nf.stream.open(copied)
+        (copied / name).write_bytes(data)
+        opened.verify()
+
+
+def test_behind_a_url_the_first_use_names_the_file(folder: Path) -> None:
+    need("fsspec")
+    import fsspec
+
+    system = fsspec.filesystem("memory")
+    for name, data in content(folder).items():
+        system.pipe_file(f"/damaged/{name}", data)
+    name = nf.stream.open("memory://damaged").files[-1]
+    for altered in (None, b"", b"x"):
+        system.rm_file(f"/damaged/{name}")
+        if altered is not None:
+            system.pipe_file(f"/damaged/{name}", altered)
+        opened = nf.stream.open("memory://damaged")
+        for act in (opened.verify, lambda: use(opened)):  # noqa: B023
+            with pytest.raises(nf.FormatError, match=re.escape(f"memory://damaged/{name}: expected ")):
+                act()
+        system.pipe_file(f"/damaged/{name}", b"")
+
+
+def places(node: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """Paths of all values of a document; of lists the first and the last."""
+    for key in node if isinstance(node, dict) else range(len(node)):
+        if isinstance(node, dict) or key in (0, len(node) - 1):
+            yield (*path, key)
+            if isinstance(node[key], dict | list):
+                yield from places(node[key], (*path, key))
+
+
+def changed(document: Any, path: tuple[Any, ...], value: Any) -> Any:
+    """A copy in which the value at a path is another one; `...` removes it."""
+    document = copy.deepcopy(document)
+    node = document
+    for key in path[:-1]:
+        node = node[key]
+    if value is ...:
+        del node[path[-1]]
+    else:
+        node[path[-1]] = value
+    return document
+
+
+HEADER = ("generator", "units", "axes", "origin")
+"""Fields of all our files that say how to read them; readers of one version need none of them."""
+
+WRONG: tuple[Any, ...] = (True, -1, 0.5, 2**70, "x", "../x", [], {}, [[]], [None], [-1.0])
+
+
+def refusal(folder: Path) -> str:
+    """The message with which a bundle, or one of its uses, is refused; "" if all can be used."""
+    try:
+        use(nf.stream.open(folder))
+    except nf.FormatError as error:
+        return str(error)
+    return ""
+
+
+def check_values(folder: Path, values: tuple[Any, ...]) -> int:
+    """Put values in all places of a manifest; returns how many were refused. What breaks the schema must be."""
+    path = folder / "manifest.json"
+    whole = json.loads(path.read_text())
+    assert valid(whole, "bundle")
+    refused, let = 0, []
+    for place in places(whole):
+        for value in values:
+            document = changed(whole, place, value)
+            path.write_text(json.dumps(document))
+            message = refusal(folder)
+            if message:
+                assert str(folder) in message
+                assert "\n" not in message
+                refused += 1
+                continue
+            # Python's True is a number in lists, as 1 is.
+            is_harmless = place[0] in HEADER or (value is True and isinstance(place[-1], int))
+            if not is_harmless and not valid(document, "bundle"):
+                let.append((place, value))
+    assert let == []
+    return refused
+
+
+def test_every_field_of_a_manifest_is_needed(copied: Path) -> None:
+    assert check_values(copied, (..., None)) > 180
+
+
+@pytest.mark.slow
+def test_no_manifest_that_breaks_the_schema_is_opened(copied: Path) -> None:
+    assert check_values(copied, WRONG) > 1200
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "text"),
+    [
+        (("version",), 2, r"nearfar\.bundle version 2 was written by nearfar .*; this is nearfar .* up to version 1"),
+        (("version",), 0, "expected a version of at least 1"),
+        (("format",), "nearfar.reduced", r"expected format 'nearfar\.bundle'"),
+        (("center",), ..., "'center' is missing"),
+        (("rings", 1, "radius"), -5.0, "radius: expected a number of at least 0"),
+        (("rings", 1, "radius"), 12.0, "rings: expected radii that ascend from 0"),
+        (("rings", 1, "radius"), ..., "'radius' is missing"),
+        (("rings", 1, "map", "tiles"), [-1], "tiles: expected ascending numbers below 6"),
+        (("rings", 0, "map", "color"), ["x"] * 6, "files: expected a file 'x'"),
+        (("map", "face_size"), 10**9, "face_size: expected a whole number"),
+        (("map", "range", "step"), 1e9, "step: expected ranges that are finite"),
+        (("morph", "near_share"), 0.5, "near_share: expected 0.7"),
+        (("files",), {"../secret": {"bytes": 1, "sha256": "0" * 64}}, "files: expected names below files/"),
+        (("files",), {"files/a/b": {"bytes": 1, "sha256": "0" * 64}}, "files: expected names below files/"),
+        (("dynamic", "geometry"), 3, "geometry: expected"),
+    ],
+)
+def test_what_is_wrong_with_a_manifest_is_said(copied: Path, place: tuple[Any, ...], value: Any, text: str) -> None:
+    path = copied / "manifest.json"
+    path.write_text(json.dumps(changed(json.loads(path.read_text()), place, value)))
+    with pytest.raises(nf.FormatError, match=rf"{re.escape(str(path))}: .*{text}"):
+        nf.stream.open(copied)
+
+
+@pytest.mark.parametrize(
+    "data", [b"", b"{", b"[]", b"null", b"\xff\xfe", b'{"format": NaN}', b"[" * 100_000, b'"\\ud800"']
+)
+def test_manifests_that_are_no_document_are_refused(copied: Path, data: bytes) -> None:
+    (copied / "manifest.json").write_bytes(data)
+    with pytest.raises(nf.FormatError, match=re.escape(f"{copied}/manifest.json: ")):
+        nf.stream.open(copied)
+
+
+def test_a_missing_manifest_is_named(tmp_path: Path) -> None:
+    for place in (tmp_path, tmp_path / "none", tmp_path / "none" / "manifest.json"):
+        with pytest.raises(FileNotFoundError, match=r"manifest\.json"):
+            nf.stream.open(place)
+    need("fsspec")
+    with pytest.raises(FileNotFoundError, match=r"memory://nowhere/manifest\.json"):
+        nf.stream.open("memory://nowhere")
+
+
+VALUES = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats()
+    | st.text(max_size=8)
+    | st.sampled_from([2**31, 2**63, 1e308]),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=4), inner, max_size=3),
+    max_leaves=6,
+)
+
+
+class Fuzz:
+    """Mutations of bundles that only FormatError answers.
+
+    Hypothesis takes the place of cargo-fuzz here, because what reads manifests and maps is Python, which libFuzzer does
+    not see into; the decoders in Rust that a bundle reaches, of meshoptimizer's streams, have the target `meshopt` in
+    fuzz/. The hashes of altered files are set right, so that the decoders see them.
+    """
+
+    @staticmethod
+    def manifest(folder: Path, data: st.DataObject) -> None:
+        """Put other values in some places."""
+        path = folder / "manifest.json"
+        document = json.loads(path.read_text())
+        for _ in range(data.draw(st.integers(1, 3))):
+            document = changed(
+                document, data.draw(st.sampled_from(list(places(document)))), data.draw(VALUES | st.just(...))
+            )
+            if not document:
+                break
+        path.write_text(json.dumps(document), encoding="utf-8", errors="surrogatepass")
+
+    @staticmethod
+    def file(folder: Path, data: st.DataObject) -> None:
+        """Alter bytes of a file, or cut it, or take another one's."""
+        path = folder / "manifest.json"
+        document = json.loads(path.read_text())
+        name = data.draw(st.sampled_from(sorted(document["files"])))
+        found = bytearray((folder / name).read_bytes())
+        for _ in range(data.draw(st.integers(1, 4))):
+            place = data.draw(st.integers(0, len(found)))
+            cut = data.draw(st.integers(0, 8))
+            found[place : place + cut] = data.draw(st.binary(max_size=8))
+        if data.draw(st.integers(0, 9)) == 0:
+            found = bytearray((folder / data.draw(st.sampled_from(sorted(document["files"])))).read_bytes())
+        (folder / name).write_bytes(found)
+        document["files"][name] = _store.described(bytes(found))
+        path.write_text(json.dumps(document))
+
+
+def check_fuzzed(folder: Path, mutate: Callable[[Path, st.DataObject], None], data: st.DataObject) -> None:
+    files = content(folder)
+    mutate(folder, data)
+    message = refusal(folder)
+    shutil.rmtree(folder)
+    for name, original in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(original)
+    assert not message or str(folder) in message
+    assert len(message) < len(str(folder)) + 600
+
+
+QUICK = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+MANY = settings(QUICK, max_examples=3000)
+
+
+@pytest.mark.parametrize("mutate", [Fuzz.manifest, Fuzz.file])
+@QUICK
+@given(data=st.data())
+def test_mutated_bundles_raise_nothing_but_format_errors(copied: Path, mutate: Any, data: st.DataObject) -> None:
+    check_fuzzed(copied, mutate, data)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mutate", [Fuzz.manifest, Fuzz.file])
+@MANY
+@given(data=st.data())
+def test_many_mutated_bundles_raise_nothing_but_format_errors(copied: Path, mutate: Any, data: st.DataObject) -> None:
+    check_fuzzed(copied, mutate, data)
