@@ -54,30 +54,26 @@ def encode(
     if dynamic is not None:
         tiles.append((dynamic["geometry"], {"dynamic": True}))
     boxes = [box_of(content[name]) for name, _ in tiles]
-    # Files whose faces all lost their area show nothing.
-    shown = [(tile, box) for tile, box in zip(tiles, boxes, strict=True) if box is not None]
-    whole = _union([box for _, box in shown]) if shown else np.array([center, center])
+    whole = _union(boxes) if boxes else np.array([center, center])
     # Without its children the root shows nothing, which is wrong by as much as there is to show.
     error = float(np.ceil(np.linalg.norm(whole[1] - whole[0])))
     root: dict[str, Any] = {"boundingVolume": _volume(whole), "geometricError": error, "refine": "ADD"}
-    if shown:
+    if tiles:
         root["children"] = [
             {"boundingVolume": _volume(box), "geometricError": 0.0, "content": {"uri": name}, "extras": facts}
-            for (name, facts), box in shown
+            for (name, facts), box in zip(tiles, boxes, strict=True)
         ]
     asset = {"version": VERSION, "extras": {"generator": f"nearfar {__version__}"}}
     return formats.to_json({"asset": asset, "geometricError": error, "root": root}, compact=True).encode()
 
 
-def box_of(data: bytes) -> NDArray[np.float64] | None:
-    """Box (2, 3) in glTF's axes, metres, around the placed boxes of a GLB's meshes; None if it shows none."""
+def box_of(data: bytes) -> NDArray[np.float64]:
+    """Box (2, 3) in glTF's axes, metres, around the placed boxes of a GLB's meshes, of which it has some."""
     document, end = glb.header(data)
     budget = Budget(len(data) << 20)  # our own file
     buffers = Buffers(document, glb.binary(data, end), None, budget)
-    meshes = {number: [str(number)] for number in range(len(document.get("meshes", [])))}
+    meshes = {number: [str(number)] for number in range(len(document["meshes"]))}
     nodes = gltf_nodes.placed(document, meshes, gltf_instances.transforms(document, buffers, budget))
-    if not nodes.shapes:
-        return None
     local = np.array([_mesh_box(document, mesh) for mesh in document["meshes"]])[[int(name) for name in nodes.shapes]]
     linear, offset = nodes.transforms[:, :3, :3], nodes.transforms[:, :3, 3]
     middle = np.einsum("nij,nj->ni", linear, local.mean(axis=1)) + offset
