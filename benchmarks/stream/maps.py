@@ -1,4 +1,4 @@
-"""Maps of rings as changes against whole maps: rays, seconds, bytes and PSNR; what is seen of objects, ring by ring.
+"""Maps of rings as changes against whole maps: rays, seconds, bytes and PSNR.
 
 python -m benchmarks.stream.maps [--quick]
 """
@@ -83,40 +83,6 @@ def decibels(shown: Any, truth: Any) -> float:
     return nf.psnr(*codes, data_range=255)
 
 
-def seen_table(scene: nf.Scene, center: tuple[float, float, float], size: int, away: float) -> str:
-    """OVC and OFC over all directions, of a user beside the centre: the truth from O, and each ring's picture."""
-    user = (center[0] - away, center[1], center[2])
-    truth = faces_of(scene, user)
-    rows = []
-    ovc, ofc = nf.object_completion(truth, faces_of(scene, center))
-    rows.append(["truth at O", f"{ovc:.3f}", f"{ofc:.3f}"])
-    ovc, ofc = nf.object_completion(truth, faces_of(first_picture(scene, center, size), user))
-    rows.append(["ring 0", f"{ovc:.3f}", f"{ofc:.3f}"])
-    for radius in PUBLISHED:
-        reduced = nf.reduce(scene, center=center, r1=0.7 * radius, r2=radius, unit="object", morph="cylinder",
-                            channels=("color", "range", "object_id"), face_size=size, samples=1)  # fmt: skip
-        ovc, ofc = nf.object_completion(truth, faces_of(reduced, user))
-        rows.append([f"ring to {radius:g} m", f"{ovc:.3f}", f"{ofc:.3f}"])
-    return table(f"objects seen by a user {away:g} m beside O, all directions", ["picture", "OVC", "OFC"], rows)
-
-
-def first_picture(scene: nf.Scene, center: tuple[float, float, float], size: int) -> nf.ReducedScene:
-    """The map of ring 0 with object numbers, behind what moves."""
-    rings = nf.stream.assign(scene, center=center, radii=PUBLISHED)
-    maps = nf.stream.bake_maps(rings, face_size=size, object_id=True)
-    moving = scene.subset(objects=rings.objects(0))
-    zones = nf.partition(moving, center=center, r1=0.7 * PUBLISHED[0], r2=PUBLISHED[0])
-    counts = {**zones.summary(), "rays": 0}
-    reduced = nf.ReducedScene(moving, zones, maps.first, morph="cylinder", boundary="r2", counts=counts, is_whole=False)
-    return reduced.with_radius(0.0)
-
-
-def faces_of(source: Any, eye: tuple[float, float, float]) -> Any:
-    """Object numbers in all directions from a point, (6 S, S)."""
-    views = [nf.Camera(eye, fov=nf.CubeFace(face), size=(256, 256)) for face in range(6)]
-    return np.concatenate([nf.render(source, view, channels=("object_id",)).require("object_id") for view in views])
-
-
 def main() -> None:
     parse = argparse.ArgumentParser(description=__doc__)
     parse.add_argument("--quick", action="store_true", help="a smaller city and smaller maps")
@@ -131,8 +97,6 @@ def main() -> None:
             for row in rings.summary()]  # fmt: skip
     print(table("rings", ["radius, m", "objects", "triangles", "stored"], rows))
     print(maps_table(rings, 256 if quick else 1024, 1)[0])
-    for away in (1.0, 2.0):
-        print(seen_table(scene, center, 256 if quick else 1024, away))
 
 
 if __name__ == "__main__":
