@@ -72,10 +72,11 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
     part = np.arange(len(order)) * PARTS // len(order)
     groups = np.zeros(len(scene.object_names) + 1, np.uint16)
     groups[order] = part + 1
-    names, nothing = list(scene.object_names), [None] * len(_core.scene_parts(scene._core)["textures"])
+    names = list(scene.object_names)
+    nothing: list[str | None] = [None] * len(_core.scene_parts(scene._core)["textures"])
     export = _core.Export(scene._core, groups, PARTS + 1, names=names, images=nothing, step=STEP, compressed=True)
     shared = export.shared()
-    uris = [f"{number}.bin" for number in range(len(shared))]
+    uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
     first = [min(users - {0}, default=0) for users in (set(groups) for _, groups, _ in shared)]
     sent = 0
     for number in range(1, PARTS + 1):
@@ -91,7 +92,7 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
 def sent_by_ring(bundle: nf.stream.Bundle) -> list[int]:
     """Bytes of all files that a client has with each ring."""
     each = [row["geometry"] + row["color"] + row["range"] for row in bundle.summary()]
-    return np.cumsum(each).tolist()
+    return [sum(each[: ring + 1]) for ring in range(len(each))]
 
 
 def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
