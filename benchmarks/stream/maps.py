@@ -108,7 +108,7 @@ def first_picture(scene: nf.Scene, center: tuple[float, float, float], size: int
     zones = nf.partition(moving, center=center, r1=0.7 * PUBLISHED[0], r2=PUBLISHED[0])
     counts = {**zones.summary(), "rays": 0}
     reduced = nf.ReducedScene(moving, zones, maps.first, morph="cylinder", boundary="r2", counts=counts, is_whole=False)
-    return reduced.with_radius(0.0)
+    return reduced.with_growth(0.0)
 
 
 def faces_of(source: Any, eye: tuple[float, float, float]) -> Any:

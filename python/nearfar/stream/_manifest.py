@@ -40,6 +40,11 @@ def _check(manifest: dict[str, Any]) -> None:
     """Raise one of the errors of damage for a manifest that cannot be used."""
     check.vector("center", manifest["center"])
     check.integer("triangles", manifest["triangles"], 0, 2**62)
+    growth = manifest["growth"]
+    check.choice("growth", growth["first"], ("strength",))
+    for name in ("speed", "reach"):
+        check.positive(name, growth[name])
+    check.at_least_zero("fade", growth["fade"])
     layout = Layout.of(manifest["map"])
     files = manifest["files"]
     for name, entry in files.items():
