@@ -53,7 +53,7 @@ def clovr(scene: nf.Scene, maps: nf.stream.RingMaps, sent: list[int], size: int,
     center = maps.rings.center
     truth = faces_of(scene, user, size)
     moving = scene.subset(objects=maps.rings.objects(0))
-    still = before(moving, maps.map(0), center, "cylinder").with_radius(0.0)
+    still = before(moving, maps.map(0), center, "cylinder").with_growth(0.0)
     yield "ring 0", sent[0], *nf.object_completion(truth, faces_of(still, user, size))
     for ring, radius in enumerate(maps.rings.radii, 1):
         reduced = nf.reduce(scene, center=center, r1=0.7 * radius, r2=radius, unit="object", morph="cylinder",

@@ -19,6 +19,7 @@ def bend_rays(
     r2: float,
     tolerance: float,
     kind: str = "blend",
+    strength: float = 1.0,
 ) -> NDArray[np.float64]:
     """Compute bent rays: for each direction the curve of all points that the morph shows there, as a polyline.
 
@@ -32,7 +33,7 @@ def bend_rays(
         (N, 3), of any length above zero.
     user, center
         The user's eye U and the centre O, metres.
-    r1, r2, kind
+    r1, r2, kind, strength
         As in `morph`; the curves are the same for both kinds.
     tolerance
         Greatest angle in radians, seen from U, between a chord of the polyline and its curve; at least 1e-9, which
@@ -43,14 +44,15 @@ def bend_rays(
     -------
     NDArray
         (N, K, 3) float64, metres: the points of each polyline, padded with NaN. The last segment continues along the
-        direction without end. The first point is U if U is within `r1`, else the start of the curve. A ray that does
+        direction without end. The first point is U if U is within `r1`, else the start of the curve; it is O if the
+        strength gives U less than half of the view there. A ray that does
         not bend has one point: a ray straight up, a ray along the line through U and O, and every ray if
         U = O. `morph` shows each point in its direction to 1e-9 radians.
 
     Raises
     ------
     ValueError
-        For directions of length 0, radii out of order, and a tolerance below 1e-9.
+        For directions of length 0, radii or strengths out of range, and a tolerance below 1e-9.
     TypeError
         For values that are not numbers.
 
@@ -58,14 +60,16 @@ def bend_rays(
     ----------
     The inverse of Eq. 1 of Popescu, Lee, Choi, Fahmy (2022), and of Alg. 1 of CloVR (2024).
     """
-    place, least = placed(user, center, r1, r2, kind), check.positive("tolerance", tolerance)
+    place, least = placed(user, center, r1, r2, kind, strength), check.positive("tolerance", tolerance)
     rays = np.ascontiguousarray(check.array("directions", directions), np.float64)
     with progress.bar("bending rays") as report:
         points, longest = _core.bend_rays(rays, **place, tolerance=least, report=report)
     return points.reshape(len(rays), longest, 3)
 
 
-def fold_margin(user: ArrayLike, *, center: ArrayLike, r1: float, r2: float, kind: str = "blend") -> float:
+def fold_margin(
+    user: ArrayLike, *, center: ArrayLike, r1: float, r2: float, kind: str = "blend", strength: float = 1.0
+) -> float:
     """Compute the distance that the user may still walk away from the centre before the picture folds.
 
     A picture folds where two neighbouring points change sides: where the Jacobian of the morph changes its sign. As
@@ -75,8 +79,8 @@ def fold_margin(user: ArrayLike, *, center: ArrayLike, r1: float, r2: float, kin
     ----------
     user, center
         The user's eye U and the centre O, metres.
-    r1, r2, kind
-        As in `morph`.
+    r1, r2, kind, strength
+        As in `morph`; here the radii are above 0.
 
     Returns
     -------
@@ -84,12 +88,14 @@ def fold_margin(user: ArrayLike, *, center: ArrayLike, r1: float, r2: float, kin
         Horizontal distance in metres at the user's present height, exact to 1e-4 (r2 − r1). Negative if the picture
         folds already; −inf if at this height it folds even on the axis. For "blend" about 0.95 (r2 − r1) at the
         centre's height and less above and below it, but at most (r1 + r2) / 3, where points next to the user fold. For
-        "cylinder" r1 − |(U−O)ₕ|, where ₕ denotes the horizontal part.
+        "cylinder" r1 − |(U−O)ₕ|, where ₕ denotes the horizontal part. With a smaller strength s the margin of "blend"
+        grows to about 0.95 (r2 − r1)/s, and "cylinder" keeps its own as long as s > (r2 − r1)/r1; with 0 nothing folds,
+        and it is infinite.
 
     Raises
     ------
     ValueError, TypeError
-        For kinds, radii and positions that `morph` refuses.
+        For kinds, radii, strengths and positions that `morph` refuses.
 
     References
     ----------
@@ -98,5 +104,10 @@ def fold_margin(user: ArrayLike, *, center: ArrayLike, r1: float, r2: float, kin
     check.choice("kind", kind, KINDS)
     near, far = check.radii(r1, r2)
     return _core.fold_margin(
-        check.vector("user", user), center=check.vector("center", center), r1=near, r2=far, kind=kind
+        check.vector("user", user),
+        center=check.vector("center", center),
+        r1=near,
+        r2=far,
+        kind=kind,
+        strength=check.within("strength", strength, 0.0, 1.0),
     )

@@ -22,6 +22,7 @@ def morph(
     r1: float,
     r2: float,
     kind: str = "blend",
+    strength: float = 1.0,
     out: NDArray[Any] | None = None,
 ) -> NDArray[Any]:
     """Move points to where the continuous near–far method shows them.
@@ -45,6 +46,9 @@ def morph(
         "blend": the point is shown at the blend of its distances from U and O; beyond r2 at U + P − O, rounded once.
         "cylinder": the point is shown where the blended direction leaves the vertical cylinder on which the point
         lies. Where that direction does not leave it (U is outside that cylinder or looks straight up), as "blend".
+    strength
+        Factor of the weight of the user's view, 0 to 1. Below 1 points with ρ ≤ `r1` move too; with 0 all points are
+        shown in the direction in which O sees them, as with both radii 0.
     out
         Array for the result: C-contiguous, of the result's shape and type, sharing no memory with `points`. Reusing it
         for every frame saves a third of the time for large arrays, because the system need not clear new memory.
@@ -54,13 +58,14 @@ def morph(
     NDArray
         Morphed points Q (N, 3) in the type of `points`. For float32 "blend" the error of a coordinate is at most half a
         float32 step of the result plus 2⁻²⁴ (6 + 3 r2/(r2−r1)) |U−O|. If U and O see a point in opposite directions,
-        which only happens with U outside the near cylinder, the blend has no direction, and U's direction is taken.
+        which only happens with U outside the near cylinder and, between U and O, with a strength of ½, the blend has no
+        direction, and U's direction is taken.
 
     Raises
     ------
     ValueError
-        For wrong shapes, unknown kinds, radii out of order, a user or centre that is not finite, and an `out` of
-        another shape, type or layout than the result, or in the memory of `points`.
+        For wrong shapes, unknown kinds, radii or strengths out of range, a user or centre that is not finite, and an
+        `out` of another shape, type or layout than the result, or in the memory of `points`.
     TypeError
         For values that are not numbers.
 
@@ -69,15 +74,17 @@ def morph(
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3, for "blend". CloVR (2024), Alg. 1, for "cylinder", with the brackets
     that are missing in its formula of the weight w.
     """
-    place = placed(user, center, r1, r2, kind)
+    place = placed(user, center, r1, r2, kind, strength)
     source = check.array("points", points)
     shown = np.empty_like(source) if out is None else check.output("out", out, source)
     _core.morph(source, shown, **place)
     return shown
 
 
-def placed(user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str) -> dict[str, Any]:
-    """Check user, centre, radii and kind of a morph, and return them as kernels take them.
+def placed(
+    user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str, strength: float = 1.0
+) -> dict[str, Any]:
+    """Check user, centre, radii, kind and strength of a morph, and return them as kernels take them.
 
     Both radii may be 0 for "cylinder".
     """
@@ -85,4 +92,5 @@ def placed(user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str) 
     empty = kind == "cylinder" and check.number("r1", r1) == 0.0 == check.number("r2", r2)
     near, far = (0.0, 0.0) if empty else check.radii(r1, r2)
     eye, middle = check.vector("user", user), check.vector("center", center)
-    return {"user": eye, "center": middle, "r1": near, "r2": far, "kind": kind}
+    share = check.within("strength", strength, 0.0, 1.0)
+    return {"user": eye, "center": middle, "r1": near, "r2": far, "kind": kind, "strength": share}

@@ -28,7 +28,7 @@ def at(line: NDArray[np.float64], user: Any, direction: NDArray[np.float64], s: 
 def test_rays_bend_as_the_equation_says(case: dict[str, Any], kind: str) -> None:
     if kind == "blend" and case["r2"] == 0:
         kind = "cylinder"
-    place = {name: case[name] for name in ("user", "center", "r1", "r2")}
+    place = {name: case[name] for name in ("user", "center", "r1", "r2", "strength")}
     line = nf.bend_rays([case["direction"]], tolerance=TOLERANCE, kind=kind, **place)[0]
     unit = np.array(case["direction"]) / np.linalg.norm(case["direction"])
     found = [at(line, case["user"], unit, s) for s in case["s"]]

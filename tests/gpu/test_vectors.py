@@ -20,7 +20,7 @@ def device(request: pytest.FixtureRequest) -> Iterator[None]:
 
 
 def check_morph(case: dict[str, Any], kind: str) -> None:
-    place = {name: case[name] for name in ("user", "center", "r1", "r2")}
+    place = {name: case[name] for name in ("user", "center", "r1", "r2", "strength")}
     found = gpu.morph(np.array(case["points"], np.float32), kind=kind, **place)
     check(found, case["shown"], case["tolerance"]["wgsl"])
 

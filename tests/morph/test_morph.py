@@ -134,7 +134,7 @@ def test_opposed_directions_are_counted() -> None:
     for given_points in (points.astype(np.float32), points):
         shown = np.empty_like(given_points)
         opposed = _core.morph(
-            given_points, shown, user=(80.0, 0.0, 0.0), center=(0.0, 0.0, 0.0), r1=R1, r2=R2, kind="blend"
+            given_points, shown, user=(80.0, 0.0, 0.0), center=(0.0, 0.0, 0.0), r1=R1, r2=R2, kind="blend", strength=1.0
         )
         assert opposed == 100
         # The user's direction, at half of |P−U| + |P−O|.

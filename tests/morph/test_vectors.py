@@ -12,7 +12,7 @@ from tests.support.vectors import cases, check
 
 
 def shown(case: dict[str, Any], kind: str, dtype: Any) -> Any:
-    place = {name: case[name] for name in ("user", "center", "r1", "r2")}
+    place = {name: case[name] for name in ("user", "center", "r1", "r2", "strength")}
     found = nf.morph(np.array(case["points"], dtype), kind=kind, **place)
     assert found.dtype == dtype
     return found

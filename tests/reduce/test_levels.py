@@ -120,7 +120,7 @@ def test_shown_spheres_hold_the_points_that_they_held(
     """The bound of the morph's stretching of a ball, for users within half of r₁."""
     user = np.add(CENTER, np.multiply(step, R1))
     sphere = Leveled(("ball",), np.array([0]), (), np.array([0]), np.array([middle], np.float64), np.array([radius]))
-    shown = morphed(sphere, user, center=CENTER, r1=R1, r2=R2, kind=kind)
+    shown = morphed(sphere, user, center=CENTER, kind=kind, grown={"r1": R1, "r2": R2, "strength": 1.0})
     random = np.random.default_rng(0).normal(size=(500, 3))
     ball = middle + radius * random / np.linalg.norm(random, axis=1, keepdims=True)
     points = nf.morph(ball, user=user, center=CENTER, r1=R1, r2=R2, kind=kind)

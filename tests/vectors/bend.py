@@ -29,6 +29,7 @@ class Curve:
     center: list[Any]
     radii: tuple[float, float]
     direction: list[Any]
+    strength: float = 1.0
 
     @cached_property
     def across(self) -> list[Any]:
@@ -49,7 +50,7 @@ class Curve:
         """Left side of the equation for y."""
         p = self.point(s, y)
         by_user, by_center = (length(add(p, x, -1)) for x in (self.user, self.center))
-        w = morph.weight(length(horizontal(add(p, self.center, -1))), *self.radii)
+        w = morph.weight(length(horizontal(add(p, self.center, -1))), *self.radii, self.strength)
         return w * y / by_user + (1 - w) * (y - self.beside) / by_center
 
     def offset(self, s: float) -> Any:
@@ -76,13 +77,19 @@ CENTER = (3.25, 1.75, -2.5)
 
 
 def case(
-    region: str, direction: Vector, s: list[float], *, user: Vector, radii: tuple[float, float] = (30.0, 50.0)
+    region: str,
+    direction: Vector,
+    s: list[float],
+    *,
+    user: Vector,
+    radii: tuple[float, float] = (30.0, 50.0),
+    strength: float = 1.0,
 ) -> dict[str, Any]:
     """A case of the file, for a user relative to the centre and distances s along the direction."""
     u = [a + b for a, b in zip(CENTER, user, strict=True)]
     d = vector(direction)
     size = length(d)
-    curve = Curve(vector(u), vector(CENTER), radii, [x / size for x in d])
+    curve = Curve(vector(u), vector(CENTER), radii, [x / size for x in d], strength)
     offsets = [curve.offset(x) for x in s]
     for x, y in zip(s, offsets, strict=True):
         _check(curve, x, y)
@@ -94,6 +101,7 @@ def case(
         "center": list(CENTER),
         "r1": radii[0],
         "r2": radii[1],
+        "strength": strength,
         "direction": list(direction),
         "tolerance": _tolerance(curve, s, offsets),
         "s": s,
@@ -106,7 +114,7 @@ def case(
 def _check(curve: Curve, s: float, y: Any) -> None:
     """Check that the morph shows a point of the curve in the curve's direction."""
     if s > 0:
-        shown = morph.shown("blend", curve.point(s, y), curve.user, curve.center, *curve.radii)
+        shown = morph.shown("blend", curve.point(s, y), curve.user, curve.center, *curve.radii, curve.strength)
         seen = add(shown.point, curve.user, -1)
         assert length(add(seen, curve.direction, -length(seen))) < exact.mpf(10) ** -30 * length(seen)
 
@@ -168,6 +176,11 @@ def cases() -> list[dict[str, Any]]:
         case("U = O: no bend", (0.3, -0.1, 0.7), along, user=(0.0, 0.0, 0.0)),
         case("along the line through U and O: no bend", (1.0, 0.0, 0.0), along, user=(5.0, 0.0, 0.0)),
         case("straight up: no bend inside r1", (0.0, 1.0, 0.0), along, user=near),
+        case("strength 3/4: from U", (0.3, -0.1, 0.7), [0.05, *along], user=near, strength=0.75),
+        case("strength 3/4, ahead", (0.0, 0.0, -1.0), [0.05, *along], user=near, strength=0.75),
+        case("strength 1/4: from the centre", (0.3, -0.1, 0.7), [5.0, *along[1:]], user=near, strength=0.25),
+        case("strength 1/4, the centre behind U", (1.0, 0.0, 0.2), [-2.5, 0.5, *along], user=near, strength=0.25),
+        case("strength 1/4, straight up", (0.0, 1.0, 0.0), along, user=near, strength=0.25),
         case("no near geometry, R = 0: the centre's ray", (0.3, -0.1, 0.7), along[1:], user=near, radii=(0.0, 0.0)),
     ]
 

@@ -1,6 +1,7 @@
 """Vectors of points that the near–far blend and the cylinder morph show, in exact arithmetic.
 
-With w = clamp((r₂−ρ)/(r₂−r₁), 0, 1), d_U = (P−U)/|P−U| and d_O = (P−O)/|P−O|: d is w d_U + (1−w) d_O, normalised.
+With w = s clamp((r₂−ρ)/(r₂−r₁), 0, 1), s the strength, d_U = (P−U)/|P−U| and d_O = (P−O)/|P−O|: d is
+w d_U + (1−w) d_O, normalised.
 Blend: Q = U + t d with t = w|P−U| + (1−w)|P−O|. Cylinder: Q is where the ray (U, d) leaves the cylinder of radius ρ(P)
 about the axis through O; where ρ ≤ |(U−O)ₕ|, dₕ = 0 or the quadratic has no real root, t is the blend's.
 """
@@ -46,11 +47,11 @@ class Shown:
     """For points shown where a ray leaves their cylinder: its |dₕ| (ρ − |(U−O)ₕ|) / ρ; else 1."""
 
 
-def weight(rho: Any, r1: float, r2: float) -> Any:
+def weight(rho: Any, r1: float, r2: float, strength: float = 1.0) -> Any:
     """w at a distance from the axis; 0 where there is no near geometry."""
     if r2 == 0:
         return exact.mpf(0)
-    return min(max((r2 - rho) / (exact.mpf(r2) - r1), exact.mpf(0)), exact.mpf(1))
+    return strength * min(max((r2 - rho) / (exact.mpf(r2) - r1), exact.mpf(0)), exact.mpf(1))
 
 
 def leave_cylinder(start: Vector, direction: Vector, rho: Any) -> Any:
@@ -62,12 +63,12 @@ def leave_cylinder(start: Vector, direction: Vector, rho: Any) -> Any:
     return (-b + exact.sqrt(b * b - a * c)) / a
 
 
-def shown(kind: str, point: Vector, user: Vector, center: Vector, r1: float, r2: float) -> Shown:
-    """Q of P, for U, O, r₁ and r₂."""
+def shown(kind: str, point: Vector, user: Vector, center: Vector, r1: float, r2: float, strength: float = 1.0) -> Shown:
+    """Q of P, for U, O, r₁, r₂ and the strength."""
     p, u, o = vector(point), vector(user), vector(center)
     from_user, from_center, offset = add(p, u, -1), add(p, o, -1), add(u, o, -1)
     rho = length(horizontal(from_center))
-    w = weight(rho, r1, r2)
+    w = weight(rho, r1, r2, strength)
     if w == 1:
         return Shown(p, w, length(from_user), False, exact.mpf(1), exact.mpf(1))
     by_user, by_center = length(from_user), length(from_center)
@@ -107,13 +108,15 @@ def case(
     o: Vector = options.get("center", CENTER)
     u = [a + b for a, b in zip(o, user, strict=True)]
     places = [[single(a + b) for a, b in zip(o, p, strict=True)] for p in points]
-    found = [shown(kind, p, u, o, *radii) for p in places]
+    strength = options.get("strength", 1.0)
+    found = [shown(kind, p, u, o, *radii, strength) for p in places]
     return {
         "region": region,
         "user": u,
         "center": list(o),
         "r1": radii[0],
         "r2": radii[1],
+        "strength": strength,
         "tolerance": _tolerance(kind, found, places, u, o, radii, options.get("wgsl", True)),
         "points": places,
         "shown": [rounded(f.point) for f in found],

@@ -11,6 +11,8 @@ from tests.vectors.morph import TOLERANCE, around, case
 PAPER = (30.0, 50.0)
 FAR = (1000000.53, 1.7, -700000.28)
 """A centre that float32 numbers miss by centimetres."""
+GROWING = (8.0, 5.0, 20.5, 24.0, -32.25, 9.5, 24.0, 32.0, 60.0, -11.0)
+"""(x, z) within r₁, between the radii and beyond them."""
 BETWEEN = (20.5, 24.0, -32.25, 9.5, 24.0, 32.0, 47.5, -14.0, 30.125, 1.5)
 """(x, z) with ρ between 30 and 50."""
 
@@ -72,6 +74,8 @@ def blend() -> list[dict[str, Any]]:
             center=FAR,
             user=(12.1, 0.9, -13.3),
         ),
+        *(of(f"strength {s}", around(GROWING, (-1.5, 2.0, 40.0)), strength=s) for s in (0.0, 0.25, 0.625)),
+        of("strength 1/2, between U and O: opposed directions", [(2.0, 0.0, 0.0)], user=(8.0, 0.0, 0.0), strength=0.5),
     ]
 
 
@@ -138,6 +142,7 @@ def cylinder() -> list[dict[str, Any]]:
             center=FAR,
             user=(9.1, 0.9, -8.3),
         ),
+        *(of(f"strength {s}", around(GROWING, (-1.5, 2.0, 40.0)), strength=s) for s in (0.0, 0.25, 0.625)),
     ]
 
 

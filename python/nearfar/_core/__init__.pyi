@@ -230,7 +230,15 @@ class LoadCurve:
 
 # morph --------------------------------------------------------------------------------------------------------------
 def morph(
-    points: _F32 | _F64, shown: NDArray[Any], *, user: _Point, center: _Point, r1: float, r2: float, kind: str
+    points: _F32 | _F64,
+    shown: NDArray[Any],
+    *,
+    user: _Point,
+    center: _Point,
+    r1: float,
+    r2: float,
+    kind: str,
+    strength: float,
 ) -> int: ...
 
 # bend ---------------------------------------------------------------------------------------------------------------
@@ -242,10 +250,11 @@ def bend_rays(
     r1: float,
     r2: float,
     kind: str,
+    strength: float,
     tolerance: float,
     report: _Report | None = None,
 ) -> tuple[_F64, int]: ...
-def fold_margin(user: _Point, *, center: _Point, r1: float, r2: float, kind: str) -> float: ...
+def fold_margin(user: _Point, *, center: _Point, r1: float, r2: float, kind: str, strength: float) -> float: ...
 
 # tessellate ---------------------------------------------------------------------------------------------------------
 def tessellate_scene(
@@ -346,13 +355,14 @@ class Reduced:
         *,
         user: _Point | None,
         radius: float | None,
+        strength: float,
         method: str,
         mapped: bool,
         tolerance_px: float,
         conventional_dynamic: str,
         report: _Report | None = None,
     ) -> dict[str, Any]: ...
-    def fold_margin(self, user: _Point, radius: float | None) -> float: ...
+    def fold_margin(self, user: _Point, radius: float | None, strength: float) -> float: ...
     @property
     def near_bytes(self) -> int: ...
 

@@ -49,6 +49,7 @@ class GpuDevice:
         *,
         user: _Point | None,
         radius: float | None,
+        strength: float,
         method: str,
         mapped: bool,
         tolerance_px: float,
@@ -75,7 +76,16 @@ def gpu_discontinuity(
     frame: GpuFrame, *, camera: Camera, epsilon: float, min_distance: float, report: _Report | None = None
 ) -> _F32: ...
 def gpu_morph(
-    device: GpuDevice, points: _F32, shown: _F32, *, user: _Point, center: _Point, r1: float, r2: float, kind: str
+    device: GpuDevice,
+    points: _F32,
+    shown: _F32,
+    *,
+    user: _Point,
+    center: _Point,
+    r1: float,
+    r2: float,
+    kind: str,
+    strength: float,
 ) -> None: ...
 def gpu_cube_lookup(
     device: GpuDevice,

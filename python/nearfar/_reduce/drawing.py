@@ -34,6 +34,7 @@ class Drawing:
     env: bool = True
     tolerance_px: float | None = None
     radius: float | None = None
+    strength: float = 1.0
     conventional_dynamic: str = "center"
 
     def __post_init__(self) -> None:
@@ -44,11 +45,13 @@ class Drawing:
             object.__setattr__(self, "tolerance_px", check.number("tolerance_px", self.tolerance_px, finite=False))
         if self.radius is not None:
             object.__setattr__(self, "radius", check.at_least_zero("radius", self.radius))
+        object.__setattr__(self, "strength", check.within("strength", self.strength, 0.0, 1.0))
 
-    def radii(self, r1: float, r2: float) -> tuple[float, float]:
-        """Radii of the morph in metres, for those of the reduction."""
+    def grown(self, r1: float, r2: float) -> dict[str, Any]:
+        """Radii in metres and strength of the morph, as `morph` takes them, for the radii of the reduction."""
         radius = r2 if self.radius is None else min(float(self.radius), r2)
-        return (r1, r2) if radius == r2 else (r1 * (radius / r2), radius)
+        near, far = (r1, r2) if radius == r2 else (r1 * (radius / r2), radius)
+        return {"r1": near, "r2": far, "strength": self.strength}
 
     def settings(self, method: str) -> dict[str, Any]:
         """Settings as kernels take them, for "vertex" or "exact"."""
@@ -58,6 +61,7 @@ class Drawing:
             "mapped": self.env,
             "tolerance_px": tolerance,
             "radius": self.radius,
+            "strength": self.strength,
             "conventional_dynamic": self.conventional_dynamic,
         }
 
@@ -70,22 +74,25 @@ def check_morph(morph: str, boundary: str) -> None:
 
 
 def morphed(
-    leveled: Leveled, user: ArrayLike, *, center: tuple[float, float, float], r1: float, r2: float, kind: str
+    leveled: Leveled, user: ArrayLike, *, center: tuple[float, float, float], kind: str, grown: dict[str, Any]
 ) -> Leveled:
     """Move the bounding spheres of objects with levels as a near–far morph shows them.
 
     The morph shows a ball of radius r within r (1 + |U−O| (2/(r2−r1) + 1/r1)) of its shown centre. Reason: the morph's
     weight changes by at most 1/(r2−r1) per metre, and a change of the weight from 0 to 1 moves a point by at most
     2 |U−O|. Without a near zone the user is shown the ball as the centre sees it, by the cylinder up to |U−O| nearer or
-    farther.
+    farther. Below full strength points next to the user move too, each by at most 2 |U−O|.
     """
+    r2, strength = grown["r2"], grown["strength"]
     place = check.vector("user", user)
     away = math.dist(place, center)
-    if r2 == 0.0:
+    if r2 == 0.0 or strength == 0.0:
         moved = leveled.centers + np.subtract(place, center)
         return replace(leveled, centers=moved, radii=leveled.radii + (away if kind == "cylinder" else 0.0))
-    shown = morph(leveled.centers, user=user, center=center, r1=r1, r2=r2, kind=kind)
-    stretch = 1.0 + away * (2.0 / (r2 - r1) + 1.0 / max(r1, away, 1e-300))
+    shown = morph(leveled.centers, user=user, center=center, kind=kind, **grown)
+    if strength < 1.0:
+        return replace(leveled, centers=shown, radii=leveled.radii + 4.0 * away)
+    stretch = 1.0 + away * (2.0 / (r2 - grown["r1"]) + 1.0 / max(grown["r1"], away, 1e-300))
     return replace(leveled, centers=shown, radii=leveled.radii * stretch)
 
 

@@ -57,6 +57,7 @@ class InPictures:
         channels: Iterable[str] | None = None,
         lod: Lod | None = None,
         radius: float | None = None,
+        strength: float | None = None,
         method: str = "auto",
         env: bool = True,
         tolerance_px: float | None = None,
@@ -96,6 +97,11 @@ class InPictures:
             Radius in metres that the morph has in this frame instead of r2, 0 to r2; r1 shrinks in proportion. Near
             geometry beyond it is drawn, too, as the centre sees it; with 0 that is everything. A client that grows it
             over several frames shows near geometry without a jump. Not for the conventional method.
+        strength
+            Factor of the weight of the user's view in this frame, 0 to 1, instead of 1 or that of `with_growth`. With 0
+            everything is shown as the centre sees it. Below 1 near geometry within r1 moves too, also for users for
+            whom a smaller radius would fold the picture; rays are then bent one by one, which takes "exact" several
+            times as long, and `tolerance_held` is False. Not for the conventional method.
         method
             "vertex": the morph moves vertices, as a vertex shader would. "exact": every pixel shows the first hit of
             its bent ray (`bend_rays`) in the unmorphed scene. "auto": "exact" where moved vertices would fold the
@@ -138,13 +144,14 @@ class InPictures:
             For arguments out of their domains; for range, position or object_id of a map without range or object_id;
             for `env` False after `load`, because far geometry is not saved; for parallel rays with a map or bent rays,
             which both belong to one eye; for "exact" with "gpu" or a `user` apart from the camera; for limits of
-            rays and `clip` with "exact" or `env` False; for a `radius` beyond r2, or with the conventional method; and
-            for a `conventional_dynamic` other than "center" with a morph.
+            rays and `clip` with "exact" or `env` False; for a `radius` beyond r2, or with the conventional method, as
+            for a strength below 1; and for a `conventional_dynamic` other than "center" with a morph.
         DeviceError
             As in `render`.
         """
         shown = self._drawing.radius if radius is None else radius
-        drawn = self._drawn_by(Drawing(method, env, tolerance_px, shown, conventional_dynamic))
+        share = self._drawing.strength if strength is None else strength
+        drawn = self._drawn_by(Drawing(method, env, tolerance_px, shown, share, conventional_dynamic))
         if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(cast(Renderable, drawn), channels, samples, lod)
@@ -173,9 +180,9 @@ class InPictures:
         """Return where a picture shows world positions (N, 3) to a user at a world position (3,), metres."""
         places = check.array("points", points, columns=3, dtype=np.float64)
         center, eye = self._partition.center, check.vector("user", user)
-        r1, r2 = self._drawing.radii(self._partition.r1, self._partition.r2)
         if self._morph != "none":
-            return np.asarray(morph(places, user=eye, center=center, r1=r1, r2=r2, kind=self._morph))
+            grown = self._drawing.grown(self._partition.r1, self._partition.r2)
+            return np.asarray(morph(places, user=eye, center=center, kind=self._morph, **grown))
         away = places - np.array(center)
         boundary = self._partition.r1 if self._boundary == "r1" else self._partition.r2
         far = np.hypot(away[:, 0], away[:, 2]) > boundary
@@ -223,7 +230,7 @@ class InPictures:
     def _margin(self, shot: Shot, camera: Camera) -> float:
         """Metres that the user of a picture may still move before it folds."""
         user = camera.position if shot.user is None else shot.user
-        return self._core.fold_margin(user, self._drawing.radius)
+        return self._core.fold_margin(user, self._drawing.radius, self._drawing.strength)
 
     def _bends(self, shot: Shot, camera: Camera) -> bool:
         """Whether rays can be bent for a picture."""

@@ -176,8 +176,8 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         leveled = self._scene.leveled
         if leveled is None or self._morph == "none":
             return leveled
-        r1, r2 = self._drawing.radii(self.r1, self.r2)
-        return morphed(leveled, user, center=self.center, r1=r1, r2=r2, kind=self._morph)
+        grown = self._drawing.grown(self.r1, self.r2)
+        return morphed(leveled, user, center=self.center, kind=self._morph, grown=grown)
 
     def _with(
         self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: str | None = None
@@ -233,20 +233,22 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         changed = self._with(zones.scene, zones, self._counts | inner)
         return changed.at(self._poses) if self._poses else changed
 
-    def with_radius(self, radius: float | None) -> ReducedScene:
-        """Return the same reduced scene drawn with another radius of the morph, by `nearfar.render` too.
+    def with_growth(self, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
+        """Return the same reduced scene drawn with another radius and strength of the morph, by `nearfar.render` too.
 
         Parameters
         ----------
         radius
             Metres, from 0 to r2, or None for r2; see `render`. r1 shrinks in proportion.
+        strength
+            Factor of the weight of the user's view, 0 to 1; see `render`.
 
         Raises
         ------
         ValueError, TypeError
-            For anything but numbers of at least 0.
+            For anything but a radius of at least 0 and a strength from 0 to 1.
         """
-        return self._drawn_by(replace(self._drawing, radius=radius))
+        return self._drawn_by(replace(self._drawing, radius=radius, strength=strength))
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write a folder of files that other programs can read, completely or not at all.

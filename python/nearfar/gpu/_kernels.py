@@ -130,7 +130,14 @@ def discontinuity(
 
 
 def morph(
-    points: ArrayLike, *, user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str = "blend"
+    points: ArrayLike,
+    *,
+    user: ArrayLike,
+    center: ArrayLike,
+    r1: float,
+    r2: float,
+    kind: str = "blend",
+    strength: float = 1.0,
 ) -> NDArray[np.float32]:
     """Move points to where the continuous near–far method shows them, as `nearfar.morph` does, on the device.
 
@@ -138,7 +145,7 @@ def morph(
     ----------
     points
         Points P (N, 3) float32, metres. A point with NaN gives NaN.
-    user, center, r1, r2, kind
+    user, center, r1, r2, kind, strength
         As in `nearfar.morph`.
 
     Returns
@@ -147,7 +154,8 @@ def morph(
         (N, 3) float32. If U is within r1/2 of the axis, the error of a "blend" coordinate is at most one float32 step
         of the result plus 2⁻²⁴ (16 + 8 r2/(r2−r1)) |U−O|. A "cylinder" coordinate has the additional error
         2⁻²⁴ · 32 (|P−O| + |U−O|) ρ/(ρ−|U−O|), where ρ is the distance of P from the axis. Directions count as opposite
-        slightly earlier than in `nearfar.morph`.
+        slightly earlier than in `nearfar.morph`. Below full strength these bounds hold for points at least |U−O| away
+        from U and O.
 
     Raises
     ------
@@ -160,7 +168,7 @@ def morph(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1.
     """
-    place = placed(user, center, r1, r2, kind)
+    place = placed(user, center, r1, r2, kind, strength)
     rows = check.array("points", _single("points", points, "nearfar.morph"))
     shown = np.empty_like(rows)
     _core.gpu_morph(backends.opened(), rows, shown, **place)

@@ -14,6 +14,7 @@ from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream import _manifest, _store
 from nearfar.stream._decode import Layout, decode_colors, decode_ranges, joined, ring_scene
+from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE, names_of
 from nearfar.stream._moving import moving_scene
 
@@ -35,6 +36,12 @@ class Bundle:
     def radii(self) -> tuple[float, ...]:
         """Radii of the rings 1 to n in metres."""
         return tuple(float(ring["radius"]) for ring in self._rings[1:])
+
+    @property
+    def growth(self) -> Growth:
+        """How the morph of a client grows when a ring has arrived."""
+        described = self._manifest["growth"]
+        return Growth(self.radii, **{name: described[name] for name in ("speed", "reach", "fade")})
 
     @property
     def count(self) -> int:
@@ -146,8 +153,8 @@ class Bundle:
         ranges = decode_ranges(maps, self._layout, self._decoded) if number else None
         return EnvMap(self.center, color=color, range=ranges)
 
-    def at(self, ring: int, radius: float | None = None) -> ReducedScene:
-        """Return what a client shows that has all rings up to one, while its radius grows.
+    def at(self, ring: int, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
+        """Return what a client shows that has all rings up to one, while its morph grows.
 
         Parameters
         ----------
@@ -156,6 +163,9 @@ class Bundle:
         radius
             Radius R of the morph in metres, from 0, where everything is shown as the centre sees it, to the ring's own,
             which is the default. A client that has received ring i lets it grow from that of ring i − 1.
+        strength
+            Strength of the morph, from 0, where everything is shown as the centre sees it, to 1. A client that has
+            received ring 1 lets it grow. `growth` has the times of both.
 
         Returns
         -------
@@ -182,7 +192,7 @@ class Bundle:
         counts = {**zones.summary(), "triangles": self._manifest["triangles"], "rays": 0}
         kept: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
         reduced = ReducedScene(scene, zones, self.map(number), **kept)
-        return reduced.with_radius(shown)
+        return reduced.with_growth(shown, strength)
 
     @cached_property
     def _layout(self) -> Layout:

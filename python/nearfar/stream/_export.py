@@ -15,6 +15,7 @@ from nearfar.stream._assign import ascending, assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._bundle import open as open_bundle
 from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, scale_of
+from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._maps import MOST_SAMPLES, TILE, bake_maps
 from nearfar.stream._notes import findings_of
@@ -35,6 +36,7 @@ def export(
     range_error: float = 2.0**-11,
     step: float = 2.0**-10,
     compression: str | None = "meshopt",
+    speed: float = 0.7,
 ) -> Bundle:
     """Write a scene as a bundle: near geometry in rings about a centre, each with the map of what lies beyond it.
 
@@ -67,6 +69,9 @@ def export(
         that is not greater. Beyond 2²³ steps from the scene's origin they are as precise as float32.
     compression
         Of geometry: "meshopt" (`EXT_meshopt_compression`), or None for files that any reader of glTF 2.0 loads.
+    speed
+        Degrees a second by which a client's picture may turn while a ring grows, for a user 1 m beside the centre; see
+        `Growth`.
 
     Returns
     -------
@@ -104,6 +109,7 @@ def export(
     given = None if radii is None else ascending("radii", radii)
     _store.check_target(path, f"nearfar.{NAME}")
     rings = assign(scene, center=middle, radii=choose(scene, center=middle) if given is None else given)
+    growth = Growth(rings.radii, speed=speed)
     maps = bake_maps(rings, face_size=size, samples=count)
     files, scale = Files(), scale_of(maps, error)
     pictures = encode_maps(maps, files, quality=level, scale=scale)
@@ -117,6 +123,7 @@ def export(
         color_space="sRGB",
         center=list(middle),
         morph={"kind": "cylinder", "near_share": NEAR_SHARE},
+        growth=growth.described(),
         triangles=scene.triangle_count,
         bounds=scene.bounds.tolist(),
         map={

@@ -66,6 +66,11 @@ def _check(manifest: dict[str, Any]) -> None:
     check.choice("morph", manifest["morph"]["kind"], ("cylinder",))
     if check.positive("near_share", manifest["morph"]["near_share"]) != NEAR_SHARE:
         raise ValueError(f"near_share: expected {NEAR_SHARE}, got {manifest['morph']['near_share']}")
+    growth = manifest["growth"]
+    check.choice("growth", growth["first"], ("strength",))
+    for name in ("speed", "reach"):
+        check.positive(name, growth[name])
+    check.at_least_zero("fade", growth["fade"])
     layout = Layout.of(manifest["map"])
     check.choice("orientation", manifest["map"]["orientation"], (ORIENTATION,))
     check.positive("error", manifest["map"]["range"]["error"])

@@ -24,7 +24,7 @@ pub(crate) fn kind(name: &str) -> Result<Kind> {
 
 /// Writes morphed points. Returns the number of points that user and centre see in opposite directions.
 #[pyfunction]
-#[pyo3(signature = (points, shown, *, user, center, r1, r2, kind))]
+#[pyo3(signature = (points, shown, *, user, center, r1, r2, kind, strength))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
 pub(crate) fn morph<'py>(
     py: Python<'py>,
@@ -35,8 +35,9 @@ pub(crate) fn morph<'py>(
     r1: f64,
     r2: f64,
     kind: &str,
+    strength: f64,
 ) -> PyResult<u64> {
-    let make = || Morph::new(user.into(), center.into(), r1, r2, self::kind(kind)?);
+    let make = || Morph::new(user.into(), center.into(), r1, r2, self::kind(kind)?)?.with_strength(strength);
     match (&points, shown) {
         (Points::Single(points), Shown::Single(mut shown)) => {
             let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);

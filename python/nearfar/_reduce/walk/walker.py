@@ -15,6 +15,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._reduce.walk.folds import walkable
+from nearfar._render.blend import blend
 from nearfar._render.frame import Frame
 
 TRANSITIONS = ("fade", "cut")
@@ -118,8 +119,8 @@ class Walk:
         frame = shown.reduced.render(view, **options)
         old, share = self._before, self._share(now)
         if old is not None and frame.color is not None:
-            older = old.reduced.render(view, **{**options, "channels": ("color",)}).require("color")
-            frame = replace(frame, color=older + np.float32(share) * (frame.color - older))
+            older = old.reduced.render(view, **{**options, "channels": ("color",)})
+            frame = blend(older, frame, share)
         left = old if old is not None else start
         is_change = left is not None and (old is not None or left.number != shown.number)
         facts = {

@@ -42,7 +42,7 @@ pub struct Stretch {
     pub from: f64,
     /// s of its end.
     pub to: f64,
-    /// True inside r₁, where the curve is the user's ray.
+    /// True inside r₁ at full strength, where the curve is the user's ray.
     pub straight: bool,
 }
 
@@ -77,12 +77,27 @@ impl<'a> RayCurve<'a> {
         self.morph.center + self.direction * from_center
     }
 
+    /// s of the curve's start: at U, or at O if a strength below 1 leaves U less than half of the view. For just half of
+    /// it, points between U and O have no direction, and the curve starts at the one that it leaves.
+    pub fn start(&self) -> f64 {
+        let away = on_ground(self.morph.user - self.morph.center).length();
+        let weight = self.morph.weight(away);
+        if self.morph.strength == 1.0 || weight > 0.5 {
+            0.0
+        } else if weight < 0.5 {
+            self.along
+        } else {
+            self.along.max(0.0)
+        }
+    }
+
     /// The stretches of the curve from its start to r₂, in order of s. There are three if the ray of a user between the
     /// radii crosses r₁.
     pub fn stretches(&self) -> Vec<Stretch> {
         // Vertical curves have no end; they are cut far beyond both radii.
         let end = self.end().map_or(UPRIGHT_END * (self.morph.r2 + self.beside), |(s, _)| s);
-        if self.beside == 0.0 || end <= 0.0 {
+        let start = self.start();
+        if self.beside == 0.0 || end <= start {
             return Vec::new();
         }
         let within = self.within_r1();
@@ -98,13 +113,16 @@ impl<'a> RayCurve<'a> {
                 add(enter, leave, true);
                 add(leave, end, false);
             }
-            None => add(0.0, end, false),
+            None => add(start, end, false),
         }
         stretches
     }
 
-    /// The interval of s in which the user's ray lies inside r₁.
+    /// The interval of s in which the user's ray lies inside r₁ and is the curve.
     fn within_r1(&self) -> Option<(f64, f64)> {
+        if self.morph.strength < 1.0 {
+            return None;
+        }
         let (p, d) = (on_ground(self.morph.user - self.morph.center), on_ground(self.direction));
         within_cylinder(p, d, self.morph.r1).filter(|&(_, leave)| leave > 0.0)
     }
@@ -143,14 +161,15 @@ impl<'a> RayCurve<'a> {
     /// The equation for y multiplied by |P−U| |P−O|, and its derivative by y.
     #[inline]
     fn residual(&self, s: f64, y: f64) -> (f64, f64) {
-        let Morph { r1, r2, .. } = *self.morph;
+        let Morph { r1, r2, strength, .. } = *self.morph;
         let from_axis = on_ground(self.point(s, y) - self.morph.center);
         let rho = from_axis.length();
         let w = self.morph.weight(rho);
         let (q, z) = (s - self.along, y - self.beside);
         let (a, b) = ((s * s + y * y).sqrt(), (q * q + z * z).sqrt());
         let value = w * y * b + (1.0 - w) * z * a;
-        let turn = if w > 0.0 && w < 1.0 { -from_axis.dot(on_ground(self.across)) / (rho * (r2 - r1)) } else { 0.0 };
+        let fades = w > 0.0 && w < strength;
+        let turn = if fades { -strength * from_axis.dot(on_ground(self.across)) / (rho * (r2 - r1)) } else { 0.0 };
         // Where a length is 0 the value is 0 as well, and the slope is not used.
         let slope = w * (b + y * z / b) + (1.0 - w) * (a + y * z / a) + turn * (y * b - z * a);
         (value, slope)
@@ -208,7 +227,7 @@ impl<'a> RayCurve<'a> {
         (s, a.1 + (b.1 - a.1) * (s - a.0) / (b.0 - a.0))
     }
 
-    /// The curve as a polyline: its start (U for users inside r₁), its bends, and the point where it leaves r₂. From
+    /// The curve as a polyline: its start (U for users inside r₁ at full strength), its bends, and the point where it leaves r₂. From
     /// that point it continues along d.
     pub fn polyline(&self, tolerance: f64) -> Vec<DVec3> {
         if self.morph.r2 == 0.0 {
@@ -226,7 +245,7 @@ impl<'a> RayCurve<'a> {
         }
         points.dedup();
         match (self.end(), stretches.is_empty()) {
-            _ if self.beside == 0.0 => points.push(self.morph.user),
+            _ if self.beside == 0.0 => points.push(self.point(self.start(), 0.0)),
             (Some((_, from_center)), true) => points.push(self.last(from_center)),
             _ => {}
         }

@@ -20,9 +20,16 @@ const FARTHEST: f64 = 1e30;
 /// changes its sign somewhere between the radii. It is negative where the sign has changed already, and −∞ where it
 /// changes even for a user on the axis. The user's height stays as given.
 ///
-/// For `Kind::Cylinder` the margin is r₁ − |(U−O)_h|: a user beyond r₁ stands outside cylinders on which points must
-/// stay.
+/// For `Kind::Cylinder` at full strength the margin is r₁ − |(U−O)_h|: a user beyond r₁ stands outside cylinders on
+/// which points must stay. Where w is constant, as within r₁, nothing folds: M = w (1 − d_U d_Uᵀ)/A + (1−w) (1 − d_O d_Oᵀ)/B
+/// has no negative eigenvalue and m = w d_U + (1−w) d_O is the gradient of the distance, so that a step v with M v ∥ m
+/// and m·v = 0 has v·M v = 0 and is along both directions, hence 0. Each cylinder has one w, and its points are told apart
+/// by their directions if U stands inside, at about O's height. So a user within r₁ folds nothing at any strength. Points
+/// nearer to the axis than U are shown at the blend's distance, and fold as a blend does. Without strength nothing folds.
 pub fn margin(morph: &Morph) -> Result<f64> {
+    if morph.strength == 0.0 {
+        return Ok(f64::INFINITY);
+    }
     if morph.r2 == 0.0 {
         return Err(Error::value("r2", "a radius above 0, because without near geometry nothing folds", morph.r2));
     }
@@ -31,20 +38,22 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     if offset.length().is_nan() || offset.length() > FARTHEST {
         return Err(Error::value("user", format!("a place within {FARTHEST:e} m of the centre"), morph.user));
     }
-    if morph.kind == Kind::Cylinder {
+    if morph.kind == Kind::Cylinder && morph.strength == 1.0 {
         return Ok(morph.r1 - away);
     }
     let width = morph.r2 - morph.r1;
     let folds = |distance: f64| -> Result<bool> {
         let user = morph.center + DVec3::new(distance, offset.y, 0.0);
-        let moved = Morph::new(user, morph.center, morph.r1, morph.r2, Kind::Blend)?;
+        let moved = Morph::new(user, morph.center, morph.r1, morph.r2, morph.kind)?.with_strength(morph.strength)?;
         Ok(least_determinant(&moved) <= 0.0)
     };
-    // A user at r₂ − r₁ from the axis always folds the picture: on the line through U and O, behind O, the distance
+    // A user at (r₂ − r₁)/s from the axis always folds the picture: on the line through U and O, behind O, the distance
     // shown falls as ρ grows.
-    let (mut sound, mut folded) = (0.0, width);
-    if folds(0.0)? {
-        return Ok(f64::NEG_INFINITY);
+    let (mut sound, mut folded) = (0.0, width / morph.strength);
+    match morph.kind {
+        Kind::Blend if folds(0.0)? => return Ok(f64::NEG_INFINITY),
+        Kind::Blend => {}
+        Kind::Cylinder => (sound, folded) = (morph.r1, folded.max(morph.r1)),
     }
     while folded - sound > MARGIN_PRECISION * width {
         let middle = 0.5 * (sound + folded);
@@ -57,13 +66,15 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     Ok(0.5 * (sound + folded) - away)
 }
 
-/// The least determinant of the Jacobian between the radii. Its scale does not depend on the distance.
+/// The least determinant of the Jacobian between the radii, with `Kind::Cylinder` where points are shown at the blend's
+/// distance. Its scale does not depend on the distance.
 fn least_determinant(morph: &Morph) -> f64 {
     let offset = morph.user - morph.center;
     let away = on_ground(offset).length();
-    if away > morph.r1 && 3.0 * away >= morph.r1 + morph.r2 {
+    let Morph { r1, r2, strength, .. } = *morph;
+    if strength > 0.5 && away > r1 && 3.0 * away >= r1 + r2 - (r2 - r1) * (1.0 / strength - 1.0) {
         // On the line from U to O the two see a point in opposite directions, and the distance shown changes with
-        // 2w − 1 + (|U−O| − 2ρ)/(r₂−r₁). Next to the user this vanishes at |U−O| = (r₁+r₂)/3.
+        // 2w − 1 + s (|U−O| − 2ρ)/(r₂−r₁). Next to the user this vanishes at 3 |U−O| = 2 r₂ − (r₂−r₁)/s.
         return 0.0;
     }
     let mut worst: Vec<(f64, [f64; 3])> = Vec::with_capacity(GRID.iter().product());
@@ -106,7 +117,11 @@ fn follow(morph: &Morph, mut value: f64, mut place: [f64; 3]) -> f64 {
 /// Determinant of the Jacobian at a place: `depth` is the share of the way from r₁ to r₂, `turn` the share of half a
 /// turn from the user's side, `lift` the share of 86° (1.5 rad) up or down as seen from the centre.
 fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
-    let rho = morph.r1 + (morph.r2 - morph.r1) * depth;
+    let farthest = match morph.kind {
+        Kind::Blend => morph.r2,
+        Kind::Cylinder => morph.r2.min(on_ground(morph.user - morph.center).length()),
+    };
+    let rho = morph.r1 + (farthest - morph.r1) * depth;
     let (sin, cos) = (turn * std::f64::consts::PI).sin_cos();
     let outward = DVec3::new(cos, 0.0, sin);
     let from_center = outward * rho + DVec3::Y * (1.5 * lift).tan() * rho.max(1e-3 * morph.r2);
@@ -117,7 +132,7 @@ fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
     }
     let (by_user, by_center) = (from_user / a, from_center / b);
     let w = morph.weight(rho);
-    let gradient = -outward / (morph.r2 - morph.r1);
+    let gradient = -outward * morph.strength / (morph.r2 - morph.r1);
     let blend = w * by_user + (1.0 - w) * by_center;
     let direction = blend.normalize_or(by_user);
     let outer = |p: DVec3, q: DVec3| DMat3::from_cols(p * q.x, p * q.y, p * q.z);

@@ -53,9 +53,10 @@ proptest! {
     #[test]
     fn any_user_and_any_radii_end(
         x in -90.0..90.0f64, y in -50.0..50.0f64, z in -90.0..90.0f64, r1 in 0.0..40.0f64, width in 1e-3..40.0f64,
-        dx in -1.0..1.0f64, dy in -1.0..1.0f64, dz in -1.0..1.0f64,
+        dx in -1.0..1.0f64, dy in -1.0..1.0f64, dz in -1.0..1.0f64, strength in 0.0..2.0f64,
     ) {
-        let morph = Morph::new(DVec3::new(x, y, z), DVec3::ZERO, r1, r1 + width, Kind::Blend).unwrap();
+        let full = Morph::new(DVec3::new(x, y, z), DVec3::ZERO, r1, r1 + width, Kind::Blend).unwrap();
+        let morph = full.with_strength(strength.min(1.0)).unwrap();
         let direction = DVec3::new(dx, dy, dz).normalize_or(DVec3::Y);
         let points = RayCurve::new(&morph, direction).polyline(1e-4);
         prop_assert!(!points.is_empty() && points.len() < 3 * (MAX_CHORDS / 1e-4f64.sqrt()) as usize);

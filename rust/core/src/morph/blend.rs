@@ -13,9 +13,12 @@ use crate::base::Real;
 /// Greatest r₂/(r₂−r₁). Rounding of a float32 weight w grows by this factor; above the limit the morph uses float64.
 const GREATEST_STEEPNESS: f64 = 16.0;
 
-/// Whether the kernel may be used: no length overflows or loses digits.
+/// Whether the kernel may be used: no length overflows or loses digits, and points within r₁ stay.
 pub(super) fn applies<T: BlendLimits>(morph: &Morph) -> bool {
     let [least, greatest] = T::LENGTHS;
+    if morph.strength < 1.0 {
+        return false;
+    }
     let in_range = morph.r2 > least && morph.r2 < greatest && morph.offset.length() < greatest;
     // Two float32 numbers represent O to 2⁻⁴⁸ of its length, which must stay far below `DOUBT` of the inner radius.
     let in_range = in_range && morph.center.length() < 1e6 * if morph.r1 > 0.0 { morph.r1 } else { morph.r2 };

@@ -1,5 +1,5 @@
-//! The block kernel of `Kind::Cylinder`, and of blends outside the limits of the kernel `blend`: the scalar form in
-//! float64, without branches. Points with nearly opposed directions are in doubt.
+//! The block kernel of `Kind::Cylinder`, of strengths below 1, and of blends outside the limits of the kernel `blend`:
+//! the scalar form in float64, without branches. Points with nearly opposed directions are in doubt.
 
 use super::lanes::{BLOCK, BlockCoordinates, gather, scatter};
 use super::point::{Kind, Morph};
@@ -24,7 +24,7 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mu
         let rho = (x * x + z * z).sqrt();
         let linear = if morph.r2 == 0.0 { 0.0 } else { (morph.r2 - rho) / (morph.r2 - morph.r1) };
         let low = if linear > 0.0 { linear } else { 0.0 };
-        let w = if low < 1.0 { low } else { 1.0 };
+        let w = morph.strength * if low < 1.0 { low } else { 1.0 };
         let from_user = (ax * ax + ay * ay + az * az).sqrt();
         let from_center = (x * x + y * y + z * z).sqrt();
         let (by_user, by_center) = (w / from_user, (1.0 - w) / from_center);

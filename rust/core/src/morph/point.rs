@@ -14,7 +14,7 @@ pub enum Kind {
 }
 
 /// The morph for one position of the user.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Morph {
     /// The user's eye U.
     pub user: DVec3,
@@ -26,6 +26,8 @@ pub struct Morph {
     pub r2: f64,
     /// Rule for the distance along the direction.
     pub kind: Kind,
+    /// s: factor of the weight of the user's view. Below 1, points within r₁ move too.
+    pub strength: f64,
     /// U − O.
     pub(super) offset: DVec3,
 }
@@ -35,10 +37,10 @@ pub struct Morph {
 pub struct Morphed {
     /// The position Q at which the point is shown.
     pub point: DVec3,
-    /// Weight w of the user's view: 1 inside r₁, 0 beyond r₂.
+    /// Weight w of the user's view: the strength inside r₁, 0 beyond r₂.
     pub weight: f64,
     /// Whether user and centre see the point in opposite directions, so that the blend has no direction and the user's
-    /// is used. This happens only to users outside the near cylinder.
+    /// is used. This happens only to users outside the near cylinder, and between U and O at a strength of ½.
     pub opposed: bool,
 }
 
@@ -60,7 +62,16 @@ impl Morph {
         if !(r2.is_finite() && r2 > r1 || nothing_is_near) {
             return Err(Error::value("r2", format!("a finite radius greater than r1 = {r1}"), r2));
         }
-        Ok(Self { user, center, r1, r2, kind, offset: user - center })
+        Ok(Self { user, center, r1, r2, kind, strength: 1.0, offset: user - center })
+    }
+
+    /// The same morph with another strength, 0 to 1. Without any, nothing is near: w = 0 everywhere.
+    pub fn with_strength(self, strength: f64) -> Result<Self> {
+        if !(0.0..=1.0).contains(&strength) {
+            return Err(Error::value("strength", "a number from 0 to 1", strength));
+        }
+        let [r1, r2] = if strength == 0.0 { [0.0; 2] } else { [self.r1, self.r2] };
+        Ok(Self { strength, r1, r2, ..self })
     }
 
     /// Morphed position Q of a point.
@@ -74,7 +85,7 @@ impl Morph {
         if self.r2 == 0.0 {
             return 0.0;
         }
-        ((self.r2 - rho) / (self.r2 - self.r1)).clamp(0.0, 1.0)
+        self.strength * ((self.r2 - rho) / (self.r2 - self.r1)).clamp(0.0, 1.0)
     }
 
     /// Morphed position of a point, its weight, and whether its directions were opposed.

@@ -31,7 +31,7 @@ vectorized! {
 
 impl Morph {
     /// Morphs float32 points. Where directions are not opposed, the error is at most half a float32 step of the result
-    /// plus 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O|. Points inside r₁ keep their bits; points beyond r₂ are U + P − O, rounded
+    /// plus 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O|. At full strength points inside r₁ keep their bits; points beyond r₂ are U + P − O, rounded
     /// once. Points with NaN give NaN. Returns the number of opposed points. Both slices have the same length.
     pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]], progress: &Progress) -> Result<u64> {
         apply_all(self, points, shown, progress)

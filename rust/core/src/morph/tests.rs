@@ -67,11 +67,12 @@ proptest! {
 
     #[test]
     fn both_kinds_of_wide_blocks_agree_with_the_scalar_form(
-        p in prop::collection::vec(point(70.0), 1..200), u in point(60.0), is_blend in any::<bool>(),
+        p in prop::collection::vec(point(70.0), 1..200), u in point(60.0), is_blend in any::<bool>(), strength in 0.0..2.0f64,
     ) {
         // These radii are too close for the blend kernel in the points' own precision.
         let (kind, r1) = if is_blend { (Kind::Blend, 49.0) } else { (Kind::Cylinder, 35.0) };
-        let morph = Morph::new(u, DVec3::ZERO, r1, 50.0, kind).unwrap();
+        let full = Morph::new(u, DVec3::ZERO, r1, 50.0, kind).unwrap();
+        let morph = full.with_strength(strength.min(1.0)).unwrap();
         let points: Vec<[f64; 3]> = p.iter().map(DVec3::to_array).chain([u.to_array(), [0.0; 3]]).collect();
         let single: Vec<[f32; 3]> = points.iter().map(|p| p.map(|x| x as f32)).collect();
         let (mut shown, mut shown_single) = (vec![[0.0; 3]; points.len()], vec![[0.0; 3]; points.len()]);
@@ -198,6 +199,9 @@ fn nonsense_is_refused() {
     }
     assert!(Morph::new(o, o, 0.0, 0.0, Kind::Blend).is_ok());
     let morph = Morph::new(DVec3::X, o, 30.0, 50.0, Kind::Blend).unwrap();
+    for strength in [-1e-9, 1.0 + 1e-9, nan] {
+        assert!(morph.with_strength(strength).is_err());
+    }
     let mut shown = [[0.0; 3]; 1];
     morph.apply_all_f32(&[[f32::NAN; 3]], &mut shown, &Progress::new()).unwrap();
     assert!(shown[0].iter().all(|x| x.is_nan()));

@@ -19,7 +19,7 @@ mod tests;
 
 pub use arrays::{Arrays, tessellate_arrays};
 pub use counts::SplitCounts;
-pub use rule::{Precision, Rule, Settings};
+pub use rule::{Precision, Rule, Settings, bent_from};
 pub use scene::{needs_split, split_scene, tessellate_scene};
 pub use split::Piece;
 pub use steps::Steps;

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::bound::{Form, LEAST_CLEARANCE, RadialZone};
 use crate::base::{Error, Result};
-use crate::morph::Kind;
+use crate::morph::{Kind, Morph};
 
 /// The cylinders and the region of users for which surfaces are split.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +23,22 @@ pub struct Settings {
     pub tolerance: f64,
     /// Kind of the morph. For `Kind::Cylinder` the error is an estimate, not a bound.
     pub kind: Kind,
+}
+
+/// Radius from which on a morph bends triangles: r₁, or 0 if points within r₁ move too.
+pub fn bent_from(morph: &Morph) -> f64 {
+    if morph.strength < 1.0 { 0.0 } else { morph.r1 }
+}
+
+impl Settings {
+    /// For one morph. Where it bends triangles from the axis on, w falls over r₂ − r₁ nonetheless, and the tolerance is
+    /// smaller in proportion.
+    pub fn of(morph: &Morph, drawn: f64, reach: f64, tolerance: f64) -> Self {
+        let Morph { center, r2, kind, .. } = *morph;
+        let r1 = bent_from(morph);
+        let share = if r2 > r1 { (r2 - morph.r1) / (r2 - r1) } else { 1.0 };
+        Self { center, r1, r2, drawn, reach, tolerance: tolerance * share, kind }
+    }
 }
 
 /// Floating-point type to which the coordinates of new vertices are rounded.

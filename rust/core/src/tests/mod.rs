@@ -43,7 +43,8 @@ fn rows<const N: usize>(value: &Value) -> Vec<[f64; N]> {
 /// The morph of a case.
 fn morph_of(case: &Value, kind: Kind) -> Morph {
     let [user, center] = ["user", "center"].map(|name| DVec3::from_array(row(&case[name])));
-    Morph::new(user, center, number(&case["r1"]), number(&case["r2"]), kind).unwrap()
+    let full = Morph::new(user, center, number(&case["r1"]), number(&case["r2"]), kind).unwrap();
+    full.with_strength(case["strength"].as_f64().unwrap_or(1.0)).unwrap()
 }
 
 /// Fails where numbers are further from the expected ones than a bound.

@@ -56,9 +56,9 @@ fn morph_block(morph: &Morph, points: usize) -> MorphBlock {
     let wide = |v: DVec3, w: f64| v.as_vec3().extend(w as f32).to_array();
     // Where both radii are 0 nothing is near: w is 0, and no point stays.
     let slope = if morph.r2 > 0.0 { 1.0 / (morph.r2 - morph.r1) } else { 0.0 };
-    let stays = if morph.r2 > 0.0 { morph.r1 } else { -1.0 };
+    let stays = if morph.r2 > 0.0 && morph.strength == 1.0 { morph.r1 } else { -1.0 };
     MorphBlock {
-        center_high: high.extend(0.0).to_array(),
+        center_high: high.extend(morph.strength as f32).to_array(),
         center_low: low.extend(0.0).to_array(),
         offset: wide(offset, offset.length_squared()),
         radii: [stays, morph.r2, slope, offset.x.hypot(offset.z)].map(|x| x as f32),

@@ -26,6 +26,7 @@ pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Pro
         offset: DVec3::ZERO,
         apart: DVec3::ZERO,
         radii: [0.0; 2],
+        strength: 1.0,
         split: settings.radius,
         two_texels: settings.two_texels(),
     };

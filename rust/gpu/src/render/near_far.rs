@@ -95,6 +95,8 @@ pub(super) struct NearFar {
     pub apart: DVec3,
     /// r₁ and r₂.
     pub radii: [f64; 2],
+    /// Strength of the morph; below 1 no point stays where it is.
+    pub strength: f64,
     /// Radius where pixels are split.
     pub split: f64,
     /// Tangent of two texels of the map, for `Zone::Overlapping`.
@@ -106,10 +108,11 @@ impl NearFar {
     pub fn parameters(&self) -> Parameters {
         let [r1, r2] = self.radii;
         let slope = if r2 > r1 { 1.0 / (r2 - r1) } else { 0.0 };
+        let stays = if self.strength == 1.0 { r1 } else { -1.0 };
         let mut parameters = Parameters::default();
         parameters[0] = (self.offset + self.apart).as_vec3().extend(self.two_texels as f32).to_array();
-        parameters[1] = [r1, r2, self.split, slope].map(|x| x as f32);
-        parameters[2] = self.apart.as_vec3().extend(0.0).to_array();
+        parameters[1] = [stays, r2, self.split, slope].map(|x| x as f32);
+        parameters[2] = self.apart.as_vec3().extend(self.strength as f32).to_array();
         parameters
     }
 }

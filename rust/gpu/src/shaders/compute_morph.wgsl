@@ -1,7 +1,7 @@
 // The morph of arrays, by the functions of `morph.wgsl`.
 
 struct Morph {
-    // The centre as the sum of two numbers.
+    // The centre as the sum of two numbers; w of the first: the strength.
     center_high: vec4<f32>,
     center_low: vec4<f32>,
     // From the centre to the user; w: its squared length.
@@ -51,7 +51,7 @@ fn in_the_world(from_center: vec3<f32>) -> vec3<f32> {
 // b = 1 - w (w + (1-w) B/A)/n. Both are of the size of |v|, so that rounding is relative to the user's offset.
 fn moved_by_blend(p: vec3<f32>, from_center: vec3<f32>, rho: f32) -> vec3<f32> {
     let v = morph.offset.xyz;
-    let w = user_weight(rho, morph.radii.y, morph.radii.z);
+    let w = morph.center_high.w * user_weight(rho, morph.radii.y, morph.radii.z);
     let from_user = from_center - v;
     let b_squared = dot(from_center, from_center);
     if b_squared > FAR {
@@ -106,7 +106,7 @@ fn morph_cylinder(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invoca
     } else if rho <= morph.radii.x {
         store(number, p);
     } else {
-        let w = user_weight(rho, morph.radii.y, morph.radii.z);
+        let w = morph.center_high.w * user_weight(rho, morph.radii.y, morph.radii.z);
         let user = Place(morph.offset.xz, morph.radii.w);
         let to = on_cylinder(user, from_center - morph.offset.xyz, from_center, w, rho);
         store(number, in_the_world(morph.offset.xyz + to.w * to.xyz));

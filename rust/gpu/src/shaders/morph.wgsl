@@ -4,7 +4,7 @@
 // A blend of unit vectors below this has no digits left.
 const OPPOSED: f32 = 1e-6;
 
-// Weight of the user's view at a distance from the axis: 1 within r1 and 0 beyond r2; slope is 1 / (r2 - r1).
+// Weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2; slope is 1 / (r2 - r1).
 fn user_weight(rho: f32, r2: f32, slope: f32) -> f32 {
     return clamp((r2 - rho) * slope, 0.0, 1.0);
 }

@@ -1,7 +1,7 @@
 // The styles of the near-far method: where points are shown by the functions of `morph.wgsl`.
 //
-// Parameters: from the centre to the eye, and the tangent of two texels; r1, r2, the radius where pixels are split, and
-// 1 / (r2 - r1); from the user to the eye, which is the camera's.
+// Parameters: from the centre to the eye, and the tangent of two texels; the radius within which points stay, r2, the
+// radius where pixels are split, and 1 / (r2 - r1); from the user to the eye, which is the camera's, and the strength.
 
 const BLEND: u32 = 1u;
 const CYLINDER: u32 = 2u;
@@ -43,7 +43,7 @@ fn morphed(p: vec3<f32>) -> vec3<f32> {
     if rho >= view.parameters[1].y && STYLE == BLEND {
         return from_center - view.parameters[2].xyz;
     }
-    let w = user_weight(rho, view.parameters[1].y, view.parameters[1].w);
+    let w = view.parameters[2].w * user_weight(rho, view.parameters[1].y, view.parameters[1].w);
     let from_user = p + view.parameters[2].xyz;
     var to = blended(from_user, from_center, w);
     if STYLE == CYLINDER || STYLE == CYLINDER_FROM_CENTER {

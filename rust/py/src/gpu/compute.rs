@@ -55,7 +55,7 @@ pub(crate) fn gpu_discontinuity<'py>(
 
 /// Writes morphed points.
 #[pyfunction]
-#[pyo3(signature = (device, points, shown, *, user, center, r1, r2, kind))]
+#[pyo3(signature = (device, points, shown, *, user, center, r1, r2, kind, strength))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
 pub(crate) fn gpu_morph(
     py: Python<'_>,
@@ -67,10 +67,11 @@ pub(crate) fn gpu_morph(
     r1: f64,
     r2: f64,
     kind: &str,
+    strength: f64,
 ) -> PyResult<()> {
     let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
     run::long(py, None, |progress| {
-        let morph = Morph::new(user.into(), center.into(), r1, r2, self::kind(kind)?)?;
+        let morph = Morph::new(user.into(), center.into(), r1, r2, self::kind(kind)?)?.with_strength(strength)?;
         compute::morph(&device.0, &morph, rows, to, progress)
     })
 }

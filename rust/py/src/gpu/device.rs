@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use nearfar_core::base::Progress;
 use nearfar_core::render::bake::Bake;
+use nearfar_core::render::reduced::Growth;
 use nearfar_gpu::render::{bake, truth};
 use nearfar_gpu::{Device, device};
 use pyo3::prelude::*;
@@ -147,8 +148,8 @@ impl GpuDevice {
 
     /// Starts a frame of a reduced scene; `scene` is the scene that was reduced, in any pose.
     #[pyo3(signature = (
-        reduced, scene, camera, settings, *, user, radius, method, mapped, tolerance_px, conventional_dynamic,
-        report=None
+        reduced, scene, camera, settings, *, user, radius, strength, method, mapped, tolerance_px,
+        conventional_dynamic, report=None
     ))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn reduced(
@@ -160,6 +161,7 @@ impl GpuDevice {
         settings: Settings<'_>,
         user: Option<[f64; 3]>,
         radius: Option<f64>,
+        strength: f64,
         method: &str,
         mapped: bool,
         tolerance_px: f64,
@@ -167,7 +169,7 @@ impl GpuDevice {
         report: Option<Py<PyAny>>,
     ) -> PyResult<GpuJob> {
         let how = (method, mapped, tolerance_px);
-        let drawing = drawing(&settings, (user, radius), how, conventional_dynamic)?;
+        let drawing = drawing(&settings, (user, Growth { radius, strength }), how, conventional_dynamic)?;
         let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
         let (job, counts) = run::long(py, report, |progress| {
             reduced.on_gpu(progress)?.begin(device, (&reduced.core, scene), camera, &drawing, progress)

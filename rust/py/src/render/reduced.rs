@@ -6,7 +6,7 @@ use glam::DVec3;
 use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
-use nearfar_core::render::reduced::{self, ConventionalDynamic, Drawing, Join, MorphMethod};
+use nearfar_core::render::reduced::{self, ConventionalDynamic, Drawing, Growth, Join, MorphMethod};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -48,7 +48,7 @@ impl Reduced {
 /// Settings of a frame, by their public names.
 pub fn drawing<'a>(
     settings: &'a Settings<'_>,
-    (user, radius): (Option<[f64; 3]>, Option<f64>),
+    (user, growth): (Option<[f64; 3]>, Growth),
     (method, mapped, tolerance_px): (&str, bool, f64),
     conventional_dynamic: &str,
 ) -> PyResult<Drawing<'a>> {
@@ -62,7 +62,7 @@ pub fn drawing<'a>(
     let conventional_dynamic = choice("conventional_dynamic", conventional_dynamic, &named).map_err(to_python)?;
     let (channels, limits, pixels) = (settings.channels()?, settings.limits()?, settings.pixels()?);
     let (samples, user) = (settings.samples, user.map(DVec3::from_array));
-    Ok(Drawing { channels, samples, limits, pixels, user, radius, method, mapped, tolerance_px, conventional_dynamic })
+    Ok(Drawing { channels, samples, limits, pixels, user, growth, method, mapped, tolerance_px, conventional_dynamic })
 }
 
 #[pymethods]
@@ -106,7 +106,8 @@ impl Reduced {
     /// Images of a view by name, and its counts as `stats`; `scene` is the scene that was reduced, in any
     /// pose.
     #[pyo3(signature = (
-        scene, camera, settings, *, user, radius, method, mapped, tolerance_px, conventional_dynamic, report=None
+        scene, camera, settings, *, user, radius, strength, method, mapped, tolerance_px, conventional_dynamic,
+        report=None
     ))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn render<'py>(
@@ -117,6 +118,7 @@ impl Reduced {
         settings: Settings<'py>,
         user: Option<[f64; 3]>,
         radius: Option<f64>,
+        strength: f64,
         method: &str,
         mapped: bool,
         tolerance_px: f64,
@@ -124,7 +126,7 @@ impl Reduced {
         report: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let how = (method, mapped, tolerance_px);
-        let drawing = drawing(&settings, (user, radius), how, conventional_dynamic)?;
+        let drawing = drawing(&settings, (user, Growth { radius, strength }), how, conventional_dynamic)?;
         let (scene, camera) = (&scene.0, &camera.0);
         let (frame, counts) = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
         let images = images(py, frame, (camera.height as usize, camera.width as usize))?;
@@ -133,8 +135,8 @@ impl Reduced {
     }
 
     /// Metres that a user at a world position may still move before the picture folds.
-    fn fold_margin(&self, py: Python<'_>, user: [f64; 3], radius: Option<f64>) -> PyResult<f64> {
-        run::short(py, || self.core.fold_margin(DVec3::from_array(user), radius))
+    fn fold_margin(&self, py: Python<'_>, user: [f64; 3], radius: Option<f64>, strength: f64) -> PyResult<f64> {
+        run::short(py, || self.core.fold_margin(DVec3::from_array(user), Growth { radius, strength }))
     }
 
     /// Size of the copies of near geometry, bytes.

@@ -29,7 +29,7 @@ pub(super) struct Exact<'a> {
     morph: Morph,
     /// Radius at which the near part ends, metres; at least the morph's r₂.
     boundary: f64,
-    /// Data that gives the point where rays of a user inside r₁ begin to bend.
+    /// Data that gives the point where rays of a user inside r₁ begin to bend; `None` if they bend from the start.
     inside: Option<Inside>,
     backdrop: Backdrop<'a>,
     moving: Option<Moving>,
@@ -170,7 +170,7 @@ impl<'a> Exact<'a> {
         }
         // Straight curves: along the line through user and centre, and vertical rays within r₁.
         let straight = match end {
-            Some(s) if curve.beside == 0.0 => (s > 0.0).then_some(s as f32),
+            Some(s) if curve.beside == 0.0 => Some((s - curve.start()) as f32).filter(|&t_max| t_max > 0.0),
             None if points.len() == 1 => Some(f32::INFINITY),
             _ => None,
         };
@@ -263,7 +263,7 @@ impl Inside {
     fn of(morph: &Morph) -> Option<Self> {
         let user = on_ground(morph.user - morph.center);
         let power = user.length_squared() - morph.r1 * morph.r1;
-        (power < 0.0).then_some(Self { user: user.as_vec2(), power: power as f32 })
+        (power < 0.0 && morph.strength == 1.0).then_some(Self { user: user.as_vec2(), power: power as f32 })
     }
 
     /// Distance along a direction to r₁; infinite for vertical directions. Both roots are in the form without

@@ -7,13 +7,13 @@ use glam::{DVec2, DVec3};
 
 use crate::base::Result;
 use crate::bend;
-use crate::morph::{Kind, Morph};
+use crate::morph::Morph;
 
 /// Step of heights as a share of r₂: 5 cm for 50 m. The margin hardly changes with the height.
 const HEIGHT_STEP: f64 = 1e-3;
 
-/// The height and the radii of the last margin, and its value for a user on the axis.
-type Known = ([f64; 3], f64);
+/// The height, the radii and the strength of the last margin, and its value for a user on the axis.
+type Known = ([f64; 4], f64);
 
 /// Margins by height.
 #[derive(Debug, Default)]
@@ -21,7 +21,8 @@ pub(super) struct Folding(Mutex<Option<Known>>);
 
 impl Folding {
     /// Metres that a user may still move before the picture folds; infinite without near geometry.
-    pub fn margin(&self, user: DVec3, center: DVec3, [r1, r2]: [f64; 2], kind: Kind) -> Result<f64> {
+    pub fn margin(&self, morph: &Morph) -> Result<f64> {
+        let Morph { user, center, r1, r2, kind, strength, .. } = *morph;
         if r2 == 0.0 {
             return Ok(f64::INFINITY);
         }
@@ -29,14 +30,15 @@ impl Folding {
         let away = DVec2::new(offset.x, offset.z).length();
         let step = HEIGHT_STEP * r2;
         let height = (offset.y / step).round() * step;
-        let cause = [height, r1, r2];
+        let cause = [height, r1, r2, strength];
         let last = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((known, margin)) = *last()
             && known == cause
         {
             return Ok(margin - away);
         }
-        let margin = bend::margin(&Morph::new(DVec3::Y * height, DVec3::ZERO, r1, r2, kind)?)?;
+        let on_axis = Morph::new(DVec3::Y * height, DVec3::ZERO, r1, r2, kind)?.with_strength(strength)?;
+        let margin = bend::margin(&on_axis)?;
         *last() = Some((cause, margin));
         Ok(margin - away)
     }

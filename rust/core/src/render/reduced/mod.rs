@@ -14,4 +14,4 @@ mod shown;
 mod straight;
 
 pub use moving::ConventionalDynamic;
-pub use reduced_scene::{Drawing, FrameCounts, Join, MorphMethod, Reduced};
+pub use reduced_scene::{Drawing, FrameCounts, Growth, Join, MorphMethod, Reduced};

@@ -50,6 +50,15 @@ pub enum MorphMethod {
     Exact,
 }
 
+/// How far the morph has grown in a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Growth {
+    /// Radius of the morph, metres; `None` for r₂. r₁ shrinks in proportion.
+    pub radius: Option<f64>,
+    /// Strength of the morph, 0 to 1.
+    pub strength: f64,
+}
+
 /// Settings of a frame of a reduced scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawing<'a> {
@@ -63,8 +72,8 @@ pub struct Drawing<'a> {
     pub pixels: Pixels<'a>,
     /// World position of the user's eye U, for which near geometry is morphed; `None` for the camera's position.
     pub user: Option<DVec3>,
-    /// Radius of the morph in this frame, metres; `None` for r₂. r₁ shrinks in proportion.
-    pub radius: Option<f64>,
+    /// How far the morph has grown in this frame.
+    pub growth: Growth,
     /// The points to which the morph is applied.
     pub method: MorphMethod,
     /// True for the baked map; false for the ideal picture, whose far part is traced from the centre.
@@ -154,7 +163,7 @@ impl Reduced {
         let boundary = if let Join::Conventional { radius } = self.join { radius } else { self.radii[1] };
         let seen = Seen { limits: limits.relative_to(scene.origin), eye: camera.position - scene.origin };
         let backdrop = Backdrop { far: self.far(drawing.mapped, boundary, progress)?, center, morph: None, seen };
-        let fold_margin = self.fold_margin(drawing.user(camera), drawing.radius)?;
+        let fold_margin = self.fold_margin(drawing.user(camera), drawing.growth)?;
         let traced = |moving| FrameCounts { triangles: 0, moving, opposed: 0, bounded: true, fold_margin };
         let Some(kind) = self.morph_kind(camera, drawing) else {
             let picture = straight::Straight::new(scene, backdrop, boundary, drawing.conventional_dynamic, progress)?;
@@ -162,8 +171,7 @@ impl Reduced {
             return Ok((draw(&view, &picture, progress)?, counts));
         };
         let user = drawing.user(camera);
-        let [r1, r2] = self.morph_radii(drawing.radius);
-        let morph = Morph::new(user - scene.origin, center, r1, r2, kind)?;
+        let morph = self.morph(user - scene.origin, center, kind, drawing.growth)?;
         let backdrop = Backdrop { morph: Some(morph), ..backdrop };
         let tolerance = drawing.tolerance_px * self.pixel_angle(camera);
         if drawing.method == MorphMethod::Exact {
@@ -189,18 +197,20 @@ impl Reduced {
         self.join.kind().filter(|_| !at_center)
     }
 
-    /// Radii r₁ and r₂ of the morph in a frame with this radius, metres.
-    pub fn morph_radii(&self, radius: Option<f64>) -> [f64; 2] {
+    /// The morph for a user and a centre in the same frame of coordinates.
+    pub fn morph(&self, user: DVec3, center: DVec3, kind: Kind, growth: Growth) -> Result<Morph> {
         let [r1, r2] = self.radii;
-        radius.map_or(self.radii, |radius| if radius < r2 { [r1 * (radius / r2), radius] } else { self.radii })
+        let smaller = growth.radius.filter(|&radius| radius < r2);
+        let [near, far] = smaller.map_or(self.radii, |radius| [r1 * (radius / r2), radius]);
+        Morph::new(user, center, near, far, kind)?.with_strength(growth.strength)
     }
 
     /// Metres that a user at a world position may still move before the picture folds; infinite without a morph. The
     /// user's height is rounded to a thousandth of r₂.
-    pub fn fold_margin(&self, user: DVec3, radius: Option<f64>) -> Result<f64> {
-        self.check_radius(radius)?;
+    pub fn fold_margin(&self, user: DVec3, growth: Growth) -> Result<f64> {
+        self.check_growth(growth)?;
         match self.join.kind() {
-            Some(kind) => self.folding.margin(user, self.center, self.morph_radii(radius), kind),
+            Some(kind) => self.folding.margin(&self.morph(user, self.center, kind, growth)?),
             None => Ok(f64::INFINITY),
         }
     }
@@ -228,7 +238,7 @@ impl Reduced {
         if drawing.mapped {
             self.check_channels(drawing.channels)?;
         }
-        self.check_radius(drawing.radius)?;
+        self.check_growth(drawing.growth)?;
         if self.join.kind().is_some() && drawing.conventional_dynamic != ConventionalDynamic::Center {
             let expected = "'center' with a morph, which shows what moves beyond the near part as the centre sees it";
             return Err(Error::value("conventional_dynamic", expected, drawing.conventional_dynamic.name()));
@@ -253,7 +263,10 @@ impl Reduced {
         Ok(())
     }
 
-    fn check_radius(&self, radius: Option<f64>) -> Result<()> {
+    fn check_growth(&self, Growth { radius, strength }: Growth) -> Result<()> {
+        if self.join.kind().is_none() && strength != 1.0 {
+            return Err(Error::value("strength", "1 without a morph", strength));
+        }
         let Some(radius) = radius else { return Ok(()) };
         if self.join.kind().is_none() {
             return Err(Error::value("radius", "None without a morph", radius));

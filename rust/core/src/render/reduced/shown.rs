@@ -10,7 +10,7 @@ use crate::bend::on_ground;
 use crate::morph::Morph;
 use crate::partition::Partition;
 use crate::scene::Scene;
-use crate::tessellate::{Settings, Steps};
+use crate::tessellate::{Settings, Steps, bent_from};
 
 /// Splits that are kept: a user who walks to and fro across a step finds both.
 const MAX_SPLITS: usize = 3;
@@ -24,13 +24,13 @@ struct Cause {
     poses: Option<Vec<DAffine3>>,
 }
 
-/// The user for whom a split was morphed last.
-type Seen = (Arc<Split>, DVec3, NearPart);
+/// The morph that a split was shown with last.
+type Seen = (Arc<Split>, Morph, NearPart);
 
 /// Near geometry of a reduced scene.
 #[derive(Debug, Default)]
 pub(super) struct NearGeometry {
-    /// Static triangles with all corners inside r₁, which only a morph of smaller radii moves.
+    /// Static triangles with all corners inside r₁, which only a morph of smaller radii or less than full strength moves.
     fixed: Option<NearPart>,
     /// r₁ and r₂ of the reduction, metres.
     radii: [f64; 2],
@@ -77,7 +77,7 @@ impl NearGeometry {
     /// Near geometry as a user sees it, with all moving objects. For a user who stands still, only parts that moved are
     /// morphed again.
     pub fn morphed(&self, scene: &Scene, morph: &Morph, tolerance: Option<f64>, progress: &Progress) -> Result<Shown> {
-        let moves_all = morph.r1 < self.radii[0];
+        let moves_all = bent_from(morph) < self.radii[0];
         let standing = || {
             let fixed = self.fixed.iter().filter(|_| moves_all).flat_map(|fixed| fixed.pieces.iter());
             fixed.map(|piece| (piece.instance, piece.face)).chain(self.bending.iter().copied()).collect()
@@ -119,11 +119,10 @@ impl NearGeometry {
     ) -> Result<Arc<Split>> {
         let settings = tolerance.map(|tolerance| {
             let reach = (morph.user - morph.center).length();
-            let Morph { center, r1, r2, kind, .. } = *morph;
-            Settings { center, r1, r2, drawn: self.radii[1], reach, tolerance, kind }.stepped()
+            Settings::of(morph, self.radii[1], reach, tolerance).stepped()
         });
         let steps = settings.map(|(steps, _)| steps);
-        let cause = Cause { steps, radii: [morph.r1, morph.r2], poses };
+        let cause = Cause { steps, radii: [bent_from(morph), morph.r2], poses };
         let known = {
             let mut splits = self.splits();
             splits.iter().position(|(other, _)| *other == cause).map(|at| {
@@ -149,7 +148,7 @@ impl NearGeometry {
 
     /// A split as a user sees it.
     fn seen(&self, split: &Arc<Split>, morph: &Morph, progress: &Progress) -> Result<NearPart> {
-        let is_same = |(other, user, _): &&Seen| Arc::ptr_eq(other, split) && *user == morph.user;
+        let is_same = |(other, last, _): &&Seen| Arc::ptr_eq(other, split) && last == morph;
         if let Some((_, _, part)) = self.last().iter().find(is_same) {
             return Ok(part.clone());
         }
@@ -159,7 +158,7 @@ impl NearGeometry {
         if last.len() == 2 {
             last.remove(0);
         }
-        last.push((Arc::clone(split), morph.user, part.clone()));
+        last.push((Arc::clone(split), *morph, part.clone()));
         Ok(part)
     }
 

@@ -3,9 +3,9 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use glam::{DAffine3, DVec3};
+use glam::DAffine3;
 use nearfar_core::base::{Progress, Result};
-use nearfar_core::morph::Kind;
+use nearfar_core::morph::{Kind, Morph};
 use nearfar_core::partition::Partition;
 use nearfar_core::scene::{Instance, InstanceSet, Scene};
 use nearfar_core::tessellate::{Precision, Rule, Settings, Steps, needs_split, split_scene};
@@ -20,7 +20,7 @@ pub(super) struct Near {
     fixed: Geometry,
     /// The other triangles, as they are in the scene.
     bending: Geometry,
-    /// All triangles, gathered when a morph of smaller radii first needs them.
+    /// All triangles, gathered when a morph of smaller radii or less than full strength first needs them.
     all: Mutex<Option<Geometry>>,
     /// Triangles after splitting, the last used at the end.
     split: Mutex<Vec<(Cause, Bent)>>,
@@ -28,7 +28,6 @@ pub(super) struct Near {
     moved: Mutex<Option<Moved>>,
     /// No standing instances, for layers of moving objects.
     no_instances: Arc<InstanceSet>,
-    center: DVec3,
     radii: [f64; 2],
 }
 
@@ -85,35 +84,28 @@ impl Near {
             split: Mutex::default(),
             moved: Mutex::default(),
             no_instances: Arc::default(),
-            center: partition.center() - scene.origin,
             radii: [partition.r1(), partition.r2()],
         })
     }
 
-    /// Triangles that a morph with these radii bends, as they are.
-    pub fn unsplit(&self, radii: [f64; 2], progress: &Progress) -> Result<Bent> {
-        if radii[0] < self.radii[0] {
+    /// Triangles that a morph bends from this radius on, as they are.
+    pub fn unsplit(&self, from: f64, progress: &Progress) -> Result<Bent> {
+        if from < self.radii[0] {
             return Ok(Bent { geometry: self.all(progress)?, fixed: None, rule: None });
         }
         Ok(Bent { geometry: self.bending.clone(), fixed: Some(self.fixed.clone()), rule: None })
     }
 
-    /// The same, split for a user this far from the centre and a tolerance in radians.
-    pub fn split(
-        &self,
-        reach: f64,
-        tolerance: f64,
-        (kind, radii): (Kind, [f64; 2]),
-        progress: &Progress,
-    ) -> Result<Bent> {
-        let (center, [r1, r2], drawn) = (self.center, radii, self.radii[1]);
-        let (steps, settings) = Settings { center, r1, r2, drawn, reach, tolerance, kind }.stepped();
-        let cause = Cause { steps, kind, radii };
+    /// The same, split for all users about as far from the centre and a tolerance in radians.
+    pub fn split(&self, morph: &Morph, tolerance: f64, progress: &Progress) -> Result<Bent> {
+        let reach = (morph.user - morph.center).length();
+        let (steps, settings) = Settings::of(morph, self.radii[1], reach, tolerance).stepped();
+        let cause = Cause { steps, kind: morph.kind, radii: [settings.r1, settings.r2] };
         if let Some(bent) = self.known_split(&cause) {
             return Ok(bent);
         }
         let rule = Rule::new(&settings, Precision::Single)?;
-        let whole = self.unsplit(radii, progress)?;
+        let whole = self.unsplit(settings.r1, progress)?;
         let (scene, _) = split_scene(&whole.geometry.scene, &rule, progress)?;
         let geometry = Geometry { scene, sources: whole.geometry.sources };
         let bent = Bent { geometry, fixed: whole.fixed, rule: Some(Arc::new(rule)) };

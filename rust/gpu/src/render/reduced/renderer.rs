@@ -6,10 +6,11 @@ use glam::DVec3;
 use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::camera::Camera;
 use nearfar_core::cubemap::EnvironmentMap;
-use nearfar_core::morph::{Kind, Morph};
+use nearfar_core::morph::Morph;
 use nearfar_core::partition::Partition;
 use nearfar_core::render::reduced::{self, Drawing, FrameCounts, Join, MorphMethod};
 use nearfar_core::scene::{Instance, Scene};
+use nearfar_core::tessellate::bent_from;
 
 use super::near::{Geometry, Near};
 use super::picture::View;
@@ -67,10 +68,11 @@ impl Reduced {
         let eye = if kind.is_some() { drawing.user(camera) } else { camera.position };
         let (user, apart) = (eye - scene.origin, camera.position - eye);
         let tolerance = drawing.tolerance_px * reduced.pixel_angle(camera);
-        let radii = if kind.is_some() { reduced.morph_radii(drawing.radius) } else { self.radii };
-        let bent = match kind.filter(|_| tolerance.is_finite()) {
-            Some(kind) => self.near.split((user - self.center).length(), tolerance, (kind, radii), progress)?,
-            None => self.near.unsplit(radii, progress)?,
+        let morph = kind.map(|kind| reduced.morph(user, self.center, kind, drawing.growth)).transpose()?;
+        let radii = morph.map_or(self.radii, |morph| [morph.r1, morph.r2]);
+        let bent = match &morph {
+            Some(morph) if tolerance.is_finite() => self.near.split(morph, tolerance, progress)?,
+            _ => self.near.unsplit(morph.as_ref().map_or(radii[0], bent_from), progress)?,
         };
         let moving = self.near.moving(scene, bent.rule.as_ref(), progress)?;
         let texels = match &self.map {
@@ -82,18 +84,19 @@ impl Reduced {
         let counts = FrameCounts {
             triangles: Near::triangle_count(&bent) + moved,
             moving: moved,
-            opposed: kind.map_or(Ok(0), |kind| self.opposed(scene, user, (kind, radii), &bent.geometry.scene))?,
+            opposed: morph.map_or(0, |morph| opposed(scene, &morph, &bent.geometry.scene)),
             bounded: kind.is_none() || apart == DVec3::ZERO && bent.rule.as_ref().is_some_and(|rule| rule.holds()),
-            fold_margin: reduced.fold_margin(drawing.user(camera), drawing.radius)?,
+            fold_margin: reduced.fold_margin(drawing.user(camera), drawing.growth)?,
         };
         let split = match self.join {
             Join::Conventional { radius } => radius,
             Join::Morph(_) => self.radii[1],
         };
+        let strength = morph.map_or(1.0, |morph| morph.strength);
         let view = View {
             scene,
             center: self.center,
-            near_far: NearFar { offset: user - self.center, apart, radii, split, two_texels: 0.0 },
+            near_far: NearFar { offset: user - self.center, apart, radii, strength, split, two_texels: 0.0 },
             kind,
             fixed: bent.fixed.as_ref(),
             bending: &bent.geometry,
@@ -110,20 +113,6 @@ impl Reduced {
         Ok((job, counts))
     }
 
-    /// Vertices that user and centre see in opposite directions: none while the user is in the near cylinder.
-    fn opposed(&self, scene: &Scene, user: DVec3, (kind, [r1, r2]): (Kind, [f64; 2]), bending: &Scene) -> Result<u64> {
-        let offset = user - self.center;
-        if offset.x.hypot(offset.z) < r1 {
-            return Ok(0);
-        }
-        let morph = Morph::new(user, self.center, r1, r2, kind)?;
-        let opposed = |instance: &Instance| -> u64 {
-            let corners = (0..instance.mesh.faces.len() as u32).flat_map(|face| instance.corners(face));
-            corners.map(|corner| u64::from(morph.examine(corner.as_dvec3()).opposed)).sum()
-        };
-        Ok(bending.instances().chain(scene.moving.instances()).map(opposed).sum())
-    }
-
     fn texels(&self, device: &Arc<Device>, map: &EnvironmentMap) -> Result<Arc<EnvTexels>> {
         let known = || self.texels.lock().unwrap_or_else(PoisonError::into_inner);
         let is_here = |owner: &Weak<Device>| std::ptr::eq(owner.as_ptr(), Arc::as_ptr(device));
@@ -135,4 +124,18 @@ impl Reduced {
         *known() = Some((Arc::downgrade(device), Arc::clone(&texels)));
         Ok(texels)
     }
+}
+
+/// Vertices that user and centre see in opposite directions: none while the user is in the near cylinder, unless the
+/// strength is ½.
+fn opposed(scene: &Scene, morph: &Morph, bending: &Scene) -> u64 {
+    let offset = morph.user - morph.center;
+    if offset.x.hypot(offset.z) < morph.r1 && morph.strength != 0.5 {
+        return 0;
+    }
+    let opposed = |instance: &Instance| -> u64 {
+        let corners = (0..instance.mesh.faces.len() as u32).flat_map(|face| instance.corners(face));
+        corners.map(|corner| u64::from(morph.examine(corner.as_dvec3()).opposed)).sum()
+    };
+    bending.instances().chain(scene.moving.instances()).map(opposed).sum()
 }

@@ -1,0 +1,186 @@
+"""Visual continuity of pictures while rings arrive and grow, at 72 Hz, against hard switches and a walk's truth.
+
+python -m benchmarks.stream.growth [--quick] [--plots FOLDER]
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from nearfar.stream._radii import PUBLISHED
+
+RATE, WALK = 72.0, 1.4
+"""Pictures a second; metres a second of a user who walks."""
+BESIDE = 1.0
+"""Metres of the user beside the centre."""
+EYE_HEIGHT = 1.3
+"""Height of the user's eyes in CloVR (2024), metres."""
+FOV, SIZE = nf.Fov.symmetric(90, 1.6), (640, 400)
+
+
+@dataclass(frozen=True)
+class Case:
+    """Something that changes the picture for a while."""
+
+    name: str
+    seconds: float
+    """How long it lasts; 0 for a switch from one picture to the next."""
+    picture: Callable[[float], nf.Frame]
+    """The picture at a time; of a switch at 0 and after it."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Continuity of pairs of consecutive pictures."""
+
+    case: Case
+    times: NDArray[np.float64]
+    """Time of each pair, as a share of the duration."""
+    continuity: NDArray[np.float64]
+    """SSIM of the pair in one window over the whole picture."""
+    folded: int
+    """Pictures that are folded."""
+
+
+class City:
+    """The procedural city as a bundle, and a user beside its centre who looks along the avenue."""
+
+    def __init__(self, folder: Path, quick: bool) -> None:
+        self.scene = nf.datasets.city(blocks=3, detail=0 if quick else 2)
+        (x, _, z), self.target = nf.datasets.street_view()
+        self.center = (x, EYE_HEIGHT, z)
+        size, samples = (256, 1) if quick else (1024, 4)
+        self.bundle = nf.stream.export(
+            self.scene, folder / "city", center=self.center, radii=PUBLISHED, face_size=size, samples=samples
+        )
+        self.rings = {ring: self.bundle.at(ring) for ring in (0, 1, 4, 5)}
+        self.user = (x - BESIDE, EYE_HEIGHT, z)
+
+    def view(self, ahead: float = 0.0) -> nf.Camera:
+        """The view of the user, or of one who has walked some metres."""
+        eye = (self.user[0], self.user[1], self.user[2] - ahead)
+        return nf.Camera.look_at(eye, (eye[0], self.target[1], eye[2] + self.target[2]), fov=FOV, size=SIZE)
+
+    def shown(self, ring: int, radius: float | None = None, strength: float = 1.0) -> nf.Frame:
+        """The client's picture, by bent rays, of a ring whose morph has grown this far."""
+        grown = self.rings[ring].with_growth(radius if ring else 0.0, strength)
+        return grown.render(self.view(), method="exact", channels=("color",), samples=4)
+
+    def truth(self, ahead: float) -> nf.Frame:
+        """The full scene."""
+        return nf.render(self.scene, self.view(ahead), channels=("color",), samples=4)
+
+
+def growing(city: City, growth: nf.stream.Growth) -> Callable[[float], nf.Frame]:
+    """Ring 5 while its radius grows."""
+    return lambda time: city.shown(5, growth.radius(5, time))
+
+
+def first_by_radius(city: City, seconds: float) -> Callable[[float], nf.Frame]:
+    """Ring 1 while its radius grows from 0, as in CloVR (2024)."""
+    return lambda time: city.shown(1, city.bundle.radii[0] * min(time / seconds, 1.0))
+
+
+def first_by_strength(city: City, seconds: float) -> Callable[[float], nf.Frame]:
+    """Ring 1 at its own radius while its strength grows."""
+    return lambda time: city.shown(1, city.bundle.radii[0], min(time / seconds, 1.0))
+
+
+def cases(city: City, quick: bool) -> Iterator[Case]:
+    """Growth of ring 5 and of ring 1, arrivals, switches and a walk."""
+    radii = city.bundle.radii
+    still = nf.stream.Growth(radii, fade=0.0)
+    for seconds in (still.seconds(5), 4.0, 1.0):
+        grown = nf.stream.Growth(radii, fade=0.0, speed=still.speed * still.seconds(5) / seconds)
+        name = f"ring 5, {radii[3]:g} to {radii[4]:g} m, in {seconds:.1f} s: {grown.speed:.2g}°/s"
+        yield Case(name, seconds, growing(city, grown))
+    for seconds in (1.0,) if quick else (still.seconds(1), 4.0, 1.0):
+        yield Case(f"ring 1 by radius, in {seconds:.1f} s", seconds, first_by_radius(city, seconds))
+        yield Case(f"ring 1 by strength, in {seconds:.1f} s", seconds, first_by_strength(city, seconds))
+    first = radii[0]
+    fade = nf.stream.Growth(radii).fade
+    old, new = city.shown(4, radii[3]), city.shown(5, radii[3])
+    zero, one = city.shown(0), city.shown(1, first, 0.0)
+    yield Case("ring 1 arrives, cross-fade", fade, lambda time: nf.stream.blend(zero, one, min(time / fade, 1.0)))
+    yield Case("ring 5 arrives, cross-fade", fade, lambda time: nf.stream.blend(old, new, min(time / fade, 1.0)))
+    yield Case("ring 1 arrives, without", 0.0, lambda time: one if time else zero)
+    yield Case("ring 5 arrives, without", 0.0, lambda time: new if time else old)
+    yield Case("ring 1 at once, as clovrd", 0.0, lambda time: city.shown(1, first) if time else zero)
+    yield Case("ring 5 at once, as clovrd", 0.0, lambda time: city.shown(5, radii[4]) if time else old)
+    yield Case(f"truth, user walks {WALK:g} m/s", 4.0, lambda time: city.truth(WALK * time))
+
+
+def measure(case: Case, pairs: int) -> Measured:
+    """Continuity of consecutive pictures, of pairs at equal distances in time."""
+    step = 1.0 / RATE
+    starts = np.linspace(0.0, max(case.seconds - step, 0.0), pairs if case.seconds else 1)
+    found, folded = [], 0
+    for start in starts:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            pair = [case.picture(start), case.picture(start + step)]
+        found.append(next(nf.visual_continuity(pair)))
+        folded += sum(frame.stats.get("fold_margin", 1.0) < 0.0 for frame in pair)
+    return Measured(case, starts / max(case.seconds, step), np.array(found), folded)
+
+
+def draw(measured: list[Measured], folder: Path) -> None:
+    """Continuity by the share of the duration."""
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(1, 2, figsize=(11, 4), sharey=True, layout="constrained")
+    for axis, word in ((axes[0], "ring 1"), (axes[1], "ring 5")):
+        for one in measured:
+            if (word in one.case.name or "truth" in one.case.name) and one.case.seconds:
+                style = ":" if "truth" in one.case.name else "--" if "radius" in one.case.name else "-"
+                axis.semilogy(one.times, 1.0 - one.continuity, style, label=one.case.name)
+        for one in measured:
+            if word in one.case.name and not one.case.seconds:
+                axis.axhline(1.0 - one.continuity[0], color="0.6" if "without" in one.case.name else "0.3", lw=0.8)
+                axis.text(1.0, 1.0 - one.continuity[0], one.case.name, ha="right", va="bottom", fontsize=7)
+        axis.axhline(1e-3, color="red", lw=0.8)
+        axis.set_xlabel("share of the duration")
+        axis.legend(fontsize=7)
+    axes[0].set_ylabel("1 − SSIM of a picture with the next, 72 Hz")
+    folder.mkdir(parents=True, exist_ok=True)
+    figure.savefig(folder / "stream_growth.png", dpi=110)
+
+
+def main() -> None:
+    parse = argparse.ArgumentParser(description=__doc__)
+    parse.add_argument("--quick", action="store_true", help="a smaller city, smaller maps, fewer pairs")
+    parse.add_argument("--plots", type=Path)
+    given = parse.parse_args()
+    print(machine())
+    with tempfile.TemporaryDirectory() as folder:
+        city = City(Path(folder), given.quick)
+        print(f"{city.scene.triangle_count:,} triangles, user {BESIDE:g} m beside the centre")
+        measured = []
+        for case in cases(city, given.quick):
+            one = measure(case, 3 if given.quick else 16)
+            measured.append(one)
+            print(f"{case.name}: {one.continuity.min():.5f}", flush=True)
+    rows = [
+        [one.case.name, f"{one.continuity.min():.5f}", f"{one.continuity.mean():.5f}", f"{one.folded}"]
+        for one in measured
+    ]
+    print(table("continuity of consecutive pictures", ["change", "least", "mean", "folded pictures"], rows))
+    if given.plots is not None:
+        draw(measured, given.plots)
+
+
+if __name__ == "__main__":
+    main()
