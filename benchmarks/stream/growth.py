@@ -74,11 +74,11 @@ class City:
     def shown(self, ring: int, radius: float | None = None, strength: float = 1.0) -> nf.Frame:
         """The client's picture, by bent rays, of a ring whose morph has grown this far."""
         grown = self.rings[ring].with_growth(radius if ring else 0.0, strength)
-        return grown.render(self.view(), method="exact", channels=("color",), samples=4)
+        return grown.render(self.view(), method="exact", channels=("color",))
 
     def truth(self, ahead: float) -> nf.Frame:
         """The full scene."""
-        return nf.render(self.scene, self.view(ahead), channels=("color",), samples=4)
+        return nf.render(self.scene, self.view(ahead), channels=("color",))
 
 
 def growing(city: City, growth: nf.stream.Growth) -> Callable[[float], nf.Frame]:
@@ -170,7 +170,7 @@ def main() -> None:
         print(f"{city.scene.triangle_count:,} triangles, user {BESIDE:g} m beside the centre")
         measured = []
         for case in cases(city, given.quick):
-            one = measure(case, 3 if given.quick else 16)
+            one = measure(case, 3 if given.quick else 8)
             measured.append(one)
             print(f"{case.name}: {one.continuity.min():.5f}", flush=True)
     rows = [

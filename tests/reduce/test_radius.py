@@ -11,28 +11,8 @@ import pytest
 
 import nearfar as nf
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, edges
-from tests.support.reduce_cases import ALL, CENTER, R1, R2, camera, place, rho, street
-
-USER = CENTER + np.array([5.0, 0.3, 4.0])
-AHEAD = (0.6, -0.15, -1.0)
-CAR = {"car": place(12.0, 0.75, -16.0)}
-"""Between r1 and r2 of the whole reduction, beyond the smaller radii."""
-KINDS = ("blend", "cylinder")
-
-
-def reduced(kind: str, radius: float = R2, **settings: Any) -> nf.ReducedScene:
-    scene = street(dynamic=True).at(CAR)
-    share = radius / R2
-    return nf.reduce(
-        scene,
-        center=CENTER,
-        r1=R1 * share,
-        r2=radius,
-        face_size=64,
-        morph=kind,
-        channels=("color", "range"),
-        **settings,
-    )
+from tests.support.growth_cases import AHEAD, CAR, KINDS, USER, reduced
+from tests.support.reduce_cases import ALL, CENTER, R1, R2, camera, rho
 
 
 def agree(frame: nf.Frame, expected: nf.Frame, *, pixels: int = 0) -> None:

@@ -12,8 +12,8 @@ import pytest
 import nearfar as nf
 from nearfar._reduce.drawing import morphed
 from nearfar._scene.levels import Leveled
-from tests.reduce.test_radius import AHEAD, KINDS, USER, reduced
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids
+from tests.support.growth_cases import AHEAD, KINDS, USER, reduced
 from tests.support.reduce_cases import ALL, CENTER, R1, R2, Array, camera, rho
 
 PLACE: dict[str, Any] = {"user": USER, "center": CENTER, "r1": R1, "r2": R2}
