@@ -113,7 +113,7 @@ def changed(document: Any, path: tuple[Any, ...], value: Any) -> Any:
 HEADER = ("generator", "units", "axes", "origin")
 """Fields of all our files that say how to read them; readers of one version need none of them."""
 
-WRONG = (True, -1, 0.5, 2**70, "x", "../x", [], {}, [[]], [None], [-1.0])
+WRONG: tuple[Any, ...] = (True, -1, 0.5, 2**70, "x", "../x", [], {}, [[]], [None], [-1.0])
 
 
 def refusal(folder: Path) -> str:

@@ -18,8 +18,8 @@ MANIFEST = "manifest.json"
 FOLDER = "files"
 """Folder of the files that are named by their content."""
 
-LOCAL = "file://"
-"""Beginning of URLs of local paths."""
+LOCAL = ("file://", "local://")
+"""Beginnings of URLs of local paths."""
 
 READ_ONLY = {"http", "https"}
 """File systems of fsspec that only read."""
@@ -97,7 +97,9 @@ def is_url(path: object) -> bool:
 
 def local(path: str | os.PathLike[str]) -> Path:
     """The path of a local place; ValueError or TypeError if it cannot be one."""
-    return check.path("path", path.removeprefix(LOCAL) if isinstance(path, str) else path)
+    if isinstance(path, str) and path.startswith(LOCAL):
+        path = path.partition("://")[2]
+    return check.path("path", path)
 
 
 def _system(url: str) -> tuple[Any, str]:
@@ -230,7 +232,9 @@ def differs(place: str, name: str, field: str, expected: object, found: object) 
 def check_presence(source: Reader, listed: Mapping[str, Mapping[str, Any]]) -> None:
     """Compare the files of a local folder with a manifest's sizes; FormatError that names the first wrong one."""
     sizes = source.sizes()
-    for name, entry in listed.items() if sizes is not None else ():
+    if sizes is None:
+        return
+    for name, entry in listed.items():
         if name not in sizes:
             raise missing(source.place, name)
         if sizes[name] != entry["bytes"]:
