@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import random
 from collections.abc import Callable
@@ -24,6 +25,7 @@ CAMERA = nf.Camera((0, 1, 0), fov=nf.Fov.symmetric(90), size=(8, 8))
 
 LOADERS: dict[str, Callable[[Path], Any]] = {
     "reduced": nf.ReducedScene.load,
+    "bundle": nf.stream.open,
     "envmap.exr": nf.EnvMap.load,
     "frame.exr": nf.Frame.load,
     "lod.json": nf.lod.LodModel.load,
@@ -31,6 +33,10 @@ LOADERS: dict[str, Callable[[Path], Any]] = {
     "hmd.json": nf.Hmd.load,
     "hmdq.json": nf.Hmd.load,
 }
+
+
+FOLDERS = ("reduced", "bundle")
+"""Kinds whose files make a folder."""
 
 
 def kinds() -> list[Kind]:
@@ -46,9 +52,19 @@ def _kind(name: str) -> Kind:
             del files[chosen]
         else:
             files[chosen] = _damaged(chosen, files[chosen], dice, others)
+            if name == "bundle" and dice.random() < 0.9:
+                _list_again(files, chosen)
         return {"name": name}, files
 
-    return Kind(f"saved {name}", make, run, share=2.0 if name == "reduced" else 1.0)
+    return Kind(f"saved {name}", make, run, share=2.0 if name in FOLDERS else 1.0)
+
+
+def _list_again(files: seeds.Files, name: str) -> None:
+    """List the size and hash of a bundle's damaged file in its manifest, so that more than these is looked at."""
+    if name != "manifest.json":
+        manifest = json.loads(files["manifest.json"])
+        manifest["files"][name] = {"bytes": len(files[name]), "sha256": hashlib.sha256(files[name]).hexdigest()}
+        files["manifest.json"] = json.dumps(manifest).encode()
 
 
 def _damaged(name: str, data: bytes, dice: random.Random, others: list[bytes]) -> bytes:
@@ -100,7 +116,7 @@ def _damaged_exr(data: bytes, dice: random.Random) -> bytes:
 def run(case: Case, folder: Path) -> str:
     """Load an object, use it, and save and load it twice."""
     name = case.plan["name"]
-    is_folder = name == "reduced"
+    is_folder = name in FOLDERS
     path = folder if is_folder else folder / name
     load = LOADERS[name]
     try:
@@ -112,6 +128,8 @@ def run(case: Case, folder: Path) -> str:
         if len(case.files) == len(seeds.saved_files()[name]):
             raise
         return refused(error)
+    if name == "bundle":
+        return _use_bundle(what, path)
     _use(name, what)
     results = folder / ".results"
     results.mkdir()
@@ -124,6 +142,23 @@ def run(case: Case, folder: Path) -> str:
     # The time in hmdq's files and the runtime's name in their sources differ.
     if saved[0] != saved[1] and name != "hmdq.json":
         raise Finding("what was loaded is saved otherwise after it was saved and loaded")
+    return ACCEPTED
+
+
+def _use_bundle(bundle: nf.stream.Bundle, path: Path) -> str:
+    """Show every ring; files are read by then."""
+    repr(bundle)
+    bundle.summary()
+    try:
+        for ring in range(bundle.count + 1):
+            # Moved vertices would be ever so many in objects of a thousand kilometres, which damaged files may have.
+            frame = bundle.at(ring).render(CAMERA, method="exact", backend="cpu")
+            if np.isnan(frame.require("color")).any():
+                raise Finding("a frame with NaN was rendered")
+        bundle.verify()
+    except nf.FormatError as error:
+        check_sentence(error, path)
+        return refused(error)
     return ACCEPTED
 
 

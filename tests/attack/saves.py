@@ -12,6 +12,7 @@ from typing import Any
 import nearfar as nf
 from tests.attack.case import Finding
 from tests.attack.operations import ZONES, digest, shared
+from tests.support import bundle_cases
 from tests.support.lod_cases import SMALL, levels
 
 
@@ -65,7 +66,20 @@ def _export(model: Any, path: Path) -> None:
     model.export(path, view=shared().camera, k=0.5, d=1.0, all_levels=True)
 
 
+def _bundles() -> tuple[Any, Any]:
+    return bundle_cases.village(), bundle_cases.village(height=2.0)
+
+
+def _export_bundle(scene: Any, path: Path) -> None:
+    nf.stream.export(scene, path, **bundle_cases.SETTINGS)
+
+
+def _read_bundle(path: Path) -> None:
+    nf.stream.open(path).verify()
+
+
 SAVES = {
+    "bundle": Save("bundle", _bundles, _export_bundle, _read_bundle),
     "reduced": Save("reduced", _reduced, lambda it, path: it.save(path), nf.ReducedScene.load),
     "map": Save("map.exr", _maps, lambda it, path: it.save(path), nf.EnvMap.load),
     "flat map": Save(
@@ -80,7 +94,7 @@ SAVES = {
     "levels": Save("model.glb", _models, _export, nf.lod.LodModel.load),
     "headset": Save("hmd.json", lambda: (nf.hmd.INDEX, nf.hmd.VIVE), lambda it, path: it.save(path), nf.Hmd.load),
 }
-"""Every file that the package writes by a method."""
+"""Every file that the package writes by a method, and bundles."""
 
 
 @functools.cache
@@ -101,8 +115,8 @@ def prepare(save: Save) -> None:
 
 
 def _digest(path: Path) -> str:
-    files = sorted(path.iterdir()) if path.is_dir() else [path]
-    return digest([[item.name if path.is_dir() else "", item.read_bytes()] for item in files])
+    files = sorted(item for item in path.rglob("*") if item.is_file()) if path.is_dir() else [path]
+    return digest([[item.relative_to(path).as_posix(), item.read_bytes()] for item in files])
 
 
 def check_saved(save: Save, folder: Path) -> str:

@@ -17,7 +17,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base import data as data_files
-from tests.support import meshopt_cases
+from tests.support import bundle_cases, meshopt_cases
 from tests.support.lod_cases import SMALL, levels
 from tests.support.reduce_cases import CENTER, street
 
@@ -233,6 +233,10 @@ def saved_objects() -> dict[str, tuple[Any, Callable[[Any, Path], None]]]:
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(640, 480))
     return {
         "reduced": (reduced, lambda it, path: it.save(path)),
+        "bundle": (
+            bundle_cases.village(),
+            lambda it, path: nf.stream.export(it, path, **bundle_cases.SETTINGS, quality=None),
+        ),
         "envmap.exr": (reduced.env, lambda it, path: it.save(path)),
         "frame.exr": (_frame(), lambda it, path: it.save(path)),
         "lod.json": (model, lambda it, path: it.save(path)),
@@ -250,6 +254,5 @@ def saved_files() -> dict[str, Files]:
         for name, (what, save) in saved_objects().items():
             path = Path(folder) / name
             save(what, path)
-            whole = sorted(path.iterdir()) if path.is_dir() else [path]
-            found[name] = {item.name: item.read_bytes() for item in whole}
+            found[name] = bundle_cases.content(path) if path.is_dir() else {path.name: path.read_bytes()}
     return found

@@ -62,6 +62,7 @@ class Worker:
         folder = Path(tempfile.mkdtemp())
         try:
             for name, data in case.files.items():
+                (folder / name).parent.mkdir(exist_ok=True)
                 (folder / name).write_bytes(data)
             self.tell(event="start", number=number)
             self._warnings.clear()

@@ -36,12 +36,41 @@ def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pyt
         (("--radii", "10,5"), "radii: expected ascending radii, got 5 after 10"),
         (("--face-size", "65"), "face_size: expected a multiple of 64"),
         (("--quality", "101"), "quality: expected"),
+        (("--radii", "10,10"), "radii: expected ascending radii, got 10 after 10"),
+        (("--radii", "nan"), "radii[0]: expected a finite number"),
+        (("-o", "none/out"), "path: expected a path whose parent is a folder"),
+        (("-o", "full"), "holds other files (no manifest.json)"),
+        (("-o", "web"), "path: holds a manifest.json of another program"),
     ],
 )
 def test_mistakes_are_named(
-    arguments: tuple[str, str], text: str, city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    arguments: tuple[str, str],
+    text: str,
+    city: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.chdir(tmp_path)
+    for name, file in (("full", "mine.txt"), ("web", "manifest.json")):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / file).write_text('{"name": "a web page"}')
     status, _, err = command(capsys, "export", "-i", city, "-o", tmp_path / "out", *FAST, *arguments)
     assert status == 1
     assert text in err
     assert not (tmp_path / "out").exists()
+
+
+def test_what_was_hardly_meant_is_told(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    given = ("--radii", "4,4.5,9", "--face-size", "64", "--samples", "1")
+    for center, text in (("0,-40,0", "below the scene's lowest point"), ("90000,1.7,0", "all rings are empty")):
+        out = tmp_path / "bundle"
+        status, printed, err = command(capsys, "export", "-i", city, "-o", out, "--center", center, *given, "--json")
+        assert status == 0, err
+        found = document(printed, "export")["findings"]
+        assert found == list(nf.stream.open(out).findings)
+        assert any(text in sentence for sentence in found)
+        status, printed, _ = command(capsys, "export", "-i", city, "-o", out, "--center", center, *given)
+        assert status == 0
+        assert "note" in printed
+        assert text in " ".join(printed.split())

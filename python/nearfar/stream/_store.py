@@ -19,8 +19,8 @@ TILESET = "tileset.json"
 FOLDER = "files"
 """Folder of the files that are named by their content."""
 
-LOCAL = "file://"
-"""Beginning of URLs of local paths."""
+LOCAL = ("file://", "local://")
+"""Beginnings of URLs of local paths."""
 
 READ_ONLY = {"http", "https"}
 """File systems of fsspec that only read."""
@@ -95,7 +95,9 @@ def is_url(path: object) -> bool:
 
 def local(path: str | os.PathLike[str]) -> Path:
     """The path of a local place; ValueError or TypeError if it cannot be one."""
-    return check.path("path", path.removeprefix(LOCAL) if isinstance(path, str) else path)
+    if isinstance(path, str) and path.startswith(LOCAL):
+        path = path.partition("://")[2]
+    return check.path("path", path)
 
 
 def _system(url: str) -> tuple[Any, str]:

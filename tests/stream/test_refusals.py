@@ -1,0 +1,105 @@
+"""Places that cannot take a bundle are refused before the work, by the argument's name."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import nearfar as nf
+from nearfar.stream import _export
+from tests.support import bundle_cases, need
+from tests.support.bundle_cases import content
+
+
+@pytest.fixture(autouse=True)
+def _no_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    def work(*given: Any, **named: Any) -> None:
+        raise AssertionError("the work began")
+
+    for name in ("choose", "assign", "bake_maps"):
+        monkeypatch.setattr(_export, name, work)
+
+
+def refused(path: Any, kind: type[Exception], text: str) -> None:
+    with pytest.raises(kind, match=text):
+        nf.stream.export(bundle_cases.village(), path, **{**bundle_cases.SETTINGS, "radii": None})
+
+
+def test_a_folder_without_a_parent(tmp_path: Path) -> None:
+    for path in (tmp_path / "none" / "b", f"file://{tmp_path}/none/b", f"local://{tmp_path}/none/b"):
+        refused(path, FileNotFoundError, "path: expected a path whose parent is a folder.*none/b")
+    (tmp_path / "file").write_text("mine")
+    refused(tmp_path / "file" / "b", FileNotFoundError, "path: expected a path whose parent is a folder.*file/b")
+    refused(tmp_path / "file", NotADirectoryError, "is a file, expected a place for a folder.*file")
+    assert content(tmp_path) == {"file": b"mine"}
+
+
+@pytest.mark.parametrize("text", ['{"name": "a web page", "icons": []}', "[]", '{"format": "nearfar.reduced"}'])
+def test_a_folder_with_other_files(tmp_path: Path, text: str) -> None:
+    (tmp_path / "mine.txt").write_text("mine")
+    refused(tmp_path, FileExistsError, r"holds other files \(no manifest.json\)")
+    (tmp_path / "manifest.json").write_text(text)
+    refused(tmp_path, FileExistsError, r"path: holds a manifest\.json of another program")
+    assert content(tmp_path) == {"mine.txt": b"mine", "manifest.json": text.encode()}
+
+
+@pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_may_not_be_written(tmp_path: Path) -> None:
+    tmp_path.chmod(0o500)
+    try:
+        refused(tmp_path / "b", PermissionError, "cannot be written")
+    finally:
+        tmp_path.chmod(0o700)
+
+
+@pytest.mark.parametrize("path", ["", 3, None, b"x", "a\0b", "memory://\udcff", "memory://", "file://"])
+def test_no_path_at_all(path: Any) -> None:
+    need("fsspec")
+    refused(path, (ValueError, TypeError), "^path: expected")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("url", ["nothing-known://a/b", "https://example.org/b", "http://example.org/b"])
+def test_urls_that_nothing_can_write(url: str) -> None:
+    need("fsspec")
+    refused(url, ValueError, "^path: expected a (URL that fsspec can open|place that can be written), got")
+
+
+def test_without_fsspec_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    refused("memory://a/b", ValueError, r"path: expected a folder, or fsspec installed \(pip install fsspec\)")
+    with pytest.raises(ValueError, match=r"path: expected a folder, or fsspec installed"):
+        nf.stream.open("memory://a/b")
+
+
+@pytest.mark.parametrize(
+    ("changes", "text"),
+    [
+        ({"radii": [5.0, 4.0]}, r"radii: expected ascending radii, got 4 after 5"),
+        ({"radii": [5.0, 5.0]}, r"radii: expected ascending radii, got 5 after 5"),
+        ({"radii": [0.0, 5.0]}, r"radii\[0\]: expected a number above 0"),
+        ({"radii": [float("nan")]}, r"radii\[0\]: expected a finite number"),
+        ({"radii": []}, r"radii: expected 1 to 1000 radii, got 0"),
+        ({"center": (0, float("inf"), 0)}, "center: expected 3 finite numbers"),
+    ],
+)
+def test_radii_and_centres(tmp_path: Path, changes: dict[str, Any], text: str) -> None:
+    with pytest.raises(ValueError, match=text):
+        nf.stream.export(bundle_cases.village(), tmp_path / "b", **{**bundle_cases.SETTINGS, **changes})
+    assert content(tmp_path) == {}
+
+
+def test_local_urls_are_paths_and_bundles_are_replaced(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.undo()
+    first = bundle_cases.write(f"file://{tmp_path}/b")
+    assert content(tmp_path / "b").keys() == {"manifest.json", *first.files}
+    bundle_cases.write(tmp_path / "b", height=1.0)
+    assert nf.stream.open(f"file://{tmp_path}/b").nbytes == nf.stream.open(tmp_path / "b").nbytes
+    # A damaged manifest may be ours: what is left of a bundle can be written again.
+    (tmp_path / "b" / "manifest.json").write_text(json.dumps({"format": "nearfar.bundle"})[:-3])
+    bundle_cases.write(tmp_path / "b")
+    assert nf.stream.open(tmp_path / "b").files == first.files
