@@ -9,6 +9,12 @@ from numpy.typing import NDArray
 from nearfar._core.export import (
     Export as Export,
 )
+from nearfar._core.export import (
+    decode_ranges as decode_ranges,
+)
+from nearfar._core.export import (
+    encode_ranges as encode_ranges,
+)
 from nearfar._core.gpu import (
     GpuDevice as GpuDevice,
 )

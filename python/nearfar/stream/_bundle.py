@@ -14,7 +14,7 @@ from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream import _manifest, _store
-from nearfar.stream._decode import Layout, decode_colors, decode_ranges, joined, moving_scene, ring_scene
+from nearfar.stream._decode import Layout, decode_map, joined, moving_scene, ring_scene
 from nearfar.stream._manifest import NEAR_SHARE, names_of
 
 
@@ -133,8 +133,7 @@ class Bundle:
         """
         number = check.integer("ring", ring, 0, self.count)
         maps = [entry["map"] for entry in self._rings[: number + 1]]
-        color = decode_colors(maps, self._layout, self.read)
-        ranges = decode_ranges(maps, self._layout, self.read) if number else None
+        color, ranges = decode_map(maps, self._layout, self.read)
         return EnvMap(self.center, color=color, range=ranges)
 
     def at(self, ring: int, radius: float | None = None) -> ReducedScene:
