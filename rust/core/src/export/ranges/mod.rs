@@ -1,10 +1,11 @@
 //! Ranges of the maps of rings as planes of bytes: which texels a ring changes, and their new codes.
 //!
 //! A code c stands for a range that is proportional to exp(c · step), [`NOTHING`] for none. Texels are visited face by
-//! face, row by row; what is known of the texels before them predicts them ([`walk`]), and only what differs from the
-//! prediction is written ([`planes`]). Whoever compresses the bytes chooses how. All arithmetic is exact or rounded as
+//! face, row by row; what is known of the texels before them predicts them (`walk.rs`), and only what differs from the
+//! prediction is written (`planes.rs`). Whoever compresses the bytes chooses how. All arithmetic is exact or rounded as
 //! IEEE 754 says, so every client predicts the same.
 
+mod faces;
 mod planes;
 mod runs;
 mod scale;
@@ -12,46 +13,12 @@ mod scale;
 mod tests;
 mod walk;
 
+pub use faces::{Faces, MOST_STEP};
 pub use scale::NOTHING;
 
-use crate::base::{Error, Progress, Result, number};
+use crate::base::{Error, Progress, Result};
 use planes::{Reader, Writer, damaged};
 use walk::Walk;
-
-/// Greatest logarithm of the ratio of two codes' ranges.
-pub const MOST_STEP: f64 = 700.0 / 65535.0;
-
-/// Faces of a map and the tiles that change.
-#[derive(Clone, Copy, Debug)]
-pub struct Faces<'a> {
-    /// Texels along a face.
-    pub size: usize,
-    /// Texels along a tile; it divides `size`.
-    pub tile: usize,
-    /// Ascending numbers of the tiles in which texels may change, by face, row and column.
-    pub listed: &'a [u32],
-    /// Natural logarithm of the ratio of two consecutive codes' ranges.
-    pub step: f64,
-}
-
-impl Faces<'_> {
-    /// The number of faces that so many texels are.
-    fn count(&self, texels: usize) -> Result<usize> {
-        let Self { size, tile, listed, step } = *self;
-        let area = size.checked_mul(size).filter(|&area| area > 0 && texels.is_multiple_of(area));
-        let Some(area) = area.filter(|_| tile > 0 && size.is_multiple_of(tile)) else {
-            return Err(Error::value("tile", "a divisor of the face size, and whole faces", tile));
-        };
-        let tiles = texels / (tile * tile);
-        if !listed.is_sorted_by(|a, b| a < b) || listed.last().is_some_and(|&last| last as usize >= tiles) {
-            return Err(Error::value("tiles", format!("ascending numbers below {tiles}"), "others"));
-        }
-        if !(step > 0.0 && step <= MOST_STEP) {
-            return Err(Error::value("step", format!("a number from 0 to {MOST_STEP}"), number(step)));
-        }
-        Ok(texels / area)
-    }
-}
 
 /// The planes of a map's codes. With the codes `before`, only those of `changed` texels; else all of them. Texels
 /// outside the listed tiles must not be changed.

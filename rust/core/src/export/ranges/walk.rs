@@ -1,6 +1,6 @@
 //! Predictions of texels from those that were visited before.
 
-use super::Faces;
+use super::faces::Faces;
 use super::planes::{Link, Trust, damaged};
 use super::runs::Run;
 use super::scale::{NOTHING, Scale};
