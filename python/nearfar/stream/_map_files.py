@@ -180,8 +180,13 @@ def filled(tiles: NDArray[np.float32], known: NDArray[np.bool_]) -> NDArray[np.f
     fillings take more bytes as pictures.
     """
     count, side = known.shape[:2]
-    if side == 1 or known.all():
+    partly = ~known.all(axis=(1, 2))
+    if side == 1 or not partly.any():
         return tiles
+    if not partly.all():
+        whole = tiles.copy()
+        whole[partly] = filled(tiles[partly], known[partly])
+        return whole
     blocks = (count, side // 2, 2, side // 2, 2)
     number = known.reshape(blocks).sum(axis=(2, 4))
     sums = np.where(known[..., None], tiles, 0).reshape(*blocks, 3).sum(axis=(2, 4))
