@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import argparse
 import time
+import zlib
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -15,7 +17,9 @@ import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from nearfar import _core
 from nearfar.stream import _map_files as codec
-from nearfar.stream._encode import ACROSS, scale_of
+from nearfar.stream._decode import Decoded, Layout, decode_map
+from nearfar.stream._encode import ACROSS, Files, encode_maps, scale_of
+from nearfar.stream._manifest import names_of
 from nearfar.stream._maps import TILE
 from nearfar.stream._radii import PUBLISHED
 
@@ -35,41 +39,94 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
     start = time.perf_counter()
     maps = nf.stream.bake_maps(rings, face_size=size, samples=samples)
     every = time.perf_counter() - start
-    scale = scale_of(maps, ERROR)
-    rows, totals, shown = [], np.zeros(4), np.zeros((6, size, size, 3), np.float32)
-    for ring in range(rings.count + 1):
+    scale, files = scale_of(maps, ERROR), Files()
+    listed = encode_maps(maps, files, quality=QUALITY, scale=scale)
+    layout = Layout(size, TILE, ACROSS, scale)
+    rows, totals = [], np.zeros(5)
+    for ring, described in enumerate(listed):
         env = maps.map(ring)
         assert env.range is not None
         codes = scale.codes(env.range)
+        shown, _ = decode_map(listed[: ring + 1], layout, decoded_from(files))
+        color, ranges = (
+            sum(len(files.content[name]) for name in names_of(described.get(kind))) for kind in ("color", "range")
+        )
         whole = [codec.encode_color(face, QUALITY) for face in env.color]
-        whole_range = len(codec.encode_codes(codes)) if ring else 0
-        if ring == 0:
-            color, ranges, tiles = sum(map(len, whole)), 0, 6 * (size // TILE) ** 2
-            shown[:] = [codec.decode_color(data, (size, size)) for data in whole]
-        else:
-            changed = np.flatnonzero(maps.changed_tiles(ring))
-            tiles = len(changed)
-            color = ranges = 0
-            if tiles:
-                data = codec.encode_color(codec.sheet_of(codec.tiles_of(env.color, changed, TILE), ACROSS), QUALITY)
-                color, ranges = len(data), len(codec.encode_codes(codec.tiles_of(codes, changed, TILE)))
-                sheet = codec.decode_color(data, (ACROSS * TILE, -(-tiles // ACROSS) * TILE))
-                codec.put_tiles(shown, changed, codec.tiles_of_sheet(sheet, tiles, TILE))
-            ranges = whole_range if ring == 1 else ranges
-            totals += (color, ranges, sum(map(len, whole)), whole_range)
-        decoded = np.stack([codec.decode_color(data, (size, size)) for data in whole])
-        quality = [decibels(picture, env.color) for picture in (shown, decoded)]
+        again = np.stack([codec.decode_color(data, (size, size)) for data in whole])
+        tiles, sizes = 6 * (size // TILE) ** 2, [sum(map(len, whole)), 0, 0]
+        if ring:
+            tiles = len(described["tiles"])
+            sizes[1:] = len(plainly_encoded(codes)), sum(len(whole_range(face, scale.step)) for face in codes)
+            totals += (color, ranges, *sizes)
         radius = "" if ring == 0 else f"{rings.radii[ring - 1]:g}"
-        rows.append([radius, f"{tiles:,}", *kilobytes(color, ranges), f"{quality[0]:.1f}",
-                     *kilobytes(sum(map(len, whole)), whole_range), f"{quality[1]:.1f}"])  # fmt: skip
+        rows.append([radius, f"{tiles:,}", *kilobytes(color, ranges), f"{decibels(shown, env.color):.2f}",
+                     *kilobytes(*sizes), f"{decibels(again, env.color):.2f}"])  # fmt: skip
     rows.append(["after ring 0", "", *kilobytes(*totals[:2]), "", *kilobytes(*totals[2:]), ""])
-    head = ["ring, m", "tiles", "colour, kB", "range, kB", "PSNR", "whole: colour", "range", "PSNR"]
-    share = totals[:2].sum() / totals[2:].sum()
+    head = ["ring, m", "tiles", "colour, kB", "range, kB", "PSNR", "whole: colour", "range, plain", "in planes", "PSNR"]
+    plain, planes = (totals[:2].sum() / (totals[2] + total) for total in totals[3:])
     title = (
         f"6 × {size}², {samples} samples: all rings {every:.1f} s, rings 0 and 1 {one:.1f} s; "
-        f"{maps.rays / first.rays:.2f} times the rays; after ring 0 {share:.2f} of whole maps"
+        f"{maps.rays / first.rays:.2f} times the rays; after ring 0 {plain:.3f} of whole maps with plain "
+        f"ranges, {planes:.3f} with planes"
     )
     return table(title, head, rows), maps
+
+
+def decoded_from(files: Files) -> Decoded:
+    """Decode files that were just encoded."""
+    return lambda name, decode: decode(files.content[name])
+
+
+def codec_table(maps: nf.stream.RingMaps) -> str:
+    """Seconds of all maps, and of the ranges of ring 1 against those of plain residuals."""
+    scale, size, files = scale_of(maps, ERROR), maps.first.face_size, Files()
+    env = maps.map(1)
+    assert env.range is not None
+    codes = scale.codes(env.range)
+    seconds, listed = timed(lambda: encode_maps(maps, files, quality=QUALITY, scale=scale))
+    rows = [["all maps, encoded", f"{seconds:.2f}", ""]]
+    layout = Layout(size, TILE, ACROSS, scale)
+    rows.append(["all maps, decoded", f"{timed(lambda: decode_map(listed, layout, decoded_from(files)))[0]:.2f}", ""])
+    nothing = np.array([], np.int64)
+    planes_seconds, planes = timed(lambda: [whole_range(face, scale.step) for face in codes])
+    plain_seconds, plain = timed(lambda: plainly_encoded(codes))
+    rows.append(["range of ring 1, encoded", f"{planes_seconds:.2f}", f"{planes_seconds / plain_seconds:.2f}"])
+    settings: dict[str, Any] = {"count": 1, "size": size, "tiles": nothing, "tile": TILE, "step": scale.step}
+    planes_seconds, _ = timed(lambda: [codec.decode_ranges(data, None, **settings) for data in planes])
+    plain_seconds, again = timed(lambda: plainly_decoded(plain, codes.shape))
+    assert (again == codes).all()
+    rows.append(["range of ring 1, decoded", f"{planes_seconds:.2f}", f"{planes_seconds / plain_seconds:.2f}"])
+    return table("codec of maps", ["job", "seconds", "times plain residuals"], rows)
+
+
+def timed(job: Callable[[], Any]) -> tuple[float, Any]:
+    start = time.perf_counter()
+    result = job()
+    return time.perf_counter() - start, result
+
+
+def whole_range(face: Any, step: float) -> bytes:
+    """A face's codes, all of them."""
+    none = np.zeros((1, *face.shape), bool)
+    return codec.encode_ranges(face[None], None, none, np.array([], np.int64), tile=TILE, step=step)
+
+
+def plainly_encoded(codes: Any) -> bytes:
+    """Left + upper − upper left in 16 bits predicts; residuals are folded; high bytes before low bytes; zlib."""
+    across = codes.copy()
+    across[:, :, 1:] -= codes[:, :, :-1]
+    residual = across.copy()
+    residual[:, 1:] -= across[:, :-1]
+    signed = residual.view(np.int16)
+    folded = ((signed << 1) ^ (signed >> 15)).view(np.uint16).ravel()
+    return zlib.compress(np.concatenate([folded >> 8, folded & 255]).astype(np.uint8).tobytes(), 6)
+
+
+def plainly_decoded(data: bytes, shape: tuple[int, ...]) -> Any:
+    high, low = np.frombuffer(zlib.decompress(data), np.uint8).reshape(2, -1).astype(np.uint16)
+    folded = (high << 8) | low
+    residual: Any = ((folded >> 1) ^ (0 - (folded & 1))).reshape(shape)
+    return np.cumsum(np.cumsum(residual, axis=1, dtype=np.uint16), axis=2, dtype=np.uint16)
 
 
 def kilobytes(*counts: float) -> list[str]:
@@ -96,7 +153,9 @@ def main() -> None:
     rows = [[f"{row['radius']:g}", f"{row['objects']:,}", f"{row['triangles']:,}", f"{row['stored']:,}"]
             for row in rings.summary()]  # fmt: skip
     print(table("rings", ["radius, m", "objects", "triangles", "stored"], rows))
-    print(maps_table(rings, 256 if quick else 1024, 1)[0])
+    text, maps = maps_table(rings, 256 if quick else 1024, 1)
+    print(text)
+    print(codec_table(maps))
 
 
 if __name__ == "__main__":

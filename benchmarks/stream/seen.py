@@ -15,6 +15,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.timing import machine, table
+from benchmarks.stream.maps import whole_range
 from nearfar import _core
 from nearfar.stream import _map_files as codec
 from nearfar.stream._encode import scale_of
@@ -100,7 +101,7 @@ def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
     env = nf.stream.bake_maps(maps.rings, face_size=size).map(maps.rings.count)
     assert env.range is not None
     scale = scale_of(maps, 2.0**-11)
-    ranges = sum(len(codec.encode_codes(face[None])) for face in scale.codes(env.range))
+    ranges = sum(len(whole_range(face, scale.step)) for face in scale.codes(env.range))
     return ranges + sum(len(codec.encode_color(face, 90)) for face in env.color)
 
 

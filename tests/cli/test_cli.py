@@ -17,8 +17,7 @@ from PIL import Image
 
 from nearfar._trace import viewpoint
 from tests.support import need
-from tests.support.cli_cases import city as city
-from tests.support.cli_cases import command, document
+from tests.support.cli_cases import city as city, command, document
 
 SMALL = "city:blocks=3,detail=0"
 

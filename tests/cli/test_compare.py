@@ -17,8 +17,7 @@ from PIL import Image
 import nearfar as nf
 from nearfar.cli._app import run
 from tests.support import need, valid
-from tests.support.cli_cases import city as city
-from tests.support.cli_cases import command
+from tests.support.cli_cases import city as city, command
 
 PLACE = ("--center", "0,1.7,0", "--user", "0,1.7,5", "--target", "90,1,0")
 # Tears are measured at 20 pixels a degree, so that a narrow view is a fast one.

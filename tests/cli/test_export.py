@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 import nearfar as nf
-from tests.support.cli_cases import city as city
-from tests.support.cli_cases import command, document
+from tests.support.cli_cases import city as city, command, document
 
 FAST = ("--center", "0,1.7,0", "--face-size", "64", "--samples", "1")
 

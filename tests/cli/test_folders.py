@@ -12,8 +12,7 @@ from PIL import Image
 import nearfar as nf
 from nearfar._base import exr
 from nearfar.cli._app import run
-from tests.support.cli_cases import city as city
-from tests.support.cli_cases import command, document
+from tests.support.cli_cases import city as city, command, document
 
 FAST = ("--size", "96x60", "--samples", "1", "--face-size", "32")
 

@@ -10,8 +10,7 @@ import pytest
 
 from nearfar._base import progress
 from nearfar.cli._app import app
-from tests.support.cli_cases import city as city
-from tests.support.cli_cases import command, document
+from tests.support.cli_cases import city as city, command, document
 
 
 @pytest.mark.parametrize("point", ["-30,2,40", "-30 2 40", "-30, 2, 40"])

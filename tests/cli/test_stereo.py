@@ -10,8 +10,7 @@ from PIL import Image
 
 import nearfar as nf
 from tests.support import need
-from tests.support.cli_cases import city as city
-from tests.support.cli_cases import command, document
+from tests.support.cli_cases import city as city, command, document
 
 FAST = ("--size", "96x80", "--eye", "0,1.7,0", "--target", "30,1.7,-40")
 

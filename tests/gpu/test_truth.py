@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._camera.camera import Projection
 from nearfar._scene.builder import SceneBuilder
-from tests.support import data
-from tests.support import render_oracle as oracle
+from tests.support import data, render_oracle as oracle
 from tests.support.gpu_cases import ADAPTERS, adapter, agree, both, crowd, view
 from tests.support.normal_cases import PLACES, ball
 from tests.support.render_cases import PROJECTIONS, QUAD, build, quad, room

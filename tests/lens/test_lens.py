@@ -11,8 +11,7 @@ import cv2
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import assume, given
-from hypothesis import strategies as st
+from hypothesis import assume, given, strategies as st
 from mpmath import mpf
 from numpy.typing import NDArray
 

@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.lod._measure import score_table
-from nearfar.lod._measure import scores as level_scores
+from nearfar.lod._measure import score_table, scores as level_scores
 from nearfar.lod._measure.score_cache import SUFFIX
 from tests.support.lod_cases import SMALL, assert_same, count_renders, levels
 

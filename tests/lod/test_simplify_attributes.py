@@ -15,8 +15,7 @@ from PIL import Image
 import nearfar as nf
 from nearfar import _core
 from nearfar._scene.builder import SceneBuilder
-from nearfar.lod._simplify import carry
-from nearfar.lod._simplify import normals as smooth_normals
+from nearfar.lod._simplify import carry, normals as smooth_normals
 from tests.support import data
 from tests.support.simplify_cases import globe, open_edges
 

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
 
 import nearfar as nf
-from benchmarks.lod import study as study_benchmark
-from benchmarks.lod import user_study
+from benchmarks.lod import study as study_benchmark, user_study
 from benchmarks.lod.user_study import TABULATED, Study, made_up
 from tests.support import data
 

@@ -12,8 +12,7 @@ import pytest
 
 import nearfar as nf
 from nearfar._render.channels import DRAWN
-from tests.support import need, printed_by_threads
-from tests.support import render_oracle as oracle
+from tests.support import need, printed_by_threads, render_oracle as oracle
 from tests.support.render_cases import PROJECTIONS, QUAD, WIDE, build, quad, room
 from tests.support.render_oracle import Surface
 

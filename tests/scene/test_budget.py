@@ -18,8 +18,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base.errors import UnusableError
-from nearfar._scene import budget as budgets
-from nearfar._scene import threemf as threemf_counts
+from nearfar._scene import budget as budgets, threemf as threemf_counts
 from nearfar._scene.budget import Budget
 from tests.support import PEAK, need
 from tests.support.gltf_cases import gltf

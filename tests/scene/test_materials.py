@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from nearfar._base import data as data_files
-from nearfar._base import glb
+from nearfar._base import data as data_files, glb
 from nearfar._scene import load
 from nearfar._scene.budget import Budget
 from nearfar._scene.builder import SceneBuilder

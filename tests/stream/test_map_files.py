@@ -2,41 +2,154 @@
 
 from __future__ import annotations
 
+import contextlib
 import zlib
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.stream import _map_files as codec
 from nearfar.stream._map_files import RangeScale
+from tests.support.ranges_oracle import Decoder
+
+STEP = 2.0**-10
 
 
-def slowly_decoded(data: bytes, shape: tuple[int, int, int]) -> NDArray[np.int64]:
-    """Codes by the description in words, one by one."""
+@dataclass
+class Maps:
+    """Two maps of faces (N, S, S) as codes: the second differs in listed tiles of 4² texels."""
+
+    before: NDArray[np.uint16]
+    after: NDArray[np.uint16]
+    changed: NDArray[np.bool_]
+    tiles: NDArray[np.int64]
+
+    @classmethod
+    def random(cls, seed: int, count: int, size: int, noise: int) -> Maps:
+        """Slanted walls with noise and holes, of which some are replaced by others."""
+        rng = np.random.default_rng(seed)
+        before, after = (walls(rng, count, size, noise) for _ in range(2))
+        listed = rng.random((count, size // 4, size // 4)) < 0.5
+        changed = listed.repeat(4, axis=1).repeat(4, axis=2) & (rng.random((count, size, size)) < 0.6)
+        tiles = np.flatnonzero(listed)
+        return cls(before, np.where(changed, after, before), changed, tiles)
+
+    def encoded(self, is_delta: bool) -> bytes:
+        return codec.encode_ranges(
+            self.after, self.before if is_delta else None, self.changed, self.tiles, tile=4, step=STEP
+        )
+
+    def decoded(self, data: bytes, is_delta: bool) -> tuple[NDArray[np.uint16], NDArray[np.bool_]]:
+        count, size = self.after.shape[:2]
+        before = self.before if is_delta else None
+        return codec.decode_ranges(data, before, count, size, self.tiles, tile=4, step=STEP)
+
+
+def walls(rng: np.random.Generator, count: int, size: int, noise: int) -> NDArray[np.uint16]:
+    """Codes of planes that meet at random columns."""
+    face, y, x = np.indices((count, size, size))
+    u, v = (2 * x + 1) / size - 1, (2 * y + 1) / size - 1
+    wall = 2 * face + (x > rng.integers(0, size))
+    across, up = rng.uniform(-0.3, 0.3, (2, 2 * count))[:, wall]
+    depth = 1 / (rng.uniform(0.7, 3, 2 * count)[wall] + across * u + up * v)
+    codes = 3000 + np.log(depth * np.sqrt(1 + u * u + v * v)) / STEP + rng.integers(0, noise, u.shape)
+    return np.where(rng.random(u.shape) < 0.1 * (noise > 1), 65535, np.clip(codes, 0, 65534)).astype(np.uint16)
+
+
+@settings(deadline=None, max_examples=40)
+@given(
+    st.integers(0, 2**32 - 1),
+    st.tuples(st.integers(1, 3), st.sampled_from([4, 12, 24])),
+    st.sampled_from([1, 2, 400, 60000]),
+    st.booleans(),
+)
+def test_ranges_come_back_as_described(seed: int, shape: tuple[int, int], noise: int, is_delta: bool) -> None:
+    maps = Maps.random(seed, *shape, noise)
+    data = maps.encoded(is_delta)
+    codes, changed = maps.decoded(data, is_delta)
+    np.testing.assert_array_equal(codes, maps.after)
+    np.testing.assert_array_equal(changed, maps.changed)
+    slowly = Decoder(data, maps.before if is_delta else None, *shape, maps.tiles, 4, STEP)
+    np.testing.assert_array_equal(slowly.codes, maps.after)
+    np.testing.assert_array_equal(slowly.changed, maps.changed)
+
+
+@given(st.booleans(), st.data())
+def test_damaged_ranges_are_refused_or_read_as_others(is_delta: bool, draw: st.DataObject) -> None:
+    maps = Maps.random(3, 2, 12, 5)
+    raw = bytearray(zlib.decompress(maps.encoded(is_delta)))
+    for place in draw.draw(st.lists(st.integers(0, len(raw) - 1), min_size=1, max_size=4)):
+        raw[place] = draw.draw(st.integers(0, 255))
+    with contextlib.suppress(ValueError):
+        codes, changed = maps.decoded(zlib.compress(raw), is_delta)
+        assert codes.shape == changed.shape == maps.after.shape
+
+
+@given(st.binary(max_size=200), st.booleans())
+def test_any_bytes_are_refused(data: bytes, is_delta: bool) -> None:
+    maps = Maps.random(4, 1, 12, 5)
+    for wrong in (data, zlib.compress(data)):
+        with pytest.raises(ValueError, match="ranges"):
+            maps.decoded(wrong, is_delta)
+
+
+@pytest.mark.parametrize("is_delta", [False, True])
+def test_cut_and_endless_ranges_are_refused(is_delta: bool) -> None:
+    maps = Maps.random(5, 1, 12, 5)
+    data = maps.encoded(is_delta)
     raw = zlib.decompress(data)
-    count = shape[0] * shape[1] * shape[2]
-    codes = np.zeros(shape, np.int64)
-    for number in range(count):
-        folded = 256 * raw[number] + raw[count + number]
-        residual = -(folded + 1) // 2 if folded % 2 else folded // 2
-        block, y, x = np.unravel_index(number, shape)
-        left = codes[block, y, x - 1] if x else 0
-        up = codes[block, y - 1, x] if y else 0
-        corner = codes[block, y - 1, x - 1] if x and y else 0
-        codes[block, y, x] = (left + up - corner + residual) % 65536
-    return codes
+    # 10 MB of zeros in 10 kB: what does not fit is not unpacked.
+    wrong = [b"", b"abc", data[:-5], data + b"a", zlib.compress(raw[:-1]), zlib.compress(raw + b"a")]
+    for bad in [*wrong, zlib.compress(bytes(10_000_000))]:
+        with pytest.raises(ValueError, match=r"expected .*ranges|ranges: expected"):
+            maps.decoded(bad, is_delta)
 
 
-@given(st.integers(0, 2**32 - 1), st.tuples(*[st.integers(1, 9)] * 3), st.sampled_from([2, 300, 65536]))
-def test_codes_come_back_as_described(seed: int, shape: tuple[int, int, int], span: int) -> None:
-    codes = np.random.default_rng(seed).integers(65536 - span, 65536, shape).astype(np.uint16)
-    data = codec.encode_codes(codes)
-    np.testing.assert_array_equal(codec.decode_codes(data, shape), codes)
-    np.testing.assert_array_equal(slowly_decoded(data, shape), codes)
+def test_changes_that_would_be_lost_are_refused() -> None:
+    maps = Maps.random(6, 1, 12, 5)
+    beside = np.ones_like(maps.changed)
+    with pytest.raises(ValueError, match="tiles"):
+        codec.encode_ranges(maps.after, maps.before, beside, maps.tiles[:1], tile=4, step=STEP)
+    with pytest.raises(ValueError, match="changed"):
+        codec.encode_ranges(maps.after, maps.before, ~beside, maps.tiles, tile=4, step=STEP)
+
+
+def test_a_map_takes_fewer_bytes_as_changes() -> None:
+    maps = Maps.random(7, 1, 128, 2)
+    maps.changed[:, 40:] = False
+    maps.after = np.where(maps.changed, maps.after, maps.before)
+    assert len(maps.encoded(True)) < 0.5 * len(maps.encoded(False))
+
+
+def test_texels_beside_marked_ones_are_marked() -> None:
+    mask = np.random.default_rng(0).random((2, 9, 9)) < 0.05
+    wide = np.pad(mask, ((0, 0), (1, 1), (1, 1)))
+    expected = [wide[:, y : y + 9, x : x + 9] for y in range(3) for x in range(3)]
+    np.testing.assert_array_equal(codec.with_neighbours(mask), np.any(expected, axis=0))
+
+
+def test_holes_are_filled_with_the_mean_of_the_least_block_with_any() -> None:
+    rng = np.random.default_rng(0)
+    tiles, known = rng.random((3, 8, 8, 3)).astype(np.float32), rng.random((3, 8, 8)) < 0.2
+    found = codec.filled(tiles, known)
+    for number, y, x in np.ndindex(3, 8, 8):
+        for side in (1, 2, 4, 8):
+            rows = slice(y // side * side, y // side * side + side)
+            columns = slice(x // side * side, x // side * side + side)
+            if known[number, rows, columns].any():
+                break
+        own = found[number, rows, columns][known[number, rows, columns]]
+        if side == 1:
+            np.testing.assert_array_equal(found[number, y, x], tiles[number, y, x])
+        # Means of means of the four quarters, of which the known texels of each have equal weight.
+        elif side == 2:
+            np.testing.assert_allclose(found[number, y, x], own.mean(axis=0), rtol=1e-6)
+        assert own.min() - 1e-6 <= found[number, y, x].min()
+        assert found[number, y, x].max() <= own.max() + 1e-6
 
 
 @pytest.mark.parametrize(("low", "high", "error"), [(0.1, 1000.0, 2.0**-11), (0.002, 3e6, 1e-5), (5.0, 5.0, 1e-3)])
@@ -60,16 +173,6 @@ def test_ranges_next_to_zero_and_empty_maps_are_stored() -> None:
     nothing = np.full((1, 2, 2), np.inf, np.float32)
     scale = RangeScale.of(nothing, 1e-3)
     assert np.isinf(scale.ranges(scale.codes(nothing))).all()
-
-
-def test_damaged_codes_are_refused() -> None:
-    data = codec.encode_codes(np.arange(64, dtype=np.uint16).reshape(1, 8, 8))
-    for wrong in (b"", b"abc", data[:-5], codec.encode_codes(np.zeros((1, 8, 9), np.uint16))):
-        with pytest.raises(ValueError, match=r"expected .*ranges"):
-            codec.decode_codes(wrong, (1, 8, 8))
-    # 10 MB of zeros in 10 kB: what does not fit is not unpacked.
-    with pytest.raises(ValueError, match="got more"):
-        codec.decode_codes(zlib.compress(bytes(10_000_000)), (1, 8, 8))
 
 
 def test_lossless_pictures_keep_every_srgb_code() -> None:

@@ -96,7 +96,7 @@ def test_radii_and_centres(tmp_path: Path, changes: dict[str, Any], text: str) -
 def test_local_urls_are_paths_and_bundles_are_replaced(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.undo()
     first = bundle_cases.write(f"file://{tmp_path}/b")
-    assert content(tmp_path / "b").keys() == {"manifest.json", *first.files}
+    assert content(tmp_path / "b").keys() == {"manifest.json", "tileset.json", *first.files}
     bundle_cases.write(tmp_path / "b", height=1.0)
     assert nf.stream.open(f"file://{tmp_path}/b").nbytes == nf.stream.open(tmp_path / "b").nbytes
     # A damaged manifest may be ours: what is left of a bundle can be written again.

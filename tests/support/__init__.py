@@ -16,8 +16,7 @@ import pytest
 from referencing import Registry, Resource
 
 import nearfar as nf
-from nearfar._base import data as data_files
-from nearfar._base import formats
+from nearfar._base import data as data_files, formats
 from tests.support.reader_cases import no_browser, no_node
 
 

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.builder import SceneBuilder
-from nearfar.lod._measure import score_table
-from nearfar.lod._measure import scores as level_scores
+from nearfar.lod._measure import score_table, scores as level_scores
 
 Array = NDArray[np.float64]
 

@@ -8,41 +8,21 @@ from numpy.typing import NDArray
 
 from nearfar._core.export import (
     Export as Export,
+    decode_ranges as decode_ranges,
+    encode_ranges as encode_ranges,
 )
 from nearfar._core.gpu import (
     GpuDevice as GpuDevice,
-)
-from nearfar._core.gpu import (
     GpuFrame as GpuFrame,
-)
-from nearfar._core.gpu import (
     GpuJob as GpuJob,
-)
-from nearfar._core.gpu import (
     gpu_adapters as gpu_adapters,
-)
-from nearfar._core.gpu import (
     gpu_close as gpu_close,
-)
-from nearfar._core.gpu import (
     gpu_cube_lookup as gpu_cube_lookup,
-)
-from nearfar._core.gpu import (
     gpu_discontinuity as gpu_discontinuity,
-)
-from nearfar._core.gpu import (
     gpu_forked as gpu_forked,
-)
-from nearfar._core.gpu import (
     gpu_is_hardware as gpu_is_hardware,
-)
-from nearfar._core.gpu import (
     gpu_keep as gpu_keep,
-)
-from nearfar._core.gpu import (
     gpu_morph as gpu_morph,
-)
-from nearfar._core.gpu import (
     gpu_similarity as gpu_similarity,
 )
 from nearfar._core.stereo import (

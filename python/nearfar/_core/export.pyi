@@ -1,4 +1,4 @@
-"""Kernels of the geometry that is streamed, which `nearfar._core` exports; there is no such module at run time."""
+"""Kernels of what is streamed, which `nearfar._core` exports; there is no such module at run time."""
 
 from typing import Any, final
 
@@ -26,3 +26,24 @@ class Export:
     def glb(
         self, group: int, *, uris: list[str | None], report: _Report | None = None
     ) -> tuple[bytes, dict[str, Any]]: ...
+
+def encode_ranges(
+    codes: NDArray[np.uint16],
+    before: NDArray[np.uint16] | None,
+    changed: NDArray[np.bool_],
+    *,
+    size: int,
+    tile: int,
+    tiles: NDArray[np.uint32],
+    step: float,
+) -> list[bytes]: ...
+def decode_ranges(
+    planes: list[bytes],
+    before: NDArray[np.uint16] | None,
+    *,
+    faces: int,
+    size: int,
+    tile: int,
+    tiles: NDArray[np.uint32],
+    step: float,
+) -> tuple[NDArray[np.uint16], NDArray[np.bool_]]: ...

@@ -18,8 +18,7 @@ from nearfar._base import background, check
 from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene import load_gltf, load_trimesh, load_wavefront, quiet, threemf
 from nearfar._scene.assembly import Assembled
-from nearfar._scene.budget import Budget, read_file
-from nearfar._scene.budget import resolver as budget_resolver
+from nearfar._scene.budget import Budget, read_file, resolver as budget_resolver
 from nearfar._scene.materials import Materials
 from nearfar._scene.source import UP, Source, assemble
 

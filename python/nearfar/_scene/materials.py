@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from nearfar._scene import undrawn as undrawn_parts
-from nearfar._scene import wavefront_materials
+from nearfar._scene import undrawn as undrawn_parts, wavefront_materials
 from nearfar._scene.budget import Budget
 from nearfar._scene.srgb import to_linear, to_srgb
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn

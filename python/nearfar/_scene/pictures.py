@@ -13,8 +13,7 @@ from nearfar._base import check
 from nearfar._camera.shot import Shot, check_begin, check_request
 
 if TYPE_CHECKING:
-    from nearfar._core import GpuDevice, GpuJob
-    from nearfar._core import Scene as CoreScene
+    from nearfar._core import GpuDevice, GpuJob, Scene as CoreScene
 
 
 class InPictures:

@@ -131,8 +131,7 @@ class Scene(InPictures):
         TypeError
             Anything else than a mesh or a scene.
         """
-        from nearfar._scene import load_trimesh
-        from nearfar._scene import source as sources
+        from nearfar._scene import load_trimesh, source as sources
 
         source = load_trimesh.read("trimesh object", loaded)
         return cls._from_assembled(sources.assemble(source, up=up, on_invalid=on_invalid, scale=scale))

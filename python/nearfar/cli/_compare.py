@@ -9,11 +9,9 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar._base import check as checks
-from nearfar._base import files, formats
+from nearfar._base import check as checks, files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _comparison_page, _page, _report_page, _source, _thresholds, _viewpoint
-from nearfar.cli import _options as options
+from nearfar.cli import _comparison_page, _options as options, _page, _report_page, _source, _thresholds, _viewpoint
 from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._options import option
 from nearfar.cli._output import Clock, metres, note_rows, radii_rows, show, triangles_text

@@ -14,8 +14,7 @@ import nearfar as nf
 from nearfar._base import check, files, formats
 from nearfar._metrics.comparison import visible_difference
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _options as options
-from nearfar.cli import _report_page, _viewpoint
+from nearfar.cli import _options as options, _report_page, _viewpoint
 from nearfar.cli._methods import render_all
 from nearfar.cli._options import option
 from nearfar.cli._output import Clock, bytes_text, metres, note_rows, radii_rows, show, triangles_text

@@ -10,8 +10,7 @@ from typing import Annotated, Any
 import nearfar as nf
 from nearfar._base import check, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _headset, _source, _viewpoint
-from nearfar.cli import _options as options
+from nearfar.cli import _headset, _options as options, _source, _viewpoint
 from nearfar.cli._methods import METHODS, morph_of
 from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, check_target, metres, note_rows, show

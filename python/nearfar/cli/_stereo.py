@@ -10,8 +10,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, files, formats
-from nearfar.cli import _headset, _page, _source, _stereo_page, _viewpoint
-from nearfar.cli import _options as options
+from nearfar.cli import _headset, _options as options, _page, _source, _stereo_page, _viewpoint
 from nearfar.cli._options import option
 from nearfar.cli._output import Clock, count, metres, note_rows, show
 

@@ -9,8 +9,7 @@ import numpy as np
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets import _ground as streets
-from nearfar.datasets import _layout as layout
+from nearfar.datasets import _ground as streets, _layout as layout
 from nearfar.datasets._buildings import building
 from nearfar.datasets._dressing import dress
 from nearfar.datasets._furniture import fountain

@@ -8,9 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar.datasets import _furniture as furniture
-from nearfar.datasets import _vegetation as vegetation
-from nearfar.datasets import _vehicles as vehicles
+from nearfar.datasets import _furniture as furniture, _vegetation as vegetation, _vehicles as vehicles
 from nearfar.datasets._draw import Draw, Floats
 from nearfar.datasets._ground import FLAT
 from nearfar.datasets._layout import AVENUE, KERB, Grid, Plot

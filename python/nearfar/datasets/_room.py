@@ -6,10 +6,12 @@ import numpy as np
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets import _facade as facade
-from nearfar.datasets import _furnishings as furnishings
-from nearfar.datasets import _textures as textures
-from nearfar.datasets import _vegetation as vegetation
+from nearfar.datasets import (
+    _facade as facade,
+    _furnishings as furnishings,
+    _textures as textures,
+    _vegetation as vegetation,
+)
 from nearfar.datasets._buildings import Kind, building
 from nearfar.datasets._draw import Draw
 from nearfar.datasets._palette import material

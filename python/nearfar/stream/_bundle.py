@@ -13,7 +13,7 @@ from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream import _manifest, _store
-from nearfar.stream._decode import Layout, decode_colors, decode_ranges, joined, ring_scene
+from nearfar.stream._decode import Layout, decode_map, joined, ring_scene
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE, names_of
 from nearfar.stream._moving import moving_scene
@@ -149,8 +149,7 @@ class Bundle:
         """
         number = check.integer("ring", ring, 0, self.count)
         maps = [entry["map"] for entry in self._rings[: number + 1]]
-        color = decode_colors(maps, self._layout, self._decoded)
-        ranges = decode_ranges(maps, self._layout, self._decoded) if number else None
+        color, ranges = decode_map(maps, self._layout, self._decoded)
         return EnvMap(self.center, color=color, range=ranges)
 
     def at(self, ring: int, radius: float | None = None, strength: float = 1.0) -> ReducedScene:

@@ -72,9 +72,14 @@ class Layout:
                 raise ValueError("map: expected ranges exactly where tiles change")
 
 
-def decode_colors(maps: Sequence[dict[str, Any]], layout: Layout, decoded: Decoded) -> NDArray[np.float32]:
-    """Colour (6, S, S, 3) of the last of consecutive maps from ring 0 on, linear RGB."""
-    side, tile = layout.face_size, layout.tile
+def decode_map(
+    maps: Sequence[dict[str, Any]], layout: Layout, decoded: Decoded
+) -> tuple[NDArray[np.float32], NDArray[np.float32] | None]:
+    """Colour (6, S, S, 3), linear RGB, and range (6, S, S), metres, of the last of consecutive maps from ring 0 on.
+
+    Ring 0 has no range of its own.
+    """
+    side, tile, step, codes = layout.face_size, layout.tile, layout.scale.step, None
 
     def picture(name: str, size: tuple[int, int]) -> NDArray[np.float32]:
         found: NDArray[np.float32] = decoded(name, lambda data: codec.decode_color(data, size))
@@ -83,29 +88,45 @@ def decode_colors(maps: Sequence[dict[str, Any]], layout: Layout, decoded: Decod
     faces = np.stack([picture(name, (side, side)) for name in maps[0]["color"]])
     for described in maps[1:]:
         tiles = np.array(described["tiles"], np.int64)
+        if codes is None:
+            codes, changed = _first_ranges(described["range"], tiles, layout, decoded)
+        elif len(tiles):
+            before = codes
+
+            def next_codes(data: bytes, before: codec.Codes = before, tiles: Any = tiles) -> Any:
+                return codec.decode_ranges(data, before, 6, side, tiles, tile, step)
+
+            codes, changed = decoded(described["range"], next_codes)
         if len(tiles):
-            size = (layout.across * tile, -(-len(tiles) // layout.across) * tile)
-            sheet = picture(described["color"], size)
-            codec.put_tiles(faces, tiles, codec.tiles_of_sheet(sheet, len(tiles), tile))
-    return faces
+            sheet = picture(described["color"], (layout.across * tile, -(-len(tiles) // layout.across) * tile))
+            _put_changes(faces, sheet, changed, tiles, tile)
+    return faces, None if codes is None else layout.scale.ranges(codes)
 
 
-def decode_ranges(maps: Sequence[dict[str, Any]], layout: Layout, decoded: Decoded) -> NDArray[np.float32]:
-    """Range (6, S, S) of the last of consecutive maps from ring 0 on, metres; ring 0 has none of its own."""
-    tile, whole = layout.tile, layout.tiles // 6
-    faces = np.zeros((6, layout.face_size, layout.face_size), np.uint16)
+def _first_ranges(
+    names: Sequence[str], tiles: NDArray[np.int64], layout: Layout, decoded: Decoded
+) -> tuple[codec.Codes, NDArray[np.bool_]]:
+    """Codes of all texels in six files, and which texels ring 1 changes."""
+    side, tile, step = layout.face_size, layout.tile, layout.scale.step
+    own = [numbers for _, numbers in codec.by_face(tiles, side // tile)]
+    parts = [
+        decoded(name, lambda data, numbers=numbers: codec.decode_ranges(data, None, 1, side, numbers, tile, step))
+        for name, numbers in zip(names, own, strict=True)
+    ]
+    return np.concatenate([codes for codes, _ in parts]), np.concatenate([changed for _, changed in parts])
 
-    def codes(name: str, count: int) -> codec.Codes:
-        found: codec.Codes = decoded(name, lambda data: codec.decode_codes(data, (count, tile, tile)))
-        return found
 
-    blocks = [codes(name, whole) for name in maps[1]["range"]]
-    codec.put_tiles(faces, np.arange(layout.tiles), np.concatenate(blocks))
-    for described in maps[2:]:
-        tiles = np.array(described["tiles"], np.int64)
-        if len(tiles):
-            codec.put_tiles(faces, tiles, codes(described["range"], len(tiles)))
-    return layout.scale.ranges(faces)
+def _put_changes(
+    faces: NDArray[np.float32],
+    sheet: NDArray[np.float32],
+    changed: NDArray[np.bool_],
+    tiles: NDArray[np.int64],
+    tile: int,
+) -> None:
+    """Replace changed texels and their neighbours in the listed tiles by those of a picture."""
+    known = codec.tiles_of(codec.with_neighbours(changed), tiles, tile)[..., None]
+    shown = codec.tiles_of_sheet(sheet, len(tiles), tile)
+    codec.put_tiles(faces, tiles, np.where(known, shown, codec.tiles_of(faces, tiles, tile)))
 
 
 def ring_scene(name: str, parts: Sequence[str], read: Read, place: str) -> Scene:

@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import glb as binary
-from nearfar._base import progress
+from nearfar._base import glb as binary, progress
 from nearfar.stream import _map_files as codec
 from nearfar.stream._assign import Rings
 from nearfar.stream._map_files import RangeScale
@@ -19,6 +19,9 @@ from nearfar.stream._store import FOLDER, described, named
 
 ACROSS = 16
 """Tiles in a row of a picture of changed tiles."""
+
+BETTER = 2
+"""Steps by which the quality of changes exceeds that of map 0: what stays keeps errors beside objects that left."""
 
 
 @dataclass
@@ -45,29 +48,42 @@ def scale_of(maps: RingMaps, error: float) -> RangeScale:
 
 
 def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: RangeScale) -> list[dict[str, Any]]:
-    """Encode the map of each ring: colour of ring 0 whole, then changed tiles; range whole from ring 1 on."""
-    first = maps.map(0)
-    listed: list[dict[str, Any]] = [
-        {"color": [files.add(codec.encode_color(face, quality), "webp") for face in first.color]}
-    ]
-    for ring in range(1, maps.rings.count + 1):
-        env = maps.map(ring)
+    """Encode the map of each ring: colour of ring 0 whole, then changed texels; range whole from ring 1 on."""
+    first = maps.first
+    assert first.range is not None
+    color, codes, size = first.color.copy(), scale.codes(first.range), first.face_size
+    listed: list[dict[str, Any]] = [{"color": [files.add(codec.encode_color(face, quality), "webp") for face in color]}]
+    better = None if quality is None else min(quality + BETTER, 100)
+    for ring, change in enumerate(maps.changes, 1):
+        before, texels = codes.copy(), change["texels"]
+        changed = np.zeros((6, size, size), bool)
+        if len(texels):
+            color.reshape(-1, 3)[texels] = change["color"]
+            codes.reshape(-1)[texels] = scale.codes(change["range"])
+            changed.reshape(-1)[texels] = True
         tiles = np.flatnonzero(maps.changed_tiles(ring))
         described: dict[str, Any] = {"tiles": tiles.tolist(), "color": None, "range": None}
-        assert env.range is not None
         if len(tiles):
-            sheet = codec.sheet_of(codec.tiles_of(env.color, tiles, TILE), ACROSS)
-            described["color"] = files.add(codec.encode_color(sheet, quality), "webp")
+            described["color"] = files.add(encode_changes(color, changed, tiles, better), "webp")
         if ring == 1:
-            every = np.arange(6 * (first.face_size // TILE) ** 2)
-            whole = codec.tiles_of(scale.codes(env.range), every, TILE).reshape(6, -1, TILE, TILE)
-            described["range"] = [files.add(codec.encode_codes(face), "range") for face in whole]
+            described["range"] = [
+                files.add(codec.encode_ranges(codes[face], None, changed[face], own, TILE, scale.step), "range")
+                for face, own in codec.by_face(tiles, size // TILE)
+            ]
         elif len(tiles):
             described["range"] = files.add(
-                codec.encode_codes(scale.codes(codec.tiles_of(env.range, tiles, TILE))), "range"
+                codec.encode_ranges(codes, before, changed, tiles, TILE, scale.step), "range"
             )
         listed.append(described)
     return listed
+
+
+def encode_changes(
+    color: NDArray[np.float32], changed: NDArray[np.bool_], tiles: NDArray[np.int64], quality: int | None
+) -> bytes:
+    """Encode the picture of the tiles in which texels change; only those and their neighbours show anything of use."""
+    known = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
+    return codec.encode_color(codec.sheet_of(codec.filled(codec.tiles_of(color, tiles, TILE), known), ACROSS), quality)
 
 
 def encode_geometry(

@@ -12,8 +12,7 @@ from nearfar._base import check, formats
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _store
 from nearfar.stream._assign import ascending, assign
-from nearfar.stream._bundle import Bundle
-from nearfar.stream._bundle import open as open_bundle
+from nearfar.stream._bundle import Bundle, open as open_bundle
 from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, scale_of
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION

@@ -6,6 +6,7 @@ import io
 import math
 import zlib
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,12 @@ NEAREST = 1e-3
 """Ranges below this are stored as this, metres."""
 
 _LINEAR = to_linear(np.arange(256) / 255.0).astype(np.float32)
+
+PLANES = 9
+"""Planes of bytes that ranges are divided into."""
+
+MOST_BYTES = 4
+"""Bytes that a texel takes at most in all planes: two flags, a pair of bits, a byte and a word."""
 
 Codes = NDArray[np.uint16]
 
@@ -109,37 +116,84 @@ class RangeScale:
         return ranges
 
 
-def encode_codes(codes: Codes) -> bytes:
-    """Compress blocks of codes (N, H, W).
+def encode_ranges(
+    codes: Codes, before: Codes | None, changed: NDArray[np.bool_], tiles: NDArray[np.int64], tile: int, step: float
+) -> bytes:
+    """Compress codes of faces (N, S, S): all of them, or with the codes `before` those of `changed` texels alone.
 
-    Each code is predicted from its left, upper and upper left neighbours, as left + upper − upper left, within its
-    block; residuals are folded to 0, −1, 1, −2, … = 0, 1, 2, 3, …; all high bytes come before all low bytes; zlib.
+    `changed` is stored too; `tiles` has the ascending numbers of all tiles with changed texels, `step` is the scale's.
     """
-    across = codes.copy()
-    across[:, :, 1:] -= codes[:, :, :-1]
-    residual = across.copy()
-    residual[:, 1:] -= across[:, :-1]
-    signed = residual.view(np.int16)
-    folded = ((signed << 1) ^ (signed >> 15)).view(np.uint16).ravel()
-    planes = np.concatenate([(folded >> 8).astype(np.uint8), (folded & 255).astype(np.uint8)])
-    return zlib.compress(planes.tobytes(), 6)
+    listed = tiles.astype(np.uint32)
+    earlier = None if before is None else before.ravel()
+    settings: dict[str, Any] = {"size": codes.shape[1], "tile": tile, "tiles": listed, "step": step}
+    planes = _core.encode_ranges(codes.ravel(), earlier, changed.ravel(), **settings)
+    lengths = np.array([len(plane) for plane in planes], "<u4").tobytes()
+    # Flushing ends a block, so that each plane has a code of its own.
+    writer = zlib.compressobj(9)
+    parts = [writer.compress(part) + writer.flush(zlib.Z_SYNC_FLUSH) for part in (lengths, *planes)]
+    return b"".join([*parts, writer.flush()])
 
 
-def decode_codes(data: bytes, shape: tuple[int, int, int]) -> Codes:
-    """Decompress blocks of codes of a known shape (N, H, W); ValueError for anything else."""
-    count = math.prod(shape)
+def decode_ranges(
+    data: bytes, before: Codes | None, count: int, size: int, tiles: NDArray[np.int64], tile: int, step: float
+) -> tuple[Codes, NDArray[np.bool_]]:
+    """Decompress codes and changed texels, (`count`, `size`, `size`) each; ValueError for anything else."""
+    texels = count * size * size if before is None else len(tiles) * tile * tile
+    head = 4 * PLANES
+    # Each plane may end with a byte that is not full.
+    raw = _decompressed(data, head + PLANES + MOST_BYTES * texels)
+    ends = head + np.cumsum(np.frombuffer(raw[: len(raw) // 4 * 4][:head], "<u4"), dtype=np.int64)
+    if len(ends) != PLANES or ends[-1] != len(raw):
+        raise ValueError("expected ranges of planes whose lengths are listed, got others")
+    planes = [raw[start:end] for start, end in pairwise([head, *ends.tolist()])]
+    earlier = None if before is None else before.ravel()
+    settings: dict[str, Any] = {"size": size, "tile": tile, "tiles": tiles.astype(np.uint32), "step": step}
+    codes, changed = _core.decode_ranges(planes, earlier, faces=count, **settings)
+    return codes.reshape(count, size, size), changed.reshape(count, size, size)
+
+
+def _decompressed(data: bytes, most: int) -> bytes:
+    """Unpack at most so many bytes."""
     reader = zlib.decompressobj()
     try:
-        raw = reader.decompress(data, 2 * count + 1)
+        raw = reader.decompress(data, most + 1)
     except zlib.error as error:
         raise ValueError(f"expected compressed ranges, got {error}") from None
-    if len(raw) != 2 * count or not reader.eof:
-        raise ValueError(f"expected {2 * count} bytes of ranges, got {'more' if len(raw) > 2 * count else len(raw)}")
-    planes = np.frombuffer(raw, np.uint8).reshape(2, count)
-    folded = (planes[0].astype(np.uint16) << 8) | planes[1]
-    residual = ((folded >> 1) ^ (0 - (folded & 1))).reshape(shape)
-    rows: Any = np.cumsum(residual, axis=1, dtype=np.uint16)
-    return np.cumsum(rows, axis=2, dtype=np.uint16)
+    if len(raw) > most or not reader.eof or reader.unused_data:
+        raise ValueError(f"expected compressed ranges of at most {most} bytes, got others")
+    return raw
+
+
+def with_neighbours(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Texels of faces (N, S, S) that are marked or lie beside a marked one of their face, diagonally too."""
+    wide = mask.copy()
+    wide[:, 1:] |= mask[:, :-1]
+    wide[:, :-1] |= mask[:, 1:]
+    rows = wide.copy()
+    wide[:, :, 1:] |= rows[:, :, :-1]
+    wide[:, :, :-1] |= rows[:, :, 1:]
+    return wide
+
+
+def filled(tiles: NDArray[np.float32], known: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Replace unknown texels of tiles (N, side, side, 3) by the mean of the least block around them with known ones.
+
+    Sides of blocks are powers of two, as `side` is; the mean is that of the means of a block's quarters. Smoother
+    fillings take more bytes as pictures.
+    """
+    count, side = known.shape[:2]
+    partly = ~known.all(axis=(1, 2))
+    if side == 1 or not partly.any():
+        return tiles
+    if not partly.all():
+        whole = tiles.copy()
+        whole[partly] = filled(tiles[partly], known[partly])
+        return whole
+    blocks = (count, side // 2, 2, side // 2, 2)
+    number = known.reshape(blocks).sum(axis=(2, 4))
+    sums = np.where(known[..., None], tiles, 0).reshape(*blocks, 3).sum(axis=(2, 4))
+    means = filled(sums / np.maximum(number, 1, dtype=np.float32)[..., None], number > 0)
+    return np.where(known[..., None], tiles, means.repeat(2, axis=1).repeat(2, axis=2))
 
 
 def tiles_of(faces: NDArray[Any], chosen: NDArray[np.int64], side: int) -> NDArray[Any]:
@@ -147,6 +201,12 @@ def tiles_of(faces: NDArray[Any], chosen: NDArray[np.int64], side: int) -> NDArr
     across = faces.shape[1] // side
     blocks = faces.reshape(6, across, side, across, side, *faces.shape[3:]).swapaxes(2, 3)
     return blocks.reshape(6 * across * across, side, side, *faces.shape[3:])[chosen]
+
+
+def by_face(tiles: NDArray[np.int64], across: int) -> list[tuple[slice, NDArray[np.int64]]]:
+    """Each face as a slice of faces, and the numbers of its own tiles among `tiles`, from 0 on."""
+    face, place = np.divmod(tiles, across * across)
+    return [(slice(number, number + 1), place[face == number]) for number in range(6)]
 
 
 def put_tiles(faces: NDArray[Any], chosen: NDArray[np.int64], tiles: NDArray[Any]) -> None:

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import check, formats
-from nearfar._base import glb as binary
+from nearfar._base import check, formats, glb as binary
 from nearfar._scene.moving_rows import frames_of, moving_rows
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene

@@ -1,8 +1,10 @@
 //! Bindings of `export`.
 
+use nearfar_core::export::ranges::{self, Faces};
 use nearfar_core::export::{self, Kind, Settings, Statistics};
-use numpy::PyReadonlyArray1;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::convert::run;
@@ -81,4 +83,49 @@ fn named<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bound<'py, P
     }
     named.set_item("position_error", statistics.position_error)?;
     Ok(named)
+}
+
+/// Codes, and which texels change.
+type Decoded<'py> = (Bound<'py, PyArray1<u16>>, Bound<'py, PyArray1<bool>>);
+
+/// The planes of codes, of all texels or of those that differ from the codes `before`.
+#[pyfunction]
+#[pyo3(signature = (codes, before, changed, *, size, tile, tiles, step))]
+#[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
+pub(crate) fn encode_ranges<'py>(
+    py: Python<'py>,
+    codes: PyReadonlyArray1<'py, u16>,
+    before: Option<PyReadonlyArray1<'py, u16>>,
+    changed: PyReadonlyArray1<'py, bool>,
+    size: usize,
+    tile: usize,
+    tiles: PyReadonlyArray1<'py, u32>,
+    step: f64,
+) -> PyResult<Vec<Bound<'py, PyBytes>>> {
+    let (codes, changed) = (codes.as_slice()?, changed.as_slice()?);
+    let before = before.as_ref().map(PyReadonlyArray1::as_slice).transpose()?;
+    let faces = Faces { size, tile, listed: tiles.as_slice()?, step };
+    let planes = run::long(py, None, |progress| ranges::encode(codes, before, changed, faces, progress))?;
+    Ok(planes.iter().map(|plane| PyBytes::new(py, plane)).collect())
+}
+
+/// The codes of so many faces, and which texels change.
+#[pyfunction]
+#[pyo3(signature = (planes, before, *, faces, size, tile, tiles, step))]
+#[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
+pub(crate) fn decode_ranges<'py>(
+    py: Python<'py>,
+    planes: Vec<PyBackedBytes>,
+    before: Option<PyReadonlyArray1<'py, u16>>,
+    faces: usize,
+    size: usize,
+    tile: usize,
+    tiles: PyReadonlyArray1<'py, u32>,
+    step: f64,
+) -> PyResult<Decoded<'py>> {
+    let before = before.as_ref().map(PyReadonlyArray1::as_slice).transpose()?;
+    let layout = Faces { size, tile, listed: tiles.as_slice()?, step };
+    let planes: Vec<&[u8]> = planes.iter().map(|plane| &plane[..]).collect();
+    let (codes, changed) = run::long(py, None, |progress| ranges::decode(&planes, faces, before, layout, progress))?;
+    Ok((codes.into_pyarray(py), changed.into_pyarray(py)))
 }

@@ -18,6 +18,7 @@ mod mesh;
 mod numbering;
 mod placement;
 mod plan;
+pub mod ranges;
 mod settings;
 mod statistics;
 mod surfaces;

@@ -1,0 +1,101 @@
+//! Ranges of the maps of rings as planes of bytes: which texels a ring changes, and their new codes.
+//!
+//! A code c stands for a range that is proportional to exp(c · step), [`NOTHING`] for none. Texels are visited face by
+//! face, row by row; what is known of the texels before them predicts them (`walk.rs`), and only what differs from the
+//! prediction is written (`planes.rs`). Whoever compresses the bytes chooses how. All arithmetic is exact or rounded as
+//! IEEE 754 says, so every client predicts the same.
+
+mod faces;
+mod planes;
+mod runs;
+mod scale;
+#[cfg(test)]
+mod tests;
+mod walk;
+
+pub use faces::{Faces, MOST_STEP};
+pub use scale::NOTHING;
+
+use crate::base::{Error, Progress, Result};
+use planes::{Reader, Writer, damaged};
+use walk::Walk;
+
+/// The planes of a map's codes. With the codes `before`, only those of `changed` texels; else all of them. Texels
+/// outside the listed tiles must not be changed.
+pub fn encode(
+    codes: &[u16],
+    before: Option<&[u16]>,
+    changed: &[bool],
+    faces: Faces<'_>,
+    progress: &Progress,
+) -> Result<Vec<Vec<u8>>> {
+    check_changes(codes, before, changed, faces)?;
+    let mut writer = Writer::default();
+    walk(&mut codes.to_vec(), before, &mut changed.to_vec(), faces, &mut writer, progress)?;
+    Ok(writer.planes())
+}
+
+/// Refuses changes that the planes would not hold.
+fn check_changes(codes: &[u16], before: Option<&[u16]>, changed: &[bool], faces: Faces<'_>) -> Result<()> {
+    faces.count(codes.len())?;
+    let across = faces.size / faces.tile;
+    let is_listed = |place: usize| {
+        let (row, column) = (place / faces.size, place % faces.size);
+        let tile = row / faces.tile * across + column / faces.tile;
+        faces.listed.binary_search_by(|&own| (own as usize).cmp(&tile)).is_ok()
+    };
+    if let Some(place) = changed.iter().enumerate().position(|(place, &is_changed)| is_changed && !is_listed(place)) {
+        return Err(Error::value("tiles", "the tiles of all changed texels", format!("a change of texel {place}")));
+    }
+    let is_missed = |((code, before), is_changed): ((&u16, &u16), &bool)| code != before && !is_changed;
+    if before.is_some_and(|before| codes.iter().zip(before).zip(changed).any(is_missed)) {
+        return Err(Error::value("changed", "all texels whose codes differ", "fewer"));
+    }
+    Ok(())
+}
+
+/// The codes of so many faces, and which texels change. For planes of changed texels, `before` has the codes before.
+pub fn decode(
+    planes: &[&[u8]],
+    count: usize,
+    before: Option<&[u16]>,
+    faces: Faces<'_>,
+    progress: &Progress,
+) -> Result<(Vec<u16>, Vec<bool>)> {
+    let texels = count.saturating_mul(faces.size.saturating_mul(faces.size));
+    let mut reader = Reader::new(planes)?;
+    if before.is_none() && planes[1].len() < texels / 8 {
+        return Err(damaged("fewer bytes"));
+    }
+    let mut codes = before.map_or_else(|| vec![0; texels], <[u16]>::to_vec);
+    let mut changed = vec![false; codes.len()];
+    if codes.len() != texels {
+        return Err(Error::value("before", format!("{texels} codes"), codes.len()));
+    }
+    walk(&mut codes, before, &mut changed, faces, &mut reader, progress)?;
+    reader.finish()?;
+    Ok((codes, changed))
+}
+
+/// Visits all texels of all faces.
+fn walk(
+    codes: &mut [u16],
+    before: Option<&[u16]>,
+    changed: &mut [bool],
+    faces: Faces<'_>,
+    link: &mut impl planes::Link,
+    progress: &Progress,
+) -> Result<()> {
+    let count = faces.count(codes.len())?;
+    if changed.len() != codes.len() || before.is_some_and(|before| before.len() != codes.len()) {
+        return Err(Error::value("changed", "as many texels as codes", changed.len()));
+    }
+    let texels = faces.size * faces.size;
+    let mut walk = Walk::new(faces);
+    for face in 0..count {
+        let own = face * texels..(face + 1) * texels;
+        let before = before.map(|before| &before[own.clone()]);
+        walk.face(face, &mut codes[own.clone()], before, &mut changed[own], link, progress)?;
+    }
+    Ok(())
+}

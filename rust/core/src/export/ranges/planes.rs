@@ -1,0 +1,198 @@
+//! Bytes of what differs from its prediction: frequent small numbers in few bits, apart from rare large ones.
+//!
+//! Nine planes: flags of changed texels, flags of texels without a surface, and residuals. A residual that is trusted
+//! highly is a bit, and if that is 1, a pair of bits for the rest. Where trust is some or calm, it is a pair of bits.
+//! A pair of 3 is followed by a byte for the rest; where trust is low, a residual is a byte. A byte of 255 is followed
+//! by a word for the rest; words are stored as all high bytes before all low ones. Bits and pairs fill a byte from its
+//! highest bit on.
+
+use crate::base::{Error, Result};
+
+/// Number of planes.
+pub(super) const PLANES: usize = 9;
+const CHANGED: usize = 0;
+const NOTHING: usize = 1;
+const BITS: usize = 2;
+/// Pairs: of residuals that a bit does not hold, of those with some trust, and calm ones.
+const PAIRS: [usize; 3] = [3, 4, 5];
+/// Bytes: of residuals that a pair does not hold, and of those with low trust.
+const BYTES: [usize; 2] = [6, 7];
+const WORDS: usize = 8;
+
+/// How far a prediction is trusted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Trust {
+    High,
+    Some,
+    /// Only neighbours predict, but they agree.
+    Calm,
+    Low,
+}
+
+impl Trust {
+    /// The planes that a residual begins in: of bits, pairs and bytes.
+    fn planes(self) -> (Option<usize>, Option<usize>, usize) {
+        match self {
+            Self::High => (Some(BITS), Some(PAIRS[0]), BYTES[0]),
+            Self::Some => (None, Some(PAIRS[1]), BYTES[0]),
+            Self::Calm => (None, Some(PAIRS[2]), BYTES[0]),
+            Self::Low => (None, None, BYTES[1]),
+        }
+    }
+}
+
+/// One end of the planes: writes what it is given and returns it, or returns what it reads.
+pub(super) trait Link {
+    /// Whether a texel changes.
+    fn changed(&mut self, predicted: bool, value: bool) -> Result<bool>;
+    /// Whether a texel shows nothing.
+    fn nothing(&mut self, predicted: bool, value: bool) -> Result<bool>;
+    /// The difference of a code from its prediction, folded to 0, −1, 1, −2, … = 0, 1, 2, 3, ….
+    fn residual(&mut self, trust: Trust, value: u16) -> Result<u16>;
+}
+
+/// Numbers of a few bits each.
+#[derive(Default)]
+struct Packed {
+    bytes: Vec<u8>,
+    used: u32,
+}
+
+impl Packed {
+    fn push(&mut self, value: u8, bits: u32) {
+        if self.used.is_multiple_of(8) {
+            self.bytes.push(0);
+        }
+        if let Some(last) = self.bytes.last_mut() {
+            *last |= value << (8 - bits - self.used % 8);
+        }
+        self.used = (self.used + bits) % 8;
+    }
+}
+
+/// Planes that grow.
+#[derive(Default)]
+pub(super) struct Writer {
+    packed: [Packed; BYTES[0]],
+    bytes: [Vec<u8>; 2],
+    words: Vec<u16>,
+}
+
+impl Writer {
+    /// All planes.
+    pub fn planes(self) -> Vec<Vec<u8>> {
+        let words =
+            [8, 0].map(|shift| self.words.iter().map(|word| (word >> shift) as u8).collect::<Vec<_>>()).concat();
+        self.packed.map(|packed| packed.bytes).into_iter().chain(self.bytes).chain([words]).collect()
+    }
+}
+
+impl Link for Writer {
+    fn changed(&mut self, predicted: bool, value: bool) -> Result<bool> {
+        self.packed[CHANGED].push((predicted ^ value).into(), 1);
+        Ok(value)
+    }
+
+    fn nothing(&mut self, predicted: bool, value: bool) -> Result<bool> {
+        self.packed[NOTHING].push((predicted ^ value).into(), 1);
+        Ok(value)
+    }
+
+    fn residual(&mut self, trust: Trust, value: u16) -> Result<u16> {
+        let (bit, pair, byte) = trust.planes();
+        let mut rest = value;
+        for (plane, bits) in [(bit, 1), (pair, 2)] {
+            let Some(plane) = plane else { continue };
+            let most = (1 << bits) - 1;
+            self.packed[plane].push(rest.min(most) as u8, bits);
+            if rest < most {
+                return Ok(value);
+            }
+            rest -= most;
+        }
+        self.bytes[byte - BYTES[0]].push(rest.min(255) as u8);
+        if rest >= 255 {
+            self.words.push(rest - 255);
+        }
+        Ok(value)
+    }
+}
+
+/// Planes that are read from their beginnings on.
+pub(super) struct Reader<'a> {
+    planes: [&'a [u8]; PLANES],
+    /// Bits, bytes or words of each plane that were read.
+    read: [usize; PLANES],
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(planes: &[&'a [u8]]) -> Result<Self> {
+        let planes: [&[u8]; PLANES] = planes.try_into().map_err(|_| damaged("another number of planes"))?;
+        Ok(Self { planes, read: [0; PLANES] })
+    }
+
+    /// Refuses bytes that were not read.
+    pub fn finish(self) -> Result<()> {
+        let whole = |plane: usize| match plane {
+            WORDS => 2 * self.read[plane],
+            _ if BYTES.contains(&plane) => self.read[plane],
+            _ => self.read[plane].div_ceil(8),
+        };
+        match (0..PLANES).all(|plane| whole(plane) == self.planes[plane].len()) {
+            true => Ok(()),
+            false => Err(damaged("more bytes")),
+        }
+    }
+
+    fn bits(&mut self, plane: usize, bits: usize) -> Result<u16> {
+        let place = self.read[plane];
+        let byte = self.planes[plane].get(place / 8).ok_or_else(|| damaged("fewer bytes"))?;
+        self.read[plane] += bits;
+        Ok(u16::from(byte >> (8 - bits - place % 8)) & ((1 << bits) - 1))
+    }
+
+    fn byte(&mut self, plane: usize) -> Result<u16> {
+        let byte = self.planes[plane].get(self.read[plane]).ok_or_else(|| damaged("fewer bytes"))?;
+        self.read[plane] += 1;
+        Ok(u16::from(*byte))
+    }
+
+    fn word(&mut self) -> Result<u16> {
+        let (high, low) = self.planes[WORDS].split_at(self.planes[WORDS].len() / 2);
+        let place = self.read[WORDS];
+        let (Some(&high), Some(&low)) = (high.get(place), low.get(place)) else { return Err(damaged("fewer bytes")) };
+        self.read[WORDS] += 1;
+        Ok(u16::from_be_bytes([high, low]))
+    }
+}
+
+impl Link for Reader<'_> {
+    fn changed(&mut self, predicted: bool, _: bool) -> Result<bool> {
+        Ok(predicted ^ (self.bits(CHANGED, 1)? == 1))
+    }
+
+    fn nothing(&mut self, predicted: bool, _: bool) -> Result<bool> {
+        Ok(predicted ^ (self.bits(NOTHING, 1)? == 1))
+    }
+
+    fn residual(&mut self, trust: Trust, _: u16) -> Result<u16> {
+        let (bit, pair, byte) = trust.planes();
+        let mut sum = 0;
+        for (plane, bits) in [(bit, 1), (pair, 2)] {
+            let Some(plane) = plane else { continue };
+            let value = self.bits(plane, bits)?;
+            sum += value;
+            if value < (1 << bits) - 1 {
+                return Ok(sum);
+            }
+        }
+        let byte = self.byte(byte)?;
+        let word = if byte == 255 { self.word()? } else { 0 };
+        (sum + byte).checked_add(word).ok_or_else(|| damaged("a number beyond 16 bits"))
+    }
+}
+
+/// The error for planes that no encoder wrote.
+pub(super) fn damaged(got: &str) -> Error {
+    Error::value("ranges", "planes of the listed tiles", got)
+}

@@ -1,0 +1,78 @@
+//! Powers of the ratio of two codes' ranges, the same on every machine.
+
+/// Code of texels without a surface.
+pub const NOTHING: u16 = u16::MAX;
+
+/// Codes around a guess that are tried before all of them.
+const NEARBY: usize = 4;
+
+/// Ranges of all codes, relative to that of code 0.
+pub(super) struct Scale {
+    /// exp(−c · step) of each code c.
+    reciprocals: Vec<f64>,
+    /// exp((c + ½) · step): where code c ends.
+    ends: Vec<f64>,
+}
+
+impl Scale {
+    pub fn new(step: f64) -> Self {
+        let (ratio, half) = (exponential(step), exponential(0.5 * step));
+        let powers = || std::iter::successors(Some(1.0), move |power| Some(power * ratio));
+        let last = usize::from(NOTHING);
+        Self {
+            reciprocals: powers().take(last).map(|power| 1.0 / power).collect(),
+            ends: powers().take(last - 1).map(|power| power * half).collect(),
+        }
+    }
+
+    /// What is linear in x and y over the texels of a plane: `distance`, from the centre to the texel of a face at
+    /// depth 1, over the range.
+    pub fn nearness(&self, code: u16, distance: f64) -> f64 {
+        distance * self.reciprocals[usize::from(code)]
+    }
+
+    /// The code of a nearness; the last one for what is not positive. `guess` saves time only.
+    pub fn code(&self, nearness: f64, distance: f64, guess: u16) -> u16 {
+        if nearness <= 0.0 || nearness.is_nan() {
+            return NOTHING - 1;
+        }
+        let range = distance / nearness;
+        let (low, high) = (usize::from(guess).saturating_sub(NEARBY), usize::from(guess) + NEARBY);
+        let is_below = |place: usize| place == 0 || self.ends[place - 1] <= range;
+        let is_above = |place: usize| self.ends.get(place).is_none_or(|&end| range < end);
+        let (from, to) =
+            if high < self.ends.len() && is_below(low) && is_above(high) { (low, high) } else { (0, self.ends.len()) };
+        (from + self.ends[from..to].partition_point(|&end| end <= range)) as u16
+    }
+}
+
+/// exp(x) of small x by its series, because functions of mathematical libraries differ in the last digit.
+fn exponential(x: f64) -> f64 {
+    (1..=10).rev().fold(1.0, |sum, n| 1.0 + x / f64::from(n) * sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_series_is_the_exponential() {
+        for x in [1e-9, 1e-6, 0.001, 700.0 / 65535.0] {
+            assert!((exponential(x) / x.exp() - 1.0).abs() < 4.0 * f64::EPSILON, "{x}");
+        }
+    }
+
+    #[test]
+    fn codes_come_back_from_their_nearness_whatever_the_guess() {
+        let scale = Scale::new(0.001);
+        for code in (0..NOTHING).step_by(97).chain([1, NOTHING - 2, NOTHING - 1]) {
+            for guess in [0, code, code.saturating_sub(3), NOTHING - 1] {
+                assert_eq!(scale.code(scale.nearness(code, 1.25), 1.25, guess), code);
+            }
+        }
+        for wrong in [0.0, -1.0, f64::NAN, 1e-300] {
+            assert_eq!(scale.code(wrong, 1.0, 5), NOTHING - 1);
+        }
+        assert_eq!(scale.code(f64::INFINITY, 1.0, 5), 0);
+    }
+}

@@ -1,0 +1,230 @@
+//! Predictions of texels from those that were visited before.
+
+use super::faces::Faces;
+use super::planes::{Link, Trust, damaged};
+use super::runs::Run;
+use super::scale::{NOTHING, Scale};
+use crate::base::{Progress, Result};
+
+/// Texels from which on a run predicts, and from which on one run or two that agree are trusted.
+const LEAST: u32 = 3;
+const LONG: u32 = 8;
+/// Codes by which a texel may differ from its run, and by which the second texel of a run may differ from the first.
+const FIT: u16 = 1;
+const FIRST_FIT: u16 = 64;
+/// Codes by which the left and the upper neighbour of a calm texel may differ.
+const CALM: u16 = 8;
+
+/// What is kept from texel to texel.
+pub(super) struct Walk<'a> {
+    faces: Faces<'a>,
+    scale: Scale,
+    columns: Vec<Run>,
+    /// The code of the last texel with a surface.
+    last: u16,
+}
+
+/// A face that is visited.
+struct Face<'a, L> {
+    codes: &'a mut [u16],
+    before: Option<&'a [u16]>,
+    changed: &'a mut [bool],
+    link: &'a mut L,
+}
+
+impl<'a> Walk<'a> {
+    pub fn new(faces: Faces<'a>) -> Self {
+        Self { faces, scale: Scale::new(faces.step), columns: vec![Run::default(); faces.size], last: 0 }
+    }
+
+    /// Visits the texels of a face: those of listed tiles, or all if there are no codes before.
+    pub fn face(
+        &mut self,
+        number: usize,
+        codes: &mut [u16],
+        before: Option<&[u16]>,
+        changed: &mut [bool],
+        link: &mut impl Link,
+        progress: &Progress,
+    ) -> Result<()> {
+        let Faces { size, tile, .. } = self.faces;
+        let across = size / tile;
+        self.last = 0;
+        let mut face = Face { codes, before, changed, link };
+        for band in 0..across {
+            let listed = self.listed(number * across + band);
+            let visited: Vec<bool> = listed.iter().map(|&is_listed| is_listed || before.is_none()).collect();
+            let starts = band == 0;
+            for (run, column) in self.columns.iter_mut().zip(0..) {
+                if starts || !visited[column / tile] {
+                    *run = Run::default();
+                }
+            }
+            for y in band * tile..(band + 1) * tile {
+                progress.check()?;
+                self.row(y, &visited, &listed, &mut face)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Which tiles of a row of tiles are listed.
+    fn listed(&self, row: usize) -> Vec<bool> {
+        let across = self.faces.size / self.faces.tile;
+        let is_listed = |tile: usize| self.faces.listed.binary_search_by(|&own| (own as usize).cmp(&tile)).is_ok();
+        (row * across..(row + 1) * across).map(is_listed).collect()
+    }
+
+    fn row(&mut self, y: usize, visited: &[bool], listed: &[bool], face: &mut Face<'_, impl Link>) -> Result<()> {
+        let Faces { size, tile, .. } = self.faces;
+        let centre = |place: usize| (2 * place + 1) as f64 / size as f64 - 1.0;
+        let v = centre(y);
+        let mut run = Run::default();
+        for x in 0..size {
+            if !visited[x / tile] {
+                run = Run::default();
+                continue;
+            }
+            let around = Around::new(x, y, size);
+            if listed[x / tile] {
+                let place = around.place;
+                face.changed[place] = face.link.changed(around.predicted_change(face), face.changed[place])?;
+            }
+            let u = centre(x);
+            self.texel(&around, (1.0 + u * u + v * v).sqrt(), &mut run, face)?;
+        }
+        Ok(())
+    }
+
+    /// Codes a texel if it is new, and adds it to the runs through it.
+    fn texel(&mut self, around: &Around, distance: f64, row: &mut Run, face: &mut Face<'_, impl Link>) -> Result<()> {
+        let (place, column) = (around.place, &mut self.columns[around.x]);
+        let is_new = face.before.is_none() || face.changed[place];
+        let mut is_nothing = face.codes[place] == NOTHING;
+        if is_new {
+            is_nothing = face.link.nothing(around.predicted_nothing(face.codes), is_nothing)?;
+        }
+        if is_nothing {
+            face.codes[place] = NOTHING;
+            (*row, *column) = (Run::default(), Run::default());
+            return Ok(());
+        }
+        let neighbour = around.predicted(face.codes, self.last);
+        let along = |run: &Run| (run.count > 0).then(|| self.scale.code(run.next(), distance, neighbour));
+        let (by_row, by_column) = (along(row), along(column));
+        if is_new {
+            let (guess, trust) =
+                match (by_row.filter(|_| row.count >= LEAST), by_column.filter(|_| column.count >= LEAST)) {
+                    (Some(a), Some(b)) if a.abs_diff(b) <= FIT => {
+                        let (n, m) = (f64::from(row.count), f64::from(column.count));
+                        let mean = (row.next() * n + column.next() * m) / (n + m);
+                        let trust = if row.count + column.count > 2 * LONG { Trust::High } else { Trust::Some };
+                        (self.scale.code(mean, distance, a), trust)
+                    }
+                    (Some(a), Some(b)) => {
+                        (if a.abs_diff(neighbour) <= b.abs_diff(neighbour) { a } else { b }, Trust::Some)
+                    }
+                    (Some(code), None) if code.abs_diff(neighbour) <= FIT => (code, trust_in(row)),
+                    (None, Some(code)) if code.abs_diff(neighbour) <= FIT => (code, trust_in(column)),
+                    _ => (neighbour, around.trust(face.codes)),
+                };
+            let residual = face.link.residual(trust, fold(face.codes[place].wrapping_sub(guess)))?;
+            face.codes[place] = guess.wrapping_add(unfold(residual));
+            if face.codes[place] == NOTHING {
+                return Err(damaged("a surface without range"));
+            }
+        }
+        let code = face.codes[place];
+        let nearness = self.scale.nearness(code, distance);
+        for (run, guess) in [(row, by_row), (column, by_column)] {
+            let most = if run.count < 2 { FIRST_FIT } else { FIT };
+            run.add(nearness, guess.is_some_and(|guess| guess.abs_diff(code) <= most));
+        }
+        self.last = code;
+        Ok(())
+    }
+}
+
+fn trust_in(run: &Run) -> Trust {
+    if run.count > LONG { Trust::High } else { Trust::Some }
+}
+
+/// A texel and its neighbours to the left, above, above left and above right, if the face has them.
+struct Around {
+    x: usize,
+    place: usize,
+    left: Option<usize>,
+    above: Option<usize>,
+    corner: Option<usize>,
+    right: Option<usize>,
+}
+
+impl Around {
+    fn new(x: usize, y: usize, size: usize) -> Self {
+        let place = y * size + x;
+        Self {
+            x,
+            place,
+            left: (x > 0).then(|| place - 1),
+            above: (y > 0).then(|| place - size),
+            corner: (x > 0 && y > 0).then(|| place - size - 1),
+            right: (x + 1 < size && y > 0).then(|| place - size + 1),
+        }
+    }
+
+    /// The texel changes as that neighbour does which was nearest to it in range before.
+    fn predicted_change(&self, face: &Face<'_, impl Link>) -> bool {
+        let changes = |place: usize| face.changed[place];
+        let (Some(left), Some(above)) = (self.left, self.above) else {
+            return self.left.or(self.above).is_some_and(changes);
+        };
+        match face.before {
+            Some(before) => {
+                let step = |place: usize| before[place].abs_diff(before[self.place]);
+                changes(if step(left) <= step(above) { left } else { above })
+            }
+            None => median(changes(left), changes(above), self.corner.is_some_and(changes)),
+        }
+    }
+
+    fn predicted_nothing(&self, codes: &[u16]) -> bool {
+        let is_nothing = |place: Option<usize>| place.is_none_or(|place| codes[place] == NOTHING);
+        median(is_nothing(self.left), is_nothing(self.above), is_nothing(self.corner))
+    }
+
+    /// The trust in `predicted`.
+    fn trust(&self, codes: &[u16]) -> Trust {
+        let hit = |place: Option<usize>| place.map(|place| codes[place]).filter(|&code| code != NOTHING);
+        match (hit(self.left), hit(self.above)) {
+            (Some(left), Some(above)) if left.abs_diff(above) <= CALM => Trust::Calm,
+            _ => Trust::Low,
+        }
+    }
+
+    /// The median of left, above and left + above − corner; where one of them is missing, the first that is not, or
+    /// `last`.
+    fn predicted(&self, codes: &[u16], last: u16) -> u16 {
+        let hit = |place: Option<usize>| place.map(|place| codes[place]).filter(|&code| code != NOTHING);
+        let (left, above, corner) = (hit(self.left), hit(self.above), hit(self.corner));
+        let (Some(left), Some(above), Some(corner)) = (left, above, corner) else {
+            return left.or(above).or(corner).or(hit(self.right)).unwrap_or(last);
+        };
+        let (low, high) = (left.min(above), left.max(above));
+        let plane = i32::from(left) + i32::from(above) - i32::from(corner);
+        plane.clamp(low.into(), high.into()) as u16
+    }
+}
+
+/// Both where the corner shows neither, else either: the median of left, above and left + above − corner.
+fn median(left: bool, above: bool, corner: bool) -> bool {
+    if corner { left && above } else { left || above }
+}
+
+/// 0, −1, 1, −2, … as 0, 1, 2, 3, ….
+fn fold(difference: u16) -> u16 {
+    (difference << 1) ^ ((difference as i16 >> 15) as u16)
+}
+
+fn unfold(folded: u16) -> u16 {
+    (folded >> 1) ^ (folded & 1).wrapping_neg()
+}
