@@ -108,11 +108,12 @@ def _first_ranges(
 ) -> tuple[codec.Codes, NDArray[np.bool_]]:
     """Codes of all texels in six files, and which texels ring 1 changes."""
     side, tile, step = layout.face_size, layout.tile, layout.scale.step
+
+    def face(name: str, own: NDArray[np.int64]) -> Any:
+        return decoded(name, lambda data: codec.decode_ranges(data, None, 1, side, own, tile, step))
+
     own = [numbers for _, numbers in codec.by_face(tiles, side // tile)]
-    parts = [
-        decoded(name, lambda data, numbers=numbers: codec.decode_ranges(data, None, 1, side, numbers, tile, step))
-        for name, numbers in zip(names, own, strict=True)
-    ]
+    parts = [face(name, numbers) for name, numbers in zip(names, own, strict=True)]
     return np.concatenate([codes for codes, _ in parts]), np.concatenate([changed for _, changed in parts])
 
 
