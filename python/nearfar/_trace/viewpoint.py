@@ -193,6 +193,15 @@ def is_roofed(scene: Scene, eye: Point) -> bool:
     return bool(cast_rays(scene, np.asarray(eye), rays).hit.mean() > 0.5)
 
 
+def inside_solid(scene: Scene, eyes: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether each of N eyes seems to be inside a solid: most rays hit something, and most of them its back."""
+    hits = _hits(scene, eyes)
+    inside: NDArray[np.bool_] = hits.hit.reshape(-1, DIRECTIONS).mean(axis=1) > 0.5
+    if inside.any():
+        inside[inside] = _inside_solid(scene, hits, inside)
+    return inside
+
+
 def open_direction(scene: Scene, eye: Point) -> Point:
     """Horizontal direction whose field of view of 90° has the greatest sum of the square roots of distances.
 

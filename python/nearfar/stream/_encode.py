@@ -16,27 +16,37 @@ from nearfar.stream import _map_files as codec
 from nearfar.stream._assign import Rings
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
-from nearfar.stream._store import FOLDER, described, named
+from nearfar.stream._store import FOLDER, Put, described, named
 
 ACROSS = 16
 """Tiles in a row of a picture of changed tiles."""
 
+LEAST_SHARED = 4096
+"""Bytes from which a mesh of several placements is a file of its own even if one ring has it; regions share it."""
+
+Textures = list[tuple[str, bytes]]
+"""Names and bytes of the files of a scene's textures, in the scene's order."""
+
 
 @dataclass
 class Files:
-    """Files by name; equal content is stored once."""
+    """Files by name, which are written as they come; equal content is written once."""
 
-    content: dict[str, bytes] = field(default_factory=dict)
+    put: Put
+    entries: dict[str, dict[str, Any]] = field(default_factory=dict)
+    """Size and hash of each file by name."""
 
     def add(self, data: bytes, kind: str) -> str:
         """Add a file and return its name."""
         name = named(data, kind)
-        self.content[name] = data
+        if name not in self.entries:
+            self.put(name, data)
+            self.entries[name] = described(data)
         return name
 
     def listed(self) -> dict[str, Any]:
         """Size and hash of each file by name, in the order of the names."""
-        return {name: described(self.content[name]) for name in sorted(self.content)}
+        return dict(sorted(self.entries.items()))
 
 
 def scale_of(maps: RingMaps, error: float) -> RangeScale:
@@ -71,20 +81,24 @@ def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: Ran
     return listed
 
 
+def encode_textures(scene: Scene, quality: int | None) -> Textures:
+    """Encode the textures of a scene, which all regions share."""
+    pictures = [codec.encode_texture(texels, quality) for texels in _core.scene_parts(scene._core)["textures"]]
+    return [(named(data, "webp"), data) for data in pictures]
+
+
 def encode_geometry(
-    rings: Rings, files: Files, *, step: float, compressed: bool, quality: int | None
+    rings: Rings, files: Files, *, textures: Textures, step: float, compressed: bool
 ) -> list[dict[str, Any]]:
     """Encode the geometry of each ring from 1 on; meshes and images that rings share are files of their own."""
     scene = rings.scene
-    textures = [codec.encode_texture(texels, quality) for texels in _core.scene_parts(scene._core)["textures"]]
-    images = [named(data, "webp") for data in textures]
     with progress.bar("encoding geometry") as report:
         export = _core.Export(
             scene._core,
             rings.codes(),
             rings.count + 2,
             names=list(scene.object_names),
-            images=[_beside(name) for name in images],
+            images=[_beside(name) for name, _ in textures],
             step=step,
             compressed=compressed,
             report=report,
@@ -92,7 +106,8 @@ def encode_geometry(
     uris: list[str | None] = []
     for data, groups, _ in export.shared():
         users = sum(1 <= group <= rings.count for group in groups)
-        uris.append(_beside(files.add(data, "bin")) if users > 1 else None)
+        is_file = users > 1 or (users == 1 and len(data) >= LEAST_SHARED)
+        uris.append(_beside(files.add(data, "bin")) if is_file else None)
     listed = []
     for ring, row in enumerate(rings.summary()[: rings.count], 1):
         described: dict[str, Any] = {"geometry": None, "parts": []}
@@ -100,7 +115,7 @@ def encode_geometry(
             with progress.bar(f"encoding ring {ring}") as report:
                 data, facts = export.glb(ring, uris=uris, report=report)
             parts = referenced(data)
-            for name, texture in zip(images, textures, strict=True):
+            for name, texture in textures:
                 if name in parts:
                     files.add(texture, "webp")
             described = {"geometry": files.add(data, "glb"), "parts": parts, "error": facts["position_error"]}
@@ -121,18 +136,12 @@ def _beside(name: str) -> str:
     return name.removeprefix(f"{FOLDER}/")
 
 
-def moving_scene(rings: Rings) -> Scene | None:
-    """The dynamic objects of a scene; None if nothing moves."""
-    moving = rings.scene.subset(objects=rings.objects(0))
-    return moving if moving.triangle_count else None
-
-
-def encode_moving(rings: Rings, files: Files) -> dict[str, Any] | None:
-    """Encode the dynamic objects of a scene, with the transforms that they were loaded with."""
+def encode_moving(scene: Scene, files: Files) -> dict[str, Any] | None:
+    """Encode the dynamic objects of a scene, with the transforms that they were loaded with; None if nothing moves."""
     from nearfar._scene import glb
 
-    moving = moving_scene(rings)
-    if moving is None:
+    moving = scene.subset(objects=[scene.object_names[n] for n in np.unique(scene._core.moving_objects())])
+    if not moving.triangle_count:
         return None
     name = files.add(glb.encode(moving._core, moving.object_names, moving._undrawn), "glb")
     return {"geometry": name, "triangles": moving.triangle_count, "instances": moving_rows(moving)}

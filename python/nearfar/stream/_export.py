@@ -1,32 +1,34 @@
-"""Export of a scene as a bundle: plain files for any web server, ring after ring."""
+"""Export of a scene as a bundle: plain files for any web server, ring after ring about each centre."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, SupportsFloat
 
 from numpy.typing import ArrayLike
 
 from nearfar._base import check, formats
+from nearfar._reduce.walk.regions import Regions
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _store
-from nearfar.stream._assign import assign
+from nearfar.stream._assign import ascending, assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._bundle import open as open_bundle
-from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, encode_moving, scale_of
+from nearfar.stream._centers import Floats, centers_of, neighbours, notes_on
+from nearfar.stream._encode import ACROSS, Files, encode_moving, encode_textures
 from nearfar.stream._manifest import NAME, NEAR_SHARE, VERSION
-from nearfar.stream._maps import MOST_SAMPLES, TILE, bake_maps
+from nearfar.stream._maps import TILE
 from nearfar.stream._radii import rings as choose
-
-MOST_FACE_SIZE = 4096
+from nearfar.stream._region import Settings, encode_region
 
 
 def export(
     scene: Scene,
     path: str | os.PathLike[str],
     *,
-    center: ArrayLike,
+    center: ArrayLike | Regions,
+    grid: SupportsFloat | None = None,
     radii: Iterable[float] | None = None,
     face_size: int = 1024,
     samples: int = 4,
@@ -35,10 +37,11 @@ def export(
     step: float = 2.0**-10,
     compression: str | None = "meshopt",
 ) -> Bundle:
-    """Write a scene as a bundle: near geometry in rings about a centre, each with the map of what lies beyond it.
+    """Write a scene as a bundle: near geometry in rings about centres, each with the map of what lies beyond it.
 
     A client shows the picture of ring 0, which is a map alone, as soon as it has that; each further ring makes nearby
-    objects geometry. Files are named by their content, so that a server may let clients keep them for ever.
+    objects geometry. Each centre has a region of its own; a client uses that of the nearest one. Files are named by
+    their content, so that regions share equal ones, and that a server may let clients keep them for ever.
 
     Parameters
     ----------
@@ -46,11 +49,15 @@ def export(
         The scene.
     path
         The folder; its parent must exist. An existing folder is replaced if it is empty or contains a `manifest.json`.
-        A URL such as ``s3://bucket/city`` needs fsspec.
+        A URL such as ``s3://bucket/city`` needs fsspec. Files are written as they come, the manifest last.
     center
-        World position O in metres that the maps are baked from: an eye's height above the ground.
+        World position O in metres that maps are baked from: an eye's height above the ground. Or several, (K, 3), up to
+        1000 at least a millimetre apart, or what `nearfar.regions` returns, whose centres are taken.
+    grid
+        Spacing in metres of a horizontal grid to which centres move (`snap`); centres that meet become one. None keeps
+        them where they are.
     radii
-        Radii of the rings in metres, ascending; by default those of `nearfar.stream.rings`.
+        Radii of the rings of all centres in metres, ascending; by default those of `nearfar.stream.rings` for each.
     face_size
         Texels along a face of the maps, a multiple of 64 up to 4096.
     samples
@@ -74,7 +81,8 @@ def export(
     Raises
     ------
     ValueError
-        For numbers out of range, radii that fall or repeat, and a centre that is not finite.
+        For numbers out of range, radii that fall or repeat, a centre that is not finite, the same centre twice, and a
+        centre with nothing around it if radii are to be chosen.
     TypeError
         For arguments of another type.
     OSError
@@ -85,46 +93,56 @@ def export(
     CloVR (2024): rings of near geometry, each with its cube map. Maps as changes to the one before are ours.
     """
     core_of(scene)
-    size = check.integer("face_size", face_size, TILE, MOST_FACE_SIZE)
-    if size % TILE:
-        raise ValueError(f"face_size: expected a multiple of {TILE}, got {size}")
-    count = check.integer("samples", samples, 1, MOST_SAMPLES)
-    level = None if quality is None else check.integer("quality", quality, 0, 100)
-    error = check.within("range_error", range_error, 1e-6, 0.1)
-    grid = check.within("step", step, 1e-6, 1.0)
-    if compression is not None:
-        check.choice("compression", compression, ("meshopt",))
-    middle = check.vector("center", center)
+    settings = Settings.checked(face_size, samples, quality, range_error, step, compression)
+    centers = centers_of(center, grid)
     if not _store.is_url(path):
         check.path("path", path)
-    chosen = choose(scene, center=middle) if radii is None else radii
-    rings = assign(scene, center=middle, radii=chosen)
-    maps = bake_maps(rings, face_size=size, samples=count)
-    files, scale = Files(), scale_of(maps, error)
-    pictures = encode_maps(maps, files, quality=level, scale=scale)
-    nothing: dict[str, Any] = {"objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
-    geometry = [{"radius": 0.0, **nothing}]
-    geometry += encode_geometry(rings, files, step=grid, compressed=compression is not None, quality=level)
-    manifest = formats.header(
+    bounds = _chosen_radii(scene, centers) if radii is None else [ascending("radii", radii)] * len(centers)
+    with _store.writing(path) as put:
+        files = Files(put)
+        textures = encode_textures(scene, settings.quality)
+        regions = []
+        for place, own, near in zip(centers, bounds, neighbours(centers), strict=True):
+            rings = assign(scene, center=place, radii=own)
+            regions.append({**encode_region(rings, files, settings, textures), "neighbours": near})
+        manifest = _manifest(scene, settings, regions, encode_moving(scene, files), notes_on(scene, centers))
+        text = formats.to_json({**manifest, "files": files.listed()}, compact=True)
+        put(_store.MANIFEST, text.encode())
+    return open_bundle(path)
+
+
+def _chosen_radii(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
+    """Radii about each centre, before anything is baked; ValueError that names a centre without objects around it."""
+    chosen = []
+    for place in centers:
+        try:
+            chosen.append(choose(scene, center=place))
+        except ValueError as error:
+            x, y, z = place
+            raise ValueError(
+                f"center: expected one with objects around it, got ({x:g}, {y:g}, {z:g}): {error}"
+            ) from None
+    return chosen
+
+
+def _manifest(
+    scene: Scene, settings: Settings, regions: list[dict[str, Any]], dynamic: dict[str, Any] | None, notes: list[str]
+) -> dict[str, Any]:
+    """The manifest without its list of files."""
+    return formats.header(
         NAME,
         VERSION,
         color_space="sRGB",
-        center=list(middle),
         morph={"kind": "cylinder", "near_share": NEAR_SHARE},
         triangles=scene.triangle_count,
         bounds=scene.bounds.tolist(),
         map={
-            "face_size": size,
+            "face_size": settings.face_size,
             "orientation": "Vulkan/WebGPU cube faces",
             "tile": TILE,
             "across": ACROSS,
-            "range": {"least": scale.least, "step": scale.step, "error": scale.error},
         },
-        rings=[{**ring, "map": picture} for ring, picture in zip(geometry, pictures, strict=True)],
-        dynamic=encode_moving(rings, files),
-        notes=list(scene.report.notes),
-        files=files.listed(),
+        regions=regions,
+        dynamic=dynamic,
+        notes=[*scene.report.notes, *notes],
     )
-    text = formats.to_json(manifest, compact=True).encode()
-    _store.write(path, {**files.content, _store.MANIFEST: text})
-    return open_bundle(path)

@@ -36,18 +36,39 @@ def names_of(value: Any) -> list[str]:
     return [value] if isinstance(value, str) else list(value)
 
 
+def layout_of(manifest: dict[str, Any], region: dict[str, Any]) -> Layout:
+    """How the maps of a region are divided into files; ValueError for values that cannot be."""
+    return Layout.of({**manifest["map"], "range": region["range"]})
+
+
 def _check(manifest: dict[str, Any]) -> None:
     """Raise one of the errors of damage for a manifest that cannot be used."""
-    check.vector("center", manifest["center"])
     check.integer("triangles", manifest["triangles"], 0, 2**62)
-    layout = Layout.of(manifest["map"])
+    check.texts("notes", manifest["notes"])
     files = manifest["files"]
     for name, entry in files.items():
         check.integer(f"{name}: bytes", entry["bytes"], 0, 2**50)
         check.text(f"{name}: sha256", entry["sha256"])
         if not name.startswith(f"{_store.FOLDER}/") or ".." in name or "\\" in name:
             raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
-    rings = check.items("rings", manifest["rings"], dict, "descriptions of rings")
+    regions = check.items("regions", manifest["regions"], dict, "descriptions of regions")
+    if not regions:
+        raise ValueError("regions: expected at least one")
+    for number, region in enumerate(regions):
+        check.vector("center", region["center"])
+        check.at_least_zero("fold_margin", region["fold_margin"])
+        near = [check.integer("neighbours", value, 0, len(regions) - 1) for value in region["neighbours"]]
+        if near != sorted({*near} - {number}):
+            raise ValueError(f"neighbours: expected ascending numbers of other regions, got {check.shortened(near)}")
+        _check_rings(region, layout_of(manifest, region), files)
+    dynamic = manifest["dynamic"]
+    if dynamic is not None and dynamic["geometry"] not in files:
+        raise ValueError("files: expected the file of dynamic objects")
+
+
+def _check_rings(region: dict[str, Any], layout: Layout, files: dict[str, Any]) -> None:
+    """Raise one of the errors of damage for a region whose rings cannot be used."""
+    rings = check.items("rings", region["rings"], dict, "descriptions of rings")
     radii = [check.at_least_zero("radius", ring["radius"]) for ring in rings]
     if len(radii) < 2 or radii[0] != 0.0 or (np.diff(radii) <= 0).any():
         raise ValueError(f"rings: expected radii that ascend from 0, got {check.shortened(radii)}")
@@ -60,6 +81,3 @@ def _check(manifest: dict[str, Any]) -> None:
                 if name not in files:
                     raise ValueError(f"files: expected a file {check.shortened(name)}, which a ring needs")
     layout.check([ring["map"] for ring in rings])
-    dynamic = manifest["dynamic"]
-    if dynamic is not None and dynamic["geometry"] not in files:
-        raise ValueError("files: expected the file of dynamic objects")
