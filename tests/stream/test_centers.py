@@ -214,10 +214,11 @@ def test_centres_inside_solids_are_noted(tmp_path: Path) -> None:
     scene = nf.Scene.from_arrays(cube, [*corners, [0, 6, 4], [1, 5, 7], [1, 7, 3]])
     around = nf.Scene.from_arrays(cube * 4.0, [face[::-1] for face in [*corners, [0, 6, 4], [1, 5, 7], [1, 7, 3]]])
     bundle = nf.stream.export(scene, tmp_path / "cube", center=[(0.5, 0, 0), (4, 0, 0)], **SETTINGS)
-    assert len(bundle.notes) == 1
-    assert "(0.5, 0, 0) seems to lie inside a solid" in bundle.notes[0]
+    assert len(bundle.findings) == 1
+    assert "(0.5, 0, 0) seems to lie inside a solid" in bundle.findings[0]
+    assert bundle.region(1).findings == ()
     # A room's walls face the centre.
-    assert nf.stream.export(around, tmp_path / "room", center=(0, 0, 0), **SETTINGS).notes == ()
+    assert nf.stream.export(around, tmp_path / "room", center=(0, 0, 0), **SETTINGS).findings == ()
 
 
 @pytest.mark.parametrize(

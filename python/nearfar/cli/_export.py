@@ -67,7 +67,7 @@ def export(
     document = formats.header("export", VERSION) | {
         "source": scene,
         "notes": list(loaded.report.notes),
-        "findings": [note for note in bundle.notes if note not in loaded.report.notes],
+        "findings": [finding for region in regions for finding in region.findings],
         "folder": str(output),
         "triangles": loaded.triangle_count,
         "bytes": bundle.nbytes,

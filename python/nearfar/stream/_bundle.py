@@ -203,6 +203,7 @@ class Bundle(InRegions):
         for number, row in enumerate(self.summary()):
             text = f"{row['triangles']:,} triangles, {row['geometry']:,} + {row['color']:,} + {row['range']:,} bytes"
             facts.append((f"ring {number}, to {row['radius']:g} m", text))
+        facts += [("note", finding) for finding in self.findings]
         return card.page("Bundle", facts)
 
     def __repr__(self) -> str:

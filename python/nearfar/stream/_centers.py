@@ -116,12 +116,11 @@ def neighbours(centers: Floats) -> list[list[int]]:
     return found
 
 
-def notes_on(scene: Scene, centers: Floats) -> list[str]:
-    """Say which centres are probably inside a solid, where maps show nothing but its inside."""
-    return [
-        f"the centre ({x:g}, {y:g}, {z:g}) seems to lie inside a solid, whose inside its maps show"
-        for x, y, z in centers[viewpoint.inside_solid(scene, centers)]
-    ]
+def findings_of(scene: Scene, center: Point) -> list[str]:
+    """Say if a centre is probably inside a solid, where maps show nothing but its inside."""
+    x, y, z = center
+    text = f"the centre ({x:g}, {y:g}, {z:g}) seems to lie inside a solid, whose inside its maps show"
+    return [text] if viewpoint.inside_solid(scene, np.array([center]))[0] else []
 
 
 def _check_apart(points: Floats) -> None:

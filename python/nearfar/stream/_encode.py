@@ -16,7 +16,7 @@ from nearfar.stream import _map_files as codec
 from nearfar.stream._assign import Rings
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
-from nearfar.stream._store import FOLDER, Put, described, named
+from nearfar.stream._store import FOLDER, described, named
 
 ACROSS = 16
 """Tiles in a row of a picture of changed tiles."""
@@ -30,23 +30,19 @@ Textures = list[tuple[str, bytes]]
 
 @dataclass
 class Files:
-    """Files by name, which are written as they come; equal content is written once."""
+    """Files by name; equal content is stored once."""
 
-    put: Put
-    entries: dict[str, dict[str, Any]] = field(default_factory=dict)
-    """Size and hash of each file by name."""
+    content: dict[str, bytes] = field(default_factory=dict)
 
     def add(self, data: bytes, kind: str) -> str:
         """Add a file and return its name."""
         name = named(data, kind)
-        if name not in self.entries:
-            self.put(name, data)
-            self.entries[name] = described(data)
+        self.content[name] = data
         return name
 
     def listed(self) -> dict[str, Any]:
         """Size and hash of each file by name, in the order of the names."""
-        return dict(sorted(self.entries.items()))
+        return {name: described(self.content[name]) for name in sorted(self.content)}
 
 
 def scale_of(maps: RingMaps, error: float) -> RangeScale:

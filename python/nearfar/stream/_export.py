@@ -15,7 +15,7 @@ from nearfar.stream import _store
 from nearfar.stream._assign import ascending, assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._bundle import open as open_bundle
-from nearfar.stream._centers import Floats, centers_of, neighbours, notes_on
+from nearfar.stream._centers import Floats, centers_of, neighbours
 from nearfar.stream._encode import ACROSS, Files, encode_moving, encode_textures
 from nearfar.stream._manifest import NAME, NEAR_SHARE, VERSION
 from nearfar.stream._maps import TILE
@@ -49,7 +49,7 @@ def export(
         The scene.
     path
         The folder; its parent must exist. An existing folder is replaced if it is empty or contains a `manifest.json`.
-        A URL such as ``s3://bucket/city`` needs fsspec. Files are written as they come, the manifest last.
+        A URL such as ``s3://bucket/city`` needs fsspec.
     center
         World position O in metres that maps are baked from: an eye's height above the ground. Or several, (K, 3), up to
         1000 at least a millimetre apart, or what `nearfar.regions` returns, whose centres are taken.
@@ -98,16 +98,14 @@ def export(
     if not _store.is_url(path):
         check.path("path", path)
     bounds = _chosen_radii(scene, centers) if radii is None else [ascending("radii", radii)] * len(centers)
-    with _store.writing(path) as put:
-        files = Files(put)
-        textures = encode_textures(scene, settings.quality)
-        regions = []
-        for place, own, near in zip(centers, bounds, neighbours(centers), strict=True):
-            rings = assign(scene, center=place, radii=own)
-            regions.append({**encode_region(rings, files, settings, textures), "neighbours": near})
-        manifest = _manifest(scene, settings, regions, encode_moving(scene, files), notes_on(scene, centers))
-        text = formats.to_json({**manifest, "files": files.listed()}, compact=True)
-        put(_store.MANIFEST, text.encode())
+    files, textures = Files(), encode_textures(scene, settings.quality)
+    regions = []
+    for place, own, near in zip(centers, bounds, neighbours(centers), strict=True):
+        rings = assign(scene, center=place, radii=own)
+        regions.append({**encode_region(rings, files, settings, textures), "neighbours": near})
+    manifest = _manifest(scene, settings, regions, encode_moving(scene, files), files)
+    text = formats.to_json(manifest, compact=True).encode()
+    _store.write(path, {**files.content, _store.MANIFEST: text})
     return open_bundle(path)
 
 
@@ -126,9 +124,8 @@ def _chosen_radii(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
 
 
 def _manifest(
-    scene: Scene, settings: Settings, regions: list[dict[str, Any]], dynamic: dict[str, Any] | None, notes: list[str]
+    scene: Scene, settings: Settings, regions: list[dict[str, Any]], dynamic: dict[str, Any] | None, files: Files
 ) -> dict[str, Any]:
-    """The manifest without its list of files."""
     return formats.header(
         NAME,
         VERSION,
@@ -144,5 +141,6 @@ def _manifest(
         },
         regions=regions,
         dynamic=dynamic,
-        notes=[*scene.report.notes, *notes],
+        notes=list(scene.report.notes),
+        files=files.listed(),
     )

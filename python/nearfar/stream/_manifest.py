@@ -57,6 +57,7 @@ def _check(manifest: dict[str, Any]) -> None:
     for number, region in enumerate(regions):
         check.vector("center", region["center"])
         check.at_least_zero("fold_margin", region["fold_margin"])
+        check.texts("findings", region["findings"])
         near = [check.integer("neighbours", value, 0, len(regions) - 1) for value in region["neighbours"]]
         if near != sorted({*near} - {number}):
             raise ValueError(f"neighbours: expected ascending numbers of other regions, got {check.shortened(near)}")

@@ -7,6 +7,7 @@ from typing import Any, SupportsFloat, SupportsIndex
 
 from nearfar._base import check
 from nearfar.stream._assign import Rings
+from nearfar.stream._centers import findings_of
 from nearfar.stream._encode import Files, Textures, encode_geometry, encode_maps, scale_of
 from nearfar.stream._manifest import NEAR_SHARE
 from nearfar.stream._maps import MOST_SAMPLES, TILE, bake_maps
@@ -62,6 +63,7 @@ def encode_region(rings: Rings, files: Files, settings: Settings, textures: Text
     return {
         "center": list(rings.center),
         "fold_margin": NEAR_SHARE * rings.radii[-1],
+        "findings": findings_of(rings.scene, rings.center),
         "range": {"least": scale.least, "step": scale.step, "error": scale.error},
         "rings": [{**ring, "map": picture} for ring, picture in zip(geometry, pictures, strict=True)],
     }

@@ -36,9 +36,9 @@ class InRegions:
         return _fixed([region["fold_margin"] for region in self._regions])
 
     @property
-    def notes(self) -> tuple[str, ...]:
-        """What of the scene is ignored or drawn differently, and which centres seem to lie inside a solid."""
-        return tuple(self._manifest["notes"])
+    def findings(self) -> tuple[str, ...]:
+        """What makes the region show little, a sentence each, such as a centre inside a solid."""
+        return tuple(self._region["findings"])
 
     def neighbours(self, region: SupportsIndex) -> tuple[int, ...]:
         """Return the regions that a user comes to next from one, for fetching their first rings ahead.

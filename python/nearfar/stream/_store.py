@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import importlib.util
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Protocol
@@ -16,9 +16,6 @@ from nearfar._base.errors import FormatError
 MANIFEST = "manifest.json"
 FOLDER = "files"
 """Folder of the files that are named by their content."""
-
-Put = Callable[[str, bytes], None]
-"""Stores the bytes of a file under a name."""
 
 
 def named(data: bytes, kind: str) -> str:
@@ -90,21 +87,22 @@ def reader(path: str | os.PathLike[str]) -> Reader:
     return _Folder(folder)
 
 
-@contextmanager
-def writing(path: str | os.PathLike[str]) -> Iterator[Put]:
-    """Write the files of a bundle as they come, the manifest last.
+def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
+    """Write the files of a bundle, which include the manifest.
 
-    A local folder is written aside and takes its place when the block ends. Behind a URL no file with a name of its
-    content changes. So a reader never sees a part.
+    A local folder is written aside and takes its place at once; of a URL the manifest is written last, and no file with
+    a name of its content changes, so that a reader never sees a part.
     """
     if is_url(path):
         system, root = _system(str(path))
         system.makedirs(f"{root}/{FOLDER}", exist_ok=True)
-        yield lambda name, data: system.pipe_file(f"{root}/{name}", data)
+        for name in sorted(content, key=lambda name: (name == MANIFEST, name)):
+            system.pipe_file(f"{root}/{name}", content[name])
         return
     with files.atomic_folder(check.path("path", path), marker=MANIFEST) as folder:
         (folder / FOLDER).mkdir()
-        yield lambda name, data: files.write(folder / name, data)
+        for name, data in content.items():
+            files.write(folder / name, data)
 
 
 @contextmanager
