@@ -19,13 +19,28 @@ def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pyt
     found = document(printed, "export")
     bundle = nf.stream.open(out)
     assert found["bytes"] == bundle.nbytes
-    assert found["rings"] == bundle.summary()
+    assert found["regions"][0]["rings"] == bundle.summary()
     assert bundle.radii == (10.0, 22.0)
     assert bundle.center == (0.0, 1.7, 0.0)
     status, printed, err = command(capsys, "export", "-i", city, "-o", out, *FAST, "--lossless")
     assert status == 0, err
     for text in ("first picture", "ring 1, to", "triangles", "exported in"):
         assert text in printed
+
+
+def test_several_centres_move_to_a_grid(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out, more = tmp_path / "bundle", ("--center", "9,1.7,8.6", "--center", "-0.3,1.7,0.2", "--grid", "2")
+    status, printed, err = command(capsys, "export", "-i", city, "-o", out, "--radii", "10", *FAST, *more, "--json")
+    assert status == 0, err
+    found = document(printed, "export")
+    assert [region["center"] for region in found["regions"]] == [[0.0, 1.7, 0.0], [8.0, 1.7, 8.0]]
+    assert [region["neighbours"] for region in found["regions"]] == [[1], [0]]
+    # The second centre is in the middle of a box of 8 m.
+    assert sum("seems to lie inside" in finding for finding in found["findings"]) == 1
+    status, printed, err = command(capsys, "export", "-i", city, "-o", out, "--radii", "10", *FAST, *more)
+    assert status == 0, err
+    assert printed.count("centre") >= 2
+    assert "seems to lie inside" in " ".join(printed.split())
 
 
 @pytest.mark.parametrize(
@@ -40,6 +55,9 @@ def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pyt
         (("-o", "none/out"), "path: expected a path whose parent is a folder"),
         (("-o", "full"), "holds other files (no manifest.json)"),
         (("-o", "web"), "path: holds a manifest.json of another program"),
+        (("--grid", "0"), "grid: expected"),
+        (("--center", "0,1.7"), "--center: expected x,y,z"),
+        (("--center", "0,1.7,0"), "center: expected centres at least 0.001 m apart"),
     ],
 )
 def test_mistakes_are_named(

@@ -145,8 +145,7 @@ def test_a_missing_or_altered_file_is_named(city: nf.Scene, tmp_path: Path, dama
     [
         ({"version": 2}, "version"),
         ({"format": "nearfar.reduced"}, "format"),
-        ({"center": [0, 1]}, "center"),
-        ({"rings": []}, "rings"),
+        ({"regions": []}, "regions"),
         ({"files": {}}, "files"),
         ({"files": {"../secret": {"bytes": 1, "sha256": "0"}}}, "files"),
         ({"map": {"face_size": 10**9}}, "face_size"),
@@ -255,7 +254,7 @@ def test_plain_geometry_is_what_other_readers_load(city: nf.Scene, folder: Path,
         pictures = [bundle.at(ring).render(VIEW, samples=1).to_image().astype(int) for bundle in (plain, packed)]
         assert (np.abs(pictures[0] - pictures[1]).max(axis=-1) > 1).mean() < 1e-3
     manifest = json.loads((tmp_path / "plain" / "manifest.json").read_text())
-    for ring, row in zip(manifest["rings"][1:], plain.summary()[1:], strict=True):
+    for ring, row in zip(manifest["regions"][0]["rings"][1:], plain.summary()[1:], strict=True):
         loaded = trimesh.load_scene(tmp_path / "plain" / ring["geometry"])
         assert sum(len(mesh.faces) for mesh in loaded.dump()) == row["triangles"]
         assert ring["error"] <= 2.0**-10  # float32 of coordinates up to 16 km

@@ -15,7 +15,7 @@ import pytest
 
 import nearfar as nf
 from nearfar._base import files
-from nearfar.stream import _encode, _export, _map_files
+from nearfar.stream import _encode, _export, _map_files, _region
 from tests.support import bundle_cases, need, printed_by_threads
 from tests.support.bundle_cases import content, use
 
@@ -162,7 +162,7 @@ def test_files_that_may_not_grow_leave_what_was_there(tmp_path: Path, versions: 
     ("module", "name", "call"),
     [
         (_export, "assign", 1),
-        (_export, "bake_maps", 1),
+        (_region, "bake_maps", 1),
         (_map_files, "encode_color", 4),
         (_encode, "referenced", 2),
         (files, "write", 3),

@@ -108,7 +108,7 @@ def test_a_mesh_that_also_stands_is_stored_once(tmp_path: Path) -> None:
     bundle = nf.stream.export(builder.build(dynamic=["mover"]), tmp_path / "b", **SETTINGS)
     manifest = json.loads((tmp_path / "b" / "manifest.json").read_text())
     assert manifest["dynamic"]["parts"] == [name for name in bundle.files if name.endswith(".bin")]
-    assert manifest["rings"][1]["parts"] == manifest["dynamic"]["parts"]
+    assert manifest["regions"][0]["rings"][1]["parts"] == manifest["dynamic"]["parts"]
     assert bundle.at(2).scene.triangle_count == 3000
     bundle.verify()
 
@@ -121,7 +121,7 @@ def test_faces_that_lose_their_area_leave_no_file(tmp_path: Path) -> None:
     bundle = nf.stream.export(builder.build(dynamic=["mover"]), tmp_path / "b", **SETTINGS)
     manifest = json.loads((tmp_path / "b" / "manifest.json").read_text())
     assert manifest["dynamic"] is None
-    assert manifest["rings"][1]["geometry"] is None
+    assert manifest["regions"][0]["rings"][1]["geometry"] is None
     assert bundle.at(2).scene.triangle_count == 2
 
 
@@ -143,7 +143,7 @@ def test_nodes_are_those_that_keep_faces() -> None:
     scene = mixed()
     rings = nf.stream.assign(scene, center=(0, 0, 0), radii=[5.0])
     files = _encode.Files()
-    _, moving = _encode.encode_geometry(rings, files, step=2.0**-10, compressed=True, quality=90)
+    moving = _encode.Geometry(rings, files, [], step=2.0**-10, compressed=True).moving()
     assert moving is not None
     rows = rows_of(scene, files.content[moving["geometry"]])
     assert [row["object"] for row in rows] == ["left", "right", "both", "both"]

@@ -138,5 +138,5 @@ def test_a_bundle_keeps_its_sentences(tmp_path: Path) -> None:
     assert list(bundle.findings) == findings(street(), (0, 2, 3.2))
     manifest = json.loads((tmp_path / "b" / "manifest.json").read_text())
     assert valid(manifest, "bundle")
-    assert manifest["findings"] == list(bundle.findings)
+    assert manifest["regions"][0]["findings"] == list(bundle.findings)
     assert "inside &#x27;wall&#x27;" in bundle._repr_html_() or "inside 'wall'" in bundle._repr_html_()

@@ -246,7 +246,7 @@ def picture_of(url: str) -> NDArray[np.float64]:
 def test_pillow_loads_every_image(bundles: dict[str, Path], name: str) -> None:
     manifest = manifest_of(bundles[name])
     size, tile, across = (manifest["map"][key] for key in ("face_size", "tile", "across"))
-    first, *later = [ring["map"] for ring in manifest["rings"]]
+    first, *later = [ring["map"] for ring in manifest["regions"][0]["rings"]]
     sizes = dict.fromkeys(first["color"], (size, size))
     sizes |= {
         found["color"]: (across * tile, -(-len(found["tiles"]) // across) * tile) for found in later if found["color"]

@@ -48,7 +48,9 @@ def test_every_ring_with_geometry_is_a_tile(bundle: Path) -> None:
     tileset, manifest = documents(bundle)
     assert valid(tileset, "tileset")
     root = tileset["root"]
-    rings = [(number, ring) for number, ring in enumerate(manifest["rings"]) if ring["geometry"] is not None]
+    rings = [
+        (number, ring) for number, ring in enumerate(manifest["regions"][0]["rings"]) if ring["geometry"] is not None
+    ]
     tiles = [tile for tile in root["children"] if "ring" in tile["extras"]]
     assert [tile["extras"] for tile in tiles] == [{"ring": n, "radius": ring["radius"]} for n, ring in rings]
     assert [tile["content"]["uri"] for tile in tiles] == [ring["geometry"] for _, ring in rings]
@@ -117,5 +119,5 @@ def test_rings_and_moving_objects_whose_faces_lose_their_area_are_no_tiles(tmp_p
         builder.instance(sliver, name=name)
     nf.stream.export(builder.build(dynamic=["moving"]), tmp_path / "b", **SETTINGS | {"center": (0, 0, 0), "step": 1.0})
     tileset, manifest = documents(tmp_path / "b")
-    assert [ring["geometry"] for ring in manifest["rings"]] == [None] * 4
+    assert [ring["geometry"] for ring in manifest["regions"][0]["rings"]] == [None] * 4
     assert "children" not in tileset["root"]

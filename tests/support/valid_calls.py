@@ -327,6 +327,9 @@ def _streams(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stream.Growth.strength": {"ring": 1, "time": 1.0},
         "nearfar.stream.Growth.described": {},
         "nearfar.stream.Bundle.map": {"ring": 1},
+        "nearfar.stream.Bundle.nearest": {"point": center},
+        "nearfar.stream.Bundle.neighbours": {"region": 0},
+        "nearfar.stream.Bundle.region": {"region": 0},
         "nearfar.stream.Bundle.read": {"name": next(iter(valid.bundle.files))},
         "nearfar.stream.Bundle.summary": {},
         "nearfar.stream.Bundle.verify": {},
@@ -343,9 +346,14 @@ def _streams(valid: Valid) -> dict[str, dict[str, Any]]:
             "scene": scene, "path": valid.folder / "exported", "center": center, "radii": [2.0], "face_size": 64,
             "samples": 1,
         },
+        "nearfar.stream.export @regions": {
+            "scene": scene, "path": valid.folder / "exported", "center": valid.regions, "grid": 0.5, "radii": [2.0],
+            "face_size": 64, "samples": 1,
+        },
         "nearfar.stream.footprints": {"scene": scene, "center": center, "face_size": 4},
         "nearfar.stream.open": {"path": valid.folder / "bundle"},
         "nearfar.stream.rings": {"scene": scene, "center": center, "r_max": 20.0, "base_radius": 8.0},
+        "nearfar.stream.snap": {"center": center, "grid": 2.0},
     }  # fmt: skip
 
 

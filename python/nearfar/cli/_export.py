@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -21,7 +21,19 @@ VERSION = 1
 def export(
     scene: options.Input,
     output: Annotated[Path, option("-o --output", "FOLDER", "Folder to write; its parent must exist.")],
-    center: options.Center = None,
+    center: Annotated[
+        list[str] | None,
+        option(
+            "-c --center",
+            "X,Y,Z",
+            "Centre O in metres; give it again for further regions, which share equal files. By default one 1.7 m "
+            "above open ground near the scene's middle, or in front of an object.",
+        ),
+    ] = None,
+    grid: Annotated[
+        float | None,
+        option("--grid", "METRES", "Spacing of a horizontal grid to which centres move; those that meet become one."),
+    ] = None,
     radii: Annotated[
         str | None,
         option("--radii", "R1,R2,...", "Radii of the rings in metres, ascending; chosen for the scene by default."),
@@ -36,41 +48,44 @@ def export(
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
-    """Write near geometry in rings about a centre, each with the map of what lies beyond it, as files for the web."""
-    middle, chosen = options.read_point("--center", center), _read_radii(radii)
+    """Write near geometry in rings about centres, each with the map of what lies beyond it, as files for the web."""
+    centers, chosen = _read_centers(center), _read_radii(radii)
     loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
-    place = choose(loaded, scene, middle)
     started = time.perf_counter()
     bundle = nf.stream.export(
         loaded,
         output,
-        center=place.eye,
+        center=centers or choose(loaded, scene).eye,
+        grid=grid,
         radii=chosen,
         face_size=options.faces(face_size),
         samples=samples,
         quality=None if lossless else quality,
     )
     seconds = time.perf_counter() - started
-    rings = bundle.summary()
+    regions = [bundle.region(number) for number in range(len(bundle.centers))]
     document = formats.header("export", VERSION) | {
         "source": scene,
         "notes": list(loaded.report.notes),
-        "findings": list(bundle.findings),
+        "findings": list(dict.fromkeys(finding for region in regions for finding in region.findings)),
         "folder": str(output),
-        "center": list(bundle.center),
         "triangles": loaded.triangle_count,
         "bytes": bundle.nbytes,
-        "rings": rings,
+        "regions": [_described(region) for region in regions],
         "seconds": round(seconds, 3),
     }
     rows = [
-        ("centre", metres(bundle.center)),
         ("folder", f"{output}, {bytes_text(bundle.nbytes)}"),
-        *((_title(number, ring["radius"]), _text(ring)) for number, ring in enumerate(rings)),
+        *(row for region in regions for row in _rows(region)),
         ("exported in", f"{seconds:.2f} s"),
         *note_rows(document),
     ]
     show(document, rows, title=scene, as_json=as_json)
+
+
+def _read_centers(texts: list[str] | None) -> list[options.Point]:
+    points = (options.read_point("--center", text) for text in texts or ())
+    return [point for point in points if point is not None]
 
 
 def _read_radii(text: str | None) -> list[float] | None:
@@ -81,6 +96,21 @@ def _read_radii(text: str | None) -> list[float] | None:
     except ValueError:
         got = check.shortened(text)
         raise ValueError(f"--radii: expected metres such as 10,22,63, got {got}") from None
+
+
+def _described(region: nf.stream.Bundle) -> dict[str, Any]:
+    return {
+        "center": list(region.center),
+        "fold_margin": float(region.fold_margins[region.number]),
+        "neighbours": list(region.neighbours(region.number)),
+        "rings": region.summary(),
+    }
+
+
+def _rows(region: nf.stream.Bundle) -> list[tuple[str, str]]:
+    """Rows on the centre of a region and on its rings."""
+    rings = [(_title(number, ring["radius"]), _text(ring)) for number, ring in enumerate(region.summary())]
+    return [("centre", metres(region.center)), *rings]
 
 
 def _title(number: int, radius: float) -> str:

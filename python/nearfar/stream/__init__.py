@@ -5,6 +5,7 @@ from __future__ import annotations
 from nearfar._render.blend import blend
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle, open  # noqa: A004
+from nearfar.stream._centers import snap
 from nearfar.stream._export import export
 from nearfar.stream._footprints import footprints
 from nearfar.stream._growth import Growth
@@ -23,4 +24,5 @@ __all__ = [
     "footprints",
     "open",
     "rings",
+    "snap",
 ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -15,22 +15,29 @@ from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream import _manifest, _store
 from nearfar.stream._decode import Layout, decode_map, joined, ring_scene
 from nearfar.stream._growth import Growth
-from nearfar.stream._manifest import NEAR_SHARE, names_of
+from nearfar.stream._manifest import NEAR_SHARE, layout_of, names_of
 from nearfar.stream._moving import moving_scene
+from nearfar.stream._regions import InRegions
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Bundle:
-    """A bundle of files that `export` wrote, opened by `open`. Files are read when they are needed, and checked."""
+class Bundle(InRegions):
+    """A bundle of files that `export` wrote, opened by `open`. Files are read when they are needed, and checked.
+
+    It speaks of one region at a time, the first one when it is opened; `region` returns it for another one. `files`,
+    `nbytes`, `read` and `verify` are about all of them.
+    """
 
     _reader: _store.Reader
-    _manifest: Mapping[str, Any]
+    _manifest: dict[str, Any]
+    number: int = 0
+    """Number of the region that this bundle speaks of."""
     _kept: dict[str, bytes] = field(default_factory=dict)
 
     @property
     def center(self) -> tuple[float, float, float]:
-        """World position of the centre O, metres."""
-        return check.vector("center", self._manifest["center"])
+        """World position of the region's centre O, metres."""
+        return check.vector("center", self._region["center"])
 
     @property
     def radii(self) -> tuple[float, ...]:
@@ -59,21 +66,16 @@ class Bundle:
         return sum(entry["bytes"] for entry in self._manifest["files"].values())
 
     @property
-    def findings(self) -> tuple[str, ...]:
-        """What makes the bundle show little, a sentence each: its centre, empty rings, endless objects, units."""
-        return tuple(self._manifest["findings"])
-
-    @property
     def _listed(self) -> dict[str, dict[str, Any]]:
         return _manifest.listed(self._manifest)
 
     @property
     def _rings(self) -> list[dict[str, Any]]:
-        rings: list[dict[str, Any]] = self._manifest["rings"]
+        rings: list[dict[str, Any]] = self._region["rings"]
         return rings
 
     def summary(self) -> list[dict[str, Any]]:
-        """Count what each ring adds.
+        """Count what each ring of the region adds.
 
         Returns
         -------
@@ -195,7 +197,7 @@ class Bundle:
 
     @cached_property
     def _layout(self) -> Layout:
-        return Layout.of(self._manifest["map"])
+        return layout_of(self._manifest, self._region)
 
     @cached_property
     def _moving(self) -> Any:
@@ -214,7 +216,8 @@ class Bundle:
 
     @card.repr_html
     def _repr_html_(self) -> str:
-        facts = [("centre", card.point(self.center)), ("bytes", f"{self.nbytes:,}")]
+        facts = [("region", f"{self.number} of {len(self.centers)}"), ("centre", card.point(self.center))]
+        facts.append(("bytes of all", f"{self.nbytes:,}"))
         for number, row in enumerate(self.summary()):
             text = f"{row['triangles']:,} triangles, {row['geometry']:,} + {row['color']:,} + {row['range']:,} bytes"
             facts.append((f"ring {number}, to {row['radius']:g} m", text))
@@ -222,7 +225,8 @@ class Bundle:
         return card.page("Bundle", facts)
 
     def __repr__(self) -> str:
-        return f"Bundle({self._reader.place!r}: {self.count} rings to {self.radii[-1]:g} m, {self.nbytes:,} bytes)"
+        region = f"region {self.number} of {len(self.centers)}, {self.count} rings to {self.radii[-1]:g} m"
+        return f"Bundle({self._reader.place!r}: {region}, {self.nbytes:,} bytes)"
 
 
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001

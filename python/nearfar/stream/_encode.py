@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import glb as binary, progress
+from nearfar._scene.scene import Scene
 from nearfar.stream import _map_files as codec
 from nearfar.stream._assign import Rings
 from nearfar.stream._map_files import RangeScale
@@ -22,6 +23,12 @@ ACROSS = 16
 
 BETTER = 2
 """Steps by which the quality of changes exceeds that of map 0: what stays keeps errors beside objects that left."""
+
+LEAST_SHARED = 4096
+"""Bytes from which a mesh of several placements is a file of its own even if one group has it; regions share it."""
+
+Textures = list[tuple[str, bytes]]
+"""Names and bytes of the files of a scene's textures, in the scene's order."""
 
 
 @dataclass
@@ -86,54 +93,64 @@ def encode_changes(
     return codec.encode_color(codec.sheet_of(codec.filled(codec.tiles_of(color, tiles, TILE), known), ACROSS), quality)
 
 
-def encode_geometry(
-    rings: Rings, files: Files, *, step: float, compressed: bool, quality: int | None
-) -> tuple[list[dict[str, Any]], dict[str, Any] | None]:
-    """Encode the geometry of each ring from 1 on, and the dynamic objects, None if nothing moves.
+def encode_textures(scene: Scene, quality: int | None) -> Textures:
+    """Encode the textures of a scene, which all regions share."""
+    pictures = [codec.encode_texture(texels, quality) for texels in _core.scene_parts(scene._core)["textures"]]
+    return [(named(data, "webp"), data) for data in pictures]
 
-    Meshes and images that several of them have are files of their own.
-    """
-    scene = rings.scene
-    textures = [codec.encode_texture(texels, quality) for texels in _core.scene_parts(scene._core)["textures"]]
-    images = [named(data, "webp") for data in textures]
-    with progress.bar("encoding geometry") as report:
-        export = _core.Export(
-            scene._core,
-            rings.codes(),
-            rings.count + 2,
-            names=list(scene.object_names),
-            images=[_beside(name) for name in images],
-            step=step,
-            compressed=compressed,
-            report=report,
-        )
-    uris: list[str | None] = []
-    for data, groups, _ in export.shared():
-        users = sum(group <= rings.count for group in groups)
-        uris.append(_beside(files.add(data, "bin")) if users > 1 else None)
 
-    def encoded(group: int, label: str) -> tuple[bytes, dict[str, Any]] | None:
+class Geometry:
+    """Encodes the geometry of rings, and the dynamic objects; meshes and images they share are files of their own."""
+
+    def __init__(self, rings: Rings, files: Files, textures: Textures, *, step: float, compressed: bool) -> None:
+        self._rings, self._files, self._textures = rings, files, textures
+        with progress.bar("encoding geometry") as report:
+            self._export = _core.Export(
+                rings.scene._core,
+                rings.codes(),
+                rings.count + 2,
+                names=list(rings.scene.object_names),
+                images=[_beside(name) for name, _ in textures],
+                step=step,
+                compressed=compressed,
+                report=report,
+            )
+        self._uris: list[str | None] = []
+        for data, groups, _ in self._export.shared():
+            users = sum(group <= rings.count for group in groups)
+            is_file = users > 1 or (users == 1 and len(data) >= LEAST_SHARED)
+            self._uris.append(_beside(files.add(data, "bin")) if is_file else None)
+
+    def rings(self) -> list[dict[str, Any]]:
+        """Encode each ring from 1 on; their entries in a manifest, without maps."""
+        listed = []
+        for ring, row in enumerate(self._rings.summary()[: self._rings.count], 1):
+            found = self._encoded(ring, f"ring {ring}") if row["triangles"] else None
+            counts = {name: row[name] for name in ("radius", "objects", "triangles", "stored")}
+            listed.append({**counts, **({"geometry": None, "parts": []} if found is None else found[1])})
+        return listed
+
+    def moving(self) -> dict[str, Any] | None:
+        """Encode the dynamic objects; their entry in a manifest, None if nothing moves."""
+        scene = self._rings.scene
+        triangles = scene.triangle_count - scene._core.standing_triangle_count
+        found = self._encoded(0, "dynamic objects") if triangles else None
+        if found is None:
+            return None
+        data, described = found
+        return {**described, "triangles": triangles, "instances": rows_of(scene, data)}
+
+    def _encoded(self, group: int, label: str) -> tuple[bytes, dict[str, Any]] | None:
+        """The GLB of a group and its entry; None if all its faces lose their area when positions are rounded."""
         with progress.bar(f"encoding {label}") as report:
-            data, facts = export.glb(group, uris=uris, report=report)
-        if not facts["drawn"]:  # faces may lose their area when positions are rounded
+            data, facts = self._export.glb(group, uris=self._uris, report=report)
+        if not facts["drawn"]:
             return None
         parts = referenced(data)
-        for name, texture in zip(images, textures, strict=True):
+        for name, texture in self._textures:
             if name in parts:
-                files.add(texture, "webp")
-        return data, {"geometry": files.add(data, "glb"), "parts": parts, "error": facts["position_error"]}
-
-    listed = []
-    for ring, row in enumerate(rings.summary()[: rings.count], 1):
-        found = encoded(ring, f"ring {ring}") if row["triangles"] else None
-        counts = {name: row[name] for name in ("radius", "objects", "triangles", "stored")}
-        listed.append({**counts, **({"geometry": None, "parts": []} if found is None else found[1])})
-    moving = scene.triangle_count - scene._core.standing_triangle_count
-    found = encoded(0, "dynamic objects") if moving else None
-    if found is None:
-        return listed, None
-    data, described = found
-    return listed, {**described, "triangles": moving, "instances": rows_of(scene, data)}
+                self._files.add(texture, "webp")
+        return data, {"geometry": self._files.add(data, "glb"), "parts": parts, "error": facts["position_error"]}
 
 
 def referenced(data: bytes) -> list[str]:

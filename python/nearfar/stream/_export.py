@@ -1,33 +1,34 @@
-"""Export of a scene as a bundle: plain files for any web server, ring after ring."""
+"""Export of a scene as a bundle: plain files for any web server, ring after ring about each centre."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, SupportsFloat
 
 from numpy.typing import ArrayLike
 
-from nearfar._base import check, formats
+from nearfar._base import formats
+from nearfar._reduce.walk.regions import Regions
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _store
 from nearfar.stream._assign import ascending, assign
 from nearfar.stream._bundle import Bundle, open as open_bundle
-from nearfar.stream._encode import ACROSS, Files, encode_geometry, encode_maps, scale_of
+from nearfar.stream._centers import Floats, centers_of, neighbours
+from nearfar.stream._encode import ACROSS, Files, Geometry, encode_textures
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
-from nearfar.stream._maps import MOST_SAMPLES, TILE, bake_maps
-from nearfar.stream._notes import findings_of
+from nearfar.stream._maps import TILE
 from nearfar.stream._radii import rings as choose
-
-MOST_FACE_SIZE = 4096
+from nearfar.stream._region import Settings, encode_region
 
 
 def export(
     scene: Scene,
     path: str | os.PathLike[str],
     *,
-    center: ArrayLike,
+    center: ArrayLike | Regions,
+    grid: SupportsFloat | None = None,
     radii: Iterable[float] | None = None,
     face_size: int = 1024,
     samples: int = 4,
@@ -37,11 +38,12 @@ def export(
     compression: str | None = "meshopt",
     speed: float = 0.7,
 ) -> Bundle:
-    """Write a scene as a bundle: near geometry in rings about a centre, each with the map of what lies beyond it.
+    """Write a scene as a bundle: near geometry in rings about centres, each with the map of what lies beyond it.
 
     A client shows the picture of ring 0, which is a map alone, as soon as it has that; each further ring makes nearby
-    objects geometry. Files are named by their content, so that a server may let clients keep them for ever. Viewers of
-    3D Tiles show the near geometry of all rings: `tileset.json` lists it.
+    objects geometry. Each centre has a region of its own; a client uses that of the nearest one. Files are named by
+    their content, so that regions share equal ones, and that a server may let clients keep them for ever. Viewers of
+    3D Tiles show the near geometry of the first region's rings: `tileset.json` lists it.
 
     Parameters
     ----------
@@ -51,9 +53,13 @@ def export(
         The folder; its parent must exist. An existing folder is replaced if it is empty or contains a bundle's
         `manifest.json`. A URL such as ``s3://bucket/city`` needs fsspec.
     center
-        World position O in metres that the maps are baked from: an eye's height above the ground.
+        World position O in metres that maps are baked from: an eye's height above the ground. Or several, (K, 3), up to
+        1000 at least a millimetre apart, or what `nearfar.regions` returns, whose centres are taken.
+    grid
+        Spacing in metres of a horizontal grid to which centres move (`snap`); centres that meet become one. None keeps
+        them where they are.
     radii
-        Radii of the rings in metres, ascending; by default those of `nearfar.stream.rings`.
+        Radii of the rings of all centres in metres, ascending; by default those of `nearfar.stream.rings` for each.
     face_size
         Texels along a face of the maps, a multiple of 64 up to 4096.
     samples
@@ -68,9 +74,6 @@ def export(
         that is not greater. Beyond 2²³ steps from the scene's origin they are as precise as float32.
     compression
         Of geometry: "meshopt" (`EXT_meshopt_compression`), or None for files that any reader of glTF 2.0 loads.
-    speed
-        Degrees a second by which a client's picture may turn while a ring grows, for a user 1 m beside the centre; see
-        `Growth`.
 
     Returns
     -------
@@ -80,13 +83,13 @@ def export(
     Raises
     ------
     ValueError
-        For numbers out of range, radii that fall or repeat, a centre that is not finite, and a URL whose file system is
-        not known or only reads; before any work.
+        For numbers out of range, radii that fall or repeat, a centre that is not finite, the same centre twice, a
+        centre with nothing around it if radii are to be chosen, and a URL whose file system is not known or only reads;
+        before any work.
     TypeError
         For arguments of another type.
     OSError
-        If the folder cannot be written, has no parent or contains other files: before any work. If the disk is full:
-        then what was there stays.
+        If the folder cannot be written or contains other files.
 
     References
     ----------
@@ -95,50 +98,54 @@ def export(
     from nearfar.stream import _tileset
 
     core_of(scene)
-    size = check.integer("face_size", face_size, TILE, MOST_FACE_SIZE)
-    if size % TILE:
-        raise ValueError(f"face_size: expected a multiple of {TILE}, got {size}")
-    count = check.integer("samples", samples, 1, MOST_SAMPLES)
-    level = None if quality is None else check.integer("quality", quality, 0, 100)
-    error = check.within("range_error", range_error, 1e-6, 0.1)
-    grid = check.within("step", step, 1e-6, 1.0)
-    if compression is not None:
-        check.choice("compression", compression, ("meshopt",))
-    middle = check.vector("center", center)
-    given = None if radii is None else ascending("radii", radii)
+    settings = Settings.checked(face_size, samples, quality, range_error, step, compression)
+    centers, given = centers_of(center, grid), None if radii is None else ascending("radii", radii)
     _store.check_target(path, f"nearfar.{NAME}")
-    rings = assign(scene, center=middle, radii=choose(scene, center=middle) if given is None else given)
-    growth = Growth(rings.radii, speed=speed)
-    maps = bake_maps(rings, face_size=size, samples=count)
-    files, scale = Files(), scale_of(maps, error)
-    pictures = encode_maps(maps, files, quality=level, scale=scale)
-    nothing: dict[str, Any] = {"objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
-    near, moving = encode_geometry(rings, files, step=grid, compressed=compression is not None, quality=level)
-    geometry = [{"radius": 0.0, **nothing}, *near]
-    tileset = _tileset.encode(middle, geometry, moving, files.content)
-    manifest = formats.header(
-        NAME,
-        VERSION,
-        color_space="sRGB",
-        center=list(middle),
-        morph={"kind": "cylinder", "near_share": NEAR_SHARE},
-        growth=growth.described(),
-        triangles=scene.triangle_count,
-        bounds=scene.bounds.tolist(),
-        map={
-            "face_size": size,
-            "orientation": ORIENTATION,
-            "tile": TILE,
-            "across": ACROSS,
-            "range": {"least": scale.least, "step": scale.step, "error": scale.error},
-        },
-        rings=[{**ring, "map": picture} for ring, picture in zip(geometry, pictures, strict=True)],
-        dynamic=moving,
-        notes=list(scene.report.notes),
-        findings=findings_of(rings),
-        tileset=_store.described(tileset),
-        files=files.listed(),
+    bounds = _chosen_radii(scene, centers) if given is None else [given] * len(centers)
+    growth = Growth(bounds[0], speed=speed)
+    files, textures = Files(), encode_textures(scene, settings.quality)
+    regions, dynamic = list[dict[str, Any]](), None
+    for place, own, near in zip(centers, bounds, neighbours(centers), strict=True):
+        rings = assign(scene, center=place, radii=own)
+        geometry = Geometry(rings, files, textures, step=settings.step, compressed=settings.compressed)
+        if not regions:
+            dynamic = geometry.moving()
+        regions.append({**encode_region(rings, files, settings, geometry), "neighbours": near})
+    tileset = _tileset.encode(regions[0]["center"], regions[0]["rings"], dynamic, files.content)
+    described = _store.described(tileset)
+    manifest = _manifest(
+        scene, settings, growth=growth, regions=regions, dynamic=dynamic, tileset=described, files=files
     )
     text = formats.to_json(manifest, compact=True).encode()
     _store.write(path, {**files.content, _store.TILESET: tileset, _store.MANIFEST: text})
     return open_bundle(path)
+
+
+def _chosen_radii(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
+    """Radii about each centre, before anything is baked; ValueError that names a centre without objects around it."""
+    chosen = []
+    for place in centers:
+        try:
+            chosen.append(choose(scene, center=place))
+        except ValueError as error:
+            x, y, z = place
+            raise ValueError(
+                f"center: expected one with objects around it, got ({x:g}, {y:g}, {z:g}): {error}"
+            ) from None
+    return chosen
+
+
+def _manifest(scene: Scene, settings: Settings, *, growth: Growth, files: Files, **parts: Any) -> dict[str, Any]:
+    return formats.header(
+        NAME,
+        VERSION,
+        color_space="sRGB",
+        morph={"kind": "cylinder", "near_share": NEAR_SHARE},
+        growth=growth.described(),
+        triangles=scene.triangle_count,
+        bounds=scene.bounds.tolist(),
+        map={"face_size": settings.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
+        **parts,
+        notes=list(scene.report.notes),
+        files=files.listed(),
+    )

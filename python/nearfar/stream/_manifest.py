@@ -54,31 +54,54 @@ def names_of(value: Any) -> list[str]:
     return [value] if isinstance(value, str) else list(value)
 
 
+def layout_of(manifest: Mapping[str, Any], region: Mapping[str, Any]) -> Layout:
+    """How the maps of a region are divided into files; ValueError for values that cannot be."""
+    return Layout.of({**manifest["map"], "range": region["range"]})
+
+
 def _check(manifest: dict[str, Any]) -> None:
     """Raise one of the errors of damage for a manifest that cannot be used."""
-    check.vector("center", manifest["center"])
     check.integer("triangles", manifest["triangles"], 0, MOST)
-    for name in ("notes", "findings"):
-        check.texts(name, manifest[name])
+    check.texts("notes", manifest["notes"])
     low, high = manifest["bounds"]
     check.vector("bounds", low), check.vector("bounds", high)
     check.choice("color_space", manifest["color_space"], ("sRGB",))
     check.choice("morph", manifest["morph"]["kind"], ("cylinder",))
     if check.positive("near_share", manifest["morph"]["near_share"]) != NEAR_SHARE:
         raise ValueError(f"near_share: expected {NEAR_SHARE}, got {manifest['morph']['near_share']}")
-    growth = manifest["growth"]
-    check.choice("growth", growth["first"], ("strength",))
-    for name in ("speed", "reach"):
-        check.positive(name, growth[name])
-    check.at_least_zero("fade", growth["fade"])
-    layout = Layout.of(manifest["map"])
-    check.choice("orientation", manifest["map"]["orientation"], (ORIENTATION,))
-    check.positive("error", manifest["map"]["range"]["error"])
+    _check_growth(manifest["growth"])
     files = manifest["files"]
     for name, entry in files.items():
         _check_file(name, entry)
     _check_described(_store.TILESET, manifest["tileset"])
-    rings = check.items("rings", manifest["rings"], dict, "descriptions of rings")
+    regions = check.items("regions", manifest["regions"], dict, "descriptions of regions")
+    if not regions:
+        raise ValueError("regions: expected at least one")
+    for number, region in enumerate(regions):
+        _check_region(region, number, len(regions))
+        _check_rings(region, layout_of(manifest, region), files)
+    check.choice("orientation", manifest["map"]["orientation"], (ORIENTATION,))
+    _check_dynamic(manifest["dynamic"], files)
+
+
+def _check_growth(growth: dict[str, Any]) -> None:
+    check.choice("growth", growth["first"], ("strength",))
+    for name in ("speed", "reach"):
+        check.positive(name, growth[name])
+    check.at_least_zero("fade", growth["fade"])
+
+
+def _check_region(region: dict[str, Any], number: int, count: int) -> None:
+    check.vector("center", region["center"])
+    check.at_least_zero("fold_margin", region["fold_margin"])
+    check.texts("findings", region["findings"])
+    near = [check.integer("neighbours", value, 0, count - 1) for value in region["neighbours"]]
+    if near != sorted({*near} - {number}):
+        raise ValueError(f"neighbours: expected ascending numbers of other regions, got {check.shortened(near)}")
+
+
+def _check_rings(region: dict[str, Any], layout: Layout, files: dict[str, Any]) -> None:
+    rings = check.items("rings", region["rings"], dict, "descriptions of rings")
     radii = [check.at_least_zero("radius", ring["radius"]) for ring in rings]
     if len(radii) < 2 or radii[0] != 0.0 or (np.diff(radii) <= 0).any():
         raise ValueError(f"rings: expected radii that ascend from 0, got {check.shortened(radii)}")
@@ -89,12 +112,16 @@ def _check(manifest: dict[str, Any]) -> None:
         for name in ("color", "range"):
             _check_listed(ring["map"].get(name), files, name)
     layout.check([ring["map"] for ring in rings])
-    dynamic = manifest["dynamic"]
-    if dynamic is not None:
-        check.integer("triangles", dynamic["triangles"], 0, MOST)
-        check.items("instances", dynamic["instances"], dict, "descriptions of instances")
-        check.text("geometry", dynamic["geometry"])
-        _check_geometry(dynamic, files)
+    check.positive("error", region["range"]["error"])
+
+
+def _check_dynamic(dynamic: dict[str, Any] | None, files: dict[str, Any]) -> None:
+    if dynamic is None:
+        return
+    check.integer("triangles", dynamic["triangles"], 0, MOST)
+    check.items("instances", dynamic["instances"], dict, "descriptions of instances")
+    check.text("geometry", dynamic["geometry"])
+    _check_geometry(dynamic, files)
 
 
 def _check_file(name: str, entry: dict[str, Any]) -> None:

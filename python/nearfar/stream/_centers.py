@@ -1,0 +1,129 @@
+"""Centres of a bundle's regions: a grid that nearby requests share, and neighbours."""
+
+from __future__ import annotations
+
+from typing import SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+from nearfar._reduce.walk.regions import Regions
+
+Point = tuple[float, float, float]
+Floats = NDArray[np.float64]
+
+MOST_CENTERS = 1000
+"""Greatest number of centres of a bundle, whose manifest describes each one's rings and tiles."""
+
+APART = 1e-3
+"""Least distance in metres of two centres, about the step to which geometry is rounded."""
+
+RIGHT_ANGLE = 1e-9
+"""Cosine up to which an angle counts as a right one: corners of a grid touch circles, but for their last digits."""
+
+NEAREST = 16
+"""Number of nearest centres that are tested first, because they rule out almost all pairs."""
+
+
+def snap(center: ArrayLike, grid: SupportsFloat) -> Point:
+    """Move a centre to the nearest point of a horizontal grid, so that nearby requests share one bundle.
+
+    Parameters
+    ----------
+    center
+        World position, metres.
+    grid
+        Spacing of the grid in metres, 0.001 to 10⁶. Its lines pass through x = 0 and z = 0 of the world.
+
+    Returns
+    -------
+    tuple
+        World position, metres: x and z are multiples of `grid`, of two equally near ones the even multiple; the height
+        is kept. It is up to grid/√2 from the centre.
+
+    Raises
+    ------
+    ValueError
+        For a centre that is not finite, and a spacing out of range.
+    TypeError
+        For arguments of another type.
+
+    References
+    ----------
+    "Client locality" of CloVR (2024): clients near each other are served the same rings and maps.
+    """
+    x, y, z = check.vector("center", center)
+    spacing = check.within("grid", grid, 1e-3, 1e6)
+    return spacing * round(x / spacing), y, spacing * round(z / spacing)
+
+
+def centers_of(center: ArrayLike | Regions, grid: SupportsFloat | None) -> Floats:
+    """Centres (K, 3) of a point, of several or of regions; those that meet on the grid, if there is one, are one.
+
+    ValueError for none, for too many, and for two that are closer than `APART`.
+    """
+    given = center.centers if isinstance(center, Regions) else center
+    values = check.plain("center", given)
+    points = (
+        np.array([check.vector("center", values)])
+        if values.ndim == 1
+        else check.array("center", values, dtype=np.float64, finite=True)
+    )
+    if not 1 <= len(points) <= MOST_CENTERS:
+        raise ValueError(f"center: expected 1 to {MOST_CENTERS} centres, got {len(points)}")
+    if np.abs(points).max() > check.FARTHEST:
+        raise ValueError(f"center: expected numbers up to {check.FARTHEST:g}, got {np.abs(points).max():g}")
+    if grid is not None:
+        # A dict keeps the order of the requests.
+        points = np.array(list(dict.fromkeys(snap(point, grid) for point in points)))
+    _check_apart(points)
+    return points
+
+
+def neighbours(centers: Floats) -> list[list[int]]:
+    """Find the neighbours of each centre: the Gabriel graph, which joins all centres to one another.
+
+    Two centres are neighbours if no third one lies within or on the sphere whose diameter joins them, that is, sees
+    them at a right angle or a greater one. On a square grid those are the four nearest.
+
+    Parameters
+    ----------
+    centers
+        (K, 3) positions, metres.
+
+    Returns
+    -------
+    list
+        Ascending numbers of each centre's neighbours.
+
+    References
+    ----------
+    Gabriel, Sokal (1969): A new statistical approach to geographic variation analysis.
+    """
+    found: list[list[int]] = [[] for _ in centers]
+    for first, place in enumerate(centers):
+        ways = centers - place
+        nearest = np.argsort((ways**2).sum(axis=1))[1 : 1 + NEAREST]
+        later = np.arange(first + 1, len(centers))
+        for between in (ways[nearest], ways):
+            later = later[~_is_between(ways[later], between)]
+        for second in later.tolist():
+            found[first].append(second)
+            found[second].append(first)
+    return found
+
+
+def _check_apart(points: Floats) -> None:
+    for number, point in enumerate(points[1:], 1):
+        near = np.flatnonzero(np.abs(points[:number] - point).max(axis=1) < APART)
+        if len(near):
+            text = f"expected centres at least {APART:g} m apart, got ({', '.join(f'{v:g}' for v in point)}) twice"
+            raise ValueError(f"center: {text}, at index {near[0]} and {number}")
+
+
+def _is_between(ends: Floats, others: Floats) -> NDArray[np.bool_]:
+    """Whether any of the points (M, 3) sees the origin and each end (N, 3) at a right angle or a greater one."""
+    back = ends[:, None] - others
+    lengths = np.linalg.norm(back, axis=2) * np.linalg.norm(others, axis=1)
+    return np.asarray(((-others * back).sum(axis=2) < RIGHT_ANGLE * lengths).any(axis=1))

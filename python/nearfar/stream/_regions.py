@@ -1,0 +1,116 @@
+"""The regions of a bundle: their centres, which of them are neighbours, and how far a user may walk in each."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, SupportsIndex
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+
+if TYPE_CHECKING:
+    from typing import Self
+
+
+class InRegions:
+    """What a `Bundle` says of its regions."""
+
+    _manifest: dict[str, Any]
+    number: int
+
+    @cached_property
+    def centers(self) -> NDArray[np.float64]:
+        """(K, 3) centres O of all regions, world metres; read-only."""
+        return _fixed([region["center"] for region in self._regions])
+
+    @cached_property
+    def fold_margins(self) -> NDArray[np.float64]:
+        """(K,) horizontal distances in metres from each region's centre within which no picture of all rings folds.
+
+        That is 0.7 of the last ring's radius: `nearfar.fold_margin` at O with kind="cylinder". While a client shows a
+        smaller radius, it is 0.7 of that.
+        """
+        return _fixed([region["fold_margin"] for region in self._regions])
+
+    @property
+    def findings(self) -> tuple[str, ...]:
+        """What makes the region show little, a sentence each: its centre, empty rings, endless objects, units."""
+        return tuple(self._region["findings"])
+
+    def neighbours(self, region: SupportsIndex) -> tuple[int, ...]:
+        """Return the regions that a user comes to next from one, for fetching their first rings ahead.
+
+        Parameters
+        ----------
+        region
+            0 to K − 1.
+
+        Returns
+        -------
+        tuple
+            Ascending numbers of regions: two centres are neighbours if no third one is within or on the sphere whose
+            diameter joins them. All regions are joined by neighbours.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For numbers that are no region.
+
+        References
+        ----------
+        Gabriel, Sokal (1969): A new statistical approach to geographic variation analysis.
+        """
+        return tuple(self._regions[self._checked(region)]["neighbours"])
+
+    def nearest(self, point: ArrayLike) -> int:
+        """Find the region whose centre is nearest; of equally near ones the first.
+
+        Parameters
+        ----------
+        point
+            World position of the user's eye, metres.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For anything but three finite numbers.
+        """
+        away = self.centers - check.vector("point", point)
+        # Scaled, so that the squares of no distance overflow.
+        return int(np.argmin(np.linalg.norm(away / np.abs(away).max(), axis=1))) if away.any() else 0
+
+    def region(self, region: SupportsIndex) -> Self:
+        """Return the same bundle for another region; both share the files that were read.
+
+        Parameters
+        ----------
+        region
+            0 to K − 1.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For numbers that are no region.
+        """
+        return replace(self, number=self._checked(region))  # type: ignore[type-var]
+
+    @property
+    def _regions(self) -> list[dict[str, Any]]:
+        regions: list[dict[str, Any]] = self._manifest["regions"]
+        return regions
+
+    @property
+    def _region(self) -> dict[str, Any]:
+        return self._regions[self.number]
+
+    def _checked(self, region: SupportsIndex) -> int:
+        return check.integer("region", region, 0, len(self._regions) - 1)
+
+
+def _fixed(values: list[Any]) -> NDArray[np.float64]:
+    array = np.array(values, np.float64)
+    array.setflags(write=False)
+    return array
