@@ -22,7 +22,8 @@ def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pyt
     assert found["regions"][0]["rings"] == bundle.summary()
     assert bundle.radii == (10.0, 22.0)
     assert bundle.center == (0.0, 1.7, 0.0)
-    status, printed, err = command(capsys, "export", "-i", city, "-o", out, *FAST, "--lossless")
+    more = ("--lossless", "--pixels-per-degree", "0")
+    status, printed, err = command(capsys, "export", "-i", city, "-o", out, *FAST, *more)
     assert status == 0, err
     for text in ("first picture", "ring 1, to", "triangles", "exported in"):
         assert text in printed
@@ -56,6 +57,7 @@ def test_several_centres_move_to_a_grid(city: Path, tmp_path: Path, capsys: pyte
         (("-o", "full"), "holds other files (no manifest.json)"),
         (("-o", "web"), "path: holds a manifest.json of another program"),
         (("--grid", "0"), "grid: expected"),
+        (("--pixels-per-degree", "600"), "pixels_per_degree: expected"),
         (("--center", "0,1.7"), "--center: expected x,y,z"),
         (("--center", "0,1.7,0"), "center: expected centres at least 0.001 m apart"),
     ],

@@ -10,6 +10,8 @@ from nearfar._core.export import (
     Export as Export,
     decode_ranges as decode_ranges,
     encode_ranges as encode_ranges,
+    halved_texture as halved_texture,
+    texels_per_radian as texels_per_radian,
 )
 from nearfar._core.gpu import (
     GpuDevice as GpuDevice,

@@ -27,6 +27,10 @@ class Export:
         self, group: int, *, uris: list[str | None], report: _Report | None = None
     ) -> tuple[bytes, dict[str, Any]]: ...
 
+def texels_per_radian(
+    scene: Scene, distances: NDArray[np.float64], *, report: _Report | None = None
+) -> NDArray[np.float64]: ...
+def halved_texture(texels: NDArray[np.uint8], *, times: int, cutout: bool) -> NDArray[np.uint8]: ...
 def encode_ranges(
     codes: NDArray[np.uint16],
     before: NDArray[np.uint16] | None,

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._render.renderable import Renderable
 from nearfar._scene.levels import Leveled, Selector, Shown, levels_of
@@ -21,38 +22,45 @@ class LevelChoice:
     """Chooses levels for one picture after another and remembers the last levels, which hysteresis needs."""
 
     def __init__(self, source: Renderable, lod: Lod) -> None:
-        leveled = _leveled(source, (0.0, 0.0, 0.0))
-        self._lod: Any = lod
-        if isinstance(lod, str):
-            self._lod = _selector(leveled, lod)
-        elif isinstance(lod, Selector):
-            if not callable(lod.select):
-                raise TypeError(f"lod: expected a mode, a selector, a function or levels, got {check.described(lod)}")
-        elif not callable(lod):
-            levels_of("lod", lod, leveled)
+        self._lod = rule_of(lod, _leveled(source, (0.0, 0.0, 0.0)))
         self._last: Shown | None = None
 
     def __call__(self, source: Renderable, shot: Shot) -> tuple[Renderable, Shown]:
         """Choose levels for a shot; returns the source, which may be in any pose, at these levels."""
         leveled = _leveled(source, shot.eye)
-        levels = self._lod
-        selection: Any = None
-        if isinstance(levels, Selector) or callable(levels):
-            selection = self._selected(leveled, shot)
-            levels = getattr(selection, "level", selection)
-        chosen = levels_of("lod", levels, leveled)
+        previous = None if self._last is None else self._last.levels
+        chosen, selection = choose_levels(self._lod, leveled, shot.cameras, previous)
         drawn = source.at_levels(chosen)
         self._last = Shown(chosen, drawn.triangle_count, source.triangle_count, selection)
         return drawn, self._last
 
-    def _selected(self, leveled: Leveled, shot: Shot) -> Any:
-        objects = (leveled.models, leveled.model_index, leveled.centers, leveled.radii)
-        camera = shot.cameras[0] if len(shot.cameras) == 1 else shot.cameras
-        if not isinstance(self._lod, Selector):
-            return self._lod(*objects, camera=camera)
-        previous = None if self._last is None else self._last.levels
+
+def rule_of(lod: Lod, leveled: Leveled) -> Any:
+    """Check a choice of levels for objects that have some; a mode's name becomes its selector."""
+    if isinstance(lod, str):
+        return _selector(leveled, lod)
+    if isinstance(lod, Selector):
+        if not callable(lod.select):
+            raise TypeError(f"lod: expected a mode, a selector, a function or levels, got {check.described(lod)}")
+    elif not callable(lod):
+        levels_of("lod", lod, leveled)
+    return lod
+
+
+def choose_levels(
+    rule: Any, leveled: Leveled, cameras: Sequence[Camera], previous: NDArray[np.int64] | None = None
+) -> tuple[NDArray[np.int64], Any]:
+    """Levels of objects (N,) by what `rule_of` returned, and the selector's result, None if the caller set levels."""
+    if not (isinstance(rule, Selector) or callable(rule)):
+        return levels_of("lod", rule, leveled), None
+    objects = (leveled.models, leveled.model_index, leveled.centers, leveled.radii)
+    camera = cameras[0] if len(cameras) == 1 else tuple(cameras)
+    if isinstance(rule, Selector):
         # Only a selector that fades needs the weights, which `full` computes.
-        return self._lod.select(*objects, camera=camera, previous=previous, full=self._lod.fade > 0)
+        selection = rule.select(*objects, camera=camera, previous=previous, full=rule.fade > 0)
+    else:
+        selection = rule(*objects, camera=camera)
+    return levels_of("lod", getattr(selection, "level", selection), leveled), selection
 
 
 def _selector(leveled: Leveled, mode: str) -> Any:

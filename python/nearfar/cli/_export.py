@@ -42,6 +42,14 @@ def export(
     samples: options.Samples = 4,
     quality: Annotated[int, option("--quality", "NUMBER", "Quality of the maps' pictures, 0 to 100.")] = 90,
     lossless: Annotated[bool, typer.Option("--lossless", help="Store the maps' pictures without loss.")] = False,
+    pixels_per_degree: Annotated[
+        float,
+        option(
+            "--pixels-per-degree",
+            "NUMBER",
+            "Of the client's display: textures are halved while texels suffice for its pixels; 0 keeps them whole.",
+        ),
+    ] = 25.0,
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
@@ -61,6 +69,7 @@ def export(
         face_size=options.faces(face_size),
         samples=samples,
         quality=None if lossless else quality,
+        pixels_per_degree=pixels_per_degree or None,
     )
     seconds = time.perf_counter() - started
     regions = [bundle.region(number) for number in range(len(bundle.centers))]

@@ -114,6 +114,19 @@ def neighbours(centers: Floats) -> list[list[int]]:
     return found
 
 
+def halfway(centers: Floats, near: list[list[int]]) -> float:
+    """Greatest distance in metres from a centre to the middle of the way to a neighbour; 0 without neighbours.
+
+    As far as that a user comes from the nearest centre who walks from one to the next.
+    """
+    ways = [
+        np.linalg.norm(centers[others] - place, axis=1).max()
+        for place, others in zip(centers, near, strict=True)
+        if others
+    ]
+    return float(max(ways, default=0.0)) / 2.0
+
+
 def _check_apart(points: Floats) -> None:
     for number, point in enumerate(points[1:], 1):
         near = np.flatnonzero(np.abs(points[:number] - point).max(axis=1) < APART)

@@ -93,10 +93,17 @@ def encode_changes(
     return codec.encode_color(codec.sheet_of(codec.filled(codec.tiles_of(color, tiles, TILE), known), ACROSS), quality)
 
 
-def encode_textures(scene: Scene, quality: int | None) -> Textures:
-    """Encode the textures of a scene, which all regions share."""
-    pictures = [codec.encode_texture(texels, quality) for texels in _core.scene_parts(scene._core)["textures"]]
-    return [(named(data, "webp"), data) for data in pictures]
+def encode_textures(scene: Scene, quality: int | None, halvings: NDArray[np.uint32]) -> Textures:
+    """Encode the textures of a scene, which all regions share, their sides halved so many times each."""
+    parts = _core.scene_parts(scene._core)
+    links, cutoffs = parts["material_textures"], parts["material_cutoffs"]
+    cut_out = set(links[np.isfinite(cutoffs)].tolist())
+    encoded = []
+    for number, (texels, times) in enumerate(zip(parts["textures"], halvings.tolist(), strict=True)):
+        shown = _core.halved_texture(texels, times=times, cutout=number in cut_out) if times else texels
+        data = codec.encode_texture(shown, quality)
+        encoded.append((named(data, "webp"), data))
+    return encoded
 
 
 class Geometry:

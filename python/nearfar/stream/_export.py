@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterable
 from typing import Any, SupportsFloat
@@ -10,11 +11,13 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import formats
 from nearfar._reduce.walk.regions import Regions
+from nearfar._render.level_choice import Lod
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _store
 from nearfar.stream._assign import ascending, assign
 from nearfar.stream._bundle import Bundle, open as open_bundle
-from nearfar.stream._centers import Floats, centers_of, neighbours
+from nearfar.stream._centers import Floats, centers_of, halfway, neighbours
+from nearfar.stream._detail import Detail
 from nearfar.stream._encode import ACROSS, Files, Geometry, encode_textures
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
@@ -36,6 +39,8 @@ def export(
     range_error: float = 2.0**-11,
     step: float = 2.0**-10,
     compression: str | None = "meshopt",
+    pixels_per_degree: SupportsFloat | None = 25.0,
+    lod: Lod | None = None,
     speed: float = 0.7,
 ) -> Bundle:
     """Write a scene as a bundle: near geometry in rings about centres, each with the map of what lies beyond it.
@@ -74,6 +79,17 @@ def export(
         that is not greater. Beyond 2²³ steps from the scene's origin they are as precise as float32.
     compression
         Of geometry: "meshopt" (`EXT_meshopt_compression`), or None for files that any reader of glTF 2.0 loads.
+    pixels_per_degree
+        Of the client's display, in the middle of the picture: textures are halved while their texels, seen from where
+        users are nearest, still suffice for its pixels. Users are within 1 m of a centre, or within half of the way to
+        its farthest neighbour. 1 to 500; 25 is that of today's headsets. None keeps textures whole.
+    lod
+        Levels of the static objects of rings, in a scene whose objects have some, as for `nearfar.render`: a mode such
+        as "depth", a selector, a function like `nearfar.lod.select`, or levels as `Scene.at_levels` takes them. Each
+        object gets the level for the user who is nearest to it, as for textures. None writes the scene as it is. Maps
+        are baked from the scene as it is; dynamic objects get level 0.
+    speed
+        Degrees a second at which pictures turn while rings grow, for a user 1 m beside the centre, as in `Growth`.
 
     Returns
     -------
@@ -98,19 +114,23 @@ def export(
     from nearfar.stream import _tileset
 
     core_of(scene)
-    settings = Settings.checked(face_size, samples, quality, range_error, step, compression)
+    settings = Settings.checked(face_size, samples, quality, range_error, step, compression, pixels_per_degree)
     centers, given = centers_of(center, grid), None if radii is None else ascending("radii", radii)
+    near = neighbours(centers)
+    moved = 0.0 if grid is None else math.sqrt(0.5) * float(grid)
+    reach = max(Growth.reach, halfway(centers, near)) + moved
+    detail = Detail.of(scene, lod, settings.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
     bounds = _chosen_radii(scene, centers) if given is None else [given] * len(centers)
     growth = Growth(bounds[0], speed=speed)
-    files, textures = Files(), encode_textures(scene, settings.quality)
-    regions, dynamic = list[dict[str, Any]](), None
-    for place, own, near in zip(centers, bounds, neighbours(centers), strict=True):
-        rings = assign(scene, center=place, radii=own)
-        geometry = Geometry(rings, files, textures, step=settings.step, compressed=settings.compressed)
+    divided = [assign(scene, center=place, radii=own) for place, own in zip(centers, bounds, strict=True)]
+    textures = encode_textures(scene, settings.quality, detail.halvings(divided))
+    files, regions, dynamic = Files(), list[dict[str, Any]](), None
+    for rings, beside in zip(divided, near, strict=True):
+        geometry = Geometry(detail.shown(rings), files, textures, step=settings.step, compressed=settings.compressed)
         if not regions:
             dynamic = geometry.moving()
-        regions.append({**encode_region(rings, files, settings, geometry), "neighbours": near})
+        regions.append({**encode_region(rings, files, settings, geometry), "neighbours": beside})
     tileset = _tileset.encode(regions[0]["center"], regions[0]["rings"], dynamic, files.content)
     described = _store.described(tileset)
     manifest = _manifest(

@@ -25,6 +25,7 @@ class Settings:
     range_error: float
     step: float
     compressed: bool
+    pixels_per_degree: float | None
 
     @classmethod
     def checked(
@@ -35,6 +36,7 @@ class Settings:
         range_error: SupportsFloat,
         step: SupportsFloat,
         compression: str | None,
+        pixels_per_degree: SupportsFloat | None,
     ) -> Settings:
         """Check them; ValueError or TypeError for settings that cannot be."""
         size = check.integer("face_size", face_size, TILE, MOST_FACE_SIZE)
@@ -49,6 +51,9 @@ class Settings:
             range_error=check.within("range_error", range_error, 1e-6, 0.1),
             step=check.within("step", step, 1e-6, 1.0),
             compressed=compression is not None,
+            pixels_per_degree=(
+                None if pixels_per_degree is None else check.within("pixels_per_degree", pixels_per_degree, 1.0, 500.0)
+            ),
         )
 
 

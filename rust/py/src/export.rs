@@ -2,13 +2,13 @@
 
 use nearfar_core::export::ranges::{self, Faces};
 use nearfar_core::export::{self, Kind, Settings, Statistics};
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use numpy::{IntoPyArray, PyArray1, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::convert::run;
-use crate::scene::Scene;
+use crate::scene::{Scene, texture};
 
 /// A scene divided into files.
 #[pyclass(frozen, module = "nearfar._core")]
@@ -83,6 +83,36 @@ fn named<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bound<'py, P
     }
     named.set_item("position_error", statistics.position_error)?;
     Ok(named)
+}
+
+/// For each texture the least number of texels per radian at which it is seen, with the least distance of each object
+/// in metres, and last that of faces without an object.
+#[pyfunction]
+#[pyo3(signature = (scene, distances, *, report=None))]
+pub(crate) fn texels_per_radian<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    distances: PyReadonlyArray1<'py, f64>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let distances = distances.as_slice()?;
+    let found = run::long(py, report, |progress| export::texels_per_radian(&scene.0, distances, progress))?;
+    Ok(found.into_pyarray(py))
+}
+
+/// A texture (H, W, 4), sRGB with alpha, with its sides halved so many times; `cutout` weights colours by alpha.
+#[pyfunction]
+#[pyo3(signature = (texels, *, times, cutout))]
+pub(crate) fn halved_texture<'py>(
+    py: Python<'py>,
+    texels: Bound<'py, PyArrayDyn<u8>>,
+    times: u32,
+    cutout: bool,
+) -> PyResult<Bound<'py, PyArray3<u8>>> {
+    let texture = texture(&texels)?;
+    let halved = run::long(py, None, |progress| texture.halved(times, cutout, progress))?;
+    let rows = PyArray1::from_slice(py, halved.texels.as_flattened());
+    rows.reshape([halved.height as usize, halved.width as usize, 4])
 }
 
 /// Codes, and which texels change.

@@ -39,7 +39,7 @@ mod _core {
         camera::{Camera, DepthBuffer},
         cubemap::layouts::{convert_envmap, convert_envmap_nearest, envmap_directions, envmap_texels},
         cubemap::lookup::{cube_footprint, cube_lookup, cube_nearest, cube_next_level, cube_solid_angles},
-        export::{Export, decode_ranges, encode_ranges},
+        export::{Export, decode_ranges, encode_ranges, halved_texture, texels_per_radian},
         exr::{decode_exr, encode_exr},
         files::exchange_paths,
         gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity},

@@ -9,6 +9,7 @@
 //! for texture coordinates. Colours are exact.
 
 mod attribute;
+mod detail;
 mod document;
 mod encoder;
 mod faces;
@@ -26,6 +27,7 @@ mod surfaces;
 mod tests;
 mod weld;
 
+pub use detail::texels_per_radian;
 pub use encoder::{Export, Glb, SharedMesh};
 pub use gather::NORMAL_ERROR_DEG;
 pub use settings::Settings;

@@ -56,6 +56,12 @@ fn displacement(a: &DAffine3, b: &DAffine3, bounds: &Aabb) -> f64 {
     (0..8).map(|i| distance(corner(i))).fold(0.0, f64::max)
 }
 
+/// Greatest factor by which a placement lengthens a line, or a little more for a sheared one: the root of the greatest
+/// eigenvalue of MᵀM, which its greatest row sum bounds.
+pub(super) fn scale(matrix: &DMat3) -> f64 {
+    stretch(&(matrix.transpose() * *matrix)).sqrt()
+}
+
 /// Greatest error on an axis of the scene for errors of at most 1 on each axis of the mesh: the greatest sum of a row's
 /// absolute values.
 pub(super) fn stretch(matrix: &DMat3) -> f64 {
@@ -110,6 +116,11 @@ mod tests {
             let turned = DMat3::from_quat(rotation(seed + 1)) * matrix;
             assert!(stretch(&turned) <= greatest_stretch(&matrix), "{seed}");
         }
+        let sheared = DMat3::from_cols(DVec3::X, DVec3::new(3.0, 1.0, 0.0), DVec3::Z);
+        let line = (sheared * DVec3::new(0.3, 0.95, 0.0)).length() / DVec3::new(0.3, 0.95, 0.0).length();
+        assert!(scale(&sheared) >= line && scale(&sheared) < 1.1 * line);
+        let turned = DMat3::from_quat(rotation(7)) * DMat3::from_diagonal(DVec3::new(1.0, -2.5, 0.5));
+        assert!((scale(&turned) - 2.5).abs() < 1e-12);
         assert!((greatest_stretch(&DMat3::from_diagonal(DVec3::new(1.0, 2.0, 0.5))) - 12f64.sqrt()).abs() < 1e-12);
     }
 }

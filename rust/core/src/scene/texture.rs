@@ -6,8 +6,8 @@
 
 use std::sync::OnceLock;
 
-use super::srgb::linear_from_srgb;
-use crate::base::{Buffer, Error, Result};
+use super::srgb::{linear_from_srgb, srgb_from_linear};
+use crate::base::{Buffer, Error, Progress, Result};
 
 /// An sRGB image with linear alpha, row 0 on top; it repeats in both directions.
 #[derive(Debug)]
@@ -99,28 +99,45 @@ impl Texture {
         self.texels[row as usize * self.width as usize + column as usize]
     }
 
+    /// The image with both sides halved so many times, a side of one texel not further, in linear light. `cutout`
+    /// weights colours by alpha, whose mean is kept; otherwise alpha, which is not drawn, is full.
+    pub fn halved(&self, times: u32, cutout: bool, progress: &Progress) -> Result<Self> {
+        let (mut image, mut width, mut height) = (self.weighted(cutout), self.width, self.height);
+        // More halvings than a side has bits change nothing.
+        for _ in 0..times.min(u32::BITS) {
+            progress.check()?;
+            (image, width, height) = halved(&image, width, height);
+        }
+        let stored = |&[r, g, b, weight]: &[f32; 4]| {
+            let [r, g, b] = [r, g, b].map(|x| srgb_from_linear(x / weight));
+            let alpha = if cutout { ((weight - LEAST_WEIGHT) * 255.0 + 0.5) as u8 } else { u8::MAX };
+            [r, g, b, alpha]
+        };
+        Self::new(width, height, image.iter().map(stored).collect())
+    }
+
     /// Builds all levels down to one texel, on the calling thread. A rayon thread that waited here could be given a
     /// task that waits for this texture.
     fn build(&self, cutout: bool) -> Vec<MipLevel> {
+        let (mut image, mut width, mut height) = (self.weighted(cutout), self.width, self.height);
+        let mut levels = Vec::new();
+        while width > 1 || height > 1 {
+            (image, width, height) = halved(&image, width, height);
+            let stored = |&[r, g, b, weight]: &[f32; 4]| [r, g, b].map(|x| (x / weight * 65535.0 + 0.5) as u16);
+            levels.push(MipLevel { width, height, texels: image.iter().map(stored).collect() });
+        }
+        levels
+    }
+
+    /// Linear RGB times a weight, and the weight: 1, or that of alpha.
+    fn weighted(&self, cutout: bool) -> Vec<[f32; 4]> {
         let linear = linear_from_srgb();
         let weighted = |&[r, g, b, alpha]: &[u8; 4]| {
             let weight = if cutout { f32::from(alpha) / 255.0 + LEAST_WEIGHT } else { 1.0 };
             let [r, g, b] = [r, g, b].map(|code| linear[usize::from(code)] * weight);
             [r, g, b, weight]
         };
-        let mut image: Vec<[f32; 4]> = self.texels.iter().map(weighted).collect();
-        let (mut width, mut height) = (self.width, self.height);
-        let mut levels = Vec::new();
-        while width > 1 || height > 1 {
-            let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
-            image = shrink(&image, width, half_width);
-            image = shrink(&transpose(&image, half_width), height, half_height);
-            image = transpose(&image, half_height);
-            (width, height) = (half_width, half_height);
-            let stored = |&[r, g, b, weight]: &[f32; 4]| [r, g, b].map(|x| (x / weight * 65535.0 + 0.5) as u16);
-            levels.push(MipLevel { width, height, texels: image.iter().map(stored).collect() });
-        }
-        levels
+        self.texels.iter().map(weighted).collect()
     }
 }
 
@@ -164,6 +181,14 @@ fn neighbours(coordinate: f32, count: u32) -> (u32, u32, f32) {
     // last texel as well.
     let first = if floor < 0.0 { count - 1 } else { (floor as u32).min(count - 1) };
     (first, if first + 1 == count { 0 } else { first + 1 }, x - floor)
+}
+
+/// An image of half the width and height, at least one texel, and these.
+fn halved(image: &[[f32; 4]], width: u32, height: u32) -> (Vec<[f32; 4]>, u32, u32) {
+    let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
+    let narrow = shrink(image, width, half_width);
+    let low = shrink(&transpose(&narrow, half_width), height, half_height);
+    (transpose(&low, half_height), half_width, half_height)
 }
 
 /// Shrinks rows from `from` to `to` texels. Each new texel is the mean over the part of the old texels that it covers,
@@ -287,5 +312,34 @@ mod tests {
         // weight 1.
         assert!((plain - leaf * 22.0 / 64.0).abs() < 1e-4);
         assert!(cutout > 0.997 * leaf && cutout <= leaf);
+    }
+
+    #[test]
+    fn halved_images_are_the_coarser_levels() {
+        let texture = noise(12, 5);
+        for cutout in [false, true] {
+            for (times, level) in texture.build(cutout).iter().enumerate() {
+                let halved = texture.halved(times as u32 + 1, cutout, &Progress::new()).unwrap();
+                assert_eq!((halved.width, halved.height), (level.width, level.height));
+                for (&[r, g, b, _], linear) in halved.texels.iter().zip(&level.texels) {
+                    let expected = linear.map(|x| i32::from(srgb_from_linear(f32::from(x) / 65535.0)));
+                    // Levels are rounded first, so a code may be the neighbour's.
+                    (0..3).for_each(|i| assert!((i32::from([r, g, b][i]) - expected[i]).abs() <= 1));
+                }
+            }
+            assert_eq!(texture.halved(99, cutout, &Progress::new()).unwrap().texels.len(), 1);
+        }
+    }
+
+    #[test]
+    fn halved_cutouts_keep_the_mean_of_alpha() {
+        let texture = noise(8, 8);
+        let halved = |cutout| texture.halved(2, cutout, &Progress::new()).unwrap();
+        for (n, texel) in halved(true).texels.iter().enumerate() {
+            let (row, column) = (n / 2 * 4, n % 2 * 4);
+            let block = (0..16).map(|i| f32::from(texture.texel((column + i % 4) as u32, (row + i / 4) as u32)[3]));
+            assert!((f32::from(texel[3]) - block.sum::<f32>() / 16.0).abs() < 0.51);
+        }
+        assert!(halved(false).texels.iter().all(|texel| texel[3] == 255));
     }
 }

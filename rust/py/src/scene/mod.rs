@@ -11,3 +11,4 @@ pub mod wavefront;
 
 pub use mesh::Mesh;
 pub use scene::Scene;
+pub(crate) use scene::texture;

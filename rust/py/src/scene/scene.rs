@@ -198,7 +198,7 @@ impl Scene {
     }
 }
 
-fn texture(array: &Bound<'_, PyArrayDyn<u8>>) -> PyResult<Texture> {
+pub(crate) fn texture(array: &Bound<'_, PyArrayDyn<u8>>) -> PyResult<Texture> {
     let (height, width, _): (u32, u32, u32) = array.getattr("shape")?.extract()?;
     let rows = array.call_method1("reshape", (-1, 4))?;
     let texels: Buffer<[u8; 4]> = buffer(rows.cast::<PyArrayDyn<u8>>()?)?;

@@ -1,0 +1,260 @@
+//! How finely the textures of a scene are seen, which decides how small their files may be.
+
+use std::collections::HashMap;
+use std::ops::Range;
+use std::ptr;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::placement::scale;
+use crate::base::{Error, FaceMap, Progress, Result};
+use crate::scene::{Instance, Mesh, Scene};
+
+/// Number of faces in one task.
+const TILE: usize = 1 << 14;
+
+/// For each texture the least number of texels per radian at which a face shows it; infinite if none does. A face has as
+/// many texels per metre as in the direction in which they are finest, and is seen from the distance of its object:
+/// `distances` has the least one of each object in metres, and last that of faces without an object.
+///
+/// A mesh of several placements is read once. Placements that stretch it by different amounts on their axes count as if
+/// they stretched it by the greatest.
+pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) -> Result<Vec<f64>> {
+    if distances.is_empty() {
+        return Err(Error::value("distances", "a distance of faces without an object", "none"));
+    }
+    if let Some(wrong) = distances.iter().find(|distance| distance.is_nan() || **distance < 0.0) {
+        return Err(Error::value("distances", "distances of at least 0", wrong));
+    }
+    let views = views(scene, distances);
+    progress.expect(views.iter().map(|view| view.mesh.faces.len() as u64).sum());
+    let least = Least(scene.textures.iter().map(|_| AtomicU64::new(f64::INFINITY.to_bits())).collect());
+    views.par_iter().try_for_each(|view| {
+        view.mesh.faces.par_chunks(TILE).enumerate().try_for_each(|(tile, faces)| {
+            let first = (tile * TILE) as u32;
+            least.take_faces(scene, view, distances, first..first + faces.len() as u32);
+            progress.report(faces.len() as u64)
+        })
+    })?;
+    Ok(least.0.into_iter().map(|bits| f64::from_bits(bits.into_inner())).collect())
+}
+
+/// A mesh with textures, and from how near its placements are seen.
+struct View<'a> {
+    mesh: &'a Mesh,
+    /// Least distance of those that are one object each, divided by their scale.
+    whole: f64,
+    /// Greatest scale of those whose faces have objects of their own, 0 if there are none.
+    scale: f64,
+}
+
+/// The textured meshes of a scene that are seen from a finite distance.
+fn views<'a>(scene: &'a Scene, distances: &[f64]) -> Vec<View<'a>> {
+    let mut places: HashMap<*const Mesh, usize> = HashMap::new();
+    let mut views: Vec<View<'a>> = Vec::new();
+    for instance in scene.instances().filter(|instance| is_textured(scene, &instance.mesh)) {
+        let place = *places.entry(ptr::from_ref(&*instance.mesh)).or_insert_with(|| {
+            views.push(View { mesh: &instance.mesh, whole: f64::INFINITY, scale: 0.0 });
+            views.len() - 1
+        });
+        let view = &mut views[place];
+        let scale = scale(&instance.to_scene.matrix3);
+        match object_of(instance) {
+            Some(object) => view.whole = view.whole.min(distance_of(distances, object) / scale),
+            None => view.scale = view.scale.max(scale),
+        }
+    }
+    views.retain(|view| view.scale > 0.0 || view.whole < f64::INFINITY);
+    views
+}
+
+fn is_textured(scene: &Scene, mesh: &Mesh) -> bool {
+    let has_texture = |number: i32| texture_of(scene, number).is_some();
+    mesh.uvs.is_some() && mesh.materials.runs(mesh.faces.len()).any(|(_, number)| has_texture(number))
+}
+
+fn texture_of(scene: &Scene, material: i32) -> Option<usize> {
+    let material = usize::try_from(material).ok().and_then(|number| scene.materials.get(number))?;
+    material.texture.map(|texture| texture as usize)
+}
+
+/// The object of all faces of an instance, if there is one.
+fn object_of(instance: &Instance) -> Option<i32> {
+    match instance.mesh.objects {
+        FaceMap::Uniform(object) => Some(instance.object.unwrap_or(object)),
+        _ => instance.object,
+    }
+}
+
+fn distance_of(distances: &[f64], object: i32) -> f64 {
+    let last = distances.len() - 1;
+    distances[usize::try_from(object).map_or(last, |object| object.min(last))]
+}
+
+/// Bits of the least number of texels that was found for each texture. They sort like the numbers, because none is
+/// negative.
+struct Least(Vec<AtomicU64>);
+
+impl Least {
+    fn take_faces(&self, scene: &Scene, view: &View<'_>, distances: &[f64], faces: Range<u32>) {
+        let Some(uvs) = view.mesh.uvs.as_deref() else { return };
+        let mut run = (None, f64::INFINITY);
+        for face in faces {
+            let Some(texture) = texture_of(scene, view.mesh.materials.get(face)) else { continue };
+            let mut distance = view.whole;
+            if view.scale > 0.0 {
+                distance = distance.min(distance_of(distances, view.mesh.objects.get(face)) / view.scale);
+            }
+            let image = &scene.textures[texture];
+            let size = [f64::from(image.width), f64::from(image.height)];
+            let corners = view.mesh.corners(face).map(|corner| corner.as_dvec3());
+            let texels = view.mesh.faces[face as usize].map(|vertex| {
+                let [u, v] = uvs[vertex as usize].map(f64::from);
+                [u * size[0], v * size[1]]
+            });
+            let Some(density) = texels_per_metre(corners, texels).filter(|_| distance < f64::INFINITY) else {
+                continue;
+            };
+            if run.0 != Some(texture) {
+                self.take(run);
+                run = (Some(texture), f64::INFINITY);
+            }
+            run.1 = f64::min(run.1, density * distance);
+        }
+        self.take(run);
+    }
+
+    fn take(&self, (texture, texels): (Option<usize>, f64)) {
+        if let Some(texture) = texture {
+            self.0[texture].fetch_min(texels.to_bits(), Ordering::Relaxed);
+        }
+    }
+}
+
+/// Texels per metre of a face in the direction in which they are finest: the greatest singular value of the map from
+/// its plane to the image, J = T E⁻¹ with the edges E and T of the face there. JᵀJ has the eigenvalues of A B⁻¹, with
+/// A = TᵀT and B = EᵀE. `None` for faces without area; 0 where texture coordinates are not finite.
+fn texels_per_metre(corners: [DVec3; 3], texels: [[f64; 2]; 3]) -> Option<f64> {
+    let [p, q] = [corners[1] - corners[0], corners[2] - corners[0]];
+    let [s, t] = [1, 2].map(|i| [texels[i][0] - texels[0][0], texels[i][1] - texels[0][1]]);
+    let area = p.cross(q).length_squared();
+    if area == 0.0 {
+        return None;
+    }
+    let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    let trace = (dot(s, s) * q.dot(q) - 2.0 * dot(s, t) * p.dot(q) + dot(t, t) * p.dot(p)) / area;
+    let determinant = (s[0] * t[1] - s[1] * t[0]).powi(2) / area;
+    let half = trace / 2.0;
+    let greatest = half + (half * half - determinant).max(0.0).sqrt();
+    Some(if greatest.is_finite() { greatest.max(0.0).sqrt() } else { 0.0 })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::{DAffine3, DQuat};
+
+    use super::*;
+    use crate::base::random::uniform;
+    use crate::scene::{Material, Texture};
+
+    const FACES: u64 = 40;
+
+    /// Random triangles with two textured materials and one without, and objects of their own or none.
+    fn mesh(seed: u64, objects: FaceMap) -> Arc<Mesh> {
+        let number = |cell: u64, row: u64| (4.0 * uniform(seed, cell, row) - 2.0) as f32;
+        let positions = (0..3 * FACES).map(|row| [0, 1, 2].map(|cell| number(cell, row))).collect();
+        let uvs = (0..3 * FACES).map(|row| [3, 4].map(|cell| number(cell, row))).collect();
+        let faces = (0..FACES as u32).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
+        let materials = FaceMap::PerFace((0..FACES as i32).map(|n| n % 4 - 1).collect());
+        Arc::new(Mesh::new(positions, faces, Some(uvs), None, objects, materials).unwrap())
+    }
+
+    fn scene() -> Scene {
+        let image =
+            |width, height| Texture::new(width, height, vec![[9; 4]; (width * height) as usize].into()).unwrap();
+        let material = |texture| Material { texture, ..Material::default() };
+        let own = mesh(1, FaceMap::PerFace((0..FACES as i32).map(|n| n / 9 - 1).collect()));
+        let shared = mesh(2, FaceMap::Uniform(-1));
+        let place = |mesh: &Arc<Mesh>, scale: f64, object| {
+            let turn = DQuat::from_rotation_y(0.4 + scale);
+            let to_scene = DAffine3::from_scale_rotation_translation(DVec3::splat(scale), turn, DVec3::ONE);
+            Instance::new(Arc::clone(mesh), to_scene, object).unwrap()
+        };
+        let standing = vec![place(&own, 1.0, None), place(&shared, 2.0, Some(1)), place(&shared, 0.5, Some(2))];
+        let moving = vec![place(&own, 3.0, Some(4))];
+        let materials = vec![material(Some(1)), material(None), material(Some(0))];
+        let textures = vec![image(8, 2), image(3, 50), image(1, 1)];
+        Scene::new(DVec3::ZERO, standing, moving, Arc::new(materials), Arc::new(textures)).unwrap()
+    }
+
+    /// The definition, face by face in the scene: the image's fastest change over all directions in the face's plane.
+    fn one_by_one(scene: &Scene, distances: &[f64]) -> Vec<f64> {
+        let mut least = vec![f64::INFINITY; scene.textures.len()];
+        for instance in scene.instances() {
+            let mesh = &instance.mesh;
+            for face in 0..mesh.faces.len() as u32 {
+                let Some(texture) = scene.material_of(mesh, face).texture.filter(|_| mesh.materials.get(face) >= 0)
+                else {
+                    continue;
+                };
+                let image = &scene.textures[texture as usize];
+                let corners = mesh.corners(face).map(|at| instance.to_scene.transform_point3(at.as_dvec3()));
+                let uvs = mesh.uvs.as_ref().unwrap();
+                let uvs = mesh.faces[face as usize].map(|vertex| uvs[vertex as usize].map(f64::from));
+                let (p, q) = (corners[1] - corners[0], corners[2] - corners[0]);
+                let fastest = (0..20_000).map(|n| {
+                    let turn = std::f64::consts::PI * f64::from(n) / 20_000.0;
+                    let (a, b) = (turn.cos(), turn.sin());
+                    let across = |i: usize| a * (uvs[1][i] - uvs[0][i]) + b * (uvs[2][i] - uvs[0][i]);
+                    let texels = (across(0) * f64::from(image.width)).hypot(across(1) * f64::from(image.height));
+                    texels / (a * p + b * q).length()
+                });
+                let object = usize::try_from(instance.object_of(face)).unwrap_or(distances.len() - 1);
+                let seen = fastest.fold(0.0, f64::max) * distances[object];
+                least[texture as usize] = least[texture as usize].min(seen);
+            }
+        }
+        least
+    }
+
+    #[test]
+    fn textures_are_seen_as_finely_as_their_coarsest_face() {
+        let scene = scene();
+        let far = f64::INFINITY;
+        for distances in [[3.0, 5.0, 2.0, 9.0, 4.0, 7.0], [far, 50.0, 20.0, far, far, 30.0], [0.0; 6]] {
+            let found = texels_per_radian(&scene, &distances, &Progress::new()).unwrap();
+            let expected = one_by_one(&scene, &distances);
+            // No direction of 20,000 is farther from the fastest one than 2e-4, but edges of slivers are almost alike.
+            let is_close = |(a, b): (&f64, &f64)| a == b || (b <= a && (a - b) / a < 1e-3);
+            assert!(found.iter().zip(&expected).all(is_close), "{found:?}, expected {expected:?}");
+            assert_eq!(found[2], far, "nothing shows the last texture");
+        }
+        assert_eq!(texels_per_radian(&scene, &[far; 6], &Progress::new()).unwrap(), [far; 3]);
+    }
+
+    #[test]
+    fn stretched_axes_are_what_their_finest_direction_is() {
+        let corners = [DVec3::ZERO, DVec3::new(4.0, 0.0, 0.0), DVec3::new(0.0, 1.0, 0.0)];
+        let density = |texels| texels_per_metre(corners, texels).unwrap();
+        assert!((density([[5.0, 0.0], [13.0, 0.0], [5.0, 6.0]]) - 6.0).abs() < 1e-12);
+        assert!((density([[0.0, 0.0], [8.0, 0.0], [0.0, 0.5]]) - 2.0).abs() < 1e-12);
+        assert_eq!(density([[7.0, 7.0]; 3]), 0.0);
+        assert_eq!(density([[0.0, f64::NAN], [1.0, 0.0], [0.0, 1.0]]), 0.0);
+        assert!(texels_per_metre([corners[0], corners[1], corners[1] * 2.0], [[0.0; 2]; 3]).is_none());
+    }
+
+    #[test]
+    fn wrong_distances_are_refused_and_work_can_be_cancelled() {
+        let scene = scene();
+        for wrong in [&[][..], &[-1.0], &[f64::NAN]] {
+            assert!(texels_per_radian(&scene, wrong, &Progress::new()).is_err());
+        }
+        let progress = Progress::new();
+        progress.cancel();
+        assert!(texels_per_radian(&scene, &[1.0], &progress).is_err());
+    }
+}
