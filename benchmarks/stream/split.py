@@ -27,7 +27,7 @@ PIXELS = {"640 pixels and 90°": 1.0 / 320.0, "20 pixels a degree": math.radians
 def encoded(scene: nf.Scene) -> int:
     """Bytes of a scene as a file of a bundle, without its images."""
     groups = np.zeros(len(scene.object_names) + 1, np.uint16)
-    images = [f"{number}.webp" for number in range(len(_core.scene_parts(scene._core)["textures"]))]
+    images: list[str | None] = [f"{number}.webp" for number in range(len(_core.scene_parts(scene._core)["textures"]))]
     export = _core.Export(scene._core, groups, 1, names=[], images=images, step=STEP, compressed=True)
     return len(export.glb(0, uris=[None] * len(export.shared()))[0])
 
@@ -50,13 +50,13 @@ def rows_of(scene: nf.Scene, center: tuple[float, float, float], pixel: float) -
         seconds = best(job, repeat=2).wall
         own = _core.tessellate_scene(whole._core, **stages(ring, once=False), **settings)[1]["after"]
         sizes = encoded(whole), encoded(whole._derived(core, whole._rest))
-        numbers = [counts["before"], counts["after"], *sizes]
+        numbers = (counts["before"], counts["after"], *sizes)
         sums = [total + number for total, number in zip(sums, numbers, strict=True)]
         rows.append([f"{radius:g}", *_row(*numbers), f"{counts['split']:,}", f"{own:,}", f"{seconds:.2f}"])
     return [*rows, ["all", *_row(*sums), "", "", ""]]
 
 
-def _row(before: int, after: int, whole: int, split: int) -> list[str]:
+def _row(before: float, after: float, whole: float, split: float) -> list[str]:
     return [f"{before:,}", f"{after:,}", f"{whole / 1e3:,.0f}", f"{split / 1e3:,.0f}", f"{split / whole:.2f}"]
 
 

@@ -55,7 +55,7 @@ def greatest_error(triangles: Array, eyes: Array, stages: list[tuple[float, floa
 def beyond(triangles: Array, radius: float) -> Array:
     """Triangles whose corners all lie beyond a distance from the axis."""
     rho = np.hypot(*np.moveaxis((triangles - CENTER)[..., [0, 2]], -1, 0))
-    return triangles[(rho > radius).all(axis=1)]
+    return np.asarray(triangles[(rho > radius).all(axis=1)])
 
 
 @pytest.mark.parametrize(("least", "r2"), [(12.0, 12.0), (22.0, 32.0)])

@@ -10,9 +10,9 @@
 //! ```
 //!
 //! of which y itself is no error. Let hᵢ, ℓᵢ be the horizontal length and the length of xᵢ−x, and rᵢ = |ρᵢ−ρ|. Then
-//! Σ bᵢhᵢ² ≤ h²/3 and Σ bᵢℓᵢ² ≤ ℓ²/3 with the greatest h and ℓ of the edges, Σ bᵢρᵢ − ρ ≤ h²/(6ρ), and Σ bᵢrᵢ² ≤ c²/4 +
-//! h²/2300 with the greatest range c of ρ along an edge, as h ≤ ρ/8. With e = u/ρ, q = u/B, Y = B−u, at the least ρ and B of the
-//! triangle:
+//! Σ bᵢhᵢ² ≤ h²/3 and Σ bᵢℓᵢ² ≤ ℓ²/3 with the greatest h and ℓ of the edges, Σ bᵢρᵢ − ρ ≤ h²/(6ρ), and
+//! Σ bᵢrᵢ² ≤ c²/4 + h²/1700 with the greatest range c of ρ along an edge, as h is at most 1.141 ρ/8. With e = u/ρ, q = u/B,
+//! Y = B−u, at the least ρ and B of the triangle:
 //!
 //! - κ is a function of w and a = ln(B/A): |∂κ/∂w| ≤ 1/(1−q), |∂κ/∂a| ≤ ¼, |∂²κ/∂w²| ≤ 2q/(1−q)², |∂²κ/∂w∂a| ≤ 1/(1−q),
 //!   |∂²κ/∂a²| ≤ √3/18. |∇a| = |v|/AB ≤ u/BY, and |a″| ≤ 2u/Y³ (the third derivative of ln|x| is at most 2/|x|³).
@@ -108,13 +108,13 @@ impl Region {
                 [
                     linear,
                     curved / 4.0,
-                    turn / (6.0 * rho) + curved / 2300.0,
+                    turn / (6.0 * rho) + curved / 1700.0,
                     u / (12.0 * away.powi(3)) + log * log * (1.0 / (6.0 * (1.0 - q)) + 0.0161),
                 ],
             );
-            add(GROWTH / away * k * turn, [0.0, tall * 3.0 / 8.0, tall * 1.5 / 2300.0, 1.0 / (18.0 * tall)]);
-            add(GROWTH / away * grows * u * turn, [0.0, 0.5, 2.0 / 2300.0 + 1.0 / 24.0, 0.0]);
-            add(GROWTH / away * k * u * turn * turn, [0.0, 0.5, 2.0 / 2300.0, 0.0]);
+            add(GROWTH / away * k * turn, [0.0, tall * 3.0 / 8.0, tall * 1.5 / 1700.0, 1.0 / (18.0 * tall)]);
+            add(GROWTH / away * grows * u * turn, [0.0, 0.5, 2.0 / 1700.0 + 1.0 / 24.0, 0.0]);
+            add(GROWTH / away * k * u * turn * turn, [0.0, 0.5, 2.0 / 1700.0, 0.0]);
             add(GROWTH / away * lift, [0.0, 0.0, grows * u * tall / 6.0, k / 3.0 + grows * u / (6.0 * tall)]);
             add(GROWTH / away * k * u * lift * lift, [0.0, 0.0, 0.0, 2.0 / 3.0]);
             bound.most[0] = 1.0 / (32.0 * k * turn);
