@@ -350,6 +350,10 @@ def _streams(valid: Valid) -> dict[str, dict[str, Any]]:
             "scene": scene, "path": valid.folder / "exported", "center": valid.regions, "grid": 0.5, "radii": [2.0],
             "face_size": 64, "samples": 1,
         },
+        "nearfar.stream.export @levels": {
+            "scene": valid.leveled, "path": valid.folder / "exported", "center": center, "radii": [20.0],
+            "face_size": 64, "samples": 1, "lod": "depth",
+        },
         "nearfar.stream.footprints": {"scene": scene, "center": center, "face_size": 4},
         "nearfar.stream.open": {"path": valid.folder / "bundle"},
         "nearfar.stream.rings": {"scene": scene, "center": center, "r_max": 20.0, "base_radius": 8.0},
