@@ -258,12 +258,14 @@ class Fuzz:
 
 def check_fuzzed(folder: Path, mutate: Callable[[Path, st.DataObject], None], data: st.DataObject) -> None:
     files = content(folder)
-    mutate(folder, data)
-    message = refusal(folder)
-    shutil.rmtree(folder)
-    for name, original in files.items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_bytes(original)
+    try:
+        mutate(folder, data)
+        message = refusal(folder)
+    finally:
+        shutil.rmtree(folder)
+        for name, original in files.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_bytes(original)
     assert not message or str(folder) in message
     assert len(message) < len(str(folder)) + 600
 

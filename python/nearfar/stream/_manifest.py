@@ -95,7 +95,8 @@ def _check_region(region: dict[str, Any], number: int, count: int) -> None:
     check.vector("center", region["center"])
     check.at_least_zero("fold_margin", region["fold_margin"])
     check.texts("findings", region["findings"])
-    near = [check.integer("neighbours", value, 0, count - 1) for value in region["neighbours"]]
+    listed = check.items("neighbours", region["neighbours"], int, "numbers of regions")
+    near = [check.integer("neighbours", value, 0, count - 1) for value in listed]
     if near != sorted({*near} - {number}):
         raise ValueError(f"neighbours: expected ascending numbers of other regions, got {check.shortened(near)}")
 

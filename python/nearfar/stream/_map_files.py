@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import warnings
 import zlib
 from dataclasses import dataclass
 from itertools import pairwise
@@ -62,7 +63,11 @@ def decode_color(data: bytes, size: tuple[int, int]) -> NDArray[np.float32]:
     from PIL import Image, UnidentifiedImageError
 
     try:
-        with Image.open(io.BytesIO(data), formats=["webp"]) as image:
+        with warnings.catch_warnings():
+            # The size is known and checked before anything is decoded.
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            image = Image.open(io.BytesIO(data), formats=["webp"])
+        with image:
             if image.size != size:
                 raise ValueError(f"expected a picture of {size[0]} × {size[1]} pixels, got {image.size}")
             linear: NDArray[np.float32] = _LINEAR[np.asarray(image.convert("RGB"))]
