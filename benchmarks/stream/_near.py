@@ -114,12 +114,12 @@ def shown(scenes: Sequence[nf.Scene | None], env: nf.EnvMap, moving: nf.Scene | 
 
 
 def gltfpack(folder: Path, name: str, *options: str) -> Path | None:
-    """The file that gltfpack makes of another one beside it, with images outside; None if it is not on the path."""
+    """The file that gltfpack makes of another one beside it; None if it is not on the path."""
     program = shutil.which("gltfpack")
     if program is None:
         return None
     made = folder / "packed.glb"
-    command: list[str | Path] = [program, *options, "-tr", "-mi", "-i", folder / name, "-o", made]
+    command: list[str | Path] = [program, *options, "-i", folder / name, "-o", made]
     subprocess.run(command, check=True, capture_output=True)
     return made
 
@@ -133,14 +133,14 @@ class Packed:
             (folder / Path(name).name).write_bytes(data)
 
     def rings(self, *options: str) -> tuple[list[int], list[nf.Scene | None]] | None:
-        """Bytes and content of each ring; None without gltfpack."""
+        """Bytes and content of each ring, with instances and with images outside; None without gltfpack."""
         sizes, scenes = list[int](), list[nf.Scene | None]()
         for entry in self._near.entries:
             if entry["geometry"] is None:
                 sizes.append(0)
                 scenes.append(None)
                 continue
-            made = gltfpack(self._folder, Path(entry["geometry"]).name, *options)
+            made = gltfpack(self._folder, Path(entry["geometry"]).name, "-tr", "-mi", *options)
             if made is None:
                 return None
             sizes.append(made.stat().st_size)
