@@ -6,7 +6,6 @@ python -m benchmarks.stream._stages PLACE INSTANCED SAMPLES QUICK
 from __future__ import annotations
 
 import json
-import resource
 import subprocess
 import sys
 import tempfile
@@ -39,15 +38,16 @@ def measured(place: int, *, instanced: bool, samples: int, quick: bool) -> dict[
 
 
 class Watch:
-    """Wall seconds of named jobs."""
+    """Wall and CPU seconds of named jobs."""
 
     def __init__(self) -> None:
-        self.seconds: dict[str, float] = {}
+        self.wall: dict[str, float] = {}
+        self.cpu: dict[str, float] = {}
 
     def __call__(self, name: str, job: Callable[[], Result]) -> Result:
-        start = time.perf_counter()
+        wall, cpu = time.perf_counter(), time.process_time()
         result = job()
-        self.seconds[name] = time.perf_counter() - start
+        self.wall[name], self.cpu[name] = time.perf_counter() - wall, time.process_time() - cpu
         return result
 
 
@@ -71,10 +71,12 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
 
     watch("encode geometry", geometry)
     watch("write", lambda: _store.write(folder / "bundle", {**files.content, _store.MANIFEST: b"{}"}))
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+    peak = most_resident()
     watch("one map", lambda: one_map(rings, samples))
     return {
-        "seconds": watch.seconds,
+        "wall": watch.wall,
+        "cpu": watch.cpu,
+        "rays": maps.rays / (6 * FACE_SIZE**2 * (samples + (samples > 1))),
         "triangles": scene.triangle_count,
         "arrays": arrays(scene),
         "loaded": loaded - before,
@@ -94,24 +96,36 @@ def resident() -> int:
     return int(psutil.Process().memory_info().rss)
 
 
+def most_resident() -> int:
+    """Greatest memory that this process had, bytes; `getrusage` would count that of its parent, too."""
+    status = Path("/proc/self/status").read_text()
+    return 1024 * int(next(line.split()[1] for line in status.splitlines() if line.startswith("VmHWM")))
+
+
 def arrays(scene: nf.Scene) -> int:
-    """Bytes of a scene's arrays."""
+    """Bytes of a scene's arrays; meshes of equal counts and bounds are one that several placements share."""
     parts = _core.scene_parts(scene._core)
-    meshes = [_core.mesh_parts(mesh) for mesh in parts["meshes"]]
-    flat = [*parts.values(), *parts["textures"], *(value for mesh in meshes for value in mesh.values())]
+    meshes = {(mesh.vertex_count, mesh.face_count, str(mesh.bounds())): mesh for mesh in parts["meshes"]}
+    flat = [*parts.values(), *parts["textures"]]
+    flat += [value for mesh in meshes.values() for value in _core.mesh_parts(mesh).values()]
     return sum(value.nbytes for value in flat if isinstance(value, np.ndarray))
 
 
+WORK = ("search tree", "assign", "findings", "bake", "encode maps", "encode geometry", "write")
+"""Stages of an export of a scene that was just loaded."""
+
+
 def row(name: str, found: dict[str, Any], whole: float) -> list[str]:
-    """Seconds of the stages, their sum and the export's; bakings as a multiple of one map."""
-    seconds = found["seconds"]
-    work = ("search tree", "assign", "findings", "bake", "encode maps", "encode geometry", "write")
+    """CPU seconds of the stages, their sum in CPU and wall seconds, and rays and CPU of all maps over those of one."""
+    wall, cpu = found["wall"], found["cpu"]
     return [
         name,
-        *(f"{seconds[stage]:.2f}" for stage in work),
-        f"{sum(seconds[stage] for stage in work):.1f}",
+        *(f"{cpu[stage]:.2f}" for stage in WORK),
+        f"{sum(cpu[stage] for stage in WORK):.1f}",
+        f"{sum(wall[stage] for stage in WORK):.1f}",
         f"{whole:.1f}",
-        f"{seconds['bake'] / seconds['one map']:.2f}",
+        f"{found['rays']:.2f}",
+        f"{cpu['bake'] / cpu['one map']:.2f}",
     ]
 
 

@@ -164,9 +164,9 @@ def speed_and_memory(quick: bool, samples: int) -> None:
     memory.append(
         _stages.memory_row("city, crossing, copies", _stages.measured(0, instanced=False, samples=samples, quick=quick))
     )
-    work = ["search tree", "assign", "findings", "bake", "encode maps", "encode geometry", "write", "sum"]
-    title = f"seconds of stages, maps of 6 × {_stages.FACE_SIZE}², {samples} samples"
-    print(table(title, ["", *work, "export", "bake : one map"], seconds))
+    title = f"CPU seconds of stages, maps of 6 × {_stages.FACE_SIZE}², {samples} samples"
+    sums = ["sum", "their wall time", "export, wall", "rays : one map", "bake : one map"]
+    print(table(title, ["", *_stages.WORK, *sums], seconds))
     print(table("memory, GB", ["", "triangles", "arrays", "loaded", "with tree", "peak", "peak : with tree"], memory))
     print(table("encoder of geometry", _encoder.HEADER, speeds))
 
