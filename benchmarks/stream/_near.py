@@ -14,6 +14,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 import nearfar as nf
+from nearfar import _core
 from nearfar.stream._decode import joined, ring_scene
 from nearfar.stream._encode import Files, Geometry, encode_textures
 from nearfar.stream._radii import PUBLISHED
@@ -146,6 +147,18 @@ class Packed:
             sizes.append(made.stat().st_size)
             scenes.append(nf.Scene.load(made))
         return sizes, scenes
+
+
+def in_one_file(rings: nf.stream.Rings, folder: Path, *options: str) -> tuple[int, bytes | None]:
+    """Bytes of all rings as one plain file, where a mesh is stored once, and what gltfpack makes of it."""
+    scene, codes = rings.scene, rings.codes()
+    images: list[str | None] = [None] * len(_core.scene_parts(scene._core)["textures"])
+    groups = np.where((codes >= 1) & (codes <= rings.count), 1, 0).astype(np.uint16)
+    export = _core.Export(scene._core, groups, 2, names=[], images=images, step=STEP, compressed=False)
+    data, _ = export.glb(1, uris=[None] * len(export.shared()))
+    (folder / "one.glb").write_bytes(data)
+    made = gltfpack(folder, "one.glb", "-mi", *options)
+    return len(data), None if made is None else made.read_bytes()
 
 
 def error(rings: nf.stream.Rings, ring: int, scene: nf.Scene | None) -> float:

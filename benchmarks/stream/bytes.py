@@ -16,7 +16,7 @@ from typing import Any
 import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.stream import _encoder, _instances, _quality, _stages
-from benchmarks.stream._near import Near, Packed, Place, error, places, shown
+from benchmarks.stream._near import Near, Packed, Place, error, in_one_file, places, shown
 from benchmarks.stream.maps import whole_range
 from nearfar.stream import _map_files as codec
 from nearfar.stream._radii import PUBLISHED
@@ -74,6 +74,16 @@ def sizes_table(place: Place, near: Near, measured: Measured) -> str:
     return table(f"{place.name}: kB", ["ring, m", "triangles", *measured], rows)
 
 
+def print_one_file(rings: nf.stream.Rings, folder: Path) -> None:
+    """Print bytes of all rings in one file, where gltfpack stores meshes of several rings once."""
+    for options in PEERS:
+        plain, packed = in_one_file(rings, folder, *options)
+        if packed is not None:
+            sizes = (f"{size / 1e3:,.0f} kB" for size in (plain, len(packed), len(zlib.compress(packed))))
+            print("one file: {}; gltfpack {}: {}, then zlib {}".format(next(sizes), " ".join(options), *sizes))
+    print()
+
+
 def errors_table(place: Place, rings: nf.stream.Rings, decoded: dict[str, Any]) -> str:
     """Greatest errors of positions of each ring in millimetres."""
     rows = [
@@ -100,6 +110,7 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     print(sizes_table(place, near, measured))
     squeezed = sum(len(zlib.compress(data)) for name, data in near.files.content.items() if not name.endswith("webp"))
     print(f"geometry after zlib {squeezed / 1e3:,.0f} kB; the bundle with manifest and tileset took {seconds:.1f} s\n")
+    print_one_file(rings, folder)
     decoded = {"bundle": near.scenes(), **{name: both[1] for name, both in packed.items()}}
     print(errors_table(place, rings, decoded))
     lossless: dict[str, Any] = {"compression": None, "quality": None, "range_error": 1e-6, "step": 1e-6}
