@@ -137,14 +137,14 @@ def draw(path: Path, found: Sequence[tuple[Place, Measured, list[Any]]]) -> None
     from matplotlib import pyplot as plt
 
     figure, grid = plt.subplots(2, len(found), figsize=(4.4 * len(found), 6.4), layout="constrained", squeeze=False)
+    colors = {name: f"C{number}" for number, name in enumerate(found[-1][1])}
     for column, (place, measured, loadings) in enumerate(found):
-        names = [name for name in measured if sum(measured[name])]
         axes = grid[0, column]
-        for name in names:
-            total = [sum(measured[name][: ring + 1]) / 1e6 for ring in range(len(PUBLISHED) + 1)]
-            own = name in ("geometry", "textures", "colour", "range")
-            axes.plot([0, *PUBLISHED], total, label=name, linestyle="-" if own else "--", marker="o" if own else None)
-        axes.set(title=place.name, xlabel="ring, m", yscale="log", ylabel="" if column else "MB until the ring")
+        for name, values in measured.items():
+            total = [sum(values[: ring + 1]) / 1e6 for ring in range(len(PUBLISHED) + 1)]
+            style = "o-" if name in ("geometry", "textures", "colour", "range") else "--"
+            axes.plot([0, *PUBLISHED], total, style, color=colors[name], label=name, markersize=4)
+        axes.set(title=place.name, xlabel="ring, m", ylabel="" if column else "MB until the ring", ylim=0)
         axes = grid[1, column]
         for shift, rate in zip((-0.2, 0.2), _instances.RATES, strict=True):
             totals = [each.total(rate) for each in loadings]
@@ -152,8 +152,8 @@ def draw(path: Path, found: Sequence[tuple[Place, Measured, list[Any]]]) -> None
         axes.set(xlabel="seconds of loading", yticks=range(len(loadings)))
         axes.set_yticklabels([each.name for each in loadings] if not column else [""] * len(loadings))
         axes.invert_yaxis()
-    grid[0, 0].legend(fontsize=7)
-    grid[1, 0].legend(fontsize=8)
+    grid[0, -1].legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    grid[1, -1].legend(fontsize=8)
     figure.savefig(path, dpi=90)
     plt.close(figure)
 
