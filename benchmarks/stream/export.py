@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 import tempfile
 import time
 import zlib
@@ -16,10 +14,10 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.timing import best, machine, table
+from benchmarks.stream._near import STEP, gltfpack
 from nearfar import _core
 from nearfar._base import data
 
-STEP = 2.0**-10
 RADII = (20.0, 60.0, 200.0)
 
 
@@ -51,17 +49,13 @@ def encode(
     return [mesh for mesh, *_ in shared] + [glb for glb, _ in files], sums
 
 
-def gltfpack(glb: bytes) -> tuple[float, int] | None:
+def packed(glb: bytes) -> tuple[float, int] | None:
     """Seconds and bytes of gltfpack's compression of a file with positions of the same step."""
-    program = shutil.which("gltfpack")
-    if program is None:
-        return None
     with tempfile.TemporaryDirectory() as folder:
-        given, made = Path(folder, "given.glb"), Path(folder, "made.glb")
-        given.write_bytes(glb)
+        Path(folder, "given.glb").write_bytes(glb)
         start = time.perf_counter()
-        subprocess.run([program, "-c", "-vpf", "-i", given, "-o", made], check=True, capture_output=True)
-        return time.perf_counter() - start, made.stat().st_size
+        made = gltfpack(Path(folder), "given.glb", "-c", "-vpf")
+        return None if made is None else (time.perf_counter() - start, made.stat().st_size)
 
 
 def sizes(name: str, scene: nf.Scene) -> str:
@@ -81,9 +75,9 @@ def sizes(name: str, scene: nf.Scene) -> str:
     rows.append(["plain, then zlib", *_row(deflated.wall, deflated.cpu, raw, size, triangles)])
     size = sum(len(zlib.compress(file)) for file in files)
     rows.append(["meshopt, then zlib", "", "", "", f"{size / 1e6:.2f}", f"{size / triangles:.2f}"])
-    packed = gltfpack(_one_file(scene))
-    if packed is not None:
-        rows.append(["gltfpack -c -vpf, one file", *_row(packed[0], packed[0], raw, packed[1], triangles)])
+    peer = packed(_one_file(scene))
+    if peer is not None:
+        rows.append(["gltfpack -c -vpf, one file", *_row(peer[0], peer[0], raw, peer[1], triangles)])
     kinds = ", ".join(f"{kind} {sums[kind] / triangles:.2f}" for kind in sums if kind.endswith(" bytes"))
     note = (
         f"{triangles:,} triangles and {sums['vertices']:,} vertices stored, {scene.triangle_count:,} in the scene, "

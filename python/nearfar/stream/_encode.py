@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import glb as binary, progress
+from nearfar._base import glb as binary, progress, side_by_side
 from nearfar._scene.scene import Scene
 from nearfar.stream import _map_files as codec
 from nearfar.stream._assign import Rings
@@ -56,41 +58,54 @@ def scale_of(maps: RingMaps, error: float) -> RangeScale:
 
 def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: RangeScale) -> list[dict[str, Any]]:
     """Encode the map of each ring: colour of ring 0 whole, then changed texels; range whole from ring 1 on."""
-    first = maps.first
-    assert first.range is not None
-    color, codes, size = first.color.copy(), scale.codes(first.range), first.face_size
-    listed: list[dict[str, Any]] = [{"color": [files.add(codec.encode_color(face, quality), "webp") for face in color]}]
-    better = None if quality is None else min(quality + BETTER, 100)
-    for ring, change in enumerate(maps.changes, 1):
-        before, texels = codes.copy(), change["texels"]
-        changed = np.zeros((6, size, size), bool)
-        if len(texels):
-            color.reshape(-1, 3)[texels] = change["color"]
-            codes.reshape(-1)[texels] = scale.codes(change["range"])
-            changed.reshape(-1)[texels] = True
-        tiles = np.flatnonzero(maps.changed_tiles(ring))
-        described: dict[str, Any] = {"tiles": tiles.tolist(), "color": None, "range": None}
-        if len(tiles):
-            described["color"] = files.add(encode_changes(color, changed, tiles, better), "webp")
-        if ring == 1:
-            described["range"] = [
-                files.add(codec.encode_ranges(codes[face], None, changed[face], own, TILE, scale.step), "range")
-                for face, own in codec.by_face(tiles, size // TILE)
-            ]
-        elif len(tiles):
-            described["range"] = files.add(
-                codec.encode_ranges(codes, before, changed, tiles, TILE, scale.step), "range"
-            )
-        listed.append(described)
+    named: list[dict[str, list[str]]] = [{"webp": [], "range": []} for _ in range(1 + len(maps.changes))]
+    for ring, kind, data in side_by_side.results(_jobs(maps, quality, scale)):
+        named[ring][kind].append(files.add(data, kind))
+    listed: list[dict[str, Any]] = [{"color": named[0]["webp"]}]
+    for ring, of_kind in enumerate(named[1:], 1):
+        tiles = np.flatnonzero(maps.changed_tiles(ring)).tolist()
+        color, ranges = (names[0] if names else None for names in of_kind.values())
+        listed.append({"tiles": tiles, "color": color, "range": of_kind["range"] if ring == 1 else ranges})
     return listed
 
 
+def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Callable[[], tuple[int, str, bytes]]]:
+    """Jobs that make the files of the maps: ring, kind and content of each."""
+    first = maps.first
+    assert first.range is not None
+    for face in first.color:
+        yield partial(_file, 0, "webp", codec.encode_color, face, quality)
+    better = None if quality is None else min(quality + BETTER, 100)
+    encode_ranges = partial(codec.encode_ranges, tile=TILE, step=scale.step)
+    color, codes, size = first.color.copy(), scale.codes(first.range), first.face_size
+    for ring, change in enumerate(maps.changes, 1):
+        before, texels = codes, change["texels"]
+        changed = np.zeros((6, size, size), bool)
+        tiles = np.flatnonzero(maps.changed_tiles(ring))
+        if len(texels):
+            codes = codes.copy()
+            color.reshape(-1, 3)[texels] = change["color"]
+            codes.reshape(-1)[texels] = scale.codes(change["range"])
+            changed.reshape(-1)[texels] = True
+            shown = codec.tiles_of(color, tiles, TILE)
+            yield partial(_file, ring, "webp", encode_changes, shown, changed, tiles, better)
+        if ring == 1:
+            for face, own in codec.by_face(tiles, size // TILE):
+                yield partial(_file, ring, "range", encode_ranges, codes[face], None, changed[face], own)
+        elif len(tiles):
+            yield partial(_file, ring, "range", encode_ranges, codes, before, changed, tiles)
+
+
+def _file(ring: int, kind: str, encode: Callable[..., bytes], *given: Any) -> tuple[int, str, bytes]:
+    return ring, kind, encode(*given)
+
+
 def encode_changes(
-    color: NDArray[np.float32], changed: NDArray[np.bool_], tiles: NDArray[np.int64], quality: int | None
+    shown: NDArray[np.float32], changed: NDArray[np.bool_], tiles: NDArray[np.int64], quality: int | None
 ) -> bytes:
     """Encode the picture of the tiles in which texels change; only those and their neighbours show anything of use."""
     known = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
-    return codec.encode_color(codec.sheet_of(codec.filled(codec.tiles_of(color, tiles, TILE), known), ACROSS), quality)
+    return codec.encode_color(codec.sheet_of(codec.filled(shown, known), ACROSS), quality)
 
 
 def encode_textures(scene: Scene, quality: int | None, halvings: NDArray[np.uint32]) -> Textures:

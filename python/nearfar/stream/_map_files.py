@@ -203,9 +203,9 @@ def filled(tiles: NDArray[np.float32], known: NDArray[np.bool_]) -> NDArray[np.f
 
 def tiles_of(faces: NDArray[Any], chosen: NDArray[np.int64], side: int) -> NDArray[Any]:
     """Tiles (N, side, side, …) of faces (6, S, S, …), numbered by face, row and column; S is a multiple of `side`."""
-    across = faces.shape[1] // side
-    blocks = faces.reshape(6, across, side, across, side, *faces.shape[3:]).swapaxes(2, 3)
-    return blocks.reshape(6 * across * across, side, side, *faces.shape[3:])[chosen]
+    blocks, (face, row, column) = _blocks(faces, chosen, side)
+    tiles: NDArray[Any] = blocks[face, row, :, column]
+    return tiles
 
 
 def by_face(tiles: NDArray[np.int64], across: int) -> list[tuple[slice, NDArray[np.int64]]]:
@@ -216,12 +216,17 @@ def by_face(tiles: NDArray[np.int64], across: int) -> list[tuple[slice, NDArray[
 
 def put_tiles(faces: NDArray[Any], chosen: NDArray[np.int64], tiles: NDArray[Any]) -> None:
     """Replace tiles of faces, numbered as in `tiles_of`."""
-    side = tiles.shape[1]
+    blocks, (face, row, column) = _blocks(faces, chosen, tiles.shape[1])
+    blocks[face, row, :, column] = tiles
+
+
+def _blocks(
+    faces: NDArray[Any], chosen: NDArray[np.int64], side: int
+) -> tuple[NDArray[Any], tuple[NDArray[np.int64], ...]]:
+    """A view of contiguous faces by face, row of tiles, row, column of tiles and column; the places of tiles in it."""
     across = faces.shape[1] // side
     blocks = faces.reshape(6, across, side, across, side, *faces.shape[3:])
-    face, place = np.divmod(chosen, across * across)
-    row, column = np.divmod(place, across)
-    blocks[face, row, :, column] = tiles
+    return blocks, np.unravel_index(chosen, (6, across, across))
 
 
 def sheet_of(tiles: NDArray[Any], across: int) -> NDArray[Any]:

@@ -1,0 +1,92 @@
+"""Bytes and loading times of the same near geometry with instances, and with each copy as a mesh of its own."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import nearfar as nf
+from benchmarks.stream._near import Near, Place, one_scene
+from nearfar import _core
+from nearfar.stream._radii import PUBLISHED
+
+RATES = (50e6, 100e6)
+"""Bits a second of links."""
+
+
+@dataclass(frozen=True)
+class Loading:
+    """What a client waits for: geometry with textures, and maps."""
+
+    name: str
+    encode: float
+    """Seconds of the server's work on geometry."""
+    geometry: int
+    maps: int
+    """Bytes."""
+    decode_geometry: float
+    decode_maps: float
+    """Seconds of nearfar's own reader."""
+
+    def total(self, rate: float) -> float:
+        """Seconds until the last ring is there: all bytes over the link, then decoded, with nothing at once."""
+        return 8.0 * (self.geometry + self.maps) / rate + self.decode_geometry + self.decode_maps
+
+
+def loadings(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loading], float]:
+    """Loading of four encodings of the same rings, and MB of their plain vertices and corners with copies expanded.
+
+    A vertex takes 32 bytes (position, normal and texture coordinates in float32), a triangle 12.
+    """
+    maps = sum(row["color"] + row["range"] for row in bundle.summary())
+    decode_maps = least(lambda: bundle.map(bundle.count))
+    found = []
+    for instanced in (True, False):
+        rings = nf.stream.assign(place.make(instanced=instanced), center=place.center, radii=PUBLISHED)
+        for compressed in (True, False):
+            near = min((Near.of(rings, compressed=compressed) for _ in range(2)), key=lambda near: near.seconds)
+            name = f"{'instances' if instanced else 'copies'}, {'meshopt' if compressed else 'plain'}"
+            sent = sum(near.sent(images=False)) + sum(near.sent(images=True))
+            seconds = least(partial(loaded, near))
+            found.append(Loading(name, near.seconds, sent, maps, seconds, decode_maps))
+    return found, expanded(near)
+
+
+def loaded(near: Near) -> nf.Scene:
+    """The scene that a client draws, decoded."""
+    return one_scene(near.scenes())
+
+
+def expanded(near: Near) -> float:
+    """MB of plain vertices and corners."""
+    meshes = (mesh for scene in near.scenes() if scene for mesh in _core.scene_parts(scene._core)["meshes"])
+    count: int = sum(32 * mesh.vertex_count + 12 * mesh.face_count for mesh in meshes)
+    return count / 1e6
+
+
+def least(job: Callable[[], object], repeat: int = 3) -> float:
+    """Least seconds of several runs."""
+    found = []
+    for _ in range(repeat):
+        start = time.perf_counter()
+        job()
+        found.append(time.perf_counter() - start)
+    return min(found)
+
+
+def rows(found: list[Loading]) -> list[list[str]]:
+    """A row for each encoding; the last columns are loading times as multiples of the first encoding's."""
+    first = found[0]
+    return [
+        [
+            each.name,
+            f"{each.geometry / 1e3:,.0f}",
+            f"{each.encode:.2f}",
+            f"{each.decode_geometry:.2f}",
+            *(f"{each.total(rate):.2f}" for rate in RATES),
+            *(f"{each.total(rate) / first.total(rate):.2f}" for rate in RATES),
+        ]
+        for each in found
+    ]

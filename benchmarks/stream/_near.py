@@ -1,0 +1,174 @@
+"""Near geometry of the benchmarks' scenes as files: rings in several encodings, and what gltfpack makes of them."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+import nearfar as nf
+from nearfar import _core
+from nearfar.stream._decode import joined, ring_scene
+from nearfar.stream._encode import Files, Geometry, encode_textures
+from nearfar.stream._radii import PUBLISHED
+
+STEP = 2.0**-10
+"""Step of positions in metres, as in bundles."""
+EYE_HEIGHT = 1.3
+"""Height of the user's eyes in CloVR (2024), metres."""
+
+Point = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Place:
+    """A scene, and a centre in it."""
+
+    name: str
+    make: Callable[..., nf.Scene]
+    """Makes the scene; takes `instanced`."""
+    center: Point
+    users: tuple[Point, ...]
+    """Where users stand, metres from the centre."""
+
+
+def places(quick: bool) -> list[Place]:
+    """The city at two centres, on a crossing and beside a park, and the factory."""
+
+    def city(*, instanced: bool = True) -> nf.Scene:
+        return nf.datasets.city(blocks=3 if quick else 9, detail=1 if quick else 3, instanced=instanced)
+
+    def factory(*, instanced: bool = True) -> nf.Scene:
+        return nf.datasets.factory(detail=1 if quick else 3, instanced=instanced)
+
+    x, _, z = nf.datasets.factory_view()[0]
+    users = ((-1.0, 0.0, 0.0), (0.0, 0.0, 2.0))
+    return [
+        Place("city, crossing", city, (0.0, EYE_HEIGHT, 0.0), users),
+        Place("city, beside a park", city, (-42.0, EYE_HEIGHT, -64.0), users),
+        Place("factory", factory, (x, EYE_HEIGHT, z), ((-0.5, 0.0, 0.0), (1.0, 0.0, 0.0))),
+    ]
+
+
+@dataclass(frozen=True)
+class Near:
+    """The geometry of all rings as files."""
+
+    rings: nf.stream.Rings
+    files: Files
+    entries: list[dict[str, Any]]
+    """Rings as in a manifest, without maps."""
+    seconds: float
+    """Of encoding."""
+
+    @classmethod
+    def of(cls, rings: nf.stream.Rings, *, compressed: bool, quality: int | None = 90) -> Near:
+        start = time.perf_counter()
+        files, textures = Files(), encode_textures(rings.scene, quality)
+        entries = Geometry(rings, files, textures, step=STEP, compressed=compressed).rings()
+        return cls(rings, files, entries, time.perf_counter() - start)
+
+    def names(self, ring: int, *, images: bool) -> set[str]:
+        """Files of a ring: those of textures, or the others."""
+        entry = self.entries[ring - 1]
+        named = [] if entry["geometry"] is None else [entry["geometry"], *entry["parts"]]
+        return {name for name in named if name.endswith(".webp") == images}
+
+    def sent(self, *, images: bool) -> list[int]:
+        """Bytes of each ring from 1 on; a file counts once."""
+        seen: set[str] = set()
+        counts = []
+        for ring in range(1, len(self.entries) + 1):
+            new = self.names(ring, images=images) - seen
+            seen |= new
+            counts.append(sum(len(self.files.content[name]) for name in new))
+        return counts
+
+    def scenes(self) -> list[nf.Scene | None]:
+        """The geometry of each ring, decoded."""
+        return [
+            None
+            if entry["geometry"] is None
+            else ring_scene(entry["geometry"], entry["parts"], self.files.content.__getitem__, entry["geometry"])
+            for entry in self.entries
+        ]
+
+
+def one_scene(scenes: Sequence[nf.Scene | None], moving: nf.Scene | None = None) -> nf.Scene:
+    """Dynamic objects, and all rings, as a client has them."""
+    return joined(moving, [(f"ring {ring}", scene) for ring, scene in enumerate(scenes, 1) if scene is not None])
+
+
+def shown(scenes: Sequence[nf.Scene | None], env: nf.EnvMap, moving: nf.Scene | None) -> nf.ReducedScene:
+    """Dynamic objects and all rings before the last map, as a client shows them."""
+    near = one_scene(scenes, moving)
+    zones = nf.partition(near, center=env.center, r1=0.7 * PUBLISHED[-1], r2=PUBLISHED[-1])
+    counts = {**zones.summary(), "rays": 0}
+    return nf.ReducedScene(near, zones, env, morph="cylinder", boundary="r2", counts=counts, is_whole=False)
+
+
+def gltfpack(folder: Path, name: str, *options: str) -> Path | None:
+    """The file that gltfpack makes of another one beside it; None if it is not on the path."""
+    program = shutil.which("gltfpack")
+    if program is None:
+        return None
+    made = folder / "packed.glb"
+    command: list[str | Path] = [program, *options, "-i", folder / name, "-o", made]
+    subprocess.run(command, check=True, capture_output=True)
+    return made
+
+
+class Packed:
+    """Plain files of rings in a folder, and what gltfpack makes of each."""
+
+    def __init__(self, near: Near, folder: Path) -> None:
+        self._near, self._folder = near, folder
+        for name, data in near.files.content.items():
+            (folder / Path(name).name).write_bytes(data)
+
+    def rings(self, *options: str) -> tuple[list[int], list[nf.Scene | None]] | None:
+        """Bytes and content of each ring, with instances and with images outside; None without gltfpack."""
+        sizes, scenes = list[int](), list[nf.Scene | None]()
+        for entry in self._near.entries:
+            if entry["geometry"] is None:
+                sizes.append(0)
+                scenes.append(None)
+                continue
+            made = gltfpack(self._folder, Path(entry["geometry"]).name, "-tr", "-mi", *options)
+            if made is None:
+                return None
+            sizes.append(made.stat().st_size)
+            scenes.append(nf.Scene.load(made))
+        return sizes, scenes
+
+
+def in_one_file(rings: nf.stream.Rings, folder: Path, *options: str) -> tuple[int, bytes | None]:
+    """Bytes of all rings as one plain file, where a mesh is stored once, and what gltfpack makes of it."""
+    scene, codes = rings.scene, rings.codes()
+    images: list[str | None] = [None] * len(_core.scene_parts(scene._core)["textures"])
+    groups = np.where((codes >= 1) & (codes <= rings.count), 1, 0).astype(np.uint16)
+    export = _core.Export(scene._core, groups, 2, names=[], images=images, step=STEP, compressed=False)
+    data, _ = export.glb(1, uris=[None] * len(export.shared()))
+    (folder / "one.glb").write_bytes(data)
+    made = gltfpack(folder, "one.glb", "-mi", *options)
+    return len(data), None if made is None else made.read_bytes()
+
+
+def error(rings: nf.stream.Rings, ring: int, scene: nf.Scene | None) -> float:
+    """Greatest distance in metres from a corner of a ring's objects to the nearest one of what was decoded."""
+    if scene is None:
+        return 0.0
+    true, found = (corners(part) for part in (rings.scene.subset(objects=rings.objects(ring)), scene))
+    return float(cKDTree(found).query(true, workers=-1)[0].max())
+
+
+def corners(scene: nf.Scene) -> Any:
+    """Different corners of all triangles in the world, metres."""
+    return np.unique(scene.triangles().reshape(-1, 3), axis=0) + scene.origin

@@ -1,0 +1,59 @@
+"""Pictures of encoded near geometry and maps beside those of what was not compressed, and beside the truth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.stream._near import Place
+
+FOV, SIZE = nf.Fov.symmetric(90, 1.6), (640, 400)
+"""Of the views."""
+TURNS = (0.4, 2.0, 3.5, 5.1)
+"""Directions in which a user looks, radians."""
+
+
+def cameras(place: Place) -> Iterator[nf.Camera]:
+    """Views of users beside the centre."""
+    for user in place.users:
+        eye = np.add(place.center, user)
+        for turn in TURNS:
+            target = np.add(eye, (np.cos(turn), 0.03, np.sin(turn)))
+            yield nf.Camera.look_at(eye, target, fov=FOV, size=SIZE)
+
+
+def rows(
+    place: Place, truth: nf.Scene, base: nf.ReducedScene, others: Mapping[str, nf.ReducedScene]
+) -> list[list[str]]:
+    """PSNR and SSIM of the pictures of each, in sRGB codes: mean and least against the base, mean against the truth."""
+    sources = {"without loss": base, **others}
+    against_base: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
+    against_truth: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
+    for camera in cameras(place):
+        true = nf.render(truth, camera).to_image()
+        pictures = {name: nf.render(source, camera).to_image() for name, source in sources.items()}
+        for name, picture in pictures.items():
+            against_truth[name].append(similarity(true, picture))
+            if name != "without loss":
+                against_base[name].append(similarity(pictures["without loss"], picture))
+    return [[name, *_row(against_base[name]), *_means(against_truth[name])] for name in sources]
+
+
+def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[float, float]:
+    """PSNR in dB and SSIM."""
+    return nf.psnr(reference, test, data_range=255), nf.ssim(reference, test, data_range=255)
+
+
+def _row(found: list[tuple[float, float]]) -> list[str]:
+    if not found:
+        return ["", "", "", ""]
+    least = np.min(found, axis=0)
+    return [*_means(found), f"{least[0]:.1f}", f"{least[1]:.4f}"]
+
+
+def _means(found: list[tuple[float, float]]) -> list[str]:
+    psnr, ssim = np.mean(found, axis=0)
+    return [f"{psnr:.2f}", f"{ssim:.4f}"]
