@@ -65,8 +65,8 @@ def test_the_error_stays_within_the_tolerance_for_all_radii_of_a_growth(least: f
     before = greatest_error(beyond(np.asarray(ground(100.0).triangles), 2.0), users(1.0, 12, 0), stages)
     after = greatest_error(made, users(1.0, 12, 1), stages)
     assert before > 40
-    # The bound covers all heights, directions and radii at once; on the ground the error reaches a tenth of it or more.
-    assert 0.1 * 4.0 < after <= 4.0
+    # The bound covers all heights, directions and radii at once; on the ground the error reaches a twentieth of it or more.
+    assert 0.05 * 4.0 < after <= 4.0
 
 
 def test_the_error_stays_within_the_tolerance_for_all_strengths() -> None:
@@ -74,7 +74,7 @@ def test_the_error_stays_within_the_tolerance_for_all_strengths() -> None:
     stages = [(10.0, strength) for strength in np.linspace(0.05, 1.0, 12)]
     triangles = beyond(np.asarray(made.triangles), 2.6 * 0.5)
     assert len(triangles) > 0.3 * len(made.faces)
-    assert 0.1 * 8.0 < greatest_error(triangles, users(0.5, 12, 1), stages) <= 8.0
+    assert 0.05 * 8.0 < greatest_error(triangles, users(0.5, 12, 1), stages) <= 8.0
 
 
 def test_nothing_cracks_and_what_is_still_keeps_its_bits() -> None:
