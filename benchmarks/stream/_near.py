@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 import nearfar as nf
 from nearfar import _core
 from nearfar.stream._decode import joined, ring_scene
-from nearfar.stream._encode import Files, Geometry, encode_textures
+from nearfar.stream._encode import Files, Geometry, Textures, encode_textures
 from nearfar.stream._radii import PUBLISHED
 
 STEP = 2.0**-10
@@ -57,6 +57,11 @@ def places(quick: bool) -> list[Place]:
     ]
 
 
+def whole_textures(scene: nf.Scene, quality: int | None) -> Textures:
+    """Textures in their own size, whatever a client sees of them."""
+    return encode_textures(scene, quality, np.zeros(scene._core.texture_count, np.uint32))
+
+
 @dataclass(frozen=True)
 class Near:
     """The geometry of all rings as files."""
@@ -71,7 +76,7 @@ class Near:
     @classmethod
     def of(cls, rings: nf.stream.Rings, *, compressed: bool, quality: int | None = 90) -> Near:
         start = time.perf_counter()
-        files, textures = Files(), encode_textures(rings.scene, quality)
+        files, textures = Files(), whole_textures(rings.scene, quality)
         entries = Geometry(rings, files, textures, step=STEP, compressed=compressed).rings()
         return cls(rings, files, entries, time.perf_counter() - start)
 
