@@ -65,7 +65,7 @@ def test_the_error_stays_within_the_tolerance_for_all_radii_of_a_growth(least: f
     before = greatest_error(beyond(np.asarray(ground(100.0).triangles), 2.0), users(1.0, 12, 0), stages)
     after = greatest_error(made, users(1.0, 12, 1), stages)
     assert before > 40
-    # The bound covers all heights, directions and radii at once; on the ground the error reaches a twentieth of it or more.
+    # The bound covers all heights, directions and radii at once; on the ground the error is a twentieth of it or more.
     assert 0.05 * 4.0 < after <= 4.0
 
 
