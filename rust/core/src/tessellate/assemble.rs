@@ -7,8 +7,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::counts::SplitCounts;
-use super::rule::Rule;
-use super::settings::Precision;
+use super::rule::{Precision, Rule};
 use super::split::Piece;
 use crate::base::{Error, Progress, Result, memory::room_for};
 
