@@ -101,11 +101,12 @@ def test_the_nearest_object_of_all_regions_counts(tmp_path: Path) -> None:
     centers = [CENTER, (0.0, 1.7, -10.0)]
     given = {**SETTINGS, "center": centers, "pixels_per_degree": 5.0}
     bundle = nf.stream.export(scene, tmp_path / "b", **given)
-    assert sizes(bundle, tmp_path / "b") == [(by_hand(20.0, 5.0),) * 2]
-    assert by_hand(20.0, 5.0) > by_hand(30.0, 5.0)
+    # Users come half of the way to the other centre.
+    assert sizes(bundle, tmp_path / "b") == [(by_hand(20.0, 5.0, reach=5.0),) * 2]
+    assert by_hand(20.0, 5.0, reach=5.0) > by_hand(30.0, 5.0, reach=5.0)
     # On a grid of 8 m the centres stay, but users are up to 8/√2 m farther from them.
     spread = nf.stream.export(scene, tmp_path / "grid", **{**given, "center": [CENTER, (0, 1.7, -8)], "grid": 8.0})
-    assert sizes(spread, tmp_path / "grid") == [(by_hand(22.0, 5.0, reach=1 + 8 / math.sqrt(2)),) * 2]
+    assert sizes(spread, tmp_path / "grid") == [(by_hand(22.0, 5.0, reach=4 + 8 / math.sqrt(2)),) * 2]
 
 
 def test_moving_objects_keep_their_textures(tmp_path: Path) -> None:
