@@ -18,7 +18,7 @@ RATES = (50e6, 100e6)
 
 @dataclass(frozen=True)
 class Loading:
-    """What a client waits for: geometry with textures, and maps."""
+    """Bytes that a client waits for: geometry with textures, and maps."""
 
     name: str
     encode: float

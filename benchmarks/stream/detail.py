@@ -19,7 +19,7 @@ from nearfar._base import data
 
 HELMET = "objects/gltf/FlightHelmet/FlightHelmet.gltf"
 HEIGHT = 0.8
-"""What a picture shows of it, metres."""
+"""Height of the model that a picture shows, metres."""
 
 DISTANCES = (2.0, 5.0, 10.0, 20.0, 39.0)
 """Metres from the centre to the object."""

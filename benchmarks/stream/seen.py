@@ -1,4 +1,4 @@
-"""What a user beside the centre sees of objects, ring by ring, and as geometry by falling footprint (vis1), by bytes.
+"""Objects that a user beside the centre sees, ring by ring, and as geometry by falling footprint (vis1), by bytes.
 
 python -m benchmarks.stream.seen [--quick] [--plots out/bench]
 """

@@ -54,7 +54,7 @@ def _browser() -> str | None:
 
 
 def node(script: str, paths: Iterable[Path]) -> dict[str, Any]:
-    """What a script prints as JSON about files."""
+    """The JSON that a script prints about files."""
     command = ["node", str(FOLDER / script), *map(str, paths)]
     process = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
     assert process.returncode == 0, process.stderr
@@ -99,7 +99,7 @@ class _Handler(SimpleHTTPRequestHandler):
 
 
 def in_browser(bundles: Mapping[str, Path], views: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, Any]:
-    """What three.js and 3d-tiles-renderer load of bundles, by the bundles' names.
+    """The parts of bundles that three.js and 3d-tiles-renderer load, by the bundles' names.
 
     Parameters
     ----------

@@ -30,7 +30,7 @@ VIEW_DEG = 90.0
 
 @dataclass(frozen=True)
 class Detail:
-    """What a client can see of a scene."""
+    """The detail of a scene that a client can see."""
 
     scene: Scene
     """The scene, whose objects may have levels."""

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class InRegions:
-    """What a `Bundle` says of its regions."""
+    """The regions of a `Bundle`; a base of it."""
 
     _manifest: dict[str, Any]
     number: int
@@ -37,7 +37,7 @@ class InRegions:
 
     @property
     def findings(self) -> tuple[str, ...]:
-        """What makes the region show little, a sentence each: its centre, empty rings, endless objects, units."""
+        """Reasons why the region shows little, a sentence each: its centre, empty rings, endless objects, units."""
         return tuple(self._region["findings"])
 
     def neighbours(self, region: SupportsIndex) -> tuple[int, ...]:

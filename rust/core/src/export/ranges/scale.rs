@@ -25,8 +25,8 @@ impl Scale {
         }
     }
 
-    /// What is linear in x and y over the texels of a plane: `distance`, from the centre to the texel of a face at
-    /// depth 1, over the range.
+    /// The value that is linear in x and y over the texels of a plane: `distance`, from the centre to the texel of a
+    /// face at depth 1, over the range.
     pub fn nearness(&self, code: u16, distance: f64) -> f64 {
         distance * self.reciprocals[usize::from(code)]
     }

@@ -15,7 +15,7 @@ const FIRST_FIT: u16 = 64;
 /// Codes by which the left and the upper neighbour of a calm texel may differ.
 const CALM: u16 = 8;
 
-/// What is kept from texel to texel.
+/// State that is kept from texel to texel.
 pub(super) struct Walk<'a> {
     faces: Faces<'a>,
     scale: Scale,
