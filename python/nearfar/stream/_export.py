@@ -86,8 +86,9 @@ def export(
     lod
         Levels of the static objects of rings, in a scene whose objects have some, as for `nearfar.render`: a mode such
         as "depth", a selector, a function like `nearfar.lod.select`, or levels as `Scene.at_levels` takes them. Each
-        object gets the level for the user who is nearest to it, as for textures. None writes the scene as it is. Maps
-        are baked from the scene as it is; dynamic objects get level 0.
+        object gets the level for the user who is nearest to it, as for textures; selectors and functions are given it
+        straight ahead, at that distance. None writes the scene as it is. Maps are baked from the scene as it is;
+        dynamic objects get level 0.
     speed
         Degrees a second at which pictures turn while rings grow, for a user 1 m beside the centre, as in `Growth`.
 
