@@ -88,7 +88,7 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
 def one_map(rings: nf.stream.Rings, samples: int) -> None:
     """Map 0 as a map of its own, with colour and range."""
     settings: dict[str, Any] = {"center": rings.center, "size": FACE_SIZE, "samples": samples, "rings": rings.codes()}
-    _core.bake_rings(rings.scene._core, **settings, range=True, object_id=False, after=0, report=lambda *_: None)
+    _core.bake_rings(rings.scene._core, **settings, range=True, object_id=False, count=0, report=lambda *_: None)
 
 
 def resident() -> int:

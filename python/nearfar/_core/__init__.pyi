@@ -310,10 +310,9 @@ def bake_rings(
     range: bool,  # noqa: A002
     object_id: bool,
     rings: NDArray[np.uint16],
-    after: int,
-    mask: NDArray[np.bool_] | None = None,
+    count: int,
     report: _Report | None = None,
-) -> tuple[dict[str, NDArray[Any]], NDArray[np.uint16]]: ...
+) -> tuple[dict[str, NDArray[Any]], list[tuple[NDArray[np.int64], dict[str, NDArray[Any]]]]]: ...
 
 @final
 class Reduced:

@@ -132,19 +132,14 @@ def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 1, object_i
     settings: dict[str, Any] = {"center": rings.center, "size": size, "samples": count, "rings": rings.codes()}
     settings |= {"range": True, "object_id": object_id}
     core = rings.scene._core
-    with progress.bar("baking ring 0") as report:
-        faces, least = _core.bake_rings(core, **settings, after=0, report=report)
+    with progress.bar("baking maps") as report:
+        faces, changed = _core.bake_rings(core, **settings, count=rings.count, report=report)
     shaped = {name: image.reshape(6, size, size, *image.shape[2:]) for name, image in faces.items()}
     names = rings.scene.object_names if object_id else ()
-    changes = []
-    for ring in range(1, rings.count + 1):
-        mask = least == ring
-        texels = np.flatnonzero(mask)
-        change: dict[str, NDArray[Any]] = {"texels": texels}
-        if len(texels):
-            with progress.bar(f"baking ring {ring}") as report:
-                faces, found = _core.bake_rings(core, **settings, after=ring, mask=mask, report=report)
-            least[texels] = found[texels]
-        change |= {name: image.reshape(6 * size * size, *image.shape[2:])[texels] for name, image in faces.items()}
-        changes.append(change)
-    return RingMaps(rings, EnvMap(rings.center, **shaped, object_names=names), tuple(changes), count)
+    changes = tuple(
+        {"texels": texels}
+        | {name: image[:0].reshape(0, *image.shape[3:]) for name, image in shaped.items()}
+        | {name: image[:, 0] for name, image in values.items()}
+        for texels, values in changed
+    )
+    return RingMaps(rings, EnvMap(rings.center, **shaped, object_names=names), changes, count)

@@ -52,6 +52,17 @@ impl Bake {
         Camera::new(self.center, DQuat::IDENTITY, Projection::CubeFace(face), self.size, self.size)
     }
 
+    /// A face, as its camera sees it.
+    pub(super) fn view<'a>(&self, scene: &Scene, camera: &'a Camera) -> RenderView<'a> {
+        let (channels, samples) = (self.channels(), self.samples);
+        RenderView { camera, origin: scene.origin, channels, samples, limits: Limits::NONE, pixels: Pixels::default() }
+    }
+
+    /// Number of texels of a face.
+    pub(super) fn texels(&self) -> usize {
+        (self.size as usize).pow(2)
+    }
+
     /// Width in metres, at 1 m distance, of the two texels by which the map reaches inside the radius.
     pub fn two_texels(&self) -> f64 {
         4.0 / f64::from(self.size)
@@ -66,9 +77,9 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     let beyond = BeyondRadius { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
     if standing.has_cutouts() {
         let filter = || AlphaFilter { scene: &standing, inner: &beyond };
-        faces(scene, settings, None, |_| Truth { scene: &standing, filter: filter() }, progress)
+        faces(scene, settings, &Truth { scene: &standing, filter: filter() }, progress)
     } else {
-        faces(scene, settings, None, |_| Truth { scene: &standing, filter: &beyond }, progress)
+        faces(scene, settings, &Truth { scene: &standing, filter: &beyond }, progress)
     }
 }
 
@@ -79,26 +90,13 @@ pub(super) fn standing_only(scene: &Scene, progress: &Progress) -> Result<Scene>
     Ok(standing)
 }
 
-/// Six faces, one after the other, of a picture for each; texels outside the mask are black, and misses.
-pub(super) fn faces<P: Picture>(
-    scene: &Scene,
-    settings: &Bake,
-    mask: Option<&[bool]>,
-    picture: impl Fn(usize) -> P,
-    progress: &Progress,
-) -> Result<Frame> {
-    let (channels, texels) = (settings.channels(), (settings.size as usize).pow(2));
-    channels.check_room(6 * texels as u64)?;
+/// Six faces of a picture, one after the other.
+fn faces(scene: &Scene, settings: &Bake, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
+    let channels = settings.channels();
+    channels.check_room(6 * settings.texels() as u64)?;
     let mut whole = Frame::default();
     for face in 0..6 {
-        let camera = settings.camera(face as u8)?;
-        let (origin, samples, limits) = (scene.origin, settings.samples, Limits::NONE);
-        let pixels = Pixels { mask: mask.map(|mask| &mask[face * texels..][..texels]), ..Pixels::default() };
-        let view = RenderView { camera: &camera, origin, channels, samples, limits, pixels };
-        let part = draw(&view, &picture(face), progress)?;
-        whole.color.extend(part.color);
-        whole.range.extend(part.range);
-        whole.object_id.extend(part.object_id);
+        whole.append(&draw(&settings.view(scene, &settings.camera(face)?), picture, progress)?);
     }
     Ok(whole)
 }

@@ -1,90 +1,116 @@
-//! Maps of a scene whose objects become geometry ring after ring: a map shows the objects of later rings.
+//! Maps of a scene whose objects become geometry ring after ring: map i shows the objects of rings after i.
 //!
 //! A texel whose first surfaces belong to later rings shows the same in the next map. So each map after the first is
-//! traced only where the one before shows the ring that left.
+//! traced only where the one before shows the ring that left. Face by face, all maps are drawn into one picture.
 
 use std::sync::atomic::{AtomicU16, Ordering};
 
-use super::bake::{Bake, faces, standing_only};
+use super::bake::{Bake, standing_only};
 use super::frame::{Channels, Frame, Sample};
-use super::tiles::{Picture, Spots};
+use super::tiles::{Picture, Pixels, RenderView, Spots, draw, redraw};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::camera::Footprint;
 use crate::scene::Scene;
 use crate::trace::{AlphaFilter, Hit, HitFilter, Ray};
 
-/// Rings of objects, and the part of them that a map shows.
-#[derive(Clone, Copy, Debug)]
-pub struct Shown<'a> {
-    /// Ring of each object, and last that of all faces without one.
-    pub rings: &'a [u16],
-    /// The map shows the objects of greater rings.
-    pub after: u16,
-}
-
-/// A map, and the rings that its texels show.
+/// The maps of all rings.
 #[derive(Debug)]
-pub struct RingFaces {
-    /// Six faces, one after the other.
-    pub frame: Frame,
-    /// Least ring among the surfaces that a texel's samples meet; `u16::MAX` without any.
-    pub least: Vec<u16>,
+pub struct RingMaps {
+    /// Map 0: six faces, one after the other.
+    pub first: Frame,
+    /// For each ring from 1 on, by how much its map differs from the one before.
+    pub changes: Vec<Change>,
 }
 
-/// Bakes the static objects of greater rings, over the texels of a mask; `settings.radius` does not matter.
-pub fn bake_rings(
-    scene: &Scene,
-    settings: &Bake,
-    shown: Shown<'_>,
-    mask: Option<&[bool]>,
-    progress: &Progress,
-) -> Result<RingFaces> {
+/// Texels that a ring's map shows anew.
+#[derive(Debug, Default)]
+pub struct Change {
+    /// Their numbers in the six faces, ascending.
+    pub texels: Vec<i64>,
+    /// Their values.
+    pub frame: Frame,
+}
+
+/// Bakes the static objects of a scene; `settings.radius` does not matter.
+///
+/// `rings` has the ring of each object, and last that of all faces without one. Maps 0 to `count` are baked.
+pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, progress: &Progress) -> Result<RingMaps> {
     settings.check(scene)?;
-    let texels = 6 * (settings.size as usize).pow(2);
-    if shown.rings.is_empty() {
+    if rings.is_empty() {
         return Err(Error::value("rings", "a ring for faces without an object", "none"));
     }
-    if let Some(mask) = mask.filter(|mask| mask.len() != texels) {
-        return Err(Error::value("mask", format!("{texels} texels"), mask.len()));
-    }
+    settings.channels().check_room(6 * settings.texels() as u64)?;
     let standing = standing_only(scene, progress)?;
-    let least: Vec<AtomicU16> = (0..texels).map(|_| AtomicU16::new(u16::MAX)).collect();
-    let filter = Later { scene: &standing, shown };
-    let of_face = |face: usize| &least[face * texels / 6..][..texels / 6];
-    let frame = if standing.has_cutouts() {
-        let truth = || Truth { scene: &standing, filter: AlphaFilter { scene: &standing, inner: &filter } };
-        faces(scene, settings, mask, |face| Noted { truth: truth(), shown, least: of_face(face) }, progress)?
+    let shown = |after| Shown { scene: &standing, rings, after };
+    if standing.has_cutouts() {
+        let filter = |after| AlphaFilter { scene: &standing, inner: shown(after) };
+        let truth = |after| Truth { scene: &standing, filter: filter(after) };
+        maps(settings, count, shown, truth, progress)
     } else {
-        let truth = || Truth { scene: &standing, filter: &filter };
-        faces(scene, settings, mask, |face| Noted { truth: truth(), shown, least: of_face(face) }, progress)?
-    };
-    Ok(RingFaces { frame, least: least.into_iter().map(AtomicU16::into_inner).collect() })
+        maps(settings, count, shown, |after| Truth { scene: &standing, filter: shown(after) }, progress)
+    }
+}
+
+/// Map 0 and the changes, where `shown` and `truth` tell what a map shows of later rings than a number.
+fn maps<'a, F: HitFilter>(
+    settings: &Bake,
+    count: u16,
+    shown: impl Fn(u16) -> Shown<'a>,
+    truth: impl Fn(u16) -> Truth<'a, F>,
+    progress: &Progress,
+) -> Result<RingMaps> {
+    let texels = settings.texels();
+    let mut maps = RingMaps { first: Frame::default(), changes: Vec::new() };
+    maps.changes.resize_with(count.into(), Change::default);
+    for face in 0..6 {
+        let camera = settings.camera(face)?;
+        let view = settings.view(shown(0).scene, &camera);
+        let mut least: Vec<AtomicU16> = std::iter::repeat_with(|| AtomicU16::new(u16::MAX)).take(texels).collect();
+        let mut frame = draw(&view, &Noted { truth: truth(0), shown: shown(0), least: &least }, progress)?;
+        maps.first.append(&frame);
+        for (ring, change) in (1..).zip(&mut maps.changes) {
+            let mask: Vec<bool> = least.iter_mut().map(|least| *least.get_mut() == ring).collect();
+            let drawn: Vec<usize> = (0..texels).filter(|&texel| mask[texel]).collect();
+            if drawn.is_empty() {
+                continue;
+            }
+            drawn.iter().for_each(|&texel| *least[texel].get_mut() = u16::MAX);
+            let view = RenderView { pixels: Pixels { mask: Some(&mask), ..view.pixels }, ..view };
+            let picture = Noted { truth: truth(ring), shown: shown(ring), least: &least };
+            redraw(&view, &picture, &mut frame, progress)?;
+            change.texels.extend(drawn.iter().map(|texel| (usize::from(face) * texels + texel) as i64));
+            change.frame.append_pixels(&frame, &drawn);
+        }
+    }
+    Ok(maps)
+}
+
+/// Surfaces of rings after one.
+#[derive(Clone, Copy, Debug)]
+struct Shown<'a> {
+    scene: &'a Scene,
+    rings: &'a [u16],
+    after: u16,
 }
 
 impl Shown<'_> {
     #[inline]
-    fn ring(&self, scene: &Scene, hit: &Hit) -> u16 {
-        let object = scene.instance(hit.instance).object_of(hit.face);
+    fn ring(&self, hit: &Hit) -> u16 {
+        let object = self.scene.instance(hit.instance).object_of(hit.face);
         let last = self.rings.len() - 1;
         self.rings[usize::try_from(object).map_or(last, |object| object.min(last))]
     }
 }
 
-/// Surfaces of later rings.
-struct Later<'a> {
-    scene: &'a Scene,
-    shown: Shown<'a>,
-}
-
-impl HitFilter for &Later<'_> {
+impl HitFilter for Shown<'_> {
     #[inline]
     fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
-        self.shown.ring(self.scene, candidate) > self.shown.after
+        self.ring(candidate) > self.after
     }
 }
 
-/// A picture that notes the rings of what its pixels show.
+/// A picture that notes the least ring among the surfaces that a texel's samples meet.
 struct Noted<'a, F> {
     truth: Truth<'a, F>,
     shown: Shown<'a>,
@@ -95,7 +121,7 @@ impl<F: HitFilter> Picture for Noted<'_, F> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
         self.truth.trace(rays, hits, spots);
         for (n, hit) in hits.iter().enumerate().filter(|(_, hit)| !hit.is_miss()) {
-            let ring = self.shown.ring(self.truth.scene, hit);
+            let ring = self.shown.ring(hit);
             self.least[spots.index(n)].fetch_min(ring, Ordering::Relaxed);
         }
     }
@@ -137,31 +163,28 @@ mod tests {
     }
 
     #[test]
-    fn maps_traced_where_a_ring_left_are_those_traced_everywhere() {
+    fn changed_maps_are_those_traced_everywhere() {
         let scene = scene();
         let rings: Vec<u16> = (0..40).map(|n| 1 + n * 5 % 4).collect();
         for samples in [1, 5] {
             let settings = Bake { center: DVec3::ZERO, radius: 0.0, size: 24, samples, range: true, object_id: true };
-            let bake = |after, mask: Option<&[bool]>| {
-                bake_rings(&scene, &settings, Shown { rings: &rings, after }, mask, &Progress::new()).unwrap()
-            };
-            let mut kept = bake(0, None);
+            let bake = |rings: &[u16], count| bake_rings(&scene, &settings, rings, count, &Progress::new()).unwrap();
+            let maps = bake(&rings, 3);
+            let mut kept = maps.first;
             let mut traced = 0;
-            for after in 1..4 {
-                let mask: Vec<bool> = kept.least.iter().map(|&least| least == after).collect();
-                let (changed, whole) = (bake(after, Some(&mask)), bake(after, None));
-                for (texel, _) in mask.iter().enumerate().filter(|(_, mask)| **mask) {
-                    kept.frame.color[texel] = changed.frame.color[texel];
-                    kept.frame.range[texel] = changed.frame.range[texel];
-                    kept.frame.object_id[texel] = changed.frame.object_id[texel];
-                    kept.least[texel] = changed.least[texel];
-                    traced += 1;
+            for (after, change) in (1..).zip(maps.changes) {
+                traced += change.texels.len();
+                for (number, &texel) in change.texels.iter().enumerate() {
+                    kept.color[texel as usize] = change.frame.color[number];
+                    kept.range[texel as usize] = change.frame.range[number];
+                    kept.object_id[texel as usize] = change.frame.object_id[number];
                 }
-                assert_eq!(kept.frame.color, whole.frame.color);
-                assert_eq!(kept.frame.range, whole.frame.range);
-                assert_eq!(kept.frame.object_id, whole.frame.object_id);
-                assert_eq!(kept.least, whole.least);
-                assert!(whole.least.iter().all(|&least| least > after));
+                // Objects of ring 0 are in no map.
+                let later: Vec<u16> = rings.iter().map(|&ring| if ring > after { ring } else { 0 }).collect();
+                let whole = bake(&later, 0).first;
+                assert_eq!(kept.color, whole.color);
+                assert_eq!(kept.range, whole.range);
+                assert_eq!(kept.object_id, whole.object_id);
             }
             assert!(traced > 100 && traced < 3 * 6 * 24 * 24 / 2, "{traced}");
         }
@@ -171,11 +194,7 @@ mod tests {
     fn impossible_settings_are_refused() {
         let scene = scene();
         let settings = Bake { center: DVec3::ZERO, radius: 0.0, size: 4, samples: 1, range: false, object_id: false };
-        let bake = |rings: &[u16], mask: Option<&[bool]>| {
-            bake_rings(&scene, &settings, Shown { rings, after: 0 }, mask, &Progress::new())
-        };
-        assert!(bake(&[], None).is_err());
-        assert!(bake(&[1], Some(&[true; 95])).is_err());
-        assert!(bake(&[1], Some(&[true; 96])).is_ok());
+        assert!(bake_rings(&scene, &settings, &[], 0, &Progress::new()).is_err());
+        assert!(bake_rings(&scene, &settings, &[1], 1, &Progress::new()).is_ok());
     }
 }

@@ -83,6 +83,22 @@ macro_rules! images {
                 })
             }
 
+            /// Adds the images of another frame to the ends of this one's.
+            pub(super) fn append(&mut self, other: &Self) {
+                $(self.$sampled.extend_from_slice(&other.$sampled);)+
+                $(self.$central.extend_from_slice(&other.$central);)+
+            }
+
+            /// Adds some pixels of another frame's images to the ends of this one's.
+            pub(super) fn append_pixels(&mut self, other: &Self, pixels: &[usize]) {
+                $(if !other.$sampled.is_empty() {
+                    self.$sampled.extend(pixels.iter().map(|&pixel| other.$sampled[pixel]));
+                })+
+                $(if !other.$central.is_empty() {
+                    self.$central.extend(pixels.iter().map(|&pixel| other.$central[pixel]));
+                })+
+            }
+
             /// Splits the frame into bands of `pixels` pixels; the last may be shorter.
             pub(super) fn bands(&mut self, pixels: usize) -> Vec<Band<'_>> {
                 let longest = 0 $(.max(self.$sampled.len()))+ $(.max(self.$central.len()))+;

@@ -23,7 +23,8 @@ pub const MAX_SAMPLES: u32 = 1024;
 
 /// A picture that is rendered by rays.
 pub trait Picture: Sync {
-    /// Traces a tile's coherent rays; it may first shorten them (`t_min`, `t_max`). Directions are unit vectors.
+    /// Traces the coherent rays of a tile's drawn pixels; it may first shorten them (`t_min`, `t_max`). Directions are
+    /// unit vectors.
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>);
 
     /// Adds the linear RGB of a tile's traced rays, hits or misses, to their sums.
@@ -53,7 +54,7 @@ impl Spots<'_> {
     /// Position of the n-th ray in the tile, as fractions of the full tile's width and height.
     #[inline]
     pub(super) fn within(&self, n: usize) -> [f32; 2] {
-        let (column, row) = (n % self.tile.columns, n / self.tile.columns);
+        let (column, row) = self.tile.place(n);
         let share = |pixel: usize, offset: f64| ((pixel as f64 + offset) / TILE as f64) as f32;
         [share(column, self.offset[0]), share(row, self.offset[1])]
     }
@@ -101,6 +102,23 @@ pub struct RenderView<'a> {
 
 /// Draws a picture pixel by pixel.
 pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
+    let mut frame = Frame::new(view.channels, view.camera.width as usize * view.camera.height as usize)?;
+    paint(view, picture, true, &mut frame, progress)?;
+    Ok(frame)
+}
+
+/// Draws pixels of a picture anew; those outside the mask stay as they are. The frame must have the view's channels.
+pub fn redraw(view: &RenderView<'_>, picture: &impl Picture, frame: &mut Frame, progress: &Progress) -> Result<()> {
+    paint(view, picture, false, frame, progress)
+}
+
+fn paint(
+    view: &RenderView<'_>,
+    picture: &impl Picture,
+    is_new: bool,
+    frame: &mut Frame,
+    progress: &Progress,
+) -> Result<()> {
     if !(1..=MAX_SAMPLES).contains(&view.samples) {
         return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
     }
@@ -108,7 +126,6 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
     let (width, height) = (view.camera.width as usize, view.camera.height as usize);
     view.pixels.check(width * height)?;
     progress.expect((width * height) as u64);
-    let mut frame = Frame::new(view.channels, width * height)?;
     let painter = Painter {
         picture,
         rays: view.camera.rays(),
@@ -118,18 +135,19 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
         scale: 1.0 / f64::from(view.samples).sqrt(),
         limits: view.limits.relative_to(view.origin),
         pixels: view.pixels,
+        is_new,
     };
     frame.bands(width * TILE).into_par_iter().enumerate().try_for_each(|(index, mut band)| {
         let first_row = index * TILE;
         let rows = TILE.min(height - first_row);
         for first_column in (0..width).step_by(TILE) {
-            let tile = ImageTile { first_row, first_column, rows, columns: TILE.min(width - first_column), width };
+            let columns = TILE.min(width - first_column);
+            let tile = ImageTile::new(first_row, first_column, rows, columns, width, view.pixels.mask);
             painter.paint(&tile, &mut band);
             progress.check()?;
         }
         progress.report((rows * width) as u64)
-    })?;
-    Ok(frame)
+    })
 }
 
 /// Refuses a position relative to the scene's origin from which rays would exceed float32's range.
@@ -155,6 +173,7 @@ pub fn sample_offsets(samples: u32) -> Vec<[f64; 2]> {
     offsets
 }
 
+/// A tile of an image, and the pixels of it that are drawn.
 struct ImageTile {
     first_row: usize,
     first_column: usize,
@@ -162,29 +181,64 @@ struct ImageTile {
     columns: usize,
     /// Width of the image, pixels.
     width: usize,
+    /// Numbers of the drawn pixels within the tile, row by row; the first `count` are valid.
+    drawn: [u8; PIXELS],
+    count: usize,
 }
 
 impl ImageTile {
-    fn len(&self) -> usize {
-        self.rows * self.columns
+    fn new(
+        first_row: usize,
+        first_column: usize,
+        rows: usize,
+        columns: usize,
+        width: usize,
+        mask: Option<&[bool]>,
+    ) -> Self {
+        let mut tile = Self { first_row, first_column, rows, columns, width, drawn: [0; PIXELS], count: 0 };
+        for number in 0..rows * columns {
+            let index = (first_row + number / columns) * width + first_column + number % columns;
+            if mask.is_none_or(|mask| mask[index]) {
+                tile.drawn[tile.count] = number as u8;
+                tile.count += 1;
+            }
+        }
+        tile
     }
 
-    /// Column and row in the image of the tile's n-th pixel.
+    /// Column and row within the tile of the n-th drawn pixel.
+    #[inline]
+    fn place(&self, n: usize) -> (usize, usize) {
+        let number = usize::from(self.drawn[n]);
+        (number % self.columns, number / self.columns)
+    }
+
+    /// Column and row in the image of the n-th drawn pixel.
     #[inline]
     fn pixel(&self, n: usize) -> (usize, usize) {
-        (self.first_column + n % self.columns, self.first_row + n / self.columns)
+        let (column, row) = self.place(n);
+        (self.first_column + column, self.first_row + row)
     }
 
-    /// Index in the image of the tile's n-th pixel.
+    /// Index in the image of the n-th drawn pixel.
     #[inline]
     fn index(&self, n: usize) -> usize {
         self.first_row * self.width + self.slot(n)
     }
 
-    /// Index in the band of the tile's n-th pixel.
+    /// Index in the band of the n-th drawn pixel.
     #[inline]
     fn slot(&self, n: usize) -> usize {
-        n / self.columns * self.width + self.first_column + n % self.columns
+        let (column, row) = self.place(n);
+        row * self.width + self.first_column + column
+    }
+
+    /// Indices in the band of the pixels that are not drawn.
+    fn left_out(&self) -> impl Iterator<Item = usize> {
+        let drawn = &self.drawn[..self.count];
+        (0..self.rows * self.columns)
+            .filter(|&number| drawn.binary_search(&(number as u8)).is_err())
+            .map(|number| number / self.columns * self.width + self.first_column + number % self.columns)
     }
 }
 
@@ -199,17 +253,21 @@ struct Painter<'a, P> {
     /// Relative to the scene's origin.
     limits: Limits,
     pixels: Pixels<'a>,
+    /// Whether pixels that are not drawn become misses, because the frame has no values yet.
+    is_new: bool,
 }
 
 impl<P: Picture> Painter<'_, P> {
     fn paint(&self, tile: &ImageTile, band: &mut Band<'_>) {
-        if !(0..tile.len()).any(|n| self.is_drawn(tile, n)) {
-            (0..tile.len()).for_each(|n| band.set_sample(tile.slot(n), &Sample::default()));
+        if self.is_new {
+            tile.left_out().for_each(|slot| band.set_sample(slot, &Sample::default()));
+        }
+        if tile.count == 0 {
             return;
         }
         let mut rays = [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
         let mut hits = [Hit::MISS; PIXELS];
-        let (rays, hits) = (&mut rays[..tile.len()], &mut hits[..tile.len()]);
+        let (rays, hits) = (&mut rays[..tile.count], &mut hits[..tile.count]);
         let sampled = self.channels.any_sampled();
         if sampled {
             let mut sums = [[0.0f32; 3]; PIXELS];
@@ -222,7 +280,7 @@ impl<P: Picture> Painter<'_, P> {
                 counts.iter_mut().zip(&*hits).filter(|(_, hit)| !hit.is_miss()).for_each(|(count, _)| *count += 1.0);
             }
             let share = 1.0 / self.offsets.len() as f32;
-            for (n, (sum, count)) in sums.iter().zip(&counts).enumerate().take(tile.len()) {
+            for (n, (sum, count)) in sums.iter().zip(&counts).enumerate().take(tile.count) {
                 band.color(tile.slot(n), sum.map(|sum| sum * share));
                 band.coverage(tile.slot(n), count * share);
             }
@@ -238,24 +296,15 @@ impl<P: Picture> Painter<'_, P> {
         }
     }
 
-    /// Whether the tile's n-th pixel is drawn.
-    #[inline]
-    fn is_drawn(&self, tile: &ImageTile, n: usize) -> bool {
-        self.pixels.mask.is_none_or(|mask| mask[tile.index(n)])
-    }
-
     fn trace(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
         for (n, ray) in rays.iter_mut().enumerate() {
             let (x, y) = position(tile, n, offset);
             *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
-            if !self.is_drawn(tile, n) {
-                (ray.t_min, ray.t_max) = (Segment::EMPTY.t_min, Segment::EMPTY.t_max);
-            }
         }
         self.picture.trace(rays, hits, &Spots { tile, offset });
     }
 
-    /// Adds the colours of traced rays to their sums; misses stay black where pixels are bare or not drawn.
+    /// Adds the colours of traced rays to their sums; misses stay black where pixels are bare.
     fn add_colors(
         &self,
         tile: &ImageTile,
@@ -266,9 +315,8 @@ impl<P: Picture> Painter<'_, P> {
     ) {
         let before = *sums;
         self.picture.add_colors(rays, hits, |n| self.footprint(tile, n, offset, self.scale), sums);
-        if self.pixels.bare || self.pixels.mask.is_some() {
-            let missed = |&n: &usize| hits[n].is_miss() && (self.pixels.bare || !self.is_drawn(tile, n));
-            (0..hits.len()).filter(missed).for_each(|n| sums[n] = before[n]);
+        if self.pixels.bare {
+            (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
         }
     }
 

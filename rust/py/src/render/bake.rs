@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use nearfar_core::render::bake::{self, Bake};
-use nearfar_core::render::bake_rings::{self as by_ring, Shown};
+use nearfar_core::render::bake_rings as by_ring;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -33,9 +33,10 @@ pub(crate) fn bake_map<'py>(
     Ok((images(py, frame, (6 * side, side))?, bake::rays(&settings)))
 }
 
-/// The channels of the map of what lies after a ring, as `bake`; and the least ring that each texel shows (6 S²,).
+/// The channels of map 0 as `bake`; and for each ring up to `count` the numbers of the texels that change (N,), and
+/// their channels: colour (N, 1, 3), range and object_id (N, 1).
 #[pyfunction]
-#[pyo3(signature = (scene, *, center, size, samples, range, object_id, rings, after, mask=None, report=None))]
+#[pyo3(signature = (scene, *, center, size, samples, range, object_id, rings, count, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn bake_rings<'py>(
     py: Python<'py>,
@@ -46,14 +47,19 @@ pub(crate) fn bake_rings<'py>(
     range: bool,
     object_id: bool,
     rings: PyReadonlyArray1<'py, u16>,
-    after: u16,
-    mask: Option<PyReadonlyArray1<'py, bool>>,
+    count: u16,
     report: Option<Py<PyAny>>,
-) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray1<u16>>)> {
+) -> PyResult<(Bound<'py, PyDict>, Vec<RingChange<'py>>)> {
     let settings = Bake { center: DVec3::from_array(center), radius: 0.0, size, samples, range, object_id };
-    let shown = Shown { rings: rings.as_slice()?, after };
-    let mask = mask.as_ref().map(PyReadonlyArray1::as_slice).transpose()?;
-    let found = run::long(py, report, |progress| by_ring::bake_rings(&scene.0, &settings, shown, mask, progress))?;
+    let rings = rings.as_slice()?;
+    let maps = run::long(py, report, |progress| by_ring::bake_rings(&scene.0, &settings, rings, count, progress))?;
     let side = size as usize;
-    Ok((images(py, found.frame, (6 * side, side))?, PyArray1::from_vec(py, found.least)))
+    let changes = maps.changes.into_iter().map(|change| {
+        let shape = (change.texels.len(), 1);
+        Ok((PyArray1::from_vec(py, change.texels), images(py, change.frame, shape)?))
+    });
+    Ok((images(py, maps.first, (6 * side, side))?, changes.collect::<PyResult<_>>()?))
 }
+
+/// Numbers of texels, and channels by name.
+type RingChange<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyDict>);
