@@ -153,32 +153,26 @@ impl<F: HitFilter> Baker<'_, F> {
     }
 
     /// Adds the colours of traced rays to the sums of all maps.
-    fn add_colors(
-        &self,
-        tile: &ImageTile,
-        offset: [f64; 2],
-        rays: &[Ray],
-        hits: &[LayerHits],
-        maps: &mut [TileMap],
-    ) {
+    fn add_colors(&self, tile: &ImageTile, offset: [f64; 2], rays: &[Ray], hits: &[LayerHits], maps: &mut [TileMap]) {
         let mut colors = [[0.0; 3]; PIXELS];
+        let (mut new_rays, mut new_hits) = (NO_RAYS, MISSES);
         for (layer, (found, map)) in hits.iter().zip(maps).enumerate() {
-            // The first layer is in front of the sky, which has a colour too.
-            let mut seen = [0; PIXELS];
-            let mut count = 0;
-            for n in ones(if layer == 0 { u64::MAX >> (PIXELS - rays.len()) } else { found.changed }) {
-                seen[count] = n;
-                count += 1;
+            if layer == 0 {
+                // Rays that meet nothing show the sky, which has a colour too.
+                let shown = if found.changed == 0 { &MISSES } else { &found.hits };
+                let footprint = |n: usize| self.caster.of_sample(tile, n, offset);
+                self.truth.add_colors(rays, &shown[..rays.len()], footprint, &mut colors[..rays.len()]);
+            } else if found.changed != 0 {
+                let (mut new, mut count) = ([0; PIXELS], 0);
+                for n in ones(found.changed) {
+                    (new[count], new_rays[count], new_hits[count]) = (n, rays[n], found.hits[n]);
+                    count += 1;
+                }
+                let mut new_colors = [[0.0; 3]; PIXELS];
+                let footprint = |at: usize| self.caster.of_sample(tile, new[at], offset);
+                self.truth.add_colors(&new_rays[..count], &new_hits[..count], footprint, &mut new_colors);
+                new[..count].iter().zip(new_colors).for_each(|(&n, color)| colors[n] = color);
             }
-            let seen = &seen[..count];
-            let (mut some_rays, mut some_hits, mut some_colors) = (NO_RAYS, MISSES, [[0.0; 3]; PIXELS]);
-            for (at, &n) in seen.iter().enumerate() {
-                some_rays[at] = rays[n];
-                some_hits[at] = if found.changed == 0 { Hit::MISS } else { found.hits[n] };
-            }
-            let footprint = |at: usize| self.caster.of_sample(tile, seen[at], offset);
-            self.truth.add_colors(&some_rays[..count], &some_hits[..count], footprint, &mut some_colors);
-            seen.iter().zip(&some_colors).for_each(|(&n, &color)| colors[n] = color);
             for (sum, color) in map.sums.as_flattened_mut().iter_mut().zip(colors.as_flattened()) {
                 *sum += color;
             }
@@ -206,12 +200,13 @@ mod tests {
 
     use glam::{DAffine3, DVec3};
 
+    use super::super::tiles::draw;
     use super::*;
     use crate::base::FaceMap;
     use crate::base::random::uniform;
     use crate::scene::{Instance, Mesh};
 
-    /// Four hundred triangles around the centre, of 40 objects.
+    /// Triangles around the centre: 400 of 40 objects in one mesh, which is placed twice, and the same as object 7.
     fn scene() -> Scene {
         let at = |n: u64, k| (uniform(7, n, k) * 2.0 - 1.0) as f32;
         let corner = |face: u64, k: u64| {
@@ -223,35 +218,54 @@ mod tests {
         let faces: Vec<[u32; 3]> = (0..400).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
         let objects = FaceMap::PerFace((0..400).map(|n| n / 10 - 1).collect());
         let mesh = Mesh::new(positions.into(), faces.into(), None, None, objects, FaceMap::Uniform(-1)).unwrap();
-        let instance = Instance::new(Arc::new(mesh), DAffine3::IDENTITY, None).unwrap();
-        Scene::new(DVec3::ZERO, vec![instance], vec![], Arc::default(), Arc::default()).unwrap()
+        let mesh = Arc::new(mesh);
+        let placed =
+            |turn: f64, object| Instance::new(Arc::clone(&mesh), DAffine3::from_rotation_y(turn), object).unwrap();
+        let instances = vec![placed(0.0, None), placed(0.3, Some(7)), placed(2.0, None)];
+        Scene::new(DVec3::ZERO, instances, vec![], Arc::default(), Arc::default()).unwrap()
+    }
+
+    /// Objects of rings after one, each hit by itself.
+    struct After<'a>(&'a Scene, &'a [u16], u16);
+
+    impl HitFilter for &After<'_> {
+        fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
+            let object = self.0.instance(candidate.instance).object_of(candidate.face);
+            self.1[usize::try_from(object).unwrap_or(40)] > self.2
+        }
     }
 
     #[test]
-    fn changed_maps_are_those_traced_everywhere() {
+    fn maps_are_those_drawn_one_by_one() {
         let scene = scene();
-        let rings: Vec<u16> = (0..40).map(|n| 1 + n * 5 % 4).collect();
+        // Objects of ring 0 are in no map, those of rings 3 and 4 beyond all.
+        let rings: Vec<u16> = (0..41).map(|n| n * 7 % 5).collect();
         for samples in [1, 5] {
-            let settings = Bake { center: DVec3::ZERO, radius: 0.0, size: 24, samples, range: true, object_id: true };
-            let bake = |rings: &[u16], count| bake_rings(&scene, &settings, rings, count, &Progress::new()).unwrap();
-            let maps = bake(&rings, 3);
+            let settings = Bake { center: DVec3::ZERO, radius: 0.0, size: 28, samples, range: true, object_id: true };
+            let maps = bake_rings(&scene, &settings, &rings, 2, &Progress::new()).unwrap();
             let mut kept = maps.first;
-            let mut traced = 0;
-            for (after, change) in (1..).zip(maps.changes) {
-                traced += change.texels.len();
+            let mut changed = 0;
+            for after in 0..=2 {
+                let filter = &After(&scene, &rings, after);
+                let mut drawn = Frame::default();
+                for face in 0..6 {
+                    let camera = settings.camera(face).unwrap();
+                    let picture = Truth { scene: &scene, filter };
+                    drawn.append(&draw(&settings.view(&scene, &camera), &picture, &Progress::new()).unwrap());
+                }
+                assert_eq!(kept.color, drawn.color);
+                assert_eq!(kept.range, drawn.range);
+                assert_eq!(kept.object_id, drawn.object_id);
+                let Some(change) = maps.changes.get(usize::from(after)) else { continue };
+                assert!(change.texels.is_sorted_by(|a, b| a < b));
+                changed += change.texels.len();
                 for (number, &texel) in change.texels.iter().enumerate() {
                     kept.color[texel as usize] = change.frame.color[number];
                     kept.range[texel as usize] = change.frame.range[number];
                     kept.object_id[texel as usize] = change.frame.object_id[number];
                 }
-                // Objects of ring 0 are in no map.
-                let later: Vec<u16> = rings.iter().map(|&ring| if ring > after { ring } else { 0 }).collect();
-                let whole = bake(&later, 0).first;
-                assert_eq!(kept.color, whole.color);
-                assert_eq!(kept.range, whole.range);
-                assert_eq!(kept.object_id, whole.object_id);
             }
-            assert!(traced > 100 && traced < 3 * 6 * 24 * 24 / 2, "{traced}");
+            assert!(changed > 100 && changed < 2 * 6 * 28 * 28 * 9 / 10, "{changed}");
         }
     }
 

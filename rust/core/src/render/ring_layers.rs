@@ -30,7 +30,9 @@ impl<'a> RingLayers<'a> {
             .iter()
             .map(|instance| {
                 let mesh = instance.object.is_none().then(|| Arc::as_ptr(&instance.mesh));
-                Arc::clone(of_meshes.entry((mesh, instance.object)).or_insert_with(|| layers_of(instance, rings, count)))
+                Arc::clone(
+                    of_meshes.entry((mesh, instance.object)).or_insert_with(|| layers_of(instance, rings, count)),
+                )
             })
             .collect();
         let beyond = count.saturating_add(1);

@@ -273,7 +273,7 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
     ) -> bool {
         let mut planes = [0.0; 6];
         for axis in 0..3 {
-            let [a, b, c] = [0, 1, 2].map(|corner: usize| block.corners[corner][axis][lane]);
+            let [a, b, c] = [block.corners[0][axis][lane], block.corners[1][axis][lane], block.corners[2][axis][lane]];
             (planes[2 * axis], planes[2 * axis + 1]) = (least(least(a, b), c), greatest(greatest(a, b), c));
         }
         let load = Loader(isa);
@@ -328,10 +328,12 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
     }
 }
 
+#[inline(always)]
 fn least(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
+#[inline(always)]
 fn greatest(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
