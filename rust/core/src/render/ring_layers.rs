@@ -29,7 +29,7 @@ impl<'a> RingLayers<'a> {
         let classes: Vec<Arc<[u16]>> = instances
             .iter()
             .map(|instance| {
-                let mesh = instance.object.is_none().then(|| Arc::as_ptr(&instance.mesh));
+                let mesh = instance.object.is_none().then_some(Arc::as_ptr(&instance.mesh));
                 Arc::clone(
                     of_meshes.entry((mesh, instance.object)).or_insert_with(|| layers_of(instance, rings, count)),
                 )
