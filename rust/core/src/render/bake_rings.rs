@@ -5,10 +5,9 @@
 //! the ring. A hit is shaded once for all maps that show it.
 
 use super::bake::{Bake, standing_only};
-use super::caster::Caster;
 use super::frame::{Band, Channels, Frame};
 use super::ring_layers::{OfRings, RingLayers};
-use super::tiles::{CENTER, ImageTile, NO_RAYS, PIXELS, Picture, TILE};
+use super::tiles::{CENTER, Caster, ImageTile, NO_RAYS, PIXELS, Picture, TILE};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;

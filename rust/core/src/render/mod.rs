@@ -6,7 +6,6 @@ pub mod surface;
 pub mod limits;
 pub mod mask;
 pub mod tiles;
-pub(crate) mod caster;
 pub mod truth;
 pub mod sides;
 pub mod temporal;

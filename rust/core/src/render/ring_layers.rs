@@ -4,10 +4,9 @@ use std::collections::HashMap;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::base::{Aabb, Progress, Result};
-use crate::bvh::Tlas;
+use crate::base::{Progress, Result};
 use crate::scene::{Instance, Scene};
-use crate::trace::{Hit, HitFilter, Layer, Ray};
+use crate::trace::{Hit, HitFilter, Layer, LayerTree, Ray};
 
 /// A tree of each layer's instances. An instance with faces of several layers is in the tree of each; its faces are then
 /// told apart ray by ray.
@@ -16,7 +15,7 @@ pub(super) struct RingLayers<'a> {
     rings: &'a [u16],
     /// The instances whose faces are not all of one layer.
     mixed: Vec<bool>,
-    trees: Vec<(Tlas, RangeInclusive<u16>)>,
+    trees: Vec<(LayerTree, RangeInclusive<u16>)>,
 }
 
 impl<'a> RingLayers<'a> {
@@ -37,13 +36,9 @@ impl<'a> RingLayers<'a> {
             .collect();
         let beyond = count.saturating_add(1);
         let tree = |number: u16| {
-            let boxes: Vec<Aabb> = instances
-                .iter()
-                .zip(&classes)
-                .map(|(instance, layers)| if layers.contains(&number) { instance.bounds } else { Aabb::EMPTY })
-                .collect();
+            let tree = LayerTree::new(scene, |instance| classes[instance].contains(&number), progress)?;
             let numbers = number..=if number == beyond { u16::MAX } else { number };
-            Ok((Tlas::build(&boxes, progress)?, numbers))
+            Ok((tree, numbers))
         };
         let trees = (1..=beyond).rev().map(tree).collect::<Result<_>>()?;
         Ok(Self { scene, rings, mixed: classes.iter().map(|layers| layers.len() > 1).collect(), trees })
@@ -52,7 +47,7 @@ impl<'a> RingLayers<'a> {
     /// The layers, beginning beyond all rings, with filters made from those of rings.
     pub(super) fn with<F: HitFilter>(&'a self, filter: impl Fn(OfRings<'a>) -> F) -> Vec<Layer<'a, F>> {
         let Self { scene, rings, mixed, trees } = self;
-        let layer = |(tree, numbers): &'a (Tlas, RangeInclusive<u16>)| {
+        let layer = |(tree, numbers): &'a (LayerTree, RangeInclusive<u16>)| {
             let of_rings = OfRings { scene, rings, mixed, numbers: numbers.clone() };
             Layer { tree, filter: filter(of_rings) }
         };

@@ -7,9 +7,8 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::caster::ray_at;
 use super::limits::Limits;
-use super::tiles::{MAX_SAMPLES, Picture, TILE, check_reach, sample_offsets};
+use super::tiles::{MAX_SAMPLES, Picture, TILE, check_reach, ray_at, sample_offsets};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::camera::{Camera, Rays};

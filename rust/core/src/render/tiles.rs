@@ -4,12 +4,12 @@
 //! computed independently and in a fixed order, so the result does not depend on the number of threads.
 
 use glam::{DVec3, Vec3};
+use rayon::prelude::*;
 
-use super::caster::Caster;
 use super::frame::{Band, Channels, Frame, Sample};
-use super::limits::Limits;
+use super::limits::{Limits, Segment};
 use crate::base::{Error, Progress, REACH, Result};
-use crate::camera::{Camera, Footprint};
+use crate::camera::{Camera, Footprint, Rays};
 use crate::trace::{Hit, Ray};
 
 /// Width of a tile, pixels; a tile has 64 neighbouring rays.
@@ -73,7 +73,7 @@ pub struct Pixels<'a> {
 
 impl Pixels<'_> {
     /// Fails for a mask of another size.
-    pub(super) fn check(&self, pixels: usize) -> Result<()> {
+    fn check(&self, pixels: usize) -> Result<()> {
         match self.mask {
             Some(mask) if mask.len() != pixels => Err(Error::value("mask", format!("{pixels} pixels"), mask.len())),
             _ => Ok(()),
@@ -144,7 +144,7 @@ pub(super) struct ImageTile {
 }
 
 impl ImageTile {
-    pub(super) fn new(
+    fn new(
         first_row: usize,
         first_column: usize,
         rows: usize,
@@ -172,7 +172,7 @@ impl ImageTile {
 
     /// Column and row in the image of the n-th drawn pixel.
     #[inline]
-    pub(super) fn pixel(&self, n: usize) -> (usize, usize) {
+    fn pixel(&self, n: usize) -> (usize, usize) {
         let (column, row) = self.place(n);
         (self.first_column + column, self.first_row + row)
     }
@@ -196,6 +196,98 @@ impl ImageTile {
         (0..self.rows * self.columns)
             .filter(|&number| drawn.binary_search(&(number as u8)).is_err())
             .map(|number| number / self.columns * self.width + self.first_column + number % self.columns)
+    }
+}
+
+/// The rays of a view, tile by tile.
+pub(super) struct Caster<'a> {
+    width: usize,
+    height: usize,
+    mask: Option<&'a [bool]>,
+    rays: Rays,
+    eye: DVec3,
+    /// Positions of a pixel's samples.
+    pub(super) offsets: Vec<[f64; 2]>,
+    /// Side of the square that a sample represents, pixels.
+    scale: f64,
+    /// Relative to the scene's origin.
+    limits: Limits,
+}
+
+impl<'a> Caster<'a> {
+    /// Fails for an impossible view.
+    pub(super) fn new(view: &RenderView<'a>) -> Result<Self> {
+        if !(1..=MAX_SAMPLES).contains(&view.samples) {
+            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
+        }
+        let eye = view.camera.position - view.origin;
+        check_reach("position", eye)?;
+        let (width, height) = (view.camera.width as usize, view.camera.height as usize);
+        view.pixels.check(width * height)?;
+        Ok(Self {
+            width,
+            height,
+            mask: view.pixels.mask,
+            rays: view.camera.rays(),
+            eye,
+            offsets: sample_offsets(view.samples),
+            scale: 1.0 / f64::from(view.samples).sqrt(),
+            limits: view.limits.relative_to(view.origin),
+        })
+    }
+
+    pub(super) fn pixel_count(&self) -> usize {
+        self.width * self.height
+    }
+
+    /// Calls a function for each tile with the band of a frame that holds it, and returns what it left of each band
+    /// besides, in order.
+    pub(super) fn for_tiles<T: Default + Send>(
+        &self,
+        frame: &mut Frame,
+        progress: &Progress,
+        paint: impl Fn(&ImageTile, &mut Band<'_>, &mut T) + Sync,
+    ) -> Result<Vec<T>> {
+        progress.expect(self.pixel_count() as u64);
+        let bands = frame.bands(self.width * TILE).into_par_iter().enumerate();
+        let paint_band = |(index, mut band)| {
+            let first_row = index * TILE;
+            let rows = TILE.min(self.height - first_row);
+            let mut besides = T::default();
+            for first_column in (0..self.width).step_by(TILE) {
+                let columns = TILE.min(self.width - first_column);
+                let tile = ImageTile::new(first_row, first_column, rows, columns, self.width, self.mask);
+                paint(&tile, &mut band, &mut besides);
+                progress.check()?;
+            }
+            progress.report((rows * self.width) as u64)?;
+            Ok(besides)
+        };
+        bands.map(paint_band).collect()
+    }
+
+    /// Writes the rays of a tile.
+    pub(super) fn aim(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray]) {
+        for (n, ray) in rays.iter_mut().enumerate() {
+            let (x, y) = position(tile, n, offset);
+            *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
+        }
+    }
+
+    /// The share of a sample in its pixel's colour.
+    pub(super) fn share(&self) -> f32 {
+        1.0 / self.offsets.len() as f32
+    }
+
+    /// The footprint of one of a pixel's samples.
+    pub(super) fn of_sample(&self, tile: &ImageTile, n: usize, offset: [f64; 2]) -> Footprint {
+        self.footprint(tile, n, offset, self.scale)
+    }
+
+    /// The footprint of a ray that represents a square of `scale` pixels.
+    pub(super) fn footprint(&self, tile: &ImageTile, n: usize, offset: [f64; 2], scale: f64) -> Footprint {
+        let (x, y) = position(tile, n, offset);
+        self.rays.footprint(x, y, scale)
     }
 }
 
@@ -263,6 +355,21 @@ impl<P: Picture> Painter<'_, P> {
             (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
         }
     }
+}
+
+/// Returns the ray through image position (x, y) from an eye; eye and limits are relative to the scene's origin.
+#[inline]
+pub(crate) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, limits: &Limits) -> Ray {
+    let (start, direction) = rays.at(x, y);
+    let origin = eye + start;
+    let Segment { t_min, t_max } = limits.of(origin, direction);
+    Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_min, t_max }
+}
+
+#[inline]
+fn position(tile: &ImageTile, n: usize, offset: [f64; 2]) -> (f64, f64) {
+    let (column, row) = tile.pixel(n);
+    (column as f64 + offset[0], row as f64 + offset[1])
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use super::beam::{self, Quest};
 use super::lanes::{Avx2, Avx512};
 use super::lanes::{InstructionSet, Isa, Portable};
 use super::layer::{Layer, LayerHits, by_layer};
-use super::packet::{Packet, RAYS};
+use super::packet::{LEAST_PACKET, Packet, RAYS};
 use super::ray::{All, Hit, HitFilter, Ray};
 use super::single::{Search, walk_set};
 use crate::scene::{InstanceSet, Scene};
@@ -142,9 +142,6 @@ fn touches<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], _filter: &
     }
     touched.fill(false);
 }
-
-/// Least number of rays for which a packet saves time.
-pub(super) const LEAST_PACKET: usize = 8;
 
 /// Sets of instances with the number of their first instance; empty sets are left out.
 #[inline(always)]

@@ -1,19 +1,32 @@
 //! Rays through the static instances of a scene, layer by layer.
 
 use super::beam::{self, Quest};
-use super::dispatch::LEAST_PACKET;
 use super::lanes::Isa;
-use super::packet::{Packet, RAYS};
+use super::packet::{LEAST_PACKET, Packet, RAYS};
 use super::ray::{Hit, HitFilter, Ray};
 use super::single::{self, Local, Search};
+use crate::base::{Aabb, Progress, Result};
 use crate::bvh::Tlas;
 use crate::scene::Scene;
+
+/// A tree over the boxes of some static instances of a scene.
+#[derive(Debug)]
+pub struct LayerTree(Tlas);
+
+impl LayerTree {
+    /// The tree of the instances whose numbers fulfil a condition.
+    pub fn new(scene: &Scene, holds: impl Fn(usize) -> bool, progress: &Progress) -> Result<Self> {
+        let instances = scene.standing.instances().iter().enumerate();
+        let boxes = instances.map(|(number, instance)| if holds(number) { instance.bounds } else { Aabb::EMPTY });
+        Ok(Self(Tlas::build(&boxes.collect::<Vec<_>>(), progress)?))
+    }
+}
 
 /// Some static instances of a scene.
 #[derive(Debug)]
 pub struct Layer<'a, F> {
     /// The tree of their boxes.
-    pub tree: &'a Tlas,
+    pub tree: &'a LayerTree,
     /// Filter of their faces.
     pub filter: F,
 }
@@ -69,7 +82,7 @@ pub(super) fn by_layer<I: Isa, F: HitFilter>(
         for (layer, out) in layers.iter().zip(out) {
             let before = packet.changes;
             let quest = Quest { rays, filter: &layer.filter };
-            beam::walk_some(isa, layer.tree, instances, &quest, &mut packet, &mut room);
+            beam::walk_some(isa, &layer.tree.0, instances, &quest, &mut packet, &mut room);
             if packet.changes != before {
                 out.store(rays.len(), &mut last, |i| packet.hit(i));
             }
@@ -81,7 +94,7 @@ pub(super) fn by_layer<I: Isa, F: HitFilter>(
         for (ray, best) in rays.iter().zip(&mut found) {
             let mut search = Search { ray, filter: &layer.filter, best: *best, any: false };
             let local = Local::new(ray, &whole.bounds);
-            single::walk_some(isa, layer.tree, instances, &local, &mut search);
+            single::walk_some(isa, &layer.tree.0, instances, &local, &mut search);
             *best = search.best;
         }
         out.store(rays.len(), &mut last, |i| found[i]);

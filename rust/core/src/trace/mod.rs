@@ -22,7 +22,7 @@ pub use cast::{Hits, Points, cast};
 pub use closest::{Closest, closest};
 pub use dispatch::{any_hits, beam_touches, closest_hit, closest_hits, closest_hits_apart, closest_hits_by_layer};
 pub use lanes::{instruction_sets, use_instruction_set};
-pub use layer::{Layer, LayerHits};
+pub use layer::{Layer, LayerHits, LayerTree};
 pub use nearest::{Nearest, nearest};
 pub use ray::{All, Hit, HitFilter, Ray};
 pub use region::touches;

@@ -13,6 +13,8 @@ use crate::bvh::Node;
 
 /// Greatest number of rays in a packet: a tile of 8 × 8 pixels.
 pub(crate) const RAYS: usize = 64;
+/// Least number of rays for which a packet saves time.
+pub(super) const LEAST_PACKET: usize = 8;
 /// Greatest range of slopes across the main axis at which rays still make a beam.
 const MAX_SLOPE_SPREAD: f32 = 0.35;
 /// Relative widening of a beam, far more than the rounding between a ray's own box test and the beam's.
