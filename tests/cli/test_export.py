@@ -29,6 +29,13 @@ def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pyt
         assert text in printed
 
 
+def test_dynamic_objects_are_counted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    given = ("-i", "city:blocks=2,detail=0", "-o", tmp_path / "bundle", "--radii", "5", *FAST)
+    status, printed, err = command(capsys, "export", *given)
+    assert status == 0, err
+    assert "dynamic objects" in printed
+
+
 def test_several_centres_move_to_a_grid(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out, more = tmp_path / "bundle", ("--center", "9,1.7,8.6", "--center", "-0.3,1.7,0.2", "--grid", "2")
     status, printed, err = command(capsys, "export", "-i", city, "-o", out, "--radii", "10", *FAST, *more, "--json")

@@ -130,4 +130,6 @@ def _text(ring: dict[str, float]) -> str:
     parts = [f"map {bytes_text(int(ring['color'] + ring['range']))}"]
     if ring["geometry"]:
         parts.insert(0, f"{count(int(ring['triangles']))} triangles {bytes_text(int(ring['geometry']))}")
+    if ring["dynamic"]:
+        parts.append(f"dynamic objects {bytes_text(int(ring['dynamic']))}")
     return ", ".join(parts)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -80,16 +80,22 @@ class Bundle(InRegions):
         Returns
         -------
         list
-            For each ring from 0 on `radius` in metres, `objects`, `triangles`, and the bytes of its `geometry` with
-            textures, `color` and `range`. A file that an earlier ring has counts there only.
+            For each ring from 0 on `radius` in metres, its static `objects` and their `triangles`, and the bytes of its
+            `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Those come with ring
+            0, because every picture shows them. A file that an earlier ring or column has counts there only, so that
+            the bytes of a bundle with one region add up to `nbytes`.
         """
         seen: set[str] = set()
         rows = []
-        for ring in self._rings:
+        for number, ring in enumerate(self._rings):
             row = {name: ring[name] for name in ("radius", "objects", "triangles")}
-            for kind in ("geometry", "color", "range"):
-                value = [*names_of(ring["geometry"]), *ring["parts"]] if kind == "geometry" else ring["map"].get(kind)
-                names = set(names_of(value)) - seen
+            files = {
+                "dynamic": [] if number else _geometry_files(self._manifest["dynamic"]),
+                "geometry": _geometry_files(ring),
+                **{kind: names_of(ring["map"].get(kind)) for kind in ("color", "range")},
+            }
+            for kind, listed in files.items():
+                names = set(listed) - seen
                 seen |= names
                 row[kind] = sum(self._manifest["files"][name]["bytes"] for name in names)
             rows.append(row)
@@ -219,6 +225,9 @@ class Bundle(InRegions):
         facts = [("region", f"{self.number} of {len(self.centers)}"), ("centre", card.point(self.center))]
         facts.append(("bytes of all", f"{self.nbytes:,}"))
         for number, row in enumerate(self.summary()):
+            if row["dynamic"]:
+                moving = self._manifest["dynamic"]["triangles"]
+                facts.append(("dynamic objects", f"{moving:,} triangles, {row['dynamic']:,} bytes"))
             text = f"{row['triangles']:,} triangles, {row['geometry']:,} + {row['color']:,} + {row['range']:,} bytes"
             facts.append((f"ring {number}, to {row['radius']:g} m", text))
         facts += [("note", finding) for finding in self.findings]
@@ -227,6 +236,11 @@ class Bundle(InRegions):
     def __repr__(self) -> str:
         region = f"region {self.number} of {len(self.centers)}, {self.count} rings to {self.radii[-1]:g} m"
         return f"Bundle({self._reader.place!r}: {region}, {self.nbytes:,} bytes)"
+
+
+def _geometry_files(entry: Mapping[str, Any] | None) -> list[str]:
+    """Names of the files that an entry with a GLB needs: itself, its buffers and its images."""
+    return [] if entry is None else [*names_of(entry["geometry"]), *entry["parts"]]
 
 
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
