@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import nearfar as nf
+from tests.support import need
 from tests.support.cli_cases import city as city, command, document
 
 FAST = ("--center", "0,1.7,0", "--face-size", "64", "--samples", "1")
@@ -34,6 +35,18 @@ def test_dynamic_objects_are_counted(tmp_path: Path, capsys: pytest.CaptureFixtu
     status, printed, err = command(capsys, "export", *given)
     assert status == 0, err
     assert "dynamic objects" in printed
+
+
+def test_a_url_takes_a_bundle_too(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    need("fsspec")
+    url = "memory://cli/city"
+    status, printed, err = command(capsys, "export", "-i", city, "-o", url, "--radii", "10", *FAST, "--json")
+    assert status == 0, err
+    assert document(printed, "export")["folder"] == url
+    assert nf.stream.open(url).radii == (10.0,)
+    status, _, err = command(capsys, "export", "-i", city, "-o", "http://127.0.0.1/city", "--radii", "10", *FAST)
+    assert status == 1
+    assert "path: expected" in err
 
 
 def test_several_centres_move_to_a_grid(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
