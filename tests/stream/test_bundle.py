@@ -132,6 +132,7 @@ def test_the_manifest_lists_every_file(folder: Path, bundle: nf.stream.Bundle) -
 @pytest.mark.parametrize("damage", ["missing", "shorter", "changed"])
 def test_a_missing_or_altered_file_is_named(city: nf.Scene, tmp_path: Path, damage: str) -> None:
     bundle = nf.stream.export(city, tmp_path / "b", **{**SETTINGS, "face_size": 64, "radii": [10.0]})
+    assert "1 ring to 10 m" in repr(bundle)
     victim = sorted((tmp_path / "b" / "files").glob("*.glb"))[0]
     data = victim.read_bytes()
     if damage == "missing":

@@ -12,6 +12,7 @@ from nearfar._base import card, check, formats
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._scene.report import count
 from nearfar.stream import _manifest, _store
 from nearfar.stream._decode import Layout, decode_map, joined, ring_scene
 from nearfar.stream._growth import Growth
@@ -234,7 +235,7 @@ class Bundle(InRegions):
         return card.page("Bundle", facts)
 
     def __repr__(self) -> str:
-        region = f"region {self.number} of {len(self.centers)}, {self.count} rings to {self.radii[-1]:g} m"
+        region = f"region {self.number} of {len(self.centers)}, {count(self.count, 'ring')} to {self.radii[-1]:g} m"
         return f"Bundle({self._reader.place!r}: {region}, {self.nbytes:,} bytes)"
 
 
