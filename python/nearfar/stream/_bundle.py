@@ -252,7 +252,8 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     Parameters
     ----------
     path
-        The folder or its `manifest.json`; or a URL of either, which needs fsspec.
+        The folder or its `manifest.json`; or a URL of either, which needs fsspec and what that needs for such a URL:
+        'fsspec[http]' for web servers, s3fs for ``s3://``.
 
     Raises
     ------
@@ -260,9 +261,9 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
         For a manifest that is damaged or newer than this version reads, and for a file of a local folder that is
         missing or has another size; the message names the file.
     ValueError
-        For a URL whose file system is not known, and where fsspec is missing.
+        For a URL whose file system is not known, and where fsspec, or a package that it needs, is missing.
     OSError
-        If there is no manifest.
+        If there is no manifest, or a server does not answer.
     """
     reader = _store.reader(path)
     manifest = _manifest.read(reader)
