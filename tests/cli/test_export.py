@@ -23,6 +23,9 @@ def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pyt
     assert found["regions"][0]["rings"] == bundle.summary()
     assert bundle.radii == (10.0, 22.0)
     assert bundle.center == (0.0, 1.7, 0.0)
+    for name in ("info", "partition"):
+        status, _, err = command(capsys, name, "-i", out)
+        assert (status, "got a folder with a bundle, which nearfar.stream.open reads" in err) == (1, True)
     more = ("--lossless", "--pixels-per-degree", "0")
     status, printed, err = command(capsys, "export", "-i", city, "-o", out, *FAST, *more)
     assert status == 0, err
