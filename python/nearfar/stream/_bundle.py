@@ -117,20 +117,14 @@ class Bundle(InRegions):
         FormatError
             For a file that is missing or differs; the message names it.
         """
-        listed = self._listed
-        if check.text("name", name) not in listed:
+        if check.text("name", name) not in self._listed:
             raise ValueError(f"name: expected a file of the manifest, got {check.shortened(name)}")
         if name not in self._kept:
-            place = self._reader.place
-            try:
-                data = self._reader.read(name)
-            except FileNotFoundError:
-                raise _store.missing(place, name) from None
-            self._kept[name] = _store.checked(place, name, data, listed[name])
+            self._kept[name] = self._fetched(name)
         return self._kept[name]
 
     def verify(self) -> None:
-        """Read every file and check its size and hash.
+        """Read every file, also those that were read before, and check its size and hash.
 
         Raises
         ------
@@ -138,8 +132,7 @@ class Bundle(InRegions):
             For the first file that is missing or differs; the message names it.
         """
         for name in self._listed:
-            self.read(name)
-            del self._kept[name]
+            self._fetched(name)
 
     def map(self, ring: int) -> EnvMap:
         """Return the map of what lies after a ring, as a client has it: with range from ring 1 on.
@@ -212,6 +205,14 @@ class Bundle(InRegions):
         if described is None:
             return None
         return moving_scene(described, self.read, self._place(described["geometry"]))
+
+    def _fetched(self, name: str) -> bytes:
+        place = self._reader.place
+        try:
+            data = self._reader.read(name)
+        except FileNotFoundError:
+            raise _store.missing(place, name) from None
+        return _store.checked(place, name, data, self._listed[name])
 
     def _decoded(self, name: str, decode: Callable[[bytes], Any]) -> Any:
         data = self.read(name)
