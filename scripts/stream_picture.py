@@ -26,7 +26,7 @@ def main() -> None:
         shown = []
         for ring, row in enumerate(bundle.summary()):
             size = sum(row[kind] for kind in ("dynamic", "geometry", "color", "range")) / 1000
-            text = "first picture: a map, and cars" if ring == 0 else f"ring {ring}, to {row['radius']:.0f} m"
+            text = "first picture: a map and cars" if ring == 0 else f"ring {ring}, to {row['radius']:.0f} m"
             picture = nf.render(bundle.at(ring), VIEW, samples=8, channels=("color",)).to_image()
             shown.append(caption(picture, f"{text}, {size:,.0f} kB"))
     truth = nf.render(scene, VIEW, samples=8, channels=("color",)).to_image()
