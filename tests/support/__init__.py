@@ -76,6 +76,7 @@ def _release() -> str:
 
 
 PARTS: dict[str, Callable[[], str]] = {
+    "aiohttp": _module("aiohttp"),
     "browser": no_browser,
     "data": _data_folder,
     "DracoPy": _module("DracoPy"),

@@ -19,6 +19,9 @@ POLICIES = ("cost", "published", "equal_area")
 PUBLISHED = (10.0, 14.0, 17.0, 22.0, 32.0, 63.0)
 """Radii in metres that CloVR (2024) prints for its City; they are about 10 √i for i = 1, 2, 3, 5, 10, 40."""
 
+REACH = PUBLISHED[-1]
+"""The last radius in metres, by default."""
+
 TRIANGLE_BYTES = 5.0
 """Bytes of a triangle of compressed geometry."""
 
@@ -33,7 +36,7 @@ def rings(
     scene: Scene,
     *,
     center: ArrayLike,
-    r_max: float = PUBLISHED[-1],
+    r_max: float = REACH,
     base_radius: float = PUBLISHED[0],
     bandwidth: float = 50.0,
     latency: float = 0.05,
