@@ -45,7 +45,7 @@ struct Place {
 };
 
 // Of a user relative to the centre.
-Place place_of(vec3 offset) {
+Place ground_place(vec3 offset) {
     return Place(offset.xz, length(offset.xz));
 }
 
@@ -140,7 +140,7 @@ vec3 shift_on_cylinder(vec3 from_center, vec3 offset, float w, float rho) {
     if (dot(from_center, from_center) > FAR_SQUARED) {
         return offset;
     }
-    vec4 to = on_cylinder(place_of(offset), from_center - offset, from_center, w, rho);
+    vec4 to = on_cylinder(ground_place(offset), from_center - offset, from_center, w, rho);
     return offset + to.w * to.xyz - from_center;
 }
 
@@ -170,7 +170,7 @@ vec3 nearfar_morph_cylinder(vec3 p, vec3 user, vec3 center, float r1, float r2, 
 
 // How far away the user is shown what the far map holds in a unit direction at a range, with the cylinder.
 float nearfar_range_cylinder(vec3 direction, float range, vec3 user, vec3 center) {
-    return range_on_cylinder(place_of(user - center), direction, range);
+    return range_on_cylinder(ground_place(user - center), direction, range);
 }
 
 #endif

@@ -52,7 +52,7 @@ Place make_Place(float2 at, float rho) {
 }
 
 // Of a user relative to the centre.
-Place place_of(float3 offset) {
+Place ground_place(float3 offset) {
     return make_Place(offset.xz, length(offset.xz));
 }
 
@@ -156,7 +156,7 @@ float3 shift_on_cylinder(float3 from_center, float3 offset, float w, float rho) 
     if (dot(from_center, from_center) > FAR_SQUARED) {
         return offset;
     }
-    float4 to = on_cylinder(place_of(offset), from_center - offset, from_center, w, rho);
+    float4 to = on_cylinder(ground_place(offset), from_center - offset, from_center, w, rho);
     return offset + to.w * to.xyz - from_center;
 }
 
@@ -186,7 +186,7 @@ float3 nearfar_morph_cylinder(float3 p, float3 user, float3 center, float r1, fl
 
 // How far away the user is shown what the far map holds in a unit direction at a range, with the cylinder.
 float nearfar_range_cylinder(float3 direction, float range, float3 user, float3 center) {
-    return range_on_cylinder(place_of(user - center), direction, range);
+    return range_on_cylinder(ground_place(user - center), direction, range);
 }
 
 #endif

@@ -43,7 +43,7 @@ struct Place {
 }
 
 // Of a user relative to the centre.
-fn place_of(offset: vec3<f32>) -> Place {
+fn ground_place(offset: vec3<f32>) -> Place {
     return Place(offset.xz, length(offset.xz));
 }
 
@@ -138,7 +138,7 @@ fn shift_on_cylinder(from_center: vec3<f32>, offset: vec3<f32>, w: f32, rho: f32
     if dot(from_center, from_center) > FAR_SQUARED {
         return offset;
     }
-    let to = on_cylinder(place_of(offset), from_center - offset, from_center, w, rho);
+    let to = on_cylinder(ground_place(offset), from_center - offset, from_center, w, rho);
     return offset + to.w * to.xyz - from_center;
 }
 
@@ -181,5 +181,5 @@ fn nearfar_morph_cylinder(
 
 // How far away the user is shown what the far map holds in a unit direction at a range, with the cylinder.
 fn nearfar_range_cylinder(direction: vec3<f32>, range: f32, user: vec3<f32>, center: vec3<f32>) -> f32 {
-    return range_on_cylinder(place_of(user - center), direction, range);
+    return range_on_cylinder(ground_place(user - center), direction, range);
 }

@@ -140,7 +140,7 @@ def in_function(body: str) -> str:
 def test_what_the_translator_does_not_know_is_refused(wgsl: str, reason: str) -> None:
     for language in ("glsl", "hlsl"):
         with pytest.raises(RefusedError, match=rf"^line \d+: the translator does not know .*{re.escape(reason)}"):
-            translate(wgsl, language)  # type: ignore[arg-type]
+            translate(wgsl, language)
 
 
 # Compilation ----------------------------------------------------------------------------------------------------------
@@ -219,7 +219,7 @@ def scene() -> dict[str, Any]:
     # Those beyond r2 come last, and are not drawn.
     middles = np.concatenate([middles[rho < 46], middles[rho > 54]])
     corners = middles[:, None] + random.uniform(-2, 2, (len(middles), 3, 3))
-    points = np.float32(corners.reshape(-1, 3) + center)
+    points = (corners.reshape(-1, 3) + center).astype(np.float32)
     within = points[: 3 * np.count_nonzero(rho < 46)]
     moved = nf.morph(within, user=user, center=center, r1=radii[0], r2=radii[1])
     return {
@@ -248,19 +248,20 @@ def test_a_browser_computes_what_the_vectors_say(tmp_path: Path) -> None:
     beyond = [case for case, kind in wanted if kind == "cylinder" and not any(case["weight"]) and case["r2"] > 0]
     assert len(wanted) > 40
     assert len(beyond) >= 2
+    given_cases = [
+        *(job(case, list(KINDS).index(kind)) for case, kind in wanted),
+        *(job(case, 2) for case in beyond),
+        job(wanted[0][0], 3) | {"points": directions.tolist()},
+    ]
     work = {
         "expressions": [*map(call.format, KINDS.values()), distance, look_up],
         "map": {"size": 4, "faces": np.repeat(texels.reshape(6, -1), 4, axis=1).tolist()},
-        "cases": [
-            *(job(case, list(KINDS).index(kind)) for case, kind in wanted),
-            *(job(case, 2) for case in beyond),
-            job(wanted[0][0], 3) | {"points": directions.tolist()},
-        ],
+        "cases": given_cases,
         "scene": {**scene(), "code": code("js")[0]},
     }
     answer = answer_of("morph.mjs", work, tmp_path, {"engines": ENGINES})
     found = [np.reshape(values, (-1, 3)) for values in answer["shown"]]
-    for (case, _), values, given in zip(wanted, found, work["cases"], strict=False):
+    for (case, _), values, given in zip(wanted, found, given_cases, strict=False):
         check(values + given["origin"], case["shown"], case["tolerance"]["wgsl"])
     for case, values in zip(beyond, found[len(wanted) : -1], strict=True):
         check(values[:, 0], case["distance"], case["tolerance"]["wgsl"])

@@ -30,7 +30,7 @@ struct Place {
 }
 
 // Of a user relative to the centre.
-fn place_of(offset: vec3<f32>) -> Place {
+fn ground_place(offset: vec3<f32>) -> Place {
     return Place(offset.xz, length(offset.xz));
 }
 

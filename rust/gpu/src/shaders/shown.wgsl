@@ -11,7 +11,7 @@ const CYLINDER_FROM_CENTER: u32 = 5u;
 
 // The user, on the ground.
 fn user_place() -> Place {
-    return place_of(view.parameters[0].xyz - view.parameters[2].xyz);
+    return ground_place(view.parameters[0].xyz - view.parameters[2].xyz);
 }
 
 // Where a point relative to the eye is shown, relative to the eye.
