@@ -122,13 +122,29 @@ def in_browser(bundles: Mapping[str, Path], views: Mapping[str, dict[str, Any]],
         {"name": name, "place": f"/bundles/{name}", "files": _glbs(path), "view": views[name]}
         for name, path in bundles.items()
     ]
+    return answer_of("page.mjs", {"bundles": described}, folder, bundles)
+
+
+def answer_of(
+    module: str, job: Mapping[str, Any], folder: Path, folders: Mapping[str, Path] | None = None
+) -> dict[str, Any]:
+    """What a module of tests/readers posts to /result after it has read its job from /job.json.
+
+    Parameters
+    ----------
+    module, job
+        The module's name, and what it is to do.
+    folder
+        An empty folder for the browser's profile.
+    folders
+        Folders that the module finds by these names below /bundles.
+    """
     answers: queue.Queue[bytes] = queue.Queue()
-    job = json.dumps({"bundles": described}).encode()
-    handler = partial(_Handler, job=job, bundles=bundles, answers=answers)
+    handler = partial(_Handler, job=json.dumps(job).encode(), bundles=folders or {}, answers=answers)
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         try:
-            answer = _shown(f"http://127.0.0.1:{server.server_port}/page.html", answers, folder)
+            answer = _shown(f"http://127.0.0.1:{server.server_port}/page.html?{module}", answers, folder)
         finally:
             server.shutdown()
     assert "error" not in answer, answer["error"]

@@ -117,7 +117,7 @@ bool is_hidden() {
   }
   float range = length(v_shown);
   vec3 direction = v_shown / range;
-  return range > backdrop_range(direction, farthest_range(direction) * (1.0 + BIAS));
+  return range > range_on_cylinder(user_place(), direction, farthest_range(direction) * (1.0 + BIAS));
 }
 
 const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);

@@ -16,16 +16,7 @@ uniform vec3 cameraPosition;
 uniform vec4 radii;
 
 Place user_place() {
-  return Place(cameraPosition.xz, length(cameraPosition.xz));
-}
-
-// How far away the user is shown what the centre sees at a distance beyond r2: docs/stream.md, "Maps".
-float backdrop_range(vec3 direction, float from_center) {
-  if (from_center > 1e30) {
-    return from_center;
-  }
-  float leaves = leave_cylinder(user_place(), direction, from_center * length(direction.xz));
-  return leaves >= 0.0 ? leaves : from_center;
+  return ground_place(cameraPosition);
 }
 `;
 
