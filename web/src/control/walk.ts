@@ -1,77 +1,83 @@
-/** Walking and looking around with mouse, touch and keys. */
+/** Walking in first person at a constant eye height; plain arithmetic without a browser. */
+import type { Drive } from './drive';
+import { confine, type Limit, settle } from './limit';
 import type { Pose } from './pose';
+import { bounded, rightOf, STEEPEST, type Vector } from './vector';
 
-/** Metres a second, and how much faster with Shift. */
-const [SPEED, HASTE] = [1.4, 3] as const;
-/** Radians a second by keys; radians by which dragging over the height of the picture turns. */
-const [TURN, DRAG] = [1.2, 1.6] as const;
-const STEEPEST = 1.5;
-
-/** What keys do: metres to the right and ahead, and radians to the left and up, in units of their speeds. */
-const KEYS: Readonly<Record<string, readonly [number, number, number, number]>> = {
-  KeyW: [0, 1, 0, 0],
-  KeyS: [0, -1, 0, 0],
-  KeyA: [-1, 0, 0, 0],
-  KeyD: [1, 0, 0, 0],
-  ArrowUp: [0, 1, 0, 0],
-  ArrowDown: [0, -1, 0, 0],
-  ArrowLeft: [0, 0, 1, 0],
-  ArrowRight: [0, 0, -1, 0],
-  PageUp: [0, 0, 0, 1],
-  PageDown: [0, 0, 0, -1],
-};
+/** Metres a second, and how much faster people run. */
+const [SPEED, HASTE] = [1.6, 3] as const;
+/** Radians a second. */
+const TURN = 1.4;
+/** Seconds in which the speed comes to within 1/e of what is asked for, and the eye to its height. */
+const [START, RISE] = [0.09, 0.25] as const;
+/** Longest step of the arithmetic, seconds: turns are straight within it. */
+const STEP = 1 / 120;
 
 export interface Walk {
-  /** Where the user is after some seconds more. */
-  update(seconds: number): Pose;
+  readonly pose: Pose;
+  /** Go on by some seconds. */
+  update(seconds: number, drive: Drive): void;
+  /** Turn at once, radians to the left and up. */
+  look(left: number, up: number): void;
+  /** Stand somewhere else; its height is the eye height from then on. */
   setPose(pose: Pose): void;
+  /** Take over where another mode has led; the eye goes back to its height in a moment. */
+  resume(pose: Pose): void;
 }
 
-/** `home` is where the Home key leads; the element must be focusable, and takes the keys. */
-export function createWalk(element: HTMLElement, home: Pose): Walk {
-  const held = new Set<string>();
-  let pose = home;
-  let isHasty = false;
+/** `isSudden`: speeds and heights change at once, for people whom gliding makes sick. */
+export function createWalk(start: Pose, limit: () => Limit | null, isSudden: () => boolean): Walk {
+  let { position, yaw, pitch } = start;
+  let height = position[1];
+  // Metres a second to the right and ahead.
+  let velocity: readonly [number, number] = [0, 0];
 
-  element.addEventListener('keydown', (event) => {
-    isHasty = event.shiftKey;
-    if (event.code === 'Home') pose = home;
-    else if (event.code in KEYS && !event.ctrlKey && !event.metaKey && !event.altKey) held.add(event.code);
-    else return;
-    event.preventDefault();
-  });
-  element.addEventListener('keyup', (event) => {
-    isHasty = event.shiftKey;
-    held.delete(event.code);
-  });
-  element.addEventListener('blur', () => held.clear());
-  element.addEventListener('pointerdown', (event) => element.setPointerCapture(event.pointerId));
-  element.addEventListener('pointermove', (event) => {
-    if (!element.hasPointerCapture(event.pointerId)) return;
-    const scale = DRAG / element.clientHeight;
-    turn(event.movementX * scale, event.movementY * scale);
-  });
-
-  function turn(left: number, up: number): void {
-    const pitch = Math.min(Math.max(pose.pitch + up, -STEEPEST), STEEPEST);
-    pose = { ...pose, yaw: (pose.yaw + left) % (2 * Math.PI), pitch };
+  function step(seconds: number, drive: Drive): void {
+    const turned = TURN * drive.turn * seconds;
+    const middle = yaw + turned / 2;
+    yaw += turned;
+    pitch = bounded(pitch + TURN * drive.look * seconds, -STEEPEST, STEEPEST);
+    const speed = SPEED * (drive.isHasty ? HASTE : 1);
+    const [right, rightSpeed] = glide(velocity[0], speed * drive.right, seconds, isSudden());
+    const [front, frontSpeed] = glide(velocity[1], speed * drive.ahead, seconds, isSudden());
+    velocity = [rightSpeed, frontSpeed];
+    const [x, , z] = rightOf(middle);
+    const drop = isSudden() ? 0 : (position[1] - height) * Math.exp(-seconds / RISE);
+    // Ahead on the ground is (z, −x), where right is (x, z).
+    const wanted: Vector = [position[0] + x * right + z * front, height + drop, position[2] + z * right - x * front];
+    position = settle(confine(position, wanted, limit()), limit(), seconds);
   }
 
   return {
-    update(seconds) {
-      const [right, ahead, left, up] = [0, 1, 2, 3].map((n) =>
-        [...held].reduce((sum, key) => sum + (KEYS[key]?.[n] ?? 0), 0),
-      ) as [number, number, number, number];
-      turn(left * TURN * seconds, up * TURN * seconds);
-      const way = (SPEED * (isHasty ? HASTE : 1) * seconds) / Math.max(Math.hypot(right, ahead), 1);
-      const [sine, cosine] = [Math.sin(pose.yaw), Math.cos(pose.yaw)];
-      const [x, y, z] = pose.position;
-      const position = [x + way * (right * cosine - ahead * sine), y, z - way * (right * sine + ahead * cosine)] as const;
-      pose = { ...pose, position };
-      return pose;
+    get pose() {
+      return { position, yaw, pitch };
     },
-    setPose(next) {
-      pose = next;
+    update(seconds, drive) {
+      const steps = Math.ceil(seconds / STEP);
+      for (let number = 0; number < steps; number++) step(seconds / steps, drive);
+    },
+    look(left, up) {
+      yaw += left;
+      pitch = bounded(pitch + up, -STEEPEST, STEEPEST);
+    },
+    setPose(pose) {
+      ({ position, yaw, pitch } = pose);
+      height = position[1];
+      velocity = [0, 0];
+    },
+    resume(pose) {
+      ({ position, yaw, pitch } = pose);
+      velocity = [0, 0];
     },
   };
+}
+
+/**
+ * Metres gone and speed reached when the speed v tends to a goal g by dv/dt = (g − v) / START. The closed form makes one
+ * long step equal many short ones.
+ */
+function glide(speed: number, goal: number, seconds: number, isSudden: boolean): readonly [number, number] {
+  if (isSudden) return [goal * seconds, goal];
+  const left = Math.exp(-seconds / START);
+  return [goal * seconds + (speed - goal) * START * (1 - left), goal + (speed - goal) * left];
 }

@@ -33,7 +33,7 @@ out vec3 v_shown;
 vec3 shown(vec3 p) {
   vec3 from_user = p - cameraPosition;
   float rho = length(p.xz);
-  if (radii.w == 1.0 && rho <= radii.x) {
+  if (!is_morphed() || (radii.w == 1.0 && rho <= radii.x)) {
     return from_user;
   }
   float w = radii.w * user_weight(rho, radii.y, radii.z);
@@ -117,7 +117,8 @@ bool is_hidden() {
   }
   float range = length(v_shown);
   vec3 direction = v_shown / range;
-  return range > range_on_cylinder(user_place(), direction, farthest_range(direction) * (1.0 + BIAS));
+  float limit = farthest_range(direction) * (1.0 + BIAS);
+  return range > (is_morphed() ? range_on_cylinder(user_place(), direction, limit) : limit);
 }
 
 const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);

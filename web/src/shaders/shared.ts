@@ -12,8 +12,12 @@ precision highp usamplerCube;
 const SHOWN = /* glsl */ `
 // The eye, from the centre: each eye of a headset has its own.
 uniform vec3 cameraPosition;
-// r1, r2, 1 / (r2 - r1), and the strength of the morph.
+// r1, r2, 1 / (r2 - r1), and the strength of the morph; a strength below 0 stands for no morph at all.
 uniform vec4 radii;
+
+bool is_morphed() {
+  return radii.w >= 0.0;
+}
 
 Place user_place() {
   return ground_place(cameraPosition);

@@ -11,8 +11,8 @@ export interface Picture {
   readonly ring: number;
   /** R, metres. */
   readonly radius: number;
-  /** 0 to 1. */
-  readonly strength: number;
+  /** 0 to 1; null for the conventional picture: near geometry in its place, and the map as the centre sees it. */
+  readonly strength: number | null;
 }
 
 export interface Painter {
@@ -42,7 +42,7 @@ export function createPainter(
       const inner = nearShare * radius;
       // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 at any distance.
       const slope = radius > 0 ? 1 / (radius - inner) : 1;
-      shared.radii.value.set(inner, radius, slope, strength);
+      shared.radii.value.set(inner, radius, slope, strength ?? -1);
       shared.map.value = cube.color;
       shared.codes.value = cube.codes;
       const { least, step } = region.entry.range;

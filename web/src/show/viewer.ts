@@ -40,6 +40,10 @@ export interface Viewer {
   frame(pose: Pose | null, seconds: number): void;
   /** Draw one state, whatever the time: for tests and screenshots. */
   still(picture: Omit<Picture, 'region'>, pose: Pose): void;
+  /** Part of the width, from the left, in which the picture is the conventional one; null for none. */
+  setDivider(share: number | null): void;
+  /** The picture that was drawn last, as PNG. */
+  photo(): Promise<Blob>;
   readonly facts: Facts;
   dispose(): void;
 }
@@ -112,6 +116,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   };
   let open: Open | null = null;
   let upload = 0;
+  let divider: number | null = null;
 
   function close(): void {
     open?.stop.abort();
@@ -136,12 +141,29 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     camera.updateProjectionMatrix();
   }
 
-  function paint({ region }: Open, shown: Shown): void {
+  /** Draw what is shown of a region, morphed or conventional. */
+  function paint({ region }: Open, shown: Shown, isMorphed: boolean): void {
     const { radius, strength } = shown.grown;
-    painter.draw({ region, radius, strength, ring: shown.ring }, camera, 1);
+    const picture = { region, radius, strength: isMorphed ? strength : null };
+    painter.draw({ ...picture, ring: shown.ring }, camera, 1);
     if (shown.fading && shown.fading.share > 0) {
-      painter.draw({ region, radius, strength, ring: shown.fading.ring }, camera, shown.fading.share);
+      painter.draw({ ...picture, ring: shown.fading.ring }, camera, shown.fading.share);
     }
+  }
+
+  function paintBoth(of: Open, shown: Shown): void {
+    if (divider === null || renderer.xr.isPresenting) {
+      paint(of, shown, true);
+      return;
+    }
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+    const left = Math.round(divider * width);
+    renderer.setScissorTest(true);
+    renderer.setScissor(0, 0, left, height);
+    paint(of, shown, false);
+    renderer.setScissor(left, 0, width - left, height);
+    paint(of, shown, true);
+    renderer.setScissorTest(false);
   }
 
   return {
@@ -172,12 +194,22 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       upload = uploads.run(UPLOAD_BUDGET);
       if (!open) return;
       open.shown = open.stage.advance(seconds);
-      if (open.shown) paint(open, open.shown);
+      if (open.shown) paintBoth(open, open.shown);
     },
     still(picture, pose) {
       if (!open) throw new Error('no region is open');
       setPose(pose);
       painter.draw({ ...picture, region: open.region }, camera, 1);
+    },
+    setDivider(share) {
+      divider = share;
+    },
+    photo() {
+      // In the same task as the drawing: a canvas keeps its picture no longer.
+      if (open?.shown) paintBoth(open, open.shown);
+      return new Promise((done, failed) => {
+        canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('The browser gives no picture'))), 'image/png');
+      });
     },
     get facts() {
       const ring = open?.shown?.fading?.ring ?? open?.shown?.ring ?? 0;

@@ -1,0 +1,44 @@
+/** What the panel shows; the viewer makes one a few times a second. */
+export interface Status {
+  /** Last ring that is shown, and the number of rings; ring 0 is the map alone. */
+  readonly ring: number;
+  readonly rings: number;
+  /** Radius of the morph, metres. */
+  readonly radius: number;
+  /** Bytes that have arrived, and all that this region needs. */
+  readonly received: number;
+  readonly expected: number;
+  /** Bits a second over the last second; null when nothing loads. */
+  readonly rate: number | null;
+  /** Milliseconds of a frame: mean of the last second, and the longest. */
+  readonly frame: number;
+  readonly longest: number;
+  /** Triangles that are drawn, and those of the scene. */
+  readonly triangles: number;
+  readonly sceneTriangles: number;
+  /** Region in which the user is, and the number of regions. */
+  readonly region: number;
+  readonly regions: number;
+  /** Metres from the centre, and metres at which the picture folds. */
+  readonly away: number;
+  readonly foldMargin: number;
+  /** Sentences on what went wrong and what still works; empty if nothing did. */
+  readonly problems: readonly string[];
+}
+
+/** What the panel and the keys can ask for. */
+export interface Commands {
+  /** Where the picture is divided into conventional (left) and continuous (right), 0 to 1; null for continuous alone. */
+  setDivider(share: number | null): void;
+  setMode(mode: 'walk' | 'orbit'): void;
+  /** Go back to the centre of the region. */
+  home(): void;
+  /** A PNG of the picture without the panel. */
+  screenshot(): Promise<Blob>;
+  /** A link to this pose. */
+  link(): string;
+  /** Enter the headset; absent where there is none. */
+  enterXR?: (() => Promise<void>) | undefined;
+  /** Load again what failed. */
+  retry(): void;
+}
