@@ -1,23 +1,23 @@
-// Bundles the page into the Python package: `node build.mjs`. With --tests it bundles the unit tests instead, for Node.
+// Bundles the page: `node build.mjs [FOLDER]`, by default into the Python package, or the unit tests for Node: --tests.
 import { copyFile, mkdir, readdir, rm } from 'node:fs/promises';
 import { build } from 'esbuild';
 
-const DIST = '../python/nearfar/view/dist';
+const PACKAGE = '../python/nearfar/view/dist';
 const common = { bundle: true, format: 'esm', target: 'es2022', legalComments: 'none', logLevel: 'warning' };
 
-async function page() {
-  await rm(DIST, { recursive: true, force: true });
-  await mkdir(DIST, { recursive: true });
+async function page(folder) {
+  await rm(folder, { recursive: true, force: true });
+  await mkdir(folder, { recursive: true });
   await build({
     ...common,
     entryPoints: { page: 'src/page.ts', worker: 'src/decode/worker.ts' },
-    outdir: DIST,
+    outdir: folder,
     minify: true,
     // Names in errors that people report.
     keepNames: true,
   });
-  await build({ entryPoints: ['src/page.css'], outdir: DIST, bundle: true, minify: true, logLevel: 'warning' });
-  await copyFile('src/index.html', `${DIST}/index.html`);
+  await build({ entryPoints: ['src/page.css'], outdir: folder, bundle: true, minify: true, logLevel: 'warning' });
+  await copyFile('src/index.html', `${folder}/index.html`);
 }
 
 async function tests() {
@@ -33,4 +33,5 @@ async function tests() {
   });
 }
 
-await (process.argv.includes('--tests') ? tests() : page());
+const [choice] = process.argv.slice(2);
+await (choice === '--tests' ? tests() : page(choice ?? PACKAGE));

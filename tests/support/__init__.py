@@ -17,7 +17,7 @@ from referencing import Registry, Resource
 
 import nearfar as nf
 from nearfar._base import data as data_files, formats
-from tests.support.reader_cases import no_browser, no_node
+from tests.support.reader_cases import no_browser, no_node, no_web
 
 
 def _module(name: str) -> Callable[[], str]:
@@ -92,6 +92,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "miniball": _module("miniball"),
     "OpenEXR": _module("OpenEXR"),
     "node": no_node,
+    "web": no_web,
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")() or _module("ipywidgets")(),
     "pyrender": _pyrender,
     "release": _release,

@@ -22,7 +22,7 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 SECONDS = 300
 """After which a program that does not answer is stopped."""
 
-_FLAGS = (
+BROWSER_FLAGS = (
     "--headless",
     "--no-sandbox",
     "--no-first-run",
@@ -44,12 +44,20 @@ def no_node() -> str:
     return "" if (FOLDER / "node_modules").is_dir() else "`npm ci --prefix tests/readers` has not run"
 
 
+def no_web() -> str:
+    """Return why the page cannot be built, or "" if it can."""
+    if not shutil.which("npx"):
+        return "npm is not installed"
+    return "" if (FOLDER.parents[1] / "web" / "node_modules").is_dir() else "`npm ci --prefix web` has not run"
+
+
 def no_browser() -> str:
     """Return why pages cannot be shown, or "" if they can."""
-    return no_node() if _browser() else f"there is no {' or '.join(BROWSERS)}; see scripts/system-packages.sh"
+    return no_node() if browser() else f"there is no {' or '.join(BROWSERS)}; see scripts/system-packages.sh"
 
 
-def _browser() -> str | None:
+def browser() -> str | None:
+    """The path of a browser, if there is one."""
     return next(filter(None, map(shutil.which, BROWSERS)), None)
 
 
@@ -133,10 +141,10 @@ def _glbs(bundle: Path) -> list[str]:
 
 def _shown(url: str, answers: queue.Queue[bytes], folder: Path) -> dict[str, Any]:
     """Show a page until it answers."""
-    browser = _browser()
-    assert browser
+    program = browser()
+    assert program
     with (folder / "log").open("w") as log:
-        command = [browser, *_FLAGS, f"--user-data-dir={folder / 'profile'}", url]
+        command = [program, *BROWSER_FLAGS, f"--user-data-dir={folder / 'profile'}", url]
         process = subprocess.Popen(command, stdout=log, stderr=log, start_new_session=True)
         try:
             deadline = time.monotonic() + SECONDS
@@ -146,7 +154,7 @@ def _shown(url: str, answers: queue.Queue[bytes], folder: Path) -> dict[str, Any
                     return answer
                 except queue.Empty:
                     is_over = process.poll() is not None or time.monotonic() > deadline
-                    assert not is_over, f"no answer from {browser}: {(folder / 'log').read_text()[-2000:]}"
+                    assert not is_over, f"no answer from {program}: {(folder / 'log').read_text()[-2000:]}"
         finally:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
