@@ -30,15 +30,27 @@ export function text(place: string, value: unknown): string {
   return value;
 }
 
-export function list<T>(place: string, value: unknown, entry: (place: string, value: unknown) => T, count?: number): T[] {
+export function list<T>(
+  place: string,
+  value: unknown,
+  entry: (place: string, value: unknown, index: number) => T,
+  count?: number,
+): T[] {
   if (!Array.isArray(value) || (count !== undefined && value.length !== count)) {
     throw wrong(place, count === undefined ? 'a list' : `a list of ${count}`, value);
   }
-  return value.map((item, index) => entry(`${place}[${index}]`, item));
+  return value.map((item, index) => entry(`${place}[${index}]`, item, index));
 }
 
 export function optional<T>(place: string, value: unknown, entry: (place: string, value: unknown) => T): T | null {
   return value === null || value === undefined ? null : entry(place, value);
+}
+
+/** A SHA-256 in hexadecimal digits. */
+export function hash(place: string, value: unknown): string {
+  const found = text(place, value);
+  if (!/^[0-9a-f]{64}$/.test(found)) throw wrong(place, 'a SHA-256', value);
+  return found;
 }
 
 /** The name of a file of the bundle: nothing that leads out of its folder. */

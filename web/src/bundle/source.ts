@@ -2,124 +2,72 @@
 import { BundleError } from './error';
 import type { Manifest } from './manifest';
 import { parseManifest } from './parse';
+import { createShared } from './share';
+import { createSlots } from './slots';
+import { type Network, NETWORK, transfer } from './transfer';
 
-/** Seconds without a byte after which a transfer is given up, and before each new trial. */
-const STALLED = 10;
+/** Seconds before each new trial of a transfer. */
 const PAUSES = [0.5, 1, 2, 4] as const;
 /** Files that are fetched at the same time. */
 const AT_ONCE = 6;
+/** Greatest size of a manifest, bytes: a thousand regions take a fifth of it. */
+const MOST_MANIFEST = 64 * 2 ** 20;
 
-/** Waiting and fetching, so that tests need not wait. */
-export interface Network {
-  readonly fetch: (url: URL, signal: AbortSignal) => Promise<Response>;
-  readonly wait: (seconds: number, signal: AbortSignal) => Promise<void>;
-}
-
-export const NETWORK: Network = {
-  fetch: (url, signal) => fetch(url, { signal, credentials: 'omit' }),
-  wait: (seconds, signal) =>
-    new Promise((done, failed) => {
-      const timer = setTimeout(done, 1000 * seconds);
-      signal.addEventListener('abort', () => {
-        clearTimeout(timer);
-        failed(signal.reason as Error);
-      }, { once: true });
-    }),
-};
+/** Is told how many bytes came; of a broken transfer, which begins anew, how many of them count no longer (below 0). */
+export type Received = (bytes: number) => void;
 
 export interface Source {
   readonly manifest: Manifest;
-  /** The content of a file. Files that are being fetched for another one are not fetched twice. */
-  readonly fetch: (name: string, signal: AbortSignal) => Promise<ArrayBuffer>;
+  /**
+   * The content of a file, as long as the manifest says. One request serves all who ask for a file at the same time;
+   * each gets bytes of its own. Files come in the order in which they are asked for, some at the same time.
+   */
+  readonly fetch: (name: string, signal: AbortSignal, received?: Received) => Promise<ArrayBuffer>;
 }
 
-/** Open a bundle whose manifest lies below a base URL; `received` is told of every byte that comes. */
+/** Open a bundle whose manifest lies below a base URL; `received` is told of the bytes of all files. */
 export async function openSource(
   base: URL,
-  received: (bytes: number) => void,
+  received: Received,
   signal: AbortSignal,
   network: Network = NETWORK,
 ): Promise<Source> {
-  const load = (name: string, own: AbortSignal): Promise<ArrayBuffer> =>
-    withTrials(name, own, network, () => transfer(new URL(name, base), name, received, own, network));
-  const manifest = parseManifest(new TextDecoder().decode(await load('manifest.json', signal)));
+  /** `bytes` is the size of the file, where it is known, and `most` the greatest that it may have. */
+  const load = (name: string, bytes: number | null, most: number, own: AbortSignal, told: Received) => {
+    const limits = { name, bytes, most };
+    return withTrials(name, own, network, (again) => transfer(new URL(name, base), limits, told, own, again, network));
+  };
+  const text = await load('manifest.json', null, MOST_MANIFEST, signal, received);
+  const manifest = parseManifest(new TextDecoder().decode(text));
   const slots = createSlots(AT_ONCE);
-  return {
-    manifest,
-    fetch: (name, own) => slots(() => {
-      own.throwIfAborted();
-      return load(name, own);
-    }),
-  };
+  const shared = createShared((name: string, own, told) => {
+    const bytes = manifest.files[name]?.bytes;
+    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
+    return slots(own, () => load(name, bytes, bytes, own, (more) => {
+      received(more);
+      told(more);
+    }));
+  });
+  return { manifest, fetch: (name, own, told = () => undefined) => shared(name, own, told) };
 }
 
-/** Runs so many jobs at once, in the order in which they come. */
-function createSlots(number: number): <T>(job: () => Promise<T>) => Promise<T> {
-  let free = number;
-  const waiting: (() => void)[] = [];
-  return async (job) => {
-    if (free === 0) await new Promise<void>((done) => waiting.push(done));
-    else free -= 1;
+async function withTrials<T>(
+  name: string,
+  signal: AbortSignal,
+  network: Network,
+  trial: (again: boolean) => Promise<T>,
+): Promise<T> {
+  for (let number = 0; ; number++) {
+    signal.throwIfAborted();
     try {
-      return await job();
-    } finally {
-      const next = waiting.shift();
-      if (next) next();
-      else free += 1;
-    }
-  };
-}
-
-async function withTrials<T>(name: string, signal: AbortSignal, network: Network, trial: () => Promise<T>): Promise<T> {
-  for (const pause of [...PAUSES, null]) {
-    try {
-      return await trial();
+      return await trial(number > 0);
     } catch (error) {
       // What the server says for certain does not change by asking again.
       if (signal.aborted || error instanceof BundleError) throw error;
+      const pause = PAUSES[number];
       const reason = error instanceof Error ? error.message : String(error);
-      if (pause === null) throw new BundleError(`${name} does not come: ${reason}`);
+      if (pause === undefined) throw new BundleError(`${name} does not come: ${reason}`);
       await network.wait(pause, signal);
     }
-  }
-  throw new BundleError(`${name} does not come`);
-}
-
-async function transfer(
-  url: URL,
-  name: string,
-  received: (bytes: number) => void,
-  signal: AbortSignal,
-  network: Network,
-): Promise<ArrayBuffer> {
-  const stop = new AbortController();
-  const end = AbortSignal.any([signal, stop.signal]);
-  let isMoving = true;
-  const watch = async (): Promise<void> => {
-    while (isMoving) {
-      isMoving = false;
-      await network.wait(STALLED, end);
-    }
-    stop.abort(new Error(`the server sends nothing for ${STALLED} s`));
-  };
-  // It ends when the transfer does.
-  watch().catch(() => undefined);
-  try {
-    const response = await network.fetch(url, end);
-    if (!response.ok) {
-      const error = `${name}: the server answers ${response.status} ${response.statusText}`.trim();
-      throw response.status >= 500 ? new Error(error) : new BundleError(error);
-    }
-    const parts: Uint8Array<ArrayBuffer>[] = [];
-    for (const reader = response.body?.getReader(); reader; ) {
-      const { done, value } = await reader.read();
-      if (done) break;
-      isMoving = true;
-      parts.push(value as Uint8Array<ArrayBuffer>);
-      received(value.length);
-    }
-    return await new Blob(parts).arrayBuffer();
-  } finally {
-    stop.abort(new Error('over'));
   }
 }

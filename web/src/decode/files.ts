@@ -19,6 +19,11 @@ function hex(bytes: Uint8Array): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
+/** The sentence of an error. */
+export function reasonOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
 /** Decompress a zlib stream to at most so many bytes. */
 export async function inflated(name: string, data: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array> {
   const parts: Uint8Array[] = [];
@@ -30,10 +35,13 @@ export async function inflated(name: string, data: Uint8Array<ArrayBuffer>, most
       if (done) break;
       parts.push(value);
       size += value.length;
-      if (size > most) throw new Error(`more than ${most} bytes`);
+      if (size > most) {
+        await reader.cancel();
+        throw new Error(`more than ${most} bytes`);
+      }
     }
   } catch (error) {
-    throw new Error(`${name}: expected compressed ranges, got ${error instanceof Error ? error.message : 'others'}`);
+    throw new Error(`${name}: expected compressed ranges, got ${reasonOf(error)}`);
   }
   const whole = new Uint8Array(size);
   let place = 0;
@@ -42,17 +50,4 @@ export async function inflated(name: string, data: Uint8Array<ArrayBuffer>, most
     place += part.length;
   }
   return whole;
-}
-
-/** A picture as the GPU takes it: its own bytes, whatever profile it claims, and alpha apart from colour. */
-export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
-  try {
-    return await createImageBitmap(new Blob([data], { type: 'image/webp' }), {
-      colorSpaceConversion: 'none',
-      premultiplyAlpha: 'none',
-      imageOrientation: 'none',
-    });
-  } catch {
-    throw new Error(`${name}: expected a WebP picture, got something else`);
-  }
 }

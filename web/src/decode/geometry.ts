@@ -1,186 +1,123 @@
 /** Decodes the geometry of a ring, or of dynamic objects, into pieces that can be uploaded one by one. */
 import type { Point } from '../bundle/manifest';
-import { contentOf, pictureOf } from './files';
-import { at, type Glb, type MaterialEntry, type Node, openGlb, type Primitive } from './glb';
-import type { Geometry, GeometryRequest, Material, Piece } from './messages';
-import { chopped, type Matrix, placementRows } from './pieces';
+import { contentOf, reasonOf } from './files';
+import { at, entries, type Glb, openGlb } from './glb';
+import { pictureOf } from './images';
+import type { FileData, Geometry, GeometryRequest, Piece } from './messages';
+import { chopped, shared } from './pieces';
+import { isIdentity, placementsOf, rounded } from './placements';
+import { FOLDER, pictureName, primitiveOf } from './surfaces';
 
-/** Folder of the files of a bundle; files refer to each other within it. */
-const FOLDER = 'files/';
-
-const IDENTITY: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+/** Pieces of a file, at most: each is drawn for itself. */
+const MOST_PIECES = 2 ** 18;
 
 /** Buffers of the bundle by their URIs in its files. */
-const kept = new Map<string, Uint8Array>();
+export type Buffers = Map<string, Uint8Array>;
 
-export async function decodeGeometry(request: GeometryRequest): Promise<Geometry> {
+/** Decode a file; `kept` has the buffers of earlier requests and gets those of this one. */
+export async function decodeGeometry(request: GeometryRequest, kept: Buffers): Promise<Geometry> {
+  const parts = await partsOf(request.parts, kept);
   const { name } = request.glb;
-  const content = await Promise.all([request.glb, ...request.parts].map(contentOf));
-  request.parts.forEach((part, number) => {
-    const data = content[number + 1];
-    if (data && part.name.endsWith('.bin')) kept.set(part.name.slice(FOLDER.length), data);
-  });
+  const content = await contentOf(request.glb);
   try {
-    const glb = openGlb(content[0] as Uint8Array<ArrayBuffer>, kept);
-    const whole = await piecesOf(glb, request);
+    const glb = openGlb(content, kept);
+    const pieces = await piecesOf(glb, request);
     return {
-      pieces: whole.flatMap(chopped),
-      images: await imagesOf(glb, request, content as Uint8Array<ArrayBuffer>[]),
-      triangles: whole.reduce((sum, piece) => sum + trianglesOf(piece), 0),
+      pieces,
+      images: await imagesOf(glb, parts, request.known),
+      triangles: pieces.reduce((sum, { indices, placements }) => {
+        return sum + (indices.length / 3) * (placements ? placements.length / 12 : 1);
+      }, 0),
     };
   } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
+    const reason = reasonOf(error);
     throw new Error(reason.startsWith(FOLDER) ? reason : `${name}: ${reason}`);
   }
 }
 
-function trianglesOf({ indices, placements }: Piece): number {
-  return (indices.length / 3) * (placements ? placements.length / 12 : 1);
+/** The contents of parts by name. Whole buffers are kept even if another part is damaged, since they come only once. */
+async function partsOf(parts: readonly FileData[], kept: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
+  const found = new Map<string, Uint8Array<ArrayBuffer>>();
+  const results = await Promise.allSettled(
+    parts.map(async (part) => {
+      const data = await contentOf(part);
+      found.set(part.name, data);
+      if (part.name.endsWith('.bin')) kept.set(part.name.slice(FOLDER.length), data);
+    }),
+  );
+  const failed = results.find((result) => result.status === 'rejected');
+  if (failed) throw failed.reason as Error;
+  return found;
 }
 
-/** Pictures that the page does not have yet, by URI. */
+/** Pictures that the page does not have yet, by name. */
 async function imagesOf(
   glb: Glb,
-  { known, parts }: GeometryRequest,
-  content: readonly Uint8Array<ArrayBuffer>[],
+  parts: ReadonlyMap<string, Uint8Array<ArrayBuffer>>,
+  known: readonly string[],
 ): Promise<Record<string, ImageBitmap>> {
-  const images: Record<string, ImageBitmap> = Object.create(null) as Record<string, ImageBitmap>;
-  for (const { uri } of glb.document.images ?? []) {
-    const name = FOLDER + uri;
-    const number = parts.findIndex((part) => part.name === name);
-    const data = content[number + 1];
-    if (number >= 0 && data) images[name] = await pictureOf(name, data);
-    else if (!known.includes(name)) throw new Error(`${name} is not there`);
+  const images: Record<string, ImageBitmap> = {};
+  try {
+    for (const entry of entries(glb.document.images, 'images')) {
+      const name = pictureName(entry);
+      const data = parts.get(name);
+      if (data && !Object.hasOwn(images, name)) images[name] = await pictureOf(name, data);
+      else if (!data && !known.includes(name)) throw new Error(`${name} is not there`);
+    }
+  } catch (error) {
+    for (const image of Object.values(images)) image.close();
+    throw error;
   }
   return images;
 }
 
-/** Pieces by mesh and material: static nodes that show one mesh are its placements, dynamic ones stay apart. */
+/** Placements of a mesh: static nodes that show it are one group, dynamic ones stay apart. */
+interface Placed {
+  readonly name: string;
+  readonly rows: Float64Array[];
+}
+
 async function piecesOf(glb: Glb, { center, isDynamic }: GeometryRequest): Promise<Piece[]> {
-  const [root, ...nodes] = glb.document.nodes ?? [];
-  const [x, y, z] = root?.translation ?? [0, 0, 0];
-  const offset: Point = [(x ?? 0) - center[0], (y ?? 0) - center[1], (z ?? 0) - center[2]];
-  const byMesh = new Map<number, { name: string; matrices: Matrix[] }[]>();
+  const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
+  const offset = offsetOf(root?.translation, center);
+  const byMesh = new Map<number, Placed[]>();
   for (const node of nodes) {
     if (node.mesh === undefined) continue;
-    const matrices = await matricesOf(glb, node);
+    const rows = await placementsOf(glb, node);
     const groups = byMesh.get(node.mesh) ?? [];
     byMesh.set(node.mesh, groups);
     const last = groups.at(-1);
-    if (last && !isDynamic) last.matrices.push(...matrices);
-    else groups.push({ name: node.name ?? '', matrices });
+    if (last && !isDynamic) last.rows.push(rows);
+    else groups.push({ name: typeof node.name === 'string' ? node.name : '', rows: [rows] });
   }
   const pieces: Piece[] = [];
   for (const [mesh, groups] of byMesh) {
-    for (const primitive of at(glb.document.meshes, mesh, 'mesh').primitives) {
-      const arrays = await arraysOf(glb, primitive);
-      for (const { name, matrices } of groups) {
-        const isPlain = !isDynamic && matrices.length === 1 && matrices[0]?.every((value, n) => value === IDENTITY[n]);
-        pieces.push({
-          ...arrays,
-          name,
-          positions: isPlain ? moved(arrays.positions, offset) : arrays.positions,
-          placements: isPlain ? null : placementRows(matrices, offset),
-        });
+    const placed = groups.map(({ name, rows }) => {
+      const isPlain = !isDynamic && rows.length === 1 && rows.every(isIdentity);
+      return { name, placements: isPlain ? null : rounded(rows, offset) };
+    });
+    for (const primitive of entries(at(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
+      for (const arrays of chopped(await primitiveOf(glb, primitive))) {
+        for (const { name, placements } of placed) {
+          if (placements) for (const own of shared(placements)) pieces.push({ ...arrays, name, placements: own });
+          else pieces.push({ ...arrays, name, placements, positions: moved(arrays.positions, offset) });
+          if (pieces.length > MOST_PIECES) throw new Error(`expected at most ${MOST_PIECES} pieces of geometry`);
+        }
       }
     }
   }
   return pieces;
 }
 
+/** From the centre to the frame of the nodes, metres. */
+function offsetOf(translation: readonly number[] | undefined, center: Point): Point {
+  const [x, y, z] = translation ?? [0, 0, 0];
+  const offset = [Number(x) - center[0], Number(y) - center[1], Number(z) - center[2]] as const;
+  if (!offset.every(Number.isFinite)) throw new Error('expected an origin of three numbers');
+  return offset;
+}
+
+/** Sums are float64, and rounded once. */
 function moved(positions: Float32Array, offset: Point): Float32Array {
   return positions.map((value, n) => value + (offset[n % 3] as number));
-}
-
-/** Matrices of a node's placements, 16 numbers in columns, to the frame of the root. */
-async function matricesOf(glb: Glb, node: Node): Promise<Matrix[]> {
-  const own = node.matrix ?? IDENTITY;
-  if (own.length !== 16 || !own.every(Number.isFinite)) throw new Error('a node has no finite matrix of 16 numbers');
-  const attributes = node.extensions?.EXT_mesh_gpu_instancing?.attributes;
-  if (!attributes) return [own];
-  const [translations, rotations, scales] = await Promise.all(
-    ([['TRANSLATION', 3], ['ROTATION', 4], ['SCALE', 3]] as const).map(([name, width]) =>
-      attributes[name] === undefined ? null : glb.read(attributes[name], width),
-    ),
-  );
-  const count = Math.max(...[translations, scales].map((rows) => (rows?.length ?? 0) / 3), (rotations?.length ?? 0) / 4);
-  return Array.from({ length: count }, (_, n) => {
-    const [qx, qy, qz, qw] = rotations ? rotations.subarray(4 * n, 4 * n + 4) : [0, 0, 0, 1];
-    const [sx, sy, sz] = scales ? scales.subarray(3 * n, 3 * n + 3) : [1, 1, 1];
-    const [tx, ty, tz] = translations ? translations.subarray(3 * n, 3 * n + 3) : [0, 0, 0];
-    return composed([tx, ty, tz] as number[], [qx, qy, qz, qw] as number[], [sx, sy, sz] as number[]);
-  });
-}
-
-/** The matrix that scales, turns by a unit quaternion, and moves. */
-function composed(move: readonly number[], turn: readonly number[], scale: readonly number[]): Matrix {
-  const [x, y, z, w] = turn as [number, number, number, number];
-  const [a, b, c] = scale as [number, number, number];
-  return [
-    a * (1 - 2 * (y * y + z * z)), a * 2 * (x * y + w * z), a * 2 * (x * z - w * y), 0,
-    b * 2 * (x * y - w * z), b * (1 - 2 * (x * x + z * z)), b * 2 * (y * z + w * x), 0,
-    c * 2 * (x * z + w * y), c * 2 * (y * z - w * x), c * (1 - 2 * (x * x + y * y)), 0,
-    ...(move as [number, number, number]), 1,
-  ]; // prettier-ignore
-}
-
-type Arrays = Omit<Piece, 'name' | 'placements'>;
-
-async function arraysOf(glb: Glb, { attributes, indices, material }: Primitive): Promise<Arrays> {
-  const optional = (name: string, width: number) =>
-    attributes[name] === undefined ? null : glb.read(attributes[name], width);
-  const [positions, normals, uvs, colors, corners] = await Promise.all([
-    glb.read(attributes['POSITION'], 3),
-    optional('NORMAL', 3),
-    optional('TEXCOORD_0', 2),
-    optional('COLOR_0', 4),
-    glb.read(indices, 1),
-  ]);
-  const vertices = positions.length / 3;
-  if (!(positions instanceof Float32Array) || !positions.every(Number.isFinite)) {
-    throw new Error('expected finite positions of 32 bits');
-  }
-  if (!(corners instanceof Uint16Array || corners instanceof Uint32Array) || corners.length % 3 !== 0) {
-    throw new Error('expected triangles of 16 or 32 bits');
-  }
-  if (corners.some((corner) => corner >= vertices)) throw new Error(`expected corners below ${vertices}`);
-  const counts = [[normals, 3], [uvs, 2], [colors, 4]] as const;
-  if (counts.some(([rows, width]) => rows && rows.length !== width * vertices)) {
-    throw new Error(`expected attributes of ${vertices} vertices`);
-  }
-  if (colors && !(colors instanceof Uint16Array)) throw new Error('expected colours of 16 bits');
-  return {
-    positions,
-    normals: normals && unitVectors(normals),
-    uvs: uvs && Float32Array.from(uvs),
-    colors: colors as Uint16Array | null,
-    indices: corners,
-    material: materialOf(glb, at(glb.document.materials, material, 'material')),
-  };
-}
-
-/** Normals are bytes or floats; the vectors get length 1. */
-function unitVectors(rows: ArrayLike<number>): Float32Array {
-  const unit = new Float32Array(rows.length);
-  for (let n = 0; n < rows.length; n += 3) {
-    const [x, y, z] = [rows[n], rows[n + 1], rows[n + 2]] as [number, number, number];
-    const size = Math.hypot(x, y, z) || 1;
-    unit.set([x / size, y / size, z / size], n);
-  }
-  return unit;
-}
-
-function materialOf(glb: Glb, entry: MaterialEntry): Material {
-  const surface = entry.pbrMetallicRoughness ?? {};
-  const [red, green, blue, alpha] = surface.baseColorFactor ?? [1, 1, 1, 1];
-  return {
-    color: [red ?? 1, green ?? 1, blue ?? 1, alpha ?? 1],
-    image: surface.baseColorTexture ? imageOf(glb, surface.baseColorTexture.index) : null,
-    cutoff: entry.alphaMode === 'MASK' ? (entry.alphaCutoff ?? 0.5) : null,
-  };
-}
-
-function imageOf({ document }: Glb, texture: number): string {
-  const entry = at(document.textures, texture, 'texture');
-  return FOLDER + at(document.images, entry.extensions?.EXT_texture_webp?.source ?? entry.source, 'image').uri;
 }

@@ -1,10 +1,10 @@
 /** Reads the GLB files that nearfar writes: their documents, and the arrays that these describe. */
-import { MeshoptDecoder } from 'meshoptimizer/decoder';
+import { type Compression, decompressed, isCount } from './meshopt';
 
 /** Parts of a glTF 2.0 document, as far as nearfar writes them. Every number may be wrong in a damaged file. */
 export interface Document {
   readonly nodes?: readonly Node[];
-  readonly meshes?: readonly { readonly primitives: readonly Primitive[] }[];
+  readonly meshes?: readonly { readonly primitives?: readonly Primitive[] }[];
   readonly materials?: readonly MaterialEntry[];
   readonly textures?: readonly {
     readonly source?: number;
@@ -21,11 +21,11 @@ export interface Node {
   readonly name?: string;
   readonly translation?: readonly number[];
   readonly matrix?: readonly number[];
-  readonly extensions?: { readonly EXT_mesh_gpu_instancing?: { readonly attributes: Readonly<Record<string, number>> } };
+  readonly extensions?: { readonly EXT_mesh_gpu_instancing?: { readonly attributes?: Readonly<Record<string, number>> } };
 }
 
 export interface Primitive {
-  readonly attributes: Readonly<Record<string, number>>;
+  readonly attributes?: Readonly<Record<string, number>>;
   readonly indices?: number;
   readonly material?: number;
 }
@@ -55,21 +55,11 @@ interface View {
   readonly extensions?: { readonly EXT_meshopt_compression?: Compression };
 }
 
-interface Compression {
-  readonly buffer: number;
-  readonly byteOffset?: number;
-  readonly byteLength: number;
-  readonly byteStride: number;
-  readonly count: number;
-  readonly mode: string;
-  readonly filter?: string;
-}
-
-const MAGIC = 0x46546c67;
+const [MAGIC, VERSION] = [0x46546c67, 2];
 const [JSON_CHUNK, BIN_CHUNK] = [0x4e4f534a, 0x004e4942];
 const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
-/** Greatest size of an array that is decompressed, bytes: the largest ring of a bundle has a fraction of it. */
-const MOST_BYTES = 1 << 30;
+/** Rows of an array, at most, and bytes of all arrays of a file: the largest ring of a bundle has a fraction of them. */
+const [MOST_ROWS, MOST_BYTES] = [2 ** 26, 2 ** 30] as const;
 
 const TYPES = {
   5120: Int8Array,
@@ -91,11 +81,18 @@ export interface Glb {
 export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<string, Uint8Array>): Glb {
   const { document, chunk } = chunksOf(bytes);
   const decoded = new Map<number, Promise<Uint8Array>>();
+  let spent = 0;
+
+  /** Many entries of a damaged document can describe the same bytes. */
+  function spend(size: number): void {
+    spent += size;
+    if (!(spent <= MOST_BYTES)) throw new Error(`the arrays take more than ${MOST_BYTES} bytes`);
+  }
 
   function bufferOf(number: number): Uint8Array {
     const entry = at(document.buffers, number, 'buffer');
     const found = entry.uri === undefined ? chunk : parts.get(entry.uri);
-    if (!found) throw new Error(`buffer ${number} is not there`);
+    if (!found) throw new Error(`the buffer ${entry.uri ?? number} is not there`);
     return found;
   }
 
@@ -103,24 +100,18 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
     const view = at(document.bufferViews, number, 'view');
     const packed = view.extensions?.EXT_meshopt_compression;
     if (!packed) return slice(bufferOf(view.buffer), view.byteOffset ?? 0, view.byteLength);
-    const { count, byteStride, mode, filter } = packed;
-    if (!isSize(count) || !isSize(byteStride) || count * byteStride > MOST_BYTES) {
-      throw new Error(`view ${number} claims ${count} rows of ${byteStride} bytes`);
-    }
-    const source = slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength);
-    const target = new Uint8Array(count * byteStride);
-    await MeshoptDecoder.ready;
-    MeshoptDecoder.decodeGltfBuffer(target, count, byteStride, source, mode, filter);
-    return target;
+    spend(packed.count * packed.byteStride);
+    return decompressed(slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength), packed);
   }
 
   return {
     document,
     async read(number, width) {
       const accessor = at(document.accessors, number, 'accessor');
+      const { count, byteOffset: start = 0 } = accessor;
       const Type = TYPES[accessor.componentType as keyof typeof TYPES];
-      if (!Type || WIDTHS[accessor.type] !== width || !isSize(accessor.count)) {
-        throw new Error(`accessor ${number}: expected ${width} columns, got ${accessor.type}`);
+      if (!Type || WIDTHS[accessor.type] !== width || !isCount(count) || count > MOST_ROWS || !isCount(start)) {
+        throw new Error(`accessor ${number}: expected rows of ${width} columns, got ${accessor.type}`);
       }
       const view = at(document.bufferViews, accessor.bufferView, 'view');
       let whole = decoded.get(accessor.bufferView);
@@ -130,17 +121,16 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
       }
       const row = width * Type.BYTES_PER_ELEMENT;
       const stride = view.byteStride ?? view.extensions?.EXT_meshopt_compression?.byteStride ?? row;
-      const start = accessor.byteOffset ?? 0;
       const data = await whole;
-      if (accessor.count > 0 && start + (accessor.count - 1) * stride + row > data.length) {
+      if (!isCount(stride) || stride < row) throw new Error(`accessor ${number}: expected rows of ${row} bytes`);
+      if (count > 0 && start + (count - 1) * stride + row > data.length) {
         throw new Error(`accessor ${number} reaches beyond its array`);
       }
-      const packed = new Uint8Array(accessor.count * row);
+      spend(count * row);
+      const packed = new Uint8Array(count * row);
       if (stride === row) packed.set(data.subarray(start, start + packed.length));
       else {
-        for (let n = 0; n < accessor.count; n++) {
-          packed.set(data.subarray(start + n * stride, start + n * stride + row), n * row);
-        }
+        for (let n = 0; n < count; n++) packed.set(data.subarray(start + n * stride, start + n * stride + row), n * row);
       }
       return new Type(packed.buffer);
     },
@@ -149,9 +139,16 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
 
 /** The entry of a list; an error that says what is missing. */
 export function at<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
-  const found = number === undefined ? undefined : list?.[number];
-  if (found === undefined) throw new Error(`${what} ${number} is not there`);
+  const found = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
+  if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is not there`);
   return found;
+}
+
+/** The entries of a list that may be missing. */
+export function entries<T>(list: readonly T[] | undefined, what: string): readonly T[] {
+  const isList = list === undefined || (Array.isArray(list) && list.every((item) => typeof item === 'object' && item));
+  if (!isList) throw new Error(`expected a list of ${what}, got something else`);
+  return list ?? [];
 }
 
 function chunksOf(bytes: Uint8Array<ArrayBuffer>): { document: Document; chunk: Uint8Array | null } {
@@ -159,21 +156,27 @@ function chunksOf(bytes: Uint8Array<ArrayBuffer>): { document: Document; chunk: 
   if (bytes.length < 20 || words.getUint32(0, true) !== MAGIC || words.getUint32(16, true) !== JSON_CHUNK) {
     throw new Error('expected a GLB, got something else');
   }
+  if (words.getUint32(4, true) !== VERSION) throw new Error(`expected version ${VERSION} of glTF, got another one`);
   const length = words.getUint32(12, true);
-  const text = new TextDecoder().decode(slice(bytes, 20, length));
-  const document: unknown = JSON.parse(text);
-  if (typeof document !== 'object' || document === null) throw new Error('expected a glTF document, got something else');
+  const document = parsed(slice(bytes, 20, length));
   const next = 20 + length;
   if (bytes.length < next + 8) return { document, chunk: null };
   if (words.getUint32(next + 4, true) !== BIN_CHUNK) throw new Error('expected a binary chunk, got another one');
   return { document, chunk: slice(bytes, next + 8, words.getUint32(next, true)) };
 }
 
-function isSize(value: unknown): value is number {
-  return Number.isSafeInteger(value) && (value as number) >= 0;
+function parsed(text: Uint8Array): Document {
+  let document: unknown;
+  try {
+    document = JSON.parse(new TextDecoder().decode(text));
+  } catch {
+    throw new Error('expected a glTF document, got something else');
+  }
+  if (typeof document !== 'object' || document === null) throw new Error('expected a glTF document, got something else');
+  return document;
 }
 
 function slice(data: Uint8Array, start: number, length: number): Uint8Array {
-  if (!isSize(start) || !isSize(length) || start + length > data.length) throw new Error('an array reaches beyond the file');
+  if (!isCount(start) || !isCount(length) || start + length > data.length) throw new Error('an array reaches beyond the file');
   return data.subarray(start, start + length);
 }

@@ -1,9 +1,12 @@
 /** The maps of a region: ring 0 whole, then what each ring changes. */
-import { contentOf, inflated, pictureOf } from './files';
+import { contentOf, inflated, reasonOf } from './files';
+import { pixelsOf } from './images';
 import type { FileData, FirstMapRequest, MapUpdate, NextMapRequest } from './messages';
 import { decodeRanges } from './ranges';
 
 const FACES = 6;
+/** Texels along a face, at most. */
+const MOST_SIDE = 4096;
 /** Bytes of a file of ranges: nine lengths, and for each texel two flags, a pair of bits, a byte and a word at most. */
 const [HEAD, MOST_BYTES, PLANES] = [36, 4, 9] as const;
 
@@ -20,6 +23,7 @@ interface State {
   readonly step: number;
   /** sRGB codes, RGBA, of all faces. */
   readonly color: Uint8Array<ArrayBuffer>;
+  /** Codes of range of all faces; null before ring 1. */
   codes: Uint16Array<ArrayBuffer> | null;
   /** Tiles that each ring from 1 on changes. */
   readonly changed: number[][];
@@ -29,6 +33,7 @@ export function createMaps(): Maps {
   let state: State | null = null;
   return {
     async first({ faceSize: size, tile, across, step, color }) {
+      checkLayout(size, tile, across);
       if (color.length !== FACES) throw new Error(`map: expected six pictures, got ${color.length}`);
       const whole = new Uint8Array(4 * FACES * size * size);
       const faces = await Promise.all(color.map((file) => pixelsOf(file, size, size)));
@@ -38,44 +43,52 @@ export function createMaps(): Maps {
     },
     async next(request) {
       if (!state) throw new Error('map: a ring came before the first map');
+      const { since, ring } = request;
+      if (since !== null && !(Number.isInteger(since) && since >= 0 && since <= ring)) {
+        throw new Error(`map: expected an earlier ring than ${ring}, got ${since}`);
+      }
       await apply(state, request);
-      return request.since === null ? wholeMap(state) : changedTiles(state, request.since, request.ring);
+      return since === null ? wholeMap(state) : changedTiles(state, since, ring);
     },
   };
+}
+
+function checkLayout(size: number, tile: number, across: number): void {
+  const isLayout =
+    [size, tile, across].every((value) => Number.isInteger(value) && value > 0) && size <= MOST_SIDE && size % tile === 0;
+  if (!isLayout) throw new Error(`map: expected faces of up to ${MOST_SIDE} texels in tiles, got ${size} in ${tile}`);
 }
 
 async function apply(state: State, { ring, tiles, color, range }: NextMapRequest): Promise<void> {
   const { size, tile } = state;
   const side = size / tile;
   if (ring !== state.changed.length + 1) throw new Error(`map: expected ring ${state.changed.length + 1}, got ${ring}`);
-  if (tiles.some((number) => number >= FACES * side * side)) throw new Error('map: expected tiles of the map, got others');
-  const changed = await changedTexels(state, tiles, range);
-  if (tiles.length > 0) {
-    if (!color) throw new Error('map: expected a picture of the tiles that change, got none');
-    const rows = Math.ceil(tiles.length / state.across);
-    const sheet = await pixelsOf(color, state.across * tile, rows * tile);
-    putChanges(state, sheet, changed, tiles);
-  }
+  const isTile = (number: number): boolean => Number.isInteger(number) && number >= 0 && number < FACES * side * side;
+  if (!tiles.every(isTile)) throw new Error('map: expected tiles of the map, got others');
+  const next = await (state.codes ? laterCodes(state, state.codes, tiles, range) : firstCodes(state, tiles, range));
+  const sheet = await sheetOf(state, tiles.length, color);
+  // All of it is decoded, so that a damaged file leaves the map before as it was.
+  if (sheet) putChanges(state, sheet, next.changed, tiles);
+  state.codes = next.codes;
   state.changed.push([...tiles]);
 }
 
-/** Decode the codes of a ring; returns which texels change. */
-async function changedTexels(state: State, tiles: readonly number[], range: readonly FileData[]): Promise<Uint8Array> {
-  const { size, tile } = state;
-  const area = size * size;
-  const perFace = (size / tile) ** 2;
-  if (state.codes) {
-    const file = range[0];
-    if (!file) {
-      if (tiles.length > 0) throw new Error('map: expected ranges of the tiles that change, got none');
-      return new Uint8Array(FACES * area);
-    }
-    const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MOST_BYTES * tiles.length * tile * tile);
-    const codes = state.codes.slice();
-    const changed = named(file, () => decodeRanges(raw, codes, state.codes, tiles, state));
-    state.codes = codes;
-    return changed;
-  }
+function sheetOf({ tile, across }: State, count: number, color: FileData | null): Promise<Uint8Array> | null {
+  if (count === 0) return null;
+  if (!color) throw new Error('map: expected a picture of the tiles that change, got none');
+  return pixelsOf(color, across * tile, Math.ceil(count / across) * tile);
+}
+
+interface Codes {
+  readonly codes: Uint16Array<ArrayBuffer>;
+  /** Which texels change. */
+  readonly changed: Uint8Array;
+}
+
+/** The codes of ring 1: a file for each face. */
+async function firstCodes(state: State, tiles: readonly number[], range: readonly FileData[]): Promise<Codes> {
+  const area = state.size * state.size;
+  const perFace = (state.size / state.tile) ** 2;
   if (range.length !== FACES) throw new Error(`map: expected six files of ranges, got ${range.length}`);
   const codes = new Uint16Array(FACES * area);
   const changed = new Uint8Array(FACES * area);
@@ -87,8 +100,25 @@ async function changedTexels(state: State, tiles: readonly number[], range: read
       changed.set(named(file, () => decodeRanges(raw, place, null, own, state)), face * area);
     }),
   );
-  state.codes = codes;
-  return changed;
+  return { codes, changed };
+}
+
+/** The codes of a later ring: one file, unless nothing changes. */
+async function laterCodes(
+  state: State,
+  before: Uint16Array<ArrayBuffer>,
+  tiles: readonly number[],
+  range: readonly FileData[],
+): Promise<Codes> {
+  const { tile } = state;
+  const [file] = range;
+  if (range.length !== (tiles.length > 0 ? 1 : 0)) {
+    throw new Error(`map: expected ranges exactly where tiles change, got ${range.length} files`);
+  }
+  if (!file) return { codes: before, changed: new Uint8Array(before.length) };
+  const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MOST_BYTES * tiles.length * tile * tile);
+  const codes = before.slice();
+  return { codes, changed: named(file, () => decodeRanges(raw, codes, before, tiles, state)) };
 }
 
 /** Errors of a function name a file. */
@@ -96,7 +126,7 @@ function named<T>(file: FileData, work: () => T): T {
   try {
     return work();
   } catch (error) {
-    throw new Error(`${file.name}: ${error instanceof Error ? error.message : 'damaged'}`);
+    throw new Error(`${file.name}: ${reasonOf(error)}`);
   }
 }
 
@@ -163,21 +193,4 @@ function changedTiles(state: State, since: number, ring: number): MapUpdate {
     }
   });
   return update;
-}
-
-/** The pixels of a picture of known size, RGBA from the top. */
-async function pixelsOf(file: FileData, width: number, height: number): Promise<Uint8Array> {
-  const bitmap = await pictureOf(file.name, await contentOf(file));
-  try {
-    if (bitmap.width !== width || bitmap.height !== height) {
-      throw new Error(`${file.name}: expected ${width} × ${height} pixels, got ${bitmap.width} × ${bitmap.height}`);
-    }
-    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-    if (!context) throw new Error(`${file.name}: the browser cannot read pictures here`);
-    context.drawImage(bitmap, 0, 0);
-    const { data } = context.getImageData(0, 0, width, height);
-    return new Uint8Array(data.buffer);
-  } finally {
-    bitmap.close();
-  }
 }

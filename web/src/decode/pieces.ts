@@ -1,35 +1,29 @@
-/** Placements as rows, and pieces that are small enough to be uploaded within a frame. */
-import type { Point } from '../bundle/manifest';
-import type { Piece } from './messages';
+/** Pieces that are small enough to be uploaded within a frame. */
+import { ROWS } from './placements';
+import type { Arrays } from './surfaces';
 
-/** 16 numbers in columns. */
-export type Matrix = readonly number[];
+/** Triangles and placements of a piece, at most: about a megabyte each. */
+const [MOST_TRIANGLES, MOST_PLACEMENTS] = [32_768, 16_384] as const;
+/** Vertices that 16 bits number. */
+const SHORT = 65_536;
 
-/** Triangles of a piece, at most: about a megabyte. */
-const MOST_TRIANGLES = 32_768;
-
-/** Rows of 3 × 4 of matrices, moved by an offset in float64 before they are rounded. */
-export function placementRows(matrices: readonly Matrix[], offset: Point): Float32Array {
-  const rows = new Float32Array(12 * matrices.length);
-  matrices.forEach((matrix, number) => {
-    for (let row = 0; row < 3; row++) {
-      for (let column = 0; column < 4; column++) {
-        const value = matrix[4 * column + row] as number;
-        rows[12 * number + 4 * row + column] = column === 3 ? value + (offset[row] as number) : value;
-      }
-    }
-  });
-  return rows;
+/** Parts of placements, so that each can be uploaded at once. */
+export function shared(placements: Float32Array): Float32Array[] {
+  const size = ROWS * MOST_PLACEMENTS;
+  if (placements.length <= size) return placements.length > 0 ? [placements] : [];
+  const count = Math.ceil(placements.length / size);
+  return Array.from({ length: count }, (_, n) => placements.slice(n * size, (n + 1) * size));
 }
 
-/** The same triangles in pieces of a bounded size, each with its own vertices. */
-export function chopped(piece: Piece): Piece[] {
+/** The same triangles in parts of a bounded size, each with the vertices that it uses. */
+export function chopped(whole: Arrays): Arrays[] {
   const corners = 3 * MOST_TRIANGLES;
-  if (piece.indices.length <= corners) return [piece];
-  const pieces: Piece[] = [];
-  const renamed = new Int32Array(piece.positions.length / 3).fill(-1);
-  for (let start = 0; start < piece.indices.length; start += corners) {
-    const part = piece.indices.subarray(start, start + corners);
+  if (whole.indices.length === 0) return [];
+  if (whole.indices.length <= corners) return [whole];
+  const parts: Arrays[] = [];
+  const renamed = new Int32Array(whole.positions.length / 3).fill(-1);
+  for (let start = 0; start < whole.indices.length; start += corners) {
+    const part = whole.indices.subarray(start, start + corners);
     const indices = new Uint32Array(part.length);
     const used: number[] = [];
     part.forEach((vertex, n) => {
@@ -39,17 +33,17 @@ export function chopped(piece: Piece): Piece[] {
       }
       indices[n] = renamed[vertex] as number;
     });
-    pieces.push({
-      ...piece,
-      indices: used.length <= 65_536 ? Uint16Array.from(indices) : indices,
-      positions: rowsOf(piece.positions, used, 3),
-      normals: piece.normals && rowsOf(piece.normals, used, 3),
-      uvs: piece.uvs && rowsOf(piece.uvs, used, 2),
-      colors: piece.colors && rowsOf(piece.colors, used, 4),
+    parts.push({
+      ...whole,
+      indices: used.length <= SHORT ? Uint16Array.from(indices) : indices,
+      positions: rowsOf(whole.positions, used, 3),
+      normals: whole.normals && rowsOf(whole.normals, used, 3),
+      uvs: whole.uvs && rowsOf(whole.uvs, used, 2),
+      colors: whole.colors && rowsOf(whole.colors, used, 4),
     });
     for (const vertex of used) renamed[vertex] = -1;
   }
-  return pieces;
+  return parts;
 }
 
 function rowsOf<T extends Float32Array | Uint16Array>(rows: T, chosen: readonly number[], width: number): T {

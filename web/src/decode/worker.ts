@@ -1,9 +1,11 @@
 /** A worker that decodes geometry and maps, one request after the other. */
-import { decodeGeometry } from './geometry';
+import { reasonOf } from './files';
+import { type Buffers, decodeGeometry } from './geometry';
 import { createMaps } from './maps';
 import type { Answer, Geometry, Job, MapUpdate } from './messages';
 
 const maps = createMaps();
+const buffers: Buffers = new Map();
 let last = Promise.resolve();
 
 self.onmessage = ({ data: job }: MessageEvent<Job>): void => {
@@ -15,14 +17,14 @@ async function answer(job: Job): Promise<void> {
     const result = await work(job);
     post({ id: job.id, result }, transferred(result));
   } catch (error) {
-    post({ id: job.id, error: error instanceof Error ? error.message : String(error) }, []);
+    post({ id: job.id, error: reasonOf(error) }, []);
   }
 }
 
 function work(job: Job): Promise<Geometry | MapUpdate> {
   switch (job.kind) {
     case 'geometry':
-      return decodeGeometry(job);
+      return decodeGeometry(job, buffers);
     case 'first-map':
       return maps.first(job);
     case 'next-map':
