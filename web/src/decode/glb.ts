@@ -77,8 +77,12 @@ export interface Glb {
   read(accessor: number | undefined, width: number): Promise<Numbers>;
 }
 
-/** Open a GLB. `parts` are the files that it refers to, by their URIs in it. */
-export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<string, Uint8Array>): Glb {
+/** Open a GLB. `parts` are the files that it refers to, by their URIs in it; its arrays take so many bytes at most. */
+export function openGlb(
+  bytes: Uint8Array<ArrayBuffer>,
+  parts: ReadonlyMap<string, Uint8Array>,
+  most: number = MOST_BYTES,
+): Glb {
   const { document, chunk } = chunksOf(bytes);
   const decoded = new Map<number, Promise<Uint8Array>>();
   let spent = 0;
@@ -86,7 +90,7 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
   /** Many entries of a damaged document can describe the same bytes. */
   function spend(size: number): void {
     spent += size;
-    if (!(spent <= MOST_BYTES)) throw new Error(`the arrays take more than ${MOST_BYTES} bytes`);
+    if (spent > most) throw new Error(`the arrays take more than ${most} bytes`);
   }
 
   function bufferOf(number: number): Uint8Array {
@@ -100,8 +104,10 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
     const view = at(document.bufferViews, number, 'view');
     const packed = view.extensions?.EXT_meshopt_compression;
     if (!packed) return slice(bufferOf(view.buffer), view.byteOffset ?? 0, view.byteLength);
-    spend(packed.count * packed.byteStride);
-    return decompressed(slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength), packed);
+    const source = slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength);
+    const data = await decompressed(source, packed);
+    spend(data.length);
+    return data;
   }
 
   return {
@@ -139,6 +145,7 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
 
 /** The entry of a list; an error that says what is missing. */
 export function at<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
+  if (number === undefined) throw new Error(`the ${what}'s number is missing`);
   const found = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
   if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is not there`);
   return found;

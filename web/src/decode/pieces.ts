@@ -25,31 +25,35 @@ export function chopped(whole: Arrays): Arrays[] {
   for (let start = 0; start < whole.indices.length; start += corners) {
     const part = whole.indices.subarray(start, start + corners);
     const indices = new Uint32Array(part.length);
-    const used: number[] = [];
-    part.forEach((vertex, n) => {
+    const used = new Uint32Array(part.length);
+    let count = 0;
+    for (let n = 0; n < part.length; n++) {
+      const vertex = part[n] as number;
       if (renamed[vertex] === -1) {
-        renamed[vertex] = used.length;
-        used.push(vertex);
+        renamed[vertex] = count;
+        used[count++] = vertex;
       }
       indices[n] = renamed[vertex] as number;
-    });
+    }
+    const chosen = used.subarray(0, count);
     parts.push({
       ...whole,
-      indices: used.length <= SHORT ? Uint16Array.from(indices) : indices,
-      positions: rowsOf(whole.positions, used, 3),
-      normals: whole.normals && rowsOf(whole.normals, used, 3),
-      uvs: whole.uvs && rowsOf(whole.uvs, used, 2),
-      colors: whole.colors && rowsOf(whole.colors, used, 4),
+      indices: count <= SHORT ? Uint16Array.from(indices) : indices,
+      positions: rowsOf(whole.positions, chosen, 3),
+      normals: whole.normals && rowsOf(whole.normals, chosen, 3),
+      uvs: whole.uvs && rowsOf(whole.uvs, chosen, 2),
+      colors: whole.colors && rowsOf(whole.colors, chosen, 4),
     });
-    for (const vertex of used) renamed[vertex] = -1;
+    for (const vertex of chosen) renamed[vertex] = -1;
   }
   return parts;
 }
 
-function rowsOf<T extends Float32Array | Uint16Array>(rows: T, chosen: readonly number[], width: number): T {
+function rowsOf<T extends Float32Array | Uint16Array>(rows: T, chosen: Uint32Array, width: number): T {
   const found = new (rows.constructor as new (length: number) => T)(chosen.length * width);
-  chosen.forEach((row, n) => {
+  for (let n = 0; n < chosen.length; n++) {
+    const row = chosen[n] as number;
     for (let column = 0; column < width; column++) found[n * width + column] = rows[row * width + column] as number;
-  });
+  }
   return found;
 }

@@ -22,7 +22,7 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   if (!(corners instanceof Uint16Array || corners instanceof Uint32Array) || corners.length % 3 !== 0) {
     throw new Error('expected triangles of 16 or 32 bits');
   }
-  if (corners.some((corner) => corner >= vertices)) throw new Error(`expected corners below ${vertices}`);
+  if (greatest(corners) >= vertices) throw new Error(`expected corners below ${vertices}`);
   const counts = [[normals, 3], [uvs, 2], [colors, 4]] as const;
   if (counts.some(([rows, width]) => rows && rows.length !== width * vertices)) {
     throw new Error(`expected attributes of ${vertices} vertices`);
@@ -38,11 +38,18 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   };
 }
 
+/** The greatest of numbers that are at least 0; −1 if there are none. */
+function greatest(rows: Uint16Array | Uint32Array): number {
+  let most = -1;
+  for (const row of rows) if (row > most) most = row;
+  return most;
+}
+
 function finite(rows: Numbers, what: string): Float32Array {
-  if (!(rows instanceof Float32Array) || !rows.every(Number.isFinite)) {
-    throw new Error(`expected ${what} that are finite numbers of 32 bits`);
-  }
-  return rows;
+  let isFinite = rows instanceof Float32Array;
+  for (let n = 0; isFinite && n < rows.length; n++) isFinite = Number.isFinite(rows[n]);
+  if (!isFinite) throw new Error(`expected ${what} that are finite numbers of 32 bits`);
+  return rows as Float32Array;
 }
 
 /** Normals are bytes or float32; the vectors get length 1. */
