@@ -71,13 +71,19 @@ def node(script: str, paths: Iterable[Path]) -> dict[str, Any]:
 
 
 class _Handler(SimpleHTTPRequestHandler):
-    """Serves the readers, and bundles below /bundles; takes the page's answer."""
+    """Serves a folder of pages, and bundles below /bundles; takes the page's answer."""
 
     def __init__(
-        self, *request: Any, job: bytes, bundles: Mapping[str, Path], answers: queue.Queue[bytes], **kept: Any
+        self,
+        *request: Any,
+        pages: Path,
+        job: bytes,
+        bundles: Mapping[str, Path],
+        answers: queue.Queue[bytes],
+        **kept: Any,
     ) -> None:
         self._job, self._bundles, self._answers = job, bundles, answers
-        super().__init__(*request, directory=str(FOLDER), **kept)
+        super().__init__(*request, directory=str(pages), **kept)
 
     def translate_path(self, path: str) -> str:
         parts = path.split("/")
@@ -122,10 +128,17 @@ def in_browser(bundles: Mapping[str, Path], views: Mapping[str, dict[str, Any]],
         {"name": name, "place": f"/bundles/{name}", "files": _glbs(path), "view": views[name]}
         for name, path in bundles.items()
     ]
+    return answer_of_page(FOLDER, {"bundles": described}, bundles, folder)
+
+
+def answer_of_page(pages: Path, job: Any, bundles: Mapping[str, Path], folder: Path) -> dict[str, Any]:
+    """Show page.html of a folder in a browser until it posts its answer to /result.
+
+    It finds its job at /job.json and the bundles below /bundles; `folder` is an empty one for the browser's profile.
+    """
     answers: queue.Queue[bytes] = queue.Queue()
-    job = json.dumps({"bundles": described}).encode()
-    handler = partial(_Handler, job=job, bundles=bundles, answers=answers)
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+    settings: dict[str, Any] = {"pages": pages, "job": json.dumps(job).encode(), "bundles": bundles, "answers": answers}
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Handler, **settings)) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         try:
             answer = _shown(f"http://127.0.0.1:{server.server_port}/page.html", answers, folder)
