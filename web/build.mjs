@@ -1,4 +1,4 @@
-// Bundles the page: `node build.mjs [FOLDER]`, by default into the Python package, or the unit tests for Node: --tests.
+// Bundles the page, or unit tests for Node: node build.mjs [--tests] [FOLDER]. By default the page goes into the package.
 import { copyFile, mkdir, readdir, rm } from 'node:fs/promises';
 import { build } from 'esbuild';
 
@@ -20,18 +20,18 @@ async function page(folder) {
   await copyFile('src/index.html', `${folder}/index.html`);
 }
 
-async function tests() {
+async function tests(folder) {
   const entryPoints = (await readdir('tests')).filter((name) => name.endsWith('.test.ts'));
-  await rm('build', { recursive: true, force: true });
+  await rm(folder, { recursive: true, force: true });
   await build({
     ...common,
     entryPoints: entryPoints.map((name) => `tests/${name}`),
-    outdir: 'build/tests',
+    outdir: folder,
     outExtension: { '.js': '.mjs' },
     platform: 'node',
     sourcemap: 'inline',
   });
 }
 
-const [choice] = process.argv.slice(2);
-await (choice === '--tests' ? tests() : page(choice ?? PACKAGE));
+const [choice, folder] = process.argv.slice(2);
+await (choice === '--tests' ? tests(folder ?? 'build/tests') : page(choice ?? PACKAGE));

@@ -71,13 +71,19 @@ def node(script: str, paths: Iterable[Path]) -> dict[str, Any]:
 
 
 class _Handler(SimpleHTTPRequestHandler):
-    """Serves the readers, and bundles below /bundles; takes the page's answer."""
+    """Serves a folder of pages, and bundles below /bundles; takes the page's answer."""
 
     def __init__(
-        self, *request: Any, job: bytes, bundles: Mapping[str, Path], answers: queue.Queue[bytes], **kept: Any
+        self,
+        *request: Any,
+        pages: Path,
+        job: bytes,
+        bundles: Mapping[str, Path],
+        answers: queue.Queue[bytes],
+        **kept: Any,
     ) -> None:
         self._job, self._bundles, self._answers = job, bundles, answers
-        super().__init__(*request, directory=str(FOLDER), **kept)
+        super().__init__(*request, directory=str(pages), **kept)
 
     def translate_path(self, path: str) -> str:
         parts = path.split("/")
@@ -126,9 +132,13 @@ def in_browser(bundles: Mapping[str, Path], views: Mapping[str, dict[str, Any]],
 
 
 def answer_of(
-    module: str, job: Mapping[str, Any], folder: Path, folders: Mapping[str, Path] | None = None
+    module: str,
+    job: Mapping[str, Any],
+    folder: Path,
+    folders: Mapping[str, Path] | None = None,
+    pages: Path = FOLDER,
 ) -> dict[str, Any]:
-    """What a module of tests/readers posts to /result after it has read its job from /job.json.
+    """What a module that page.html loads posts to /result after it has read its job from /job.json.
 
     Parameters
     ----------
@@ -138,9 +148,11 @@ def answer_of(
         An empty folder for the browser's profile.
     folders
         Folders that the module finds by these names below /bundles.
+    pages
+        The folder of page.html.
     """
     answers: queue.Queue[bytes] = queue.Queue()
-    handler = partial(_Handler, job=json.dumps(job).encode(), bundles=folders or {}, answers=answers)
+    handler = partial(_Handler, pages=pages, job=json.dumps(job).encode(), bundles=folders or {}, answers=answers)
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         try:
