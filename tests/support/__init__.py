@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import importlib.util
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -76,6 +77,7 @@ def _release() -> str:
 
 
 PARTS: dict[str, Callable[[], str]] = {
+    "aiohttp": _module("aiohttp"),
     "browser": no_browser,
     "data": _data_folder,
     "DracoPy": _module("DracoPy"),
@@ -86,6 +88,9 @@ PARTS: dict[str, Callable[[], str]] = {
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
     "git": _git,
     "gl": _adapter("gl"),
+    "glslang": lambda: (
+        "" if shutil.which("glslangValidator") else "glslang is not installed; see scripts/system-packages.sh"
+    ),
     "ipywidgets": _module("ipywidgets"),
     "linux": lambda: "" if sys.platform == "linux" else "only Linux tells and limits a process's memory",
     "matplotlib": _module("matplotlib"),

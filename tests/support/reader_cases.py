@@ -128,20 +128,35 @@ def in_browser(bundles: Mapping[str, Path], views: Mapping[str, dict[str, Any]],
         {"name": name, "place": f"/bundles/{name}", "files": _glbs(path), "view": views[name]}
         for name, path in bundles.items()
     ]
-    return answer_of_page(FOLDER, {"bundles": described}, bundles, folder)
+    return answer_of("page.mjs", {"bundles": described}, folder, bundles)
 
 
-def answer_of_page(pages: Path, job: Any, bundles: Mapping[str, Path], folder: Path) -> dict[str, Any]:
-    """Show page.html of a folder in a browser until it posts its answer to /result.
+def answer_of(
+    module: str,
+    job: Mapping[str, Any],
+    folder: Path,
+    folders: Mapping[str, Path] | None = None,
+    pages: Path = FOLDER,
+) -> dict[str, Any]:
+    """What a module that page.html loads posts to /result after it has read its job from /job.json.
 
-    It finds its job at /job.json and the bundles below /bundles; `folder` is an empty one for the browser's profile.
+    Parameters
+    ----------
+    module, job
+        The module's name, and what it is to do.
+    folder
+        An empty folder for the browser's profile.
+    folders
+        Folders that the module finds by these names below /bundles.
+    pages
+        The folder of page.html.
     """
     answers: queue.Queue[bytes] = queue.Queue()
-    settings: dict[str, Any] = {"pages": pages, "job": json.dumps(job).encode(), "bundles": bundles, "answers": answers}
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Handler, **settings)) as server:
+    handler = partial(_Handler, pages=pages, job=json.dumps(job).encode(), bundles=folders or {}, answers=answers)
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         try:
-            answer = _shown(f"http://127.0.0.1:{server.server_port}/page.html", answers, folder)
+            answer = _shown(f"http://127.0.0.1:{server.server_port}/page.html?{module}", answers, folder)
         finally:
             server.shutdown()
     assert "error" not in answer, answer["error"]

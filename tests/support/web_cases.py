@@ -13,6 +13,6 @@ WEB = Path(__file__).resolve().parents[2] / "web"
 
 def run(*command: str, **environment: str) -> None:
     """Run a program in the folder of the sources; AssertionError with its output if it fails."""
-    settings = os.environ | environment
-    done = subprocess.run(command, cwd=WEB, env=settings, capture_output=True, text=True, check=False, timeout=SECONDS)
+    around = os.environ | environment
+    done = subprocess.run(command, cwd=WEB, env=around, capture_output=True, text=True, check=False, timeout=SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -137,7 +137,7 @@ def expected_material(document: dict[str, Any], number: int) -> dict[str, Any]:
 def test_ranges_are_those_of_python_bit_for_bit(bundles: dict[str, Path], decoded: dict[str, Any], name: str) -> None:
     assert decoded[name]
     bundle = nf.stream.open(bundles[name])
-    size = json.loads((bundles[name] / "manifest.json").read_text())["map"]["face_size"]
+    size = bundle.map(1).face_size
     assert bundle.count >= 2
     for ring in range(1, bundle.count + 1):
         codes = np.fromfile(bundles[name].with_name(f"{name}.{ring}.u16"), "<u2").reshape(6, size, size)

@@ -18,7 +18,7 @@ from nearfar._scene.srgb import to_linear
 from nearfar.stream import _map_files as codec
 from tests.support import need
 from tests.support.bundled_scenes import NAMES
-from tests.support.reader_cases import answer_of_page
+from tests.support.reader_cases import answer_of
 from tests.support.web_cases import run
 
 pytestmark = pytest.mark.slow
@@ -36,7 +36,7 @@ def answer(bundles: dict[str, Path], tmp_path_factory: pytest.TempPathFactory) -
         shutil.copy(path, pages)
     settings = ("--bundle", "--format=esm", "--log-level=warning")
     run("npx", "esbuild", "src/decode/worker.ts", *settings, f"--outfile={pages / 'worker.js'}")
-    return answer_of_page(pages, {"bundles": NAMES}, bundles, tmp_path_factory.mktemp("browser"))
+    return answer_of("page.mjs", {"bundles": NAMES}, tmp_path_factory.mktemp("browser"), bundles, pages=pages)
 
 
 def array(text: str, kind: str) -> NDArray[Any]:
