@@ -50,11 +50,6 @@ export function metres(length: number): string {
   return `${length.toFixed(length < 0.995 ? 2 : length < 99.95 ? 1 : 0)}${SPACE}m`;
 }
 
-/** One and more: `1 triangle`, `2 triangles`. */
-export function plural(number: number, word: string): string {
-  return `${count(number)}${SPACE}${word}${number === 1 ? '' : 's'}`;
-}
-
 function scaled(amount: number, unit: string): string {
   if (!isAmount(amount)) return UNKNOWN;
   const power = powerOf(amount);
