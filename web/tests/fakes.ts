@@ -30,7 +30,8 @@ export function send(target: EventTarget, name: string, properties: object = {})
 }
 
 export function press(target: EventTarget, code: string, modifiers: object = {}): Event {
-  return send(target, 'keydown', { code, key: code, shiftKey: false, ctrlKey: false, metaKey: false, altKey: false, ...modifiers });
+  const usual = { code, key: code, shiftKey: false, ctrlKey: false, metaKey: false, altKey: false };
+  return send(target, 'keydown', { ...usual, ...modifiers });
 }
 
 export function letGo(target: EventTarget, code: string, modifiers: object = {}): Event {
