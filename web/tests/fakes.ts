@@ -13,7 +13,6 @@ export function fakeElement(): FakeElement {
     clientHeight: 600,
     ownerDocument: document,
     setPointerCapture: (id: number) => held.add(id),
-    focus: () => undefined,
     requestPointerLock: () => {
       document.pointerLockElement = element;
     },
