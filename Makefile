@@ -18,7 +18,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo page test test-slow lint lint-rust lint-python lint-fuzz test-rust test-adapters bench notebooks stress attack fuzz setup clean
+.PHONY: help demo page test test-slow lint lint-rust lint-python lint-fuzz lint-web test-rust test-adapters bench notebooks stress attack fuzz setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -38,7 +38,7 @@ test-slow: .venv/built .venv/test .venv/readers .venv/web
 	$(bin)/python -m pytest -n auto --dist worksteal -m "slow and not stress"
 
 # Formatting, lints and types only.
-lint: lint-rust lint-python
+lint: lint-rust lint-python lint-web
 
 # In the debug profile, whose folder the build of the package does not lock.
 lint-rust: .venv/made
@@ -50,6 +50,10 @@ lint-python: .venv/test
 	$(bin)/ruff format --check --quiet .
 	$(bin)/ruff check --quiet .
 	$(bin)/mypy
+
+# Types of the page's sources, where npm is there.
+lint-web: .venv/web
+	@if [ -d web/node_modules ]; then cd web && npx tsc --noEmit; fi
 
 # A workspace of its own, which takes half a minute and seldom changes: `make test` leaves it out.
 lint-fuzz:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 import subprocess
+import textwrap
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 
 import nearfar as nf
 from scripts.shaders.declarations import translate
@@ -32,6 +34,17 @@ def test_files_are_those_that_the_translator_writes() -> None:
     changed = [name for name, text in files().items() if (CHECKOUT / name).read_text(encoding="utf-8") != text]
     assert changed == [], "run `python -m scripts.shaders.write`"
     assert {path.name for path in ENGINES.iterdir()} == {"morph.wgsl", "morph.glsl", "morph.hlsl"}
+
+
+def test_the_how_to_splits_large_triangles(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    nf.reduce(nf.datasets.city(blocks=2, detail=0), center=(0, 1.7, 0), r1=30, r2=50, face_size=16).save(
+        tmp_path / "light"
+    )
+    monkeypatch.chdir(tmp_path)
+    found: dict[str, Any] = {}
+    exec(textwrap.dedent(code("python")[0]), found)
+    written = trimesh.load("light/split.glb", force="mesh")
+    assert len(written.faces) == len(found["split"].faces) > len(found["mesh"].faces)
 
 
 # Translation ----------------------------------------------------------------------------------------------------------

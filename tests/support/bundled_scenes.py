@@ -41,7 +41,8 @@ def balls() -> nf.Scene:
         builder.instance(mesh, place @ kinds[number % len(kinds)], name=f"ball {number}")
     texels = np.zeros((64, 32, 4), np.uint8)
     texels[..., 0], texels[..., 1] = np.arange(32) * 8, np.arange(64)[:, None] * 4
-    texels[..., 3] = 255 * (np.hypot(*np.mgrid[-20:44, -16:16]) > 12)
+    # Half seen around a circle, so that colour and alpha must stay apart.
+    texels[..., 3] = 255 * np.clip((np.hypot(*np.mgrid[-20:44, -16:16]) - 9) / 6, 0, 1)
     leaf = builder.material(texture=texels, cutoff=0.5)
     corners, uvs = [[-4, 0, 0], [4, 0, 0], [4, 6, 0], [-4, 6, 0]], [[0, 0], [1, 0], [1, 1], [0, 1]]
     builder.instance(builder.mesh(corners, [[0, 1, 2], [0, 2, 3]], material=leaf, uvs=uvs), name="leaf")

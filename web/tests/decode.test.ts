@@ -8,7 +8,7 @@ import type { FileData } from '../src/decode/messages';
 
 const folder = process.env['NEARFAR_BUNDLE'];
 
-/** Writes all pieces of a bundle's geometry beside it, for Python to compare with its own: numbers, and their places. */
+/** Writes all pieces of a bundle's geometry beside it, for Python to compare with its own. */
 test('geometry of a bundle', { skip: folder === undefined }, async () => {
   const manifest = parseManifest(await readFile(`${folder}/manifest.json`, 'utf8'));
   const [region] = manifest.regions;

@@ -50,7 +50,8 @@ test('far from the origin of the world positions are rounded once', async () => 
   const root = { translation: [5_000_000.25, -3.5, 1e7 + 1 / 16] };
   const document = documentOf(arrays, primitive, [{ mesh: 0 }], root);
   const { pieces } = await decode(document, arrays, { center: [5_000_000, -3, 1e7] });
-  assert.deepEqual(pieces[0]?.positions.slice(0, 6), Float32Array.of(0.25, -0.5, 1 / 16, 0.25 + 1 / 1024, -0.5, 1 / 16));
+  const expected = Float32Array.of(0.25, -0.5, 1 / 16, 0.25 + 1 / 1024, -0.5, 1 / 16);
+  assert.deepEqual(pieces[0]?.positions.slice(0, 6), expected);
 });
 
 test('placements of nodes and of arrays are one piece; those of dynamic objects stay apart', async () => {
@@ -63,7 +64,8 @@ test('placements of nodes and of arrays are one piece; those of dynamic objects 
     SCALE: arrays.add(Float32Array.of(1, 1, 1, 2, 3, 4), 3),
   };
   const matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0.5, 0, 1, 0, 7, 8, 9, 1];
-  const nodes = [{ mesh: 0, matrix, name: 'sheared' }, { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes } } }];
+  const copies = { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes } } };
+  const nodes = [{ mesh: 0, matrix, name: 'sheared' }, copies];
   const document = documentOf(arrays, primitive, nodes, { translation: [100, 0, 0] });
   const still = await decode(document, arrays, { center: [90, 0, 0] });
   assert.equal(still.pieces.length, 1);
@@ -74,10 +76,12 @@ test('placements of nodes and of arrays are one piece; those of dynamic objects 
     // A quarter turn about y takes x to −z, and z to x.
     [0, 0, 4, 14, 0, 3, 0, 5, -2, 0, 0, 6],
   ].flat();
-  still.pieces[0]?.placements?.forEach((value, n) => assert.ok(Math.abs(value - (near[n] ?? NaN)) < 1e-6, `${n}: ${value}`));
-  assert.equal(still.pieces[0]?.placements?.length, near.length);
+  const found = still.pieces[0]?.placements;
+  assert.equal(found?.length, near.length);
+  found?.forEach((value, n) => assert.ok(Math.abs(value - (near[n] ?? NaN)) < 1e-6, `${n}: ${value}`));
   const moving = await decode(document, arrays, { isDynamic: true });
-  assert.deepEqual(moving.pieces.map(({ name, placements }) => [name, placements?.length]), [['sheared', 12], ['', 24]]);
+  const apart = moving.pieces.map(({ name, placements }) => [name, placements?.length]);
+  assert.deepEqual(apart, [['sheared', 12], ['', 24]]);
 });
 
 test('hundreds of thousands of placements come in parts', async () => {
@@ -108,9 +112,11 @@ test('large meshes come in parts with the same triangles', async () => {
     const arrays = createArrays();
     const indices = Uint32Array.from(corners);
     const primitive = isPacked
-      ? { attributes: { POSITION: arrays.pack(positions, 3, 'ATTRIBUTES') }, indices: arrays.pack(indices, 1, 'TRIANGLES') }
-      : { attributes: { POSITION: arrays.add(positions, 3) }, indices: arrays.add(indices, 1) };
-    const { pieces } = await decode(documentOf(arrays, primitive, [{ mesh: 0 }]), arrays);
+      ? [arrays.pack(positions, 3, 'ATTRIBUTES'), arrays.pack(indices, 1, 'TRIANGLES')]
+      : [arrays.add(positions, 3), arrays.add(indices, 1)];
+    const [POSITION, corner] = primitive;
+    const document = documentOf(arrays, { attributes: { POSITION }, indices: corner }, [{ mesh: 0 }]);
+    const { pieces } = await decode(document, arrays);
     assert.equal(pieces.length, Math.ceil(corners.length / 3 / 32_768));
     const found = pieces.flatMap((piece) => {
       assert.ok(piece.indices.length <= 3 * 32_768);
@@ -120,14 +126,17 @@ test('large meshes come in parts with the same triangles', async () => {
       });
     });
     // The codec may begin a triangle at another of its corners.
-    const sorted = (all: number[]) => all.map((_, n) => (n % 3 ? '' : turned(all.slice(n, n + 3)))).filter(Boolean).join();
-    assert.equal(sorted(found), sorted(corners));
+    assert.equal(turned(found), turned(corners));
   }
 });
 
-function turned(triangle: number[]): string {
-  const least = triangle.indexOf(Math.min(...triangle));
-  return [...triangle.slice(least), ...triangle.slice(0, least)].join(' ');
+/** Triangles that begin at their least corner. */
+function turned(corners: number[]): string {
+  return Array.from({ length: corners.length / 3 }, (_, n) => {
+    const triangle = corners.slice(3 * n, 3 * n + 3);
+    const least = triangle.indexOf(Math.min(...triangle));
+    return [...triangle.slice(least), ...triangle.slice(0, least)].join(' ');
+  }).join();
 }
 
 test('buffers of earlier requests are kept, also if another part is damaged', async () => {
@@ -140,7 +149,8 @@ test('buffers of earlier requests are kept, also if another part is damaged', as
   const wrong = { ...fileOf('files/00000000000000cc.bin', Uint8Array.of(1, 2)), sha256: 'f'.repeat(64) };
   const kept = new Map<string, Uint8Array>();
   await assert.rejects(decodeGeometry(requestOf(data), kept), /the buffer 00000000000000bb\.bin is not there/);
-  await assert.rejects(decodeGeometry(requestOf(data, { parts: [wrong, part] }), kept), /files\/0+cc\.bin: expected SHA-256/);
+  const damaged = decodeGeometry(requestOf(data, { parts: [wrong, part] }), kept);
+  await assert.rejects(damaged, /files\/0+cc\.bin: expected SHA-256/);
   assert.equal((await decodeGeometry(requestOf(data), kept)).triangles, 2);
 });
 
@@ -165,9 +175,9 @@ test('damage is an error that names the file', async () => {
   const arrays = createArrays();
   const primitive = square(arrays);
   const bad = arrays.add(Float32Array.of(0, NaN, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0), 3);
-  const attributes = { TRANSLATION: arrays.add(Float32Array.of(1, 2, 3), 3), SCALE: arrays.add(new Float32Array(6), 3) };
+  const [TRANSLATION, SCALE] = [arrays.add(Float32Array.of(1, 2, 3), 3), arrays.add(new Float32Array(6), 3)];
   const document = documentOf(arrays, primitive, [{ mesh: 0 }]);
-  const instances = { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes } } };
+  const instances = { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes: { TRANSLATION, SCALE } } } };
   const mesh = ['meshes', 0, 'primitives', 0] as const;
   const changes: [path: readonly (string | number)[], value: unknown, message: RegExp][] = [
     [['nodes'], 3, /list of nodes/],

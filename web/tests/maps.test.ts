@@ -83,7 +83,8 @@ test('the first map is whole and has no range', async () => {
   const update = await createMaps().first(FIRST);
   assert.ok(update.whole);
   assert.equal(update.codes, null);
-  assert.deepEqual(update.color.map((face) => [face.length, face[0], face.at(-1)]), [10, 11, 12, 13, 14, 15].map((value) => [64, value, value]));
+  const ends = update.color.map((face) => [face.length, face[0], face.at(-1)]);
+  assert.deepEqual(ends, [10, 11, 12, 13, 14, 15].map((value) => [64, value, value]));
 });
 
 test('a ring changes texels and their neighbours within its tiles', async () => {
@@ -95,16 +96,18 @@ test('a ring changes texels and their neighbours within its tiles', async () => 
   const update = await maps.next(RING_2);
   assert.ok(!update.whole);
   assert.deepEqual([...update.tiles], [4]);
-  assert.deepEqual([...update.color].map((value, n) => (n % 4 === 3 ? null : value)), Array.from({ length: 16 }, (_, n) => (n % 4 === 3 ? null : 99)));
+  // Alpha stays.
+  assert.deepEqual([...update.color], Array.from({ length: 16 }, (_, n) => (n % 4 === 3 ? 11 : 99)));
   assert.deepEqual([...update.codes], [NOTHING, NOTHING, NOTHING, NOTHING]);
 });
 
 test('tiles that changed since an older ring come together, in their order', async () => {
   const maps = await begun();
   await maps.next({ ...RING_2, tiles: [12], since: null });
-  const update = await maps.next({ ...RING_2, ring: 3, tiles: [4], since: 1 });
+  const range = [ranges([0x88], [0])];
+  const update = await maps.next({ ...RING_2, ring: 3, tiles: [4, 20], range, since: 1 });
   assert.ok(!update.whole);
-  assert.deepEqual([...update.tiles], [4, 12]);
+  assert.deepEqual([...update.tiles], [4, 12, 20]);
 });
 
 test('a damaged ring leaves the map as it was, so that it can come again', async () => {
@@ -113,7 +116,7 @@ test('a damaged ring leaves the map as it was, so that it can come again', async
   const cut = (file: FileData): FileData => ({ ...file, data: file.data.slice(0, -1) });
   const wrong: [changes: Partial<NextMapRequest>, message: RegExp][] = [
     [{ range: [...EMPTY.slice(1), cut(RING_2.range[0] as FileData)] }, /expected \d+ bytes, as the manifest lists it/],
-    [{ range: [...EMPTY.slice(1), ranges([], [0])] }, /files\/0+ee\.range: expected ranges of the listed tiles, got fewer/],
+    [{ range: [...EMPTY.slice(1), ranges([], [0])] }, /files\/0+ee\.range: expected ranges of .* got fewer/],
     [{ range: [...EMPTY.slice(1), ranges([], [0, 0], [7])] }, /more bytes/],
     [{ range: EMPTY.slice(1) }, /six files/],
     [{ tiles: [24] }, /tiles of the map/],
@@ -145,8 +148,10 @@ test('maps of sizes that cannot be are refused', async () => {
 });
 
 test('sizes of pictures are read from all three kinds of files', () => {
-  const head = (kind: string, rest: readonly number[]): Uint8Array =>
-    Uint8Array.from([...Buffer.from(`RIFF\0\0\0\0WEBP${kind}\0\0\0\0`, 'latin1'), ...rest, ...Array<number>(16).fill(0)]);
+  const head = (kind: string, rest: readonly number[]): Uint8Array => {
+    const start = Buffer.from(`RIFF\0\0\0\0WEBP${kind}\0\0\0\0`, 'latin1');
+    return Uint8Array.from([...start, ...rest, ...Array<number>(16).fill(0)]);
+  };
   assert.deepEqual(sizeOf('x', head('VP8 ', [0, 0, 0, 0x9d, 1, 0x2a, 0x40, 0x41, 0x20, 0])), [320, 32]);
   assert.deepEqual(sizeOf('x', head('VP8L', [0x2f, 0xff, 0xc0, 0x0f, 0])), [256, 64]);
   assert.deepEqual(sizeOf('x', head('VP8X', [0, 0, 0, 0, 0xff, 0xff, 0, 1, 0, 0])), [65_536, 2]);

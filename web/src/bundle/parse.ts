@@ -58,7 +58,9 @@ export function parseManifest(source: string): Manifest {
     regions: entries.map((entry, number) => region(`regions[${number}]`, entry, tiles, number, entries.length)),
     dynamic: optional('dynamic', all['dynamic'], moving),
     notes: list('notes', all['notes'], text),
-    files: Object.fromEntries(Object.entries(files).map(([name, value]) => [fileName('files', name), described(name, value)])),
+    files: Object.fromEntries(
+      Object.entries(files).map(([name, value]) => [fileName('files', name), described(name, value)]),
+    ),
   };
   checkListed(manifest);
   return manifest;
@@ -96,7 +98,8 @@ function region(place: string, value: Fields, tiles: number, own: number, count:
   if (rings.length < 2 || rings.length > MOST_RINGS || !doAscend) {
     throw new BundleError(`manifest.json: ${place}.rings: expected radii that ascend from 0`);
   }
-  const neighbours = list(`${place}.neighbours`, value['neighbours'], (name, item) => integer(name, item, 0, count - 1));
+  const other = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
+  const neighbours = list(`${place}.neighbours`, value['neighbours'], other);
   if (neighbours.includes(own)) throw new BundleError(`manifest.json: ${place}.neighbours: expected other regions`);
   const [least, step] = (['least', 'step'] as const).map((name) => {
     return number(`${place}.range.${name}`, range[name], Number.MIN_VALUE);

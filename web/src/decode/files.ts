@@ -10,7 +10,9 @@ export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>
   // Browsers offer hashes on https and on this machine only; elsewhere the size must do.
   if (globalThis.crypto?.subtle) {
     const found = hex(new Uint8Array(await crypto.subtle.digest('SHA-256', data)));
-    if (found !== sha256) throw new Error(`${name}: expected SHA-256 ${sha256.slice(0, 16)}…, got ${found.slice(0, 16)}…`);
+    if (found !== sha256) {
+      throw new Error(`${name}: expected SHA-256 ${sha256.slice(0, 16)}…, got ${found.slice(0, 16)}…`);
+    }
   }
   return new Uint8Array(data);
 }

@@ -21,7 +21,9 @@ export interface Node {
   readonly name?: string;
   readonly translation?: readonly number[];
   readonly matrix?: readonly number[];
-  readonly extensions?: { readonly EXT_mesh_gpu_instancing?: { readonly attributes?: Readonly<Record<string, number>> } };
+  readonly extensions?: {
+    readonly EXT_mesh_gpu_instancing?: { readonly attributes?: Readonly<Record<string, number>> };
+  };
 }
 
 export interface Primitive {
@@ -58,7 +60,7 @@ interface View {
 const [MAGIC, VERSION] = [0x46546c67, 2];
 const [JSON_CHUNK, BIN_CHUNK] = [0x4e4f534a, 0x004e4942];
 const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
-/** Rows of an array, at most, and bytes of all arrays of a file: the largest ring of a bundle has a fraction of them. */
+/** Rows of an array, and bytes of all arrays of a file, at most: the largest rings have a fraction of them. */
 const [MOST_ROWS, MOST_BYTES] = [2 ** 26, 2 ** 30] as const;
 
 const TYPES = {
@@ -136,7 +138,9 @@ export function openGlb(
       const packed = new Uint8Array(count * row);
       if (stride === row) packed.set(data.subarray(start, start + packed.length));
       else {
-        for (let n = 0; n < count; n++) packed.set(data.subarray(start + n * stride, start + n * stride + row), n * row);
+        for (let n = 0, place = start; n < count; n++, place += stride) {
+          packed.set(data.subarray(place, place + row), n * row);
+        }
       }
       return new Type(packed.buffer);
     },
@@ -179,11 +183,12 @@ function parsed(text: Uint8Array): Document {
   } catch {
     throw new Error('expected a glTF document, got something else');
   }
-  if (typeof document !== 'object' || document === null) throw new Error('expected a glTF document, got something else');
+  if (typeof document !== 'object' || document === null) throw new Error('expected a glTF document, got a value');
   return document;
 }
 
 function slice(data: Uint8Array, start: number, length: number): Uint8Array {
-  if (!isCount(start) || !isCount(length) || start + length > data.length) throw new Error('an array reaches beyond the file');
+  const isWithin = isCount(start) && isCount(length) && start + length <= data.length;
+  if (!isWithin) throw new Error('an array reaches beyond the file');
   return data.subarray(start, start + length);
 }

@@ -8,7 +8,9 @@ const MOST_TEXELS = 2 ** 26;
 /** A picture as the GPU takes it: its own bytes, whatever profile it claims, and alpha apart from colour. */
 export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
   const [width, height] = sizeOf(name, data);
-  if (width * height > MOST_TEXELS) throw new Error(`${name}: expected a smaller picture, got ${width} × ${height} pixels`);
+  if (width * height > MOST_TEXELS) {
+    throw new Error(`${name}: expected a smaller picture, got ${width} × ${height} pixels`);
+  }
   try {
     return await createImageBitmap(new Blob([data], { type: 'image/webp' }), {
       colorSpaceConversion: 'none',

@@ -54,8 +54,8 @@ export function createMaps(): Maps {
 }
 
 function checkLayout(size: number, tile: number, across: number): void {
-  const isLayout =
-    [size, tile, across].every((value) => Number.isInteger(value) && value > 0) && size <= MOST_SIDE && size % tile === 0;
+  const areCounts = [size, tile, across].every((value) => Number.isInteger(value) && value > 0);
+  const isLayout = areCounts && size <= MOST_SIDE && size % tile === 0;
   if (!isLayout) throw new Error(`map: expected faces of up to ${MOST_SIDE} texels in tiles, got ${size} in ${tile}`);
 }
 

@@ -15,8 +15,8 @@ export interface Compression {
 /** Greatest size of an array that is decompressed, bytes: the largest ring of a bundle has a fraction of it. */
 const MOST_BYTES = 2 ** 28;
 /**
- * Bytes that a compressed one makes at most: version 0 of the codec of vertices spends at least two bits on 16 bytes of a
- * column, those of corners spend a byte on a triangle, or on a corner.
+ * Bytes that a compressed one makes at most: version 0 of the codec of vertices spends at least two bits on 16 bytes of
+ * a column, those of corners spend a byte on a triangle, or on a corner.
  */
 const MOST_GROWTH = 64;
 /** What a short array may take in any case: its last block may be filled up, bytes. */

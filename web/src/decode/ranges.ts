@@ -1,4 +1,4 @@
-/** Decodes the ranges of a map: docs/stream.md, "Files of ranges". Codes are those of every other decoder, bit for bit. */
+/** Decodes the ranges of a map: docs/stream.md, "Files of ranges". Codes are those of all decoders, bit for bit. */
 import { damaged, NOTHING, type Planes, readPlanes, TRUST } from './planes';
 import { createScale, type Scale } from './scale';
 
@@ -76,7 +76,8 @@ function decodeFace(
   const row = createLines(1);
   const walk = { last: 0 };
   for (let band = 0; band < across; band++) {
-    const isListed = Array.from({ length: across }, (_, column) => listed.has((number * across + band) * across + column));
+    const before = (number * across + band) * across;
+    const isListed = Array.from({ length: across }, (_, column) => listed.has(before + column));
     const isVisited = isListed.map((own) => own || face.before === null);
     for (let x = 0; x < size; x++) {
       if (band === 0 || !isVisited[Math.floor(x / tile)]) columns.count[x] = 0;

@@ -66,7 +66,8 @@ function unitVectors(rows: Numbers): Float32Array {
   return unit;
 }
 
-function materialOf(glb: Glb, { pbrMetallicRoughness: surface = {}, alphaMode, alphaCutoff = 0.5 }: MaterialEntry): Material {
+function materialOf(glb: Glb, entry: MaterialEntry): Material {
+  const { pbrMetallicRoughness: surface = {}, alphaMode, alphaCutoff = 0.5 } = entry;
   const [red, green, blue, alpha, ...more] = surface.baseColorFactor ?? [1, 1, 1, 1];
   const color = [Number(red), Number(green), Number(blue), Number(alpha)] as const;
   if (more.length > 0 || !color.every(Number.isFinite) || !Number.isFinite(alphaCutoff)) {

@@ -67,9 +67,6 @@ async function loadGeometry(
   const wanted = partNames.filter((part) => !region.textures.has(part) && !loading.sent.has(part));
   const [glb, ...parts] = await Promise.all([name, ...wanted].map((file) => fileOf(loading, file, signal)));
   if (!glb) throw new Error(`${name} is not there`);
-  for (const part of wanted) {
-    if (part.endsWith('.bin')) loading.sent.add(part);
-  }
   const geometry = await loading.geometry({
     kind: 'geometry',
     glb,
@@ -78,6 +75,9 @@ async function loadGeometry(
     center: region.entry.center,
     isDynamic: ring === 0,
   });
+  for (const part of wanted) {
+    if (part.endsWith('.bin')) loading.sent.add(part);
+  }
   signal.throwIfAborted();
   const steps = geometrySteps(loading.renderer, region, ring, geometry, loading.shared, loading.warm);
   await loading.uploads.add(steps, signal);
