@@ -24,7 +24,9 @@ function steered(pads: readonly (Pad | null)[] = []) {
   return { element, keys, controls, poses, thumbs };
 }
 
-const close = (a: number | undefined, b: number): void => assert.ok(Math.abs((a ?? Number.NaN) - b) < 1e-9, `${a} is not ${b}`);
+function close(a: number | undefined, b: number): void {
+  assert.ok(Math.abs((a ?? Number.NaN) - b) < 1e-9, `${a} is not ${b}`);
+}
 
 test('keys walk while they are held', () => {
   const { keys, controls } = steered();
@@ -182,11 +184,13 @@ test('sticks walk and look; at rest, and of unknown layout, they do nothing', ()
   const { yaw } = controls.update(0.5);
   close(yaw, (-0.7 * (0.5 - 0.18)) / (1 - 0.18));
   assert.ok(controls.update(0).position[2] < -0.7);
-  for (const pad of [{ ...PAD, mapping: '' }, { ...PAD, connected: false }, { ...PAD, axes: [0.1, -0.1, 0.05, Number.NaN] }, { ...PAD, axes: [] }]) {
-    const drive = readPads([pad]);
+  const idle = [{ mapping: '' }, { connected: false }, { axes: [0.1, -0.1, 0.05, Number.NaN] }, { axes: [] }];
+  for (const part of idle) {
+    const drive = readPads([{ ...PAD, ...part }]);
     assert.deepEqual([drive.right, drive.ahead, drive.turn, drive.look], [0, 0, 0, 0]);
   }
-  assert.ok(readPads([{ ...PAD, buttons: Array.from({ length: 11 }, (_, number) => ({ pressed: number === 10 })) }]).isHasty);
+  const buttons = Array.from({ length: 11 }, (_, number) => ({ pressed: number === 10 }));
+  assert.ok(readPads([{ ...PAD, buttons }]).isHasty);
 });
 
 test('keys move the divider within the picture, and take it away', () => {

@@ -13,7 +13,6 @@ export function fakeElement(): FakeElement {
     clientHeight: 600,
     ownerDocument: document,
     setPointerCapture: (id: number) => held.add(id),
-    focus: () => undefined,
     requestPointerLock: () => {
       document.pointerLockElement = element;
     },
@@ -30,7 +29,8 @@ export function send(target: EventTarget, name: string, properties: object = {})
 }
 
 export function press(target: EventTarget, code: string, modifiers: object = {}): Event {
-  return send(target, 'keydown', { code, key: code, shiftKey: false, ctrlKey: false, metaKey: false, altKey: false, ...modifiers });
+  const usual = { code, key: code, shiftKey: false, ctrlKey: false, metaKey: false, altKey: false };
+  return send(target, 'keydown', { ...usual, ...modifiers });
 }
 
 export function letGo(target: EventTarget, code: string, modifiers: object = {}): Event {

@@ -4,8 +4,9 @@ import { readLink, writeLink } from '../src/control/link';
 
 test('a link leads back to its pose', () => {
   for (let number = 0; number < 200; number++) {
-    const [a, b, c, d, e] = [1, 2, 3, 4, 5].map((factor) => Math.sin(factor * 12.9898 * (number + 1))) as [number, number, number, number, number];
-    const pose = { position: [1e4 * a, 50 * b, 1e4 * c] as const, yaw: 3 * d, pitch: 1.4 * e };
+    const chance = (factor: number): number => Math.sin(factor * 12.9898 * (number + 1));
+    const position = [1e4 * chance(1), 50 * chance(2), 1e4 * chance(3)] as const;
+    const pose = { position, yaw: 3 * chance(4), pitch: 1.4 * chance(5) };
     const found = readLink(writeLink(pose));
     assert.ok(found);
     found.position.forEach((value, axis) => assert.ok(Math.abs(value - (pose.position[axis] ?? 0)) <= 0.0005001));
@@ -66,7 +67,8 @@ test('random fragments name no pose but finite ones', () => {
   const random = (): number => (seed = (seed * 48271) % 2147483647) / 2147483647;
   const letters = '#p=&yawitch,.-+e0123456789%\u0000é;';
   for (let number = 0; number < 5000; number++) {
-    const tail = Array.from({ length: Math.floor(30 * random()) }, () => letters[Math.floor(letters.length * random())]);
+    const letter = (): string => letters[Math.floor(letters.length * random())] ?? '';
+    const tail = Array.from({ length: Math.floor(30 * random()) }, letter);
     const pose = readLink(`#p=${tail.join('')}`);
     if (pose) assert.ok([...pose.position, pose.yaw, pose.pitch].every(Number.isFinite));
   }

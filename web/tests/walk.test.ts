@@ -11,7 +11,13 @@ const LIMIT = { center: [0, 0, 0], metres: 5 } as const;
 const glides = (): boolean => false;
 const jumps = (): boolean => true;
 
-function walked(drive: object, seconds: number, rate: number, isSudden = glides, limit: typeof LIMIT | null = null): Pose {
+function walked(
+  drive: object,
+  seconds: number,
+  rate: number,
+  isSudden = glides,
+  limit: typeof LIMIT | null = null,
+): Pose {
   const walk = createWalk(START, () => limit, isSudden);
   for (let frame = 0; frame < seconds * rate; frame++) walk.update(1 / rate, { ...REST, ...drive });
   return walk.pose;

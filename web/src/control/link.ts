@@ -34,7 +34,7 @@ function isPlace(value: number | null | undefined): value is number {
   return value !== null && value !== undefined && Math.abs(value) <= FARTHEST;
 }
 
-/** As few digits as say it; −0 is 0. */
+/** As few digits as say it. */
 function rounded(value: number, digits: number): string {
-  return String(Number(value.toFixed(digits)) + 0);
+  return String(Number(value.toFixed(digits)));
 }

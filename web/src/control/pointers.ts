@@ -63,13 +63,9 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
     const isFirst = event.button === 0 && !event.shiftKey;
     if (actions.mode() === 'walk' && isMouse && !isFirst) return;
     element.setPointerCapture(event.pointerId);
-    // Keys go where the user last pointed.
-    element.focus({ preventScroll: true });
     const task = isThumb(event) ? 'step' : isFirst ? 'turn' : 'pan';
     downs.set(event.pointerId, { x: event.clientX, y: event.clientY, task });
-    if (task === 'step') step(event, event);
-    // Elsewhere, a drag would mark text and a middle button would scroll.
-    event.preventDefault();
+    if (task === 'step') step({ x: event.clientX, y: event.clientY }, event);
   }
 
   /** The first touch in the left half walks. */

@@ -73,8 +73,8 @@ export function createWalk(start: Pose, limit: () => Limit | null, isSudden: () 
 }
 
 /**
- * Metres gone and speed reached when the speed v tends to a goal g by dv/dt = (g − v) / START. The closed form makes one
- * long step equal many short ones.
+ * Metres gone and speed reached when the speed v tends to a goal g by dv/dt = (g − v) / START. The closed form makes
+ * one long step equal many short ones.
  */
 function glide(speed: number, goal: number, seconds: number, isSudden: boolean): readonly [number, number] {
   if (isSudden) return [goal * seconds, goal];

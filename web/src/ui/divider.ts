@@ -4,6 +4,8 @@ import { ICONS } from './icons';
 
 /** Parts of the width by which keys move it. */
 const [STEP, LEAP] = [0.01, 0.1] as const;
+/** Pixels from the line to a name, and from there to the edge. */
+const BESIDE = 40;
 /** Where it stands at first. */
 export const MIDDLE = 0.5;
 
@@ -16,7 +18,9 @@ export interface Divider {
 
 /** `changed` is told of every change, by the user or by `set`. */
 export function createDivider(root: HTMLElement, changed: (share: number | null) => void): Divider {
-  const grip = make('span', { class: 'divider-grip' }, icon(ICONS.grip));
+  const label = (side: string, text: string): HTMLElement =>
+    make('span', { class: `divider-label divider-${side}`, 'aria-hidden': 'true' }, text);
+  const [left, right] = [label('left', 'Conventional'), label('right', 'Continuous')];
   const line = make(
     'div',
     {
@@ -28,12 +32,14 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
       'aria-valuemin': '0',
       'aria-valuemax': '100',
     },
-    make('span', { class: 'divider-label divider-left', 'aria-hidden': 'true' }, 'Conventional'),
-    grip,
-    make('span', { class: 'divider-label divider-right', 'aria-hidden': 'true' }, 'Continuous'),
+    left,
+    make('span', { class: 'divider-grip' }, icon(ICONS.grip)),
+    right,
   );
   const layer = make('div', { class: 'divider-layer', hidden: true }, line);
   root.prepend(layer);
+  const watch = new ResizeObserver(arrange);
+  watch.observe(layer);
   let share: number | null = null;
 
   function set(next: number | null): void {
@@ -47,8 +53,16 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
       layer.style.setProperty('--share', String(share));
       line.setAttribute('aria-valuenow', percent);
       line.setAttribute('aria-valuetext', `${percent} percent conventional`);
+      arrange();
     }
     changed(share);
+  }
+
+  /** A name for which there is no room beside the line is not shown. */
+  function arrange(): void {
+    const [width, part] = [layer.clientWidth, share ?? MIDDLE];
+    left.classList.toggle('is-cut', left.offsetWidth + BESIDE > part * width);
+    right.classList.toggle('is-cut', right.offsetWidth + BESIDE > (1 - part) * width);
   }
 
   function drag(event: PointerEvent): void {
@@ -78,7 +92,10 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
       return share;
     },
     set,
-    dispose: () => layer.remove(),
+    dispose() {
+      watch.disconnect();
+      layer.remove();
+    },
   };
 }
 

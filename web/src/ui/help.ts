@@ -21,7 +21,7 @@ const ORBIT: readonly Row[] = [
   [['Wheel'], 'nearer and farther'],
   [['W', 'S'], 'nearer and farther'],
   [['A', 'D', '←', '→'], 'go around'],
-  [['Shift', 'W', 'A', 'S', 'D'], 'move'],
+  [['Shift', 'WASD'], 'move'],
 ];
 
 const TOUCH: readonly Row[] = [
@@ -56,7 +56,7 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
       part('Walk', WALK),
       part('Orbit', ORBIT),
       commands,
-      make('div', {}, part('Touch', TOUCH), part('Gamepad', PAD)),
+      make('div', { class: 'help-touch' }, part('Touch', TOUCH), part('Gamepad', PAD)),
     ),
   );
   close.addEventListener('click', () => dialog.close());

@@ -35,8 +35,8 @@ export const FATAL = {
     text: 'It was written in a later format than this page reads. Update nearfar and reload the page.',
   },
   network: {
-    title: 'The scene does not come',
-    text: 'The server cannot be reached, or does not have it. Check the connection and the address, and try again.',
+    title: 'The scene cannot be reached',
+    text: 'The server does not answer, or does not have it. Check the connection and the address, and try again.',
   },
   other: {
     title: 'The scene cannot be shown',

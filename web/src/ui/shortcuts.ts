@@ -3,8 +3,15 @@ import { isElsewhere, isMoving } from '../control/keys';
 
 export type Name = 'walk' | 'orbit' | 'split' | 'photo' | 'link' | 'home' | 'panel' | 'retry' | 'headset' | 'help';
 
+export interface Shortcut {
+  /** The key, in small letters, and what stands on it. */
+  readonly key: string;
+  readonly label: string;
+  readonly does: string;
+}
+
 /** Keys as the user's own keyboard labels them. */
-export const SHORTCUTS: Readonly<Record<Name, { readonly key: string; readonly label: string; readonly does: string }>> = {
+export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
   walk: { key: '1', label: '1', does: 'walk' },
   orbit: { key: '2', label: '2', does: 'orbit around what lies ahead' },
   split: { key: 'c', label: 'C', does: 'compare with the conventional picture' },
