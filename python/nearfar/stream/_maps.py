@@ -38,7 +38,7 @@ class RingMaps:
 
     @property
     def rays(self) -> int:
-        """Number of rays that all maps hold: those of map 0, and those of each texel once more for each time it changes.
+        """Number of rays that all maps hold: those of map 0, and a changed texel's once more for each change.
 
         A ray is traced once for all maps, so fewer are traced.
         """
