@@ -18,10 +18,6 @@ uniform vec4 radii;
 bool is_morphed() {
   return radii.w >= 0.0;
 }
-
-Place user_place() {
-  return ground_place(cameraPosition);
-}
 `;
 
 /** Encoding of colours, as the screen takes them. */

@@ -1,42 +1,36 @@
 /**
- * Where edges of large triangles are cut. A vertex shader morphs corners and keeps sides straight, so long sides are shown
- * in the wrong place. The rule depends on the two ends of an edge alone: all triangles at an edge cut it alike, and no
- * crack opens.
+ * Where edges of large triangles are cut. A vertex shader morphs corners and keeps sides straight, so long sides are
+ * shown in the wrong place. The rule depends on the two ends of an edge alone: all triangles at an edge cut it alike,
+ * and no crack opens.
  *
- * All positions are relative to the centre O. With v = U−O, |v| ≤ u, A = |P−U|, B = |P−O|, the weight w of the user's view,
- * κ = w(1−w) and d the direction in which P is shown,
+ * All positions are relative to the centre O. With v = U−O, |v| ≤ u, A = |P−U|, B = |P−O|, the weight w of the user's
+ * view, κ = w(1−w) and d the direction in which P is shown,
  *
  *   Q − U = (P−O) − w v + κ(A−B)(d_O − d_U) + a part along d and of higher order in u/D,
  *
  * of which P−O is linear. Seen from D = B − u, the second derivatives of the other terms are at most those of `formAt`
- * (docs/tessellate.md derives them); a side of length ℓ is off by a sixth of them times ℓ². The weight falls from 1 at nR
- * to 0 at R, so its slope W = 1/((1−n)R) changes there: a side whose distances from the axis differ by c is off by W c/4
- * times u/D, wherever R lies as it grows. So sides are cut at circles about the axis, of which c is the distance; the radii
- * at which R rests are among them.
+ * (rust/core/src/tessellate/bound.rs derives them, with greater factors, which were never reached); a side of length ℓ
+ * is off by a sixth of them times ℓ². The weight falls from 1 at nR to 0 at R, so its slope W = 1/((1−n)R) changes
+ * there: a side whose distances from the axis differ by c is off by W c/4 times u/D, wherever R lies as it grows. So
+ * sides are cut at circles about the axis, of which c is the distance; the radii at which R rests are among them.
  */
-
-/** How R grows, and for whom. */
-export interface Growth {
-  /** Radii at which R rests, metres, ascending: those of the rings from the first on. */
-  readonly radii: readonly number[];
-  /** n: nothing moves within n R. */
-  readonly nearShare: number;
-  /** Distance from O of the users for whom the error is bounded while R grows, metres. */
-  readonly reach: number;
-}
+import type { Growth } from '../messages';
 
 export interface Rule {
-  /** Share of the way from a to b at which their edge is cut, 0 for nowhere. Callers must order the ends consistently. */
+  /** Share of the way from a to b at which their edge is cut, 0 for nowhere. Callers order the ends consistently. */
   share(a: Vector, b: Vector): number;
-  /** Whether no edge of a triangle is cut, by its longest edge and its corner nearest to the axis and to O. */
-  isHarmless(longest: number, rho: number, distance: number): boolean;
+  /** Whether no edge up to a length is cut, by the distances of its points from the axis and the least one from O. */
+  isHarmless(longest: number, rho: readonly [nearest: number, farthest: number], distance: number): boolean;
   /** Radius beyond which no edge is cut: there all is shown as O sees it, and flat things stay flat. */
   readonly outer: number;
 }
 
+/** Of what no triangle is large. */
+export const NOTHING_GROWS: Growth = { radii: [], nearShare: 0.5, reach: 0 };
+
 export type Vector = readonly [number, number, number];
 
-/** Greatest error, radians: half a pixel of a picture of 75° that is 1,080 pixels high. */
+/** Error where R rests, radians: half a pixel of a picture of 75° that is 1,080 pixels high. */
 export const TOLERANCE = 7e-4;
 /** Share of the error for edges along the radius; the rest is for their lengths. */
 const RANGE_SHARE = 0.3;
@@ -57,13 +51,15 @@ const SPREAD = 1.1;
 
 export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLERANCE): Rule {
   const first = radii[0] ?? 0;
+  const coarser = tolerance / TOLERANCE;
   const outer = radii.at(-1) ?? 0;
   const inner = nearShare * first;
   const least = Math.min(reach, MOST_REACH * first);
   const kinks = [...new Set(radii.flatMap((radius) => [nearShare * radius, radius]))].sort((a, b) => a - b);
   const atRest = (rho: number, distance: number, u: number): number =>
-    Math.max(rangeAt(rho, distance, u), WIDEST_AT_REST * rho);
-  const growing = (rho: number, distance: number): number => Math.max(rangeAt(rho, distance, least), WIDEST * rho);
+    Math.max(rangeAt(rho, distance, u), coarser * WIDEST_AT_REST * rho);
+  const growing = (rho: number, distance: number): number =>
+    Math.max(rangeAt(rho, distance, least), coarser * WIDEST * rho);
   const bands = bandsOf(kinks, (rho) => growing(rho, rho));
 
   /** Greatest slope of the weight for points from a distance from the axis on, for all R. */
@@ -95,12 +91,9 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
 
   return {
     outer,
-    isHarmless(longest, rho, distance) {
-      // No edge is nearer than this, none reaches farther.
-      const nearest = Math.max(rho - longest, 0) / SPREAD;
-      const away = Math.max(distance - longest, 0) / SPREAD;
-      const farthest = rho + longest;
-      if (nearest * SPREAD >= outer || longest <= shortestAt(nearest)) return true;
+    isHarmless(longest, [inward, farthest], distance) {
+      if (inward >= outer || longest <= shortestAt(inward)) return true;
+      const [nearest, away] = [inward / SPREAD, distance / SPREAD];
       const isFlat = farthest <= inner;
       const u = usersAt(farthest);
       const [along, across, any] = formAt(nearest, away, u, isFlat);
@@ -162,8 +155,8 @@ function segmentDistance([x, y, z]: Vector, [dx, dy, dz]: Vector): number {
 }
 
 /**
- * Where a segment in the ground plane crosses one of the circles that it passes: the one whose number has the most factors
- * of two, so that edges of a triangle are cut at the same circle. 0 if it passes none.
+ * Where a segment in the ground plane crosses one of the circles that it passes: the one whose number has the most
+ * factors of two, so that edges of a triangle are cut at the same circle. 0 if it passes none.
  */
 function cutAt(
   circles: readonly number[],

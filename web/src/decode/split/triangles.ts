@@ -30,7 +30,7 @@ export function splitArrays(whole: Arrays, rule: Rule, budget: Budget): Arrays {
     if (budget.left < 0) return whole;
   }
   for (; place < indices.length; place++) corners.push(indices[place] as number);
-  return mesh.finished(corners);
+  return mesh.made() > 0 ? mesh.finished(corners) : whole;
 }
 
 /** Numbers of the triangles that have an edge that may be cut. */
@@ -46,7 +46,9 @@ export function largeTriangles({ positions, indices }: Arrays, rule: Rule): numb
       rho = Math.min(rho, level);
       distance = Math.min(distance, level + y * y);
     }
-    if (!rule.isHarmless(longest, Math.sqrt(rho), Math.sqrt(distance))) found.push(n / 3);
+    const [nearest, away] = [Math.sqrt(rho), Math.sqrt(distance)];
+    const range = [Math.max(nearest - longest, 0), nearest + longest] as const;
+    if (!rule.isHarmless(longest, range, Math.max(away - longest, 0))) found.push(n / 3);
   }
   return found;
 }
@@ -149,6 +151,8 @@ function createMesh(whole: Arrays, rule: Rule) {
         }
       }
     },
+    /** How many vertices are new. */
+    made: (): number => next - count,
     /** The arrays with the new vertices and these corners. */
     finished(corners: readonly number[]): Arrays {
       const joined = <T extends Float32Array | Uint16Array>(each: Rows): T => {
