@@ -3,8 +3,7 @@ import { Group, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import type { Manifest, Point } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
-import type { Kept } from '../decode/messages';
-import { createAtlas } from './atlas';
+import { createAtlas, type Holding } from './atlas';
 import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
 import { createJourney, type Journey, type Leg } from './journey';
@@ -60,7 +59,7 @@ export interface Viewer {
 }
 
 /** What the panel shows of the picture. */
-export interface Facts {
+export interface Facts extends Holding {
   readonly region: number;
   /** Region of the place that the user is about to go to; null for none. */
   readonly goal: number | null;
@@ -76,9 +75,7 @@ export interface Facts {
   readonly bounds: Bounds | null;
   /** The region whose picture goes out; null for none. */
   readonly leaving: number | null;
-  /** Regions that are open, what the workers kept when the last one was closed, and arrays that meshes share. */
-  readonly regions: readonly number[];
-  readonly kept: readonly Kept[];
+  /** Meshes whose arrays others use, too. */
   readonly shared: number;
 }
 
@@ -176,8 +173,9 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
 
   /** Draw the picture of a region over the one that it takes over from. */
   function paintLeg({ region, leaving }: Leg, isMorphed: boolean): void {
-    if (leaving) {
-      if (leaving.pose) setPose(leaving.pose);
+    const before = leaving?.pose ?? user;
+    if (leaving && before) {
+      setPose(before);
       paint(leaving.region, 1, isMorphed);
     }
     if (user) setPose(user);
