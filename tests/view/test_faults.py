@@ -153,28 +153,43 @@ def test_a_server_that_stalls_is_asked_again(page: Any, place: Path, tmp_path: P
     assert asked.count(stalls) == 2
 
 
+HIDING = """
+  const [ask, waiting] = [window.requestAnimationFrame.bind(window), []];
+  let state = 'visible';
+  Object.defineProperty(document, 'visibilityState', { get: () => state });
+  Object.defineProperty(document, 'hidden', { get: () => state === 'hidden' });
+  window.requestAnimationFrame = (draw) => (state === 'hidden' ? waiting.push(draw) : ask(draw));
+  window.setVisibility = (to) => {
+    state = to;
+    document.dispatchEvent(new Event('visibilitychange'));
+    if (to === 'visible') waiting.splice(0).forEach(ask);
+  };
+"""
+"""Browsers give hidden tabs no frames. One without a screen hides nothing, so the page is told so here."""
+
+GROWTH = """() => {
+  window.states = [];
+  const look = () => {
+    const { shown } = window.nearfar.viewer.facts;
+    if (shown) window.states.push(shown.grown.strength);
+    requestAnimationFrame(look);
+  };
+  requestAnimationFrame(look);
+}"""
+
+
 def test_a_tab_that_was_hidden_goes_on_where_it_was(page: Any, url: str) -> None:
-    """The browser stops the page's frames, as it does for hidden tabs, while ring 1 appears."""
+    page.add_init_script(HIDING)
     page.goto(url)
     assert wait_for_ring(page, 1) == ""
-    page.evaluate(
-        """() => {
-          window.states = [];
-          const look = () => {
-            window.states.push(window.nearfar.viewer.facts.shown.grown.strength);
-            requestAnimationFrame(look);
-          };
-          requestAnimationFrame(look);
-        }"""
-    )
+    page.evaluate(GROWTH)
     states = partial(page.evaluate, "() => window.states")
     wait_until(page, lambda: len(states()) > 3 and states()[-1] > 0)
-    lifecycle = page.context.new_cdp_session(page)
-    lifecycle.send("Page.setWebLifecycleState", {"state": "frozen"})
+    page.evaluate("() => setVisibility('hidden')")
     hidden = len(states())
     time.sleep(3)
     assert len(states()) <= hidden + 1
-    lifecycle.send("Page.setWebLifecycleState", {"state": "active"})
+    page.evaluate("() => setVisibility('visible')")
     wait_until(page, lambda: len(states()) > hidden + 3)
     steps = np.diff(states())
     # The whole growth of ring 1 takes more than ten seconds, and no frame goes on by more than a tenth of one.
