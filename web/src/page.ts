@@ -7,6 +7,7 @@ import { readLink, writeLink } from './control/link';
 import type { Pose } from './control/pose';
 import { nearestOf } from './show/journey';
 import { createMeter } from './show/meter';
+import { strategyOf } from './show/strategy';
 import { createViewer, type Viewer } from './show/viewer';
 import { createDivider } from './ui/divider';
 import { clearMessage, FATAL, showFatal, showProblems } from './ui/messages';
@@ -32,9 +33,10 @@ async function main(): Promise<void> {
   const [canvas, root] = [element('canvas', HTMLCanvasElement), element('#ui', HTMLElement)];
   const meter = createMeter();
   const base = new URL(query.get('bundle') ?? '.', location.href);
+  const strategy = strategyOf(query.get('strategy'));
   const source = await openSource(base, meter.receive, new AbortController().signal);
   meter.restart();
-  const { manifest } = source;
+  const manifest = strategy.arrange(source.manifest);
   const first = manifest.regions[0];
   if (!first) throw new BundleError('manifest.json: expected a region, got none');
   let problems: readonly string[] = [];
@@ -50,7 +52,8 @@ async function main(): Promise<void> {
     worker: new URL('worker.js', import.meta.url),
     angle: ANGLE,
     antialias: query.get('aa') !== '0',
-    isSmooth: query.get('strategy') !== 'clovrd',
+    isSmooth: strategy.isSmooth,
+    isWhole: strategy.isWhole,
     failed(reason) {
       problems = [reason.message];
       // Without ring 0 there is no picture to keep.

@@ -1,6 +1,7 @@
 /** Draws pictures: near geometry where the morph shows it, and the map wherever nothing near is. */
 import { BufferAttribute, BufferGeometry, type Camera, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
+import type { Cube } from './cubes';
 import { farMaterial, type Shared } from './materials';
 import { cubeOf, meshesOf, type Region } from './region';
 
@@ -21,13 +22,14 @@ export interface Painter {
 }
 
 /**
- * A painter for one renderer. `place` moves the rig of the camera, so that the centre of a region is at the origin.
+ * A painter for one renderer. `blank` is a map that shows nothing, for pictures without one. `place` moves the rig of the camera, so that the centre of a region is at the origin.
  */
 export function createPainter(
   renderer: WebGLRenderer,
   shared: Shared,
   nearShare: number,
   faceSize: number,
+  blank: Cube,
   place: (center: Point) => void,
 ): Painter {
   const near = new Scene();
@@ -38,7 +40,7 @@ export function createPainter(
     draw(picture, camera, opacity) {
       const { region, ring, radius, strength } = picture;
       place(region.entry.center);
-      const cube = cubeOf(region, ring);
+      const cube = region.entry.rings[ring]?.map ? cubeOf(region, ring) : blank;
       const inner = nearShare * radius;
       // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 at any distance.
       const slope = radius > 0 ? 1 / (radius - inner) : 1;

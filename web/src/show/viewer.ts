@@ -107,7 +107,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     rig.updateMatrixWorld(true);
   }
 
-  const painter = createPainter(renderer, shared, nearShare, faceSize, place);
+  const painter = createPainter(renderer, shared, nearShare, faceSize, blank, place);
   const warming = new Scene();
   const store = createStore();
   const loading: Loading = {
