@@ -10,7 +10,10 @@ import { createViewer, type Viewer } from './show/viewer';
 import { createDivider } from './ui/divider';
 import { clearMessage, FATAL, showFatal, showProblems } from './ui/messages';
 import { createPanel } from './ui/panel';
+import type { Commands } from './ui/status';
 import { createThumbMark } from './ui/thumb';
+import { createHeadset, type Headset } from './xr/session';
+import { whyNoHeadset } from './xr/support';
 
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
@@ -69,13 +72,26 @@ async function main(): Promise<void> {
     viewer.setDivider(share);
     panel.reflect({ isDivided: share !== null });
   });
-  const panel = createPanel(root, {
+  const commands: Commands = {
     setDivider: divider.set,
     setMode: controls.setMode,
     home: () => controls.setPose(home),
     screenshot: viewer.photo,
     link: () => new URL(writeLink(pose), location.href).href,
     retry,
+  };
+  const panel = createPanel(root, commands);
+  let headset: Headset | null = null;
+  void whyNoHeadset(navigator.xr, window.isSecureContext).then((reason) => {
+    if (reason === null && navigator.xr) {
+      headset = createHeadset(viewer, navigator.xr, {
+        pose: () => pose,
+        limit: () => ({ center: region.center, metres: region.fold_margin }),
+        left: controls.setPose,
+        isStatic: manifest.dynamic === null,
+      });
+    }
+    commands.headset = headset ?? reason ?? '';
   });
   viewer.open(0);
   const rings = region.rings.length - 1;
@@ -85,7 +101,7 @@ async function main(): Promise<void> {
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
-    pose = controls.update(seconds);
+    pose = headset?.update(Math.min(seconds, LONGEST_FRAME)) ?? controls.update(seconds);
     viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
     meter.frame(seconds);
     sincePanel += seconds;

@@ -7,9 +7,12 @@ import { startDecoder, type Worked } from './decoder';
 import { type Fetch, loadRegion, type Loading } from './loader';
 import { createShared } from './materials';
 import { createPainter, type Picture } from './picture';
-import { createRegion, type Region, trianglesShown } from './region';
+import { cubeOf, createRegion, type Region, trianglesShown } from './region';
 import { createStage, type Manner, type Shown, type Stage } from './stage';
 import { createUploads } from './uploads';
+import { createVeil } from './veil';
+import type { Floor } from '../xr/floor';
+import type { MapLayer } from '../xr/layer';
 
 /** Milliseconds of a frame that uploads may take: docs/view.md. */
 export const UPLOAD_BUDGET = 3;
@@ -34,10 +37,18 @@ export interface Viewer {
   readonly camera: PerspectiveCamera;
   /** Moves the headset's space: its position is the user's floor. */
   readonly rig: Group;
+  /** Texels along an edge of a map. */
+  readonly faceSize: number;
   /** Show a region from its ring 0 on; the one before is let go. */
   open(number: number): void;
-  /** Draw a frame for a user, some seconds after the one before. */
-  frame(pose: Pose | null, seconds: number): void;
+  /** Draw a frame for a user, some seconds after the one before. In a headset the pose is what it tells. */
+  frame(pose: Pose, seconds: number): void;
+  /** Put the floor of a headset's user somewhere. */
+  stand(floor: Floor): void;
+  /** Let a layer of the headset show the map while nothing fades; null to draw it. */
+  setMapLayer(layer: MapLayer | null): void;
+  /** Darken the picture, from 0 to 1 for black. */
+  setVeil(darkness: number): void;
   /** Draw one state, whatever the time: for tests and screenshots. */
   still(picture: Omit<Picture, 'region'>, pose: Pose): void;
   /** Part of the width, from the left, in which the picture is the conventional one; null for none. */
@@ -73,12 +84,18 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const nearShare = manifest.morph.near_share;
   const renderer = new WebGLRenderer({ canvas, antialias: settings.antialias, powerPreference: 'high-performance' });
   renderer.autoClear = false;
+  // A layer of a headset lies below.
+  renderer.setClearAlpha(0);
   renderer.sortObjects = false;
   renderer.debug.checkShaderErrors = true;
   const camera = new PerspectiveCamera(settings.angle, 1, NEAR, FAR);
   camera.rotation.order = 'YXZ';
   const rig = new Group();
   rig.add(camera);
+  const veil = createVeil();
+  // Drawn over the picture: what a headset adds to the rig, and the veil.
+  const overlay = new Scene();
+  overlay.add(rig, veil.mesh);
   // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
   const blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
@@ -117,6 +134,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   let open: Open | null = null;
   let upload = 0;
   let divider: number | null = null;
+  let mapLayer: MapLayer | null = null;
 
   function close(): void {
     open?.stop.abort();
@@ -125,9 +143,14 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   }
 
   function setPose({ position: [x, y, z], yaw, pitch }: Pose): void {
-    Object.assign(feet, { x, y, z });
+    stand({ position: [x, y, z], yaw: 0 });
     camera.position.set(0, 0, 0);
     camera.rotation.set(pitch, yaw, 0);
+  }
+
+  function stand({ position: [x, y, z], yaw }: Floor): void {
+    Object.assign(feet, { x, y, z });
+    rig.rotation.y = yaw;
   }
 
   function fit(): void {
@@ -142,17 +165,24 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   }
 
   /** Draw what is shown of a region, morphed or conventional. */
-  function paint({ region }: Open, shown: Shown, isMorphed: boolean): void {
+  function paint({ region }: Open, shown: Shown, isMorphed: boolean, withMap = true): void {
     const { radius, strength } = shown.grown;
     const picture = { region, radius, strength: isMorphed ? strength : null };
-    painter.draw({ ...picture, ring: shown.ring }, camera, 1);
+    painter.draw({ ...picture, ring: shown.ring }, camera, 1, withMap);
     if (shown.fading && shown.fading.share > 0) {
       painter.draw({ ...picture, ring: shown.fading.ring }, camera, shown.fading.share);
     }
   }
 
-  function paintBoth(of: Open, shown: Shown): void {
-    if (divider === null || renderer.xr.isPresenting) {
+  /** Draw for both eyes of a headset. */
+  function paintEyes(of: Open, shown: Shown): void {
+    const isApart = !shown.fading && mapLayer?.show(cubeOf(of.region, shown.ring), rig.rotation.y) === true;
+    paint(of, shown, true, !isApart);
+  }
+
+  /** Draw on the screen. */
+  function paintScreen(of: Open, shown: Shown): void {
+    if (divider === null) {
       paint(of, shown, true);
       return;
     }
@@ -166,10 +196,18 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     renderer.setScissorTest(false);
   }
 
+  function advance(seconds: number, draw: (of: Open, shown: Shown) => void): void {
+    upload = uploads.run(UPLOAD_BUDGET);
+    if (!open) return;
+    open.shown = open.stage.advance(seconds);
+    if (open.shown) draw(open, open.shown);
+  }
+
   return {
     renderer,
     camera,
     rig,
+    faceSize,
     open(number) {
       const entry = manifest.regions[number];
       if (!entry) throw new Error(`there is no region ${number}`);
@@ -189,13 +227,21 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       });
     },
     frame(pose, seconds) {
-      if (pose) setPose(pose);
+      if (renderer.xr.isPresenting) {
+        resolveOnce(renderer, () => advance(seconds, paintEyes));
+        renderer.render(overlay, camera);
+        return;
+      }
+      setPose(pose);
       fit();
-      upload = uploads.run(UPLOAD_BUDGET);
-      if (!open) return;
-      open.shown = open.stage.advance(seconds);
-      if (open.shown) paintBoth(open, open.shown);
+      advance(seconds, paintScreen);
+      if (veil.mesh.visible) renderer.render(overlay, camera);
     },
+    stand,
+    setMapLayer(layer) {
+      mapLayer = layer;
+    },
+    setVeil: veil.set,
     still(picture, pose) {
       if (!open) throw new Error('no region is open');
       setPose(pose);
@@ -205,8 +251,9 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       divider = share;
     },
     photo() {
+      if (renderer.xr.isPresenting) return Promise.reject(new Error('Pictures are saved outside the headset'));
       // In the same task as the drawing: a canvas keeps its picture no longer.
-      if (open?.shown) paintBoth(open, open.shown);
+      if (open?.shown) paintScreen(open, open.shown);
       return new Promise((done, failed) => {
         canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('The browser gives no picture'))), 'image/png');
       });
@@ -228,4 +275,17 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       renderer.dispose();
     },
   };
+}
+
+/**
+ * Draw into the framebuffer of a headset several times before its samples are resolved, which three.js does after each
+ * scene and then lets go of their depth and colour. The next scene resolves them.
+ */
+function resolveOnce(renderer: WebGLRenderer, draw: () => void): void {
+  renderer.clear();
+  const target = renderer.getRenderTarget();
+  const samples = target?.samples ?? 0;
+  if (target) target.samples = 0;
+  draw();
+  if (target) target.samples = samples;
 }
