@@ -4,6 +4,7 @@ import type { Vector } from '../src/control/vector';
 import {
   EYE_APART,
   floorUnder,
+  headBounds,
   type Head,
   headOf,
   inside,
@@ -53,12 +54,21 @@ test('moves put the head above a point, at its height', () => {
   near(inWorld(moved(FLOOR, HEAD, [-1, 99, 2]), HEAD).position, [-1, 4.5, 2]);
 });
 
-test('both eyes stay within the limit', () => {
+test('both eyes stay within the limits', () => {
   const limit = { center: [1, 0, 1], metres: 4 } as const;
-  near(inside([2, 7, 3], limit), [2, 7, 3]);
-  near(inside([1, 7, 101], limit), [1, 7, 5 - EYE_APART]);
+  const bounds = headBounds({ open: [limit], shown: [limit] });
+  near(inside([2, 7, 3], bounds), [2, 7, 3]);
+  near(inside([1, 7, 101], bounds), [1, 7, 5 - EYE_APART]);
   near(inside([1, 7, 101], null), [1, 7, 101]);
-  near(inside([3, 7, 1], { ...limit, metres: 0 }), [1, 7, 1]);
+  near(inside([3, 7, 1], headBounds({ open: [], shown: [{ ...limit, metres: 0 }] })), [1, 7, 1]);
+  // While one region takes over from another, within both.
+  const two = { open: [], shown: [limit, { center: [6, 0, 1], metres: 2 }] } as const;
+  for (const point of [[0, 7, 0], [9, 7, 9], [4.5, 7, 1]] as const) {
+    const [x, y, z] = inside(point, two);
+    assert.ok(Math.hypot(x - 1, z - 1) < 4 + 0.05 && Math.hypot(x - 6, z - 1) < 2 + 0.05);
+    assert.equal(y, 7);
+  }
+  near(inside([4.5, 7, 1], two), [4.5, 7, 1]);
 });
 
 test('a head has yaw and pitch, however it is rolled', () => {

@@ -1,5 +1,5 @@
 /** The user's floor in the world, and the head above it; plain arithmetic without a headset. */
-import { distance, type Limit } from '../control/limit';
+import { type Bounds, within } from '../control/limit';
 import type { Pose } from '../control/pose';
 import { type Vector, wrapped } from '../control/vector';
 
@@ -53,19 +53,18 @@ export function moved(floor: Floor, head: Head, [x, , z]: Vector): Floor {
   return { ...floor, position: [floorX + x - headX, floorY, floorZ + z - headZ] };
 }
 
-/** The nearest point within a limit, in which eyes have room on both sides. */
-export function inside(point: Vector, limit: Limit | null): Vector {
-  const inner = innerOf(limit);
-  const far = inner ? distance(point, inner) : 0;
-  if (!inner || far <= inner.metres) return point;
-  const share = inner.metres / far;
-  const { center } = inner;
-  return [center[0] + share * (point[0] - center[0]), point[1], center[2] + share * (point[2] - center[2])];
+/** The point, or one near it that lies within all of the walls. */
+export function inside(point: Vector, bounds: Bounds | null): Vector {
+  const walls = bounds?.shown ?? [];
+  // Where two walls cross, the way to one of them may lead out of the other.
+  return [...walls, ...walls].reduce((place: Vector, wall) => within(place, wall), point);
 }
 
-/** The limit of the middle of a head whose eyes have another one. */
-export function innerOf(limit: Limit | null): Limit | null {
-  return limit && { ...limit, metres: Math.max(limit.metres - EYE_APART, 0) };
+/** The bounds of the middle of a head, so that its eyes stay within others. */
+export function headBounds(bounds: Bounds | null): Bounds | null {
+  const inner = (limits: Bounds['open']): Bounds['open'] =>
+    limits.map((limit) => ({ ...limit, metres: Math.max(limit.metres - EYE_APART, 0) }));
+  return bounds && { open: inner(bounds.open), shown: inner(bounds.shown) };
 }
 
 /** A pose from a matrix of a headset (columns); a head that looks straight up or down has the yaw of its forehead. */

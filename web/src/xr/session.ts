@@ -1,5 +1,5 @@
 /** The immersive mode: the picture for both eyes of a headset, and how its user moves. */
-import type { Limit } from '../control/limit';
+import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
 import { createWalk } from '../control/walk';
@@ -10,8 +10,8 @@ import {
   type Floor,
   floorUnder,
   type Head,
+  headBounds,
   headOf,
-  innerOf,
   inside,
   inWorld,
   localOf,
@@ -29,6 +29,8 @@ export interface Headset {
   readonly isPresenting: boolean;
   /** Enter it, or leave it; browsers want a click or a key. */
   toggle(): Promise<void>;
+  /** Put the user's head above another place; outside nothing happens. */
+  place(pose: Pose): void;
   /** The head's pose in the world after some seconds more, once a frame; null outside. */
   update(seconds: number): Pose | null;
 }
@@ -36,8 +38,8 @@ export interface Headset {
 export interface HeadsetSettings {
   /** Where the user is when the headset is entered. */
   readonly pose: () => Pose;
-  /** Within which the eyes stay, also when it changes. */
-  readonly limit: () => Limit | null;
+  /** Within which the eyes stay, also when they change. */
+  readonly bounds: () => Bounds | null;
   /** The headset has been left, at a pose for the screen. */
   readonly left: (pose: Pose) => void;
   /** Nothing moves, so that the browser may show the map by itself. */
@@ -65,7 +67,7 @@ const glides = (): boolean => false;
 
 export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
   const { renderer, rig } = viewer;
-  const { limit } = settings;
+  const bounds = (): Bounds | null => headBounds(settings.bounds());
   let visit: Visit | null = null;
   renderer.xr.enabled = true;
 
@@ -99,7 +101,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
       }),
       steering: createSteering(),
       jump: createJump(),
-      walk: createWalk(pose, () => innerOf(limit()), glides),
+      walk: createWalk(pose, bounds, glides),
       floor: null,
       pose,
       goal: null,
@@ -120,7 +122,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     settings.left({ position: [x, floor ? floor.position[1] + EYE_HEIGHT : y, z], yaw: pose.yaw, pitch: 0 });
   }
 
-  /** The floor after a frame: the user has walked, turned or jumped, and stays within the limit. */
+  /** The floor after a frame: the user has walked, turned or jumped, and stays within the walls. */
   function floorOf(of: Visit, head: Head, inputs: readonly Input[], seconds: number): Floor {
     const { position: [x, y, z], yaw } = of.pose;
     const ground: Vector = [x, of.floor?.position[1] ?? y - EYE_HEIGHT, z];
@@ -132,8 +134,8 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     of.walk.update(seconds, drive);
     floor = moved(floor, head, of.goal ?? of.walk.pose.position);
     of.goal = null;
-    // A body that goes on beyond the limit takes the floor along.
-    return moved(floor, head, inside(worldOf(floor, head.position), limit()));
+    // A body that goes on beyond the walls takes the floor along.
+    return moved(floor, head, inside(worldOf(floor, head.position), bounds()));
   }
 
   return {
@@ -143,6 +145,9 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     toggle() {
       const session = renderer.xr.getSession();
       return session ? session.end() : enter();
+    },
+    place(pose) {
+      if (visit) Object.assign(visit, { floor: null, pose });
     },
     update(seconds) {
       const [frame, space] = [renderer.xr.getFrame(), renderer.xr.getReferenceSpace()];
@@ -157,7 +162,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
       visit.floor = floor;
       visit.pose = inWorld(floor, head);
       viewer.stand(floor);
-      const allowed = (wanted: Vector): Vector => localOf(floor, inside(worldOf(floor, wanted), limit()));
+      const allowed = (wanted: Vector): Vector => localOf(floor, inside(worldOf(floor, wanted), bounds()));
       visit.look.update(inputs, visit.aiming.update(inputs, allowed));
       return visit.pose;
     },
