@@ -22,14 +22,15 @@ export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 /** Numbers of a placement: three rows of four. */
 const PLACEMENT = 12;
 
-export function meshOf(piece: Piece, texture: Texture | null, shared: Shared): PieceMesh {
+/** A mesh whose static geometry ends at a radius, or nowhere (`Infinity`). */
+export function meshOf(piece: Piece, texture: Texture | null, shared: Shared, cut: number): PieceMesh {
   const geometry = piece.placements ? placed(piece.placements) : new BufferGeometry();
   geometry.setAttribute('position', sent(new BufferAttribute(piece.positions, 3)));
   if (piece.normals) geometry.setAttribute('normal', sent(new BufferAttribute(piece.normals, 3)));
   if (piece.uvs) geometry.setAttribute('uv', sent(new BufferAttribute(piece.uvs, 2)));
   if (piece.colors) geometry.setAttribute('color', sent(new BufferAttribute(piece.colors, 4, true)));
   geometry.setIndex(sent(new BufferAttribute(piece.indices, 1)));
-  const mesh = new Mesh(geometry, nearMaterial(piece, texture, shared));
+  const mesh = new Mesh(geometry, nearMaterial(piece, texture, shared, cut));
   mesh.name = piece.name;
   // The morph moves vertices, so that boxes of where they are say nothing.
   mesh.frustumCulled = false;

@@ -76,6 +76,8 @@ export function* geometrySteps(
       region.textures.set(uri, texture);
     };
   }
+  // Dynamic objects, in ring 0, go on beyond it.
+  const cut = ring === 0 ? Infinity : region.entry.cut;
   const group = region.groups[ring];
   if (!group) throw new Error(`there is no ring ${ring}`);
   const made: PieceMesh[] = [];
@@ -83,7 +85,7 @@ export function* geometrySteps(
     yield () => {
       const { image } = piece.material;
       const texture = image === null ? null : (region.textures.get(image) ?? null);
-      const mesh = meshOf(piece, texture, shared);
+      const mesh = meshOf(piece, texture, shared, cut);
       mesh.userData['triangles'] = trianglesOf(piece);
       warm(mesh);
       made.push(mesh);
