@@ -60,6 +60,12 @@ def export(
             "Of the client's display: textures are halved while texels suffice for its pixels; 0 keeps them whole.",
         ),
     ] = 25.0,
+    by_footprint: Annotated[
+        bool,
+        typer.Option(
+            "--by-footprint", help="Write near objects in the order of their footprints too, for vis0 and vis1."
+        ),
+    ] = False,
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
@@ -80,6 +86,7 @@ def export(
         samples=samples,
         quality=None if lossless else quality,
         pixels_per_degree=pixels_per_degree or None,
+        by_footprint=by_footprint,
     )
     seconds = time.perf_counter() - started
     regions = [bundle.region(number) for number in range(len(bundle.centers))]
