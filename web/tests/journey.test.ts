@@ -27,7 +27,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
   const log: string[] = [];
   let order: readonly number[] = [];
   const stalled = new Set<number>();
-  const settings = { radii: RADII, speed, reach: 1, marginShare: NEAR_SHARE, fade: FADE };
+  const settings = { radii: RADII, speed, reach: 1, nearShare: NEAR_SHARE, fade: FADE };
   const regions: Regions = {
     open(region) {
       if (opened.has(region)) return;

@@ -26,7 +26,7 @@ from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, ORIENTATION, VERSION
 from nearfar.stream._map_files import with_neighbours
 from nearfar.stream._maps import TILE, RingMaps
-from nearfar.stream._region import MOST_FACE_SIZE
+from nearfar.stream._settings import MOST_FACE_SIZE
 
 SAMPLES = 4
 """Colour samples of a texel of map 0 that shows the near part."""
@@ -62,7 +62,10 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
         "neighbours": [],
         "findings": [],
         "range": {"least": scale.least, "step": scale.step, "error": scale.error},
-        "rings": [{**ring, "map": map_} for ring, map_ in zip([nothing, *geometry.rings()], pictures, strict=True)],
+        "rings": [
+            {**ring, "map": map_} for ring, map_ in zip([nothing, *geometry.groups("ring")], pictures, strict=True)
+        ],
+        "by_footprint": None,
     }
     tileset = _tileset.encode(region["center"], region["rings"], dynamic, files.content)
     bounds = near.bounds if near.triangle_count else np.array([reduced.center, reduced.center])
