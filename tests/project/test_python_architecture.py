@@ -72,7 +72,7 @@ ROOMS = {
     "gpu": "",
     "lod": "",
     "stream": "",
-    "view": "how long a ring takes to be shown depends on the link, which nothing here measures yet",
+    "view": "",
     "cli": "calls of the other stages",
 }
 
