@@ -18,6 +18,7 @@ import { createUploads } from './uploads';
 import { createVeil } from './veil';
 import type { Floor } from '../xr/floor';
 import type { MapLayer } from '../xr/layer';
+import { resolveOnce } from '../xr/samples';
 
 /** Milliseconds of a frame that uploads may take: docs/view.md. */
 export const UPLOAD_BUDGET = 3;
@@ -114,6 +115,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
   const blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
+  shared.keeps_rho.value = manifest.morph.kind === 'cylinder';
   const uploads = createUploads();
   const workers: Worked[] = [startDecoder(settings.worker), startDecoder(settings.worker)];
   const feet = { x: 0, y: 0, z: 0 };
@@ -261,7 +263,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
         settings.moved(pose);
       };
       const { regions, growth } = manifest;
-      journey = createJourney({ regions, nearShare, fade: growth.fade, moved }, atlas, number);
+      journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
       leg = null;
     },
     go: (target) => journey?.go(target),
@@ -324,15 +326,9 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   };
 }
 
-/**
- * Draw into the framebuffer of a headset several times before its samples are resolved, which three.js does after each
- * scene and then lets go of their depth and colour. The next scene resolves them.
- */
-function resolveOnce(renderer: WebGLRenderer, draw: () => void): void {
-  renderer.clear();
-  const target = renderer.getRenderTarget();
-  const samples = target?.samples ?? 0;
-  if (target) target.samples = 0;
-  draw();
-  if (target) target.samples = samples;
+/** The fold margin as a share of the morph's radius: of the cylinder it is its near part, at any radius. */
+function marginShare({ morph, regions }: Manifest): number {
+  const [first] = regions;
+  if (!first || !Number.isFinite(first.cut)) return morph.near_share;
+  return Math.max(first.fold_margin / first.cut, Number.EPSILON);
 }
