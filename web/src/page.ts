@@ -12,7 +12,10 @@ import { createViewer, type Viewer } from './show/viewer';
 import { createDivider } from './ui/divider';
 import { clearMessage, FATAL, showFatal, showProblems } from './ui/messages';
 import { createPanel } from './ui/panel';
+import type { Commands } from './ui/status';
 import { createThumbMark } from './ui/thumb';
+import { createHeadset, type Headset } from './xr/session';
+import { whyNoHeadset } from './xr/support';
 
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
@@ -39,6 +42,7 @@ async function main(): Promise<void> {
   const manifest = strategy.arrange(source.manifest);
   const first = manifest.regions[0];
   if (!first) throw new BundleError('manifest.json: expected a region, got none');
+  let headset: Headset | null = null;
   let problems: readonly string[] = [];
   const retry = (): void => {
     problems = [];
@@ -60,7 +64,10 @@ async function main(): Promise<void> {
       if (viewer.facts.arrived < 0) tell(reason);
       else showProblems(problems, retry);
     },
-    moved: (pose) => controls.setPose(pose),
+    moved(pose) {
+      controls.setPose(pose);
+      headset?.place(pose);
+    },
   });
   const homeOf = (number: number): Pose => {
     return { position: manifest.regions[number]?.center ?? first.center, yaw: 0, pitch: 0 };
@@ -75,13 +82,25 @@ async function main(): Promise<void> {
     viewer.setDivider(share);
     panel.reflect({ isDivided: share !== null });
   });
-  const panel = createPanel(root, {
+  const commands: Commands = {
     setDivider: divider.set,
     setMode: controls.setMode,
     home: () => viewer.go({ ...homeOf(viewer.facts.region), yaw: pose.yaw, pitch: pose.pitch }),
     screenshot: viewer.photo,
     link: () => new URL(writeLink(pose), location.href).href,
     retry,
+  };
+  const panel = createPanel(root, commands);
+  void whyNoHeadset(navigator.xr, window.isSecureContext).then((reason) => {
+    if (reason === null && navigator.xr) {
+      headset = createHeadset(viewer, navigator.xr, {
+        pose: () => pose,
+        bounds: () => viewer.facts.bounds,
+        left: controls.setPose,
+        isStatic: manifest.dynamic === null,
+      });
+    }
+    commands.headset = headset ?? reason ?? '';
   });
   viewer.open(nearestOf(manifest.regions, start.position) ?? 0);
   let last = performance.now();
@@ -89,7 +108,7 @@ async function main(): Promise<void> {
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
-    pose = controls.update(seconds);
+    pose = headset?.update(Math.min(seconds, LONGEST_FRAME)) ?? controls.update(seconds);
     viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
     controls.setBounds(viewer.facts.bounds);
     meter.frame(seconds);

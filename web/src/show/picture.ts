@@ -1,9 +1,10 @@
 /** Draws pictures: near geometry where the morph shows it, and the map wherever nothing near is. */
-import { BufferAttribute, BufferGeometry, type Camera, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
+import { type Camera, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
 import type { Cube } from './cubes';
 import { farMaterial, type Shared } from './materials';
 import { cubeOf, meshesOf, type Region } from './region';
+import { covering } from './veil';
 
 /** What a picture shows. */
 export interface Picture {
@@ -17,8 +18,8 @@ export interface Picture {
 }
 
 export interface Painter {
-  /** Draw a picture over what is there, as a share of it; 1 hides what was there. */
-  draw(picture: Picture, camera: Camera, opacity: number): void;
+  /** Draw a picture over what is there, as a share of it; 1 hides what was there. The map can be shown elsewhere. */
+  draw(picture: Picture, camera: Camera, opacity: number, withMap?: boolean): void;
 }
 
 /**
@@ -37,7 +38,7 @@ export function createPainter(
   far.add(screen(shared));
 
   return {
-    draw(picture, camera, opacity) {
+    draw(picture, camera, opacity, withMap = true) {
       const { region, ring, radius, strength } = picture;
       place(region.entry.center);
       const cube = region.entry.rings[ring]?.map ? cubeOf(region, ring) : blank;
@@ -60,7 +61,7 @@ export function createPainter(
       }
       renderer.render(near, camera);
       if (opacity < 1) setWrites(region, ring, true, true);
-      renderer.render(far, camera);
+      if (withMap) renderer.render(far, camera);
       near.children = [];
     },
   };
@@ -75,9 +76,7 @@ function setWrites(region: Region, ring: number, color: boolean, depth: boolean)
 
 /** One triangle over the whole picture. */
 function screen(shared: Shared): Mesh {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
-  const mesh = new Mesh(geometry, farMaterial(shared));
+  const mesh = new Mesh(covering(), farMaterial(shared));
   mesh.frustumCulled = false;
   return mesh;
 }
