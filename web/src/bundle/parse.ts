@@ -39,7 +39,7 @@ export function parseManifest(source: string): Manifest {
   const version = integer('version', all['version'], 1);
   if (version > VERSION) {
     const versions = `it has version ${version}, this page reads ${VERSION}`;
-    throw new BundleError(`this bundle was written by a newer nearfar (${versions}): update the page`);
+    throw new BundleError(`this bundle was written by a newer nearfar (${versions}): update the page`, 'newer');
   }
   const [morph, growth, map] = (['morph', 'growth', 'map'] as const).map((name) => object(name, all[name]));
   const face = integer('map.face_size', map?.['face_size'], 1, MOST_FACE);

@@ -18,19 +18,21 @@ export interface Picture {
 }
 
 export interface Painter {
+  /** Let the GPU make ready what the first picture needs, while its files come. */
+  prepare(camera: Camera): void;
   /** Draw a picture over what is there, as a share of it; 1 hides what was there. The map can be shown elsewhere. */
   draw(picture: Picture, camera: Camera, opacity: number, withMap?: boolean): void;
 }
 
 /**
- * A painter for one renderer. `blank` is a map that shows nothing, for pictures without one. `place` moves the rig of the camera, so that the centre of a region is at the origin.
+ * A painter for one renderer. `blank` gives a map that shows nothing, for pictures without one. `place` moves the rig of the camera, so that the centre of a region is at the origin.
  */
 export function createPainter(
   renderer: WebGLRenderer,
   shared: Shared,
   nearShare: number,
   faceSize: number,
-  blank: Cube,
+  blank: () => Cube,
   place: (center: Point) => void,
 ): Painter {
   const near = new Scene();
@@ -38,10 +40,13 @@ export function createPainter(
   far.add(screen(shared));
 
   return {
+    prepare(camera) {
+      renderer.compile(far, camera);
+    },
     draw(picture, camera, opacity, withMap = true) {
       const { region, ring, radius, strength } = picture;
       place(region.entry.center);
-      const cube = region.entry.rings[ring]?.map ? cubeOf(region, ring) : blank;
+      const cube = region.entry.rings[ring]?.map ? cubeOf(region, ring) : blank();
       const inner = nearShare * radius;
       // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 at any distance.
       const slope = radius > 0 ? 1 / (radius - inner) : 1;

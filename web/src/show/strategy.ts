@@ -24,6 +24,8 @@ const STRATEGIES: Readonly<Record<string, Strategy>> = {
 /** The strategy of a name, as addresses have it; clovr if there is none. */
 export function strategyOf(name: string | null): Strategy {
   const found = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
-  if (!found) throw new BundleError(`strategy: expected ${Object.keys(STRATEGIES).join(', ')}, got ${name ?? ''}`);
+  if (!found) {
+    throw new BundleError(`strategy: expected ${Object.keys(STRATEGIES).join(', ')}, got ${name ?? ''}`, 'other');
+  }
   return found;
 }

@@ -1,5 +1,6 @@
 /** The picture on the screen, one frame after the other. */
 import { Group, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { BundleError } from '../bundle/error';
 import type { Manifest, Point } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
@@ -9,6 +10,7 @@ import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
 import { createJourney, type Journey, type Leg } from './journey';
 import type { Fetch, Loading } from './loader';
+import { watchLoss } from './loss';
 import { createShared } from './materials';
 import { createPainter, type Picture } from './picture';
 import { cubeOf, trianglesShown } from './region';
@@ -38,6 +40,8 @@ export interface Settings extends Manner {
   readonly failed: (reason: Error) => void;
   /** The user was put to another place, which frames are to be drawn for from now on. */
   readonly moved: (pose: Pose) => void;
+  /** The browser took the graphics away, or gave them back. */
+  readonly lost: (isLost: boolean) => void;
 }
 
 export interface Viewer {
@@ -98,12 +102,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const { manifest } = settings;
   const faceSize = manifest.map.face_size;
   const nearShare = manifest.morph.near_share;
-  const renderer = new WebGLRenderer({ canvas, antialias: settings.antialias, powerPreference: 'high-performance' });
-  renderer.autoClear = false;
-  // A layer of a headset lies below.
-  renderer.setClearAlpha(0);
-  renderer.sortObjects = false;
-  renderer.debug.checkShaderErrors = true;
+  const renderer = createRenderer(canvas, settings.antialias);
   const camera = new PerspectiveCamera(settings.angle, 1, NEAR, FAR);
   camera.rotation.order = 'YXZ';
   const rig = new Group();
@@ -113,7 +112,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const overlay = new Scene();
   overlay.add(rig, veil.mesh);
   // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
-  const blank = createCube(renderer, 1);
+  let blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
   shared.keeps_rho.value = manifest.morph.kind === 'cylinder';
   const uploads = createUploads();
@@ -126,7 +125,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     rig.updateMatrixWorld(true);
   }
 
-  const painter = createPainter(renderer, shared, nearShare, faceSize, blank, place);
+  const painter = createPainter(renderer, shared, nearShare, faceSize, () => blank, place);
+  painter.prepare(camera);
   const warming = new Scene();
   const store = createStore();
   const loading: Loading = {
@@ -163,6 +163,41 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   let upload = 0;
   let divider: number | null = null;
   let mapLayer: MapLayer | null = null;
+
+  let wasIn: number | null = null;
+  const loss = watchLoss(
+    canvas,
+    () => {
+      wasIn = journey?.region ?? null;
+      close();
+      blank.dispose();
+      settings.lost(true);
+    },
+    () => {
+      renderer.setClearAlpha(0);
+      blank = createCube(renderer, 1);
+      [shared.map.value, shared.codes.value] = [blank.color, blank.codes];
+      painter.prepare(camera);
+      if (wasIn !== null) begin(wasIn);
+      settings.lost(false);
+    },
+  );
+
+  function close(): void {
+    for (const region of atlas.holding.regions) atlas.close(region);
+    journey = leg = null;
+  }
+
+  /** Begin in a region, with nothing loaded. */
+  function begin(number: number): void {
+    close();
+    const moved = (pose: Pose): void => {
+      user = pose;
+      settings.moved(pose);
+    };
+    const { regions, growth } = manifest;
+    journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
+  }
 
   function setPose({ position: [x, y, z], yaw, pitch }: Pose): void {
     stand({ position: [x, y, z], yaw: 0 });
@@ -243,7 +278,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   }
 
   function advance(pose: Pose, seconds: number): void {
-    upload = uploads.run(UPLOAD_BUDGET);
+    // Before the first picture nothing can jerk.
+    upload = uploads.run(leg && atlas.find(leg.region)?.shown ? UPLOAD_BUDGET : Number.POSITIVE_INFINITY);
     if (!journey) return;
     leg = journey.advance(seconds, pose);
     // Nothing else changes while a region fades in.
@@ -256,20 +292,12 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     camera,
     rig,
     faceSize,
-    open(number) {
-      for (const region of atlas.holding.regions) atlas.close(region);
-      const moved = (pose: Pose): void => {
-        user = pose;
-        settings.moved(pose);
-      };
-      const { regions, growth } = manifest;
-      journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
-      leg = null;
-    },
+    open: begin,
     go: (target) => journey?.go(target),
     retry: atlas.retry,
     frame(pose, seconds) {
       user = pose;
+      if (loss.isLost) return;
       fit();
       const { isPresenting } = renderer.xr;
       if (isPresenting) resolveOnce(renderer, () => advance(pose, seconds));
@@ -324,6 +352,21 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       renderer.dispose();
     },
   };
+}
+
+function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
+  let renderer: WebGLRenderer;
+  try {
+    renderer = new WebGLRenderer({ canvas, antialias, powerPreference: 'high-performance' });
+  } catch (error) {
+    throw new BundleError(error instanceof Error ? error.message : String(error), 'webgl');
+  }
+  renderer.autoClear = false;
+  // A layer of a headset lies below.
+  renderer.setClearAlpha(0);
+  renderer.sortObjects = false;
+  renderer.debug.checkShaderErrors = true;
+  return renderer;
 }
 
 /** The fold margin as a share of the morph's radius: of the cylinder it is its near part, at any radius. */
