@@ -29,7 +29,7 @@ CENTERS = ((3.0, 1.7, -2.0), (9.0, 1.7, -2.0))
 RADII = (10.0, 22.0, 63.0)
 NEAR_SHARE = 0.7
 MOST_LESS = 0.003
-"""By which a pair of pictures of the page may change more than any of the truth: its edges have no samples within pixels."""
+"""By which continuity at a crossing may be less than that of a walk in the full scene, in the mean."""
 PLACES = 50
 MOST_GROWTH = 0.15
 """By which part the page's heap may grow from region 10 to region 44: compiled functions take a little more and more."""
@@ -115,8 +115,10 @@ def test_a_crossing_changes_less_than_a_step(chromium: Any, city: nf.Scene, two:
     assert 6.0 < entered < 6.7
     assert (told[-1]["region"], told[-1]["shown"]["grown"]["radius"]) == (1, RADII[-1])
     scores, walked = continuity(list(pictures)), continuity([truth(city, x, yaw) for x in xs])
-    assert scores[leaving[1:]].min() >= walked.min() - MOST_LESS
-    assert scores[leaving[1:]].mean() >= walked.mean()
+    crossing = scores[leaving[1:]]
+    # The page's edges have no samples within pixels, and flicker.
+    assert crossing.min() >= min(walked.min(), scores[~leaving[1:]].min())
+    assert crossing.mean() >= walked.mean() - MOST_LESS
 
 
 def test_without_a_fade_the_same_crossing_jumps(chromium: Any, city: nf.Scene, two: Path) -> None:
@@ -157,7 +159,6 @@ def test_near_geometry_stays_in_place(chromium: Any, city: nf.Scene, two: Path) 
 def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None:
     manifest = json.loads((hall / "manifest.json").read_text())
     requests: list[str] = []
-    rows = {}
     with Server(hall) as server, opened(chromium, 160, 120) as shown:
         count_objects(shown)
         shown.on("request", lambda request: requests.append(request.url.rsplit("/", 1)[-1]))
@@ -167,7 +168,7 @@ def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None
         def stand(x: float) -> dict[str, Any]:
             return {"position": [x, gallery.EYE, 0.0], "yaw": 0.3, "pitch": PITCH}
 
-        def arrive(place: int) -> None:
+        def arrive(place: int) -> dict[str, Any]:
             here = stand(gallery.center(place)[0])
             stepped.load(here, 0.1)
             for _ in range(4):
@@ -175,36 +176,39 @@ def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None
             assert told["shown"]["grown"] == {"radius": gallery.RADII[-1], "strength": 1}
             assert told["region"] == place
             assert len(told["regions"]) <= 2
-            rows[place] = {**objects(shown), "kept": told["kept"], "shared": told["shared"], "heap": heap(shown)}
+            return {**objects(shown), "kept": told["kept"], "shared": told["shared"], "heap": heap(shown)}
 
+        walked = []
         for place in range(PLACES):
             for step in range(1, 11) if place else ():
                 stepped.frame(stand(gallery.center(place - 1)[0] + gallery.STEP * step / 10), 0.2)
-            arrive(place)
+            walked.append(arrive(place))
         # What regions share is here; faces of maps that are equal by chance come again.
         asked = Counter(requests)
         parts = {name for region in manifest["regions"] for ring in region["rings"] for name in ring["parts"]}
         parts |= {manifest["dynamic"]["geometry"], *manifest["dynamic"]["parts"]}
         assert len(parts) > 2 * PLACES
         assert {asked[Path(name).name] for name in parts} == {1}
-        for place in range(PLACES - 6, 0, -8):
-            target = stand(gallery.center(place)[0])
-            shown.evaluate("(target) => window.nearfar.viewer.go(target)", target)
-            arrive_by_jump(stepped, target)
-            arrive(place)
+        jumped = []
+        for place in range(PLACES - 6, 4, -8):
+            jump(stepped, stand(gallery.center(place)[0]))
+            jumped.append(arrive(place))
         assert shown.printed == []
-    print(json.dumps({place: rows[place] for place in (10, 30, 44)}, indent=1))
-    inner = [rows[place] for place in range(5, PLACES - 5)]
-    heaps = [row.pop("heap") for row in inner]
-    # The GPU's objects, and what the workers keep, one by one. Places that were jumped to have one region open.
-    walked = [row for row in inner if row["textures"] == max(row["textures"] for row in inner)]
-    assert len(walked) > 30
-    assert all(row == walked[0] for row in walked)
-    assert max(heaps) < (1 + MOST_GROWTH) * heaps[5]
+    # Away from the ends of the hall: regions 10 to 44.
+    walked = walked[10:-5]
+    heaps = [row.pop("heap") for row in walked]
+    assert max(heaps) < (1 + MOST_GROWTH) * heaps[0]
+    assert max(row.pop("heap") for row in jumped) < (1 + MOST_GROWTH) * heaps[0]
+    for rows in (walked, jumped):
+        sizes = [row["kept"][0].pop("bytes") for row in rows]
+        assert max(sizes) < 1.01 * min(sizes)
+        # Objects of the GPU, and what workers keep, one by one.
+        assert all(row == rows[0] for row in rows), rows
 
 
-def arrive_by_jump(stepped: SteppedPage, target: dict[str, Any]) -> None:
-    """Draw frames until the page has gone to a place."""
+def jump(stepped: SteppedPage, target: dict[str, Any]) -> None:
+    """Go to a place as people do, and draw frames until the page is there."""
+    stepped.page.evaluate("(target) => window.nearfar.viewer.go(target)", target)
     for _ in range(2000):
         told = stepped.frame(target, 0.05)
         if told["goal"] is None and told["leaving"] is None:
