@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._scene.srgb import to_srgb
 from tests.support.browser import opened, wait_for_ring
 from tests.support.web_cases import WEB, run
 
@@ -61,7 +62,7 @@ def worn(
         page.add_init_script(f"window.wanted = {json.dumps(wanted)};\n{script()}")
         routes: list[Any] = []
         if held:
-            page.route(f"**/{held}", routes.append)
+            page.route(f"**/{held}", lambda route: routes.append(route))
         page.let_go = lambda: [route.continue_() for route in routes]
         page.goto(url)
         assert wait_for_ring(page, ring) == ""
@@ -214,3 +215,41 @@ def thrown(floor: Floor, position: Vector, turn: Quaternion) -> NDArray[np.float
     seconds = (ahead[1] + np.sqrt(ahead[1] ** 2 + 2 * GRAVITY * position[1])) / GRAVITY
     local = np.array(position) + ahead * seconds
     return floor.position + rotated(about((0, 1, 0), floor.yaw), (local[0], 0.0, local[2]))
+
+
+def eyes(floor: Floor, head: tuple[Vector, Quaternion], ipd: float, size: tuple[int, int]) -> dict[str, nf.Camera]:
+    """nearfar's cameras of both eyes."""
+    return {side: camera(floor, *head, side, ipd, size) for side in ("left", "right")}
+
+
+def of_one_face(faces: Any) -> Any:
+    """Pixels whose eight neighbours show the same face."""
+    same = np.ones(faces.shape, bool)
+    for rows in (-1, 0, 1):
+        for columns in (-1, 0, 1):
+            same &= np.roll(faces, (rows, columns), (0, 1)) == faces
+    same[[0, -1]] = same[:, [0, -1]] = False
+    return same
+
+
+def expected(
+    bundle: nf.stream.Bundle, picture: dict[str, Any], seen: nf.Camera
+) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """nearfar's picture in codes, and the pixels that are compared."""
+    frame = bundle.at(**picture).render(seen, channels=("color", "face_id"))
+    codes = to_srgb(np.clip(frame.require("color"), 0, 1)) * 255
+    return np.asarray(codes, np.float64), of_one_face(frame.require("face_id"))
+
+
+def share_alike(found: NDArray[np.uint8], codes: NDArray[np.float64], inner: NDArray[np.bool_]) -> float:
+    """The share of pixels that are within 2 of 255."""
+    off = np.abs(np.rint(codes) - found).max(axis=-1)
+    return float((off[inner] <= 2).mean())
+
+
+def alike(bundle: nf.stream.Bundle, picture: dict[str, Any], found: Captured, cameras: dict[str, nf.Camera]) -> float:
+    """The lesser share of both eyes' pixels that are nearfar's."""
+    return min(
+        share_alike(pixels, *expected(bundle, picture, cameras[side]))
+        for side, pixels in (("left", found.left), ("right", found.right))
+    )

@@ -105,16 +105,20 @@ function read(): Captured {
   return { width, height, pixels: base64(pixels), shown: viewer.facts.shown, eyes: [...told.values()] };
 }
 
+/** Frames after which nobody waits any longer. */
+const MOST = 500;
+
 window.emulated = {
   device,
   layers: found,
   capture: (isWanted) =>
-    new Promise((done) => {
+    new Promise((done, failed) => {
       let frames = 0;
       const look = (): void => {
         const shown = window.nearfar?.viewer.facts.shown;
         // The first of the frames may have been begun before.
         if (++frames > 2 && shown && isWanted(shown)) done(read());
+        else if (frames > MOST) failed(new Error(`no frame is wanted: ${JSON.stringify([shown, found])}`));
         else {
           told.clear();
           session().requestAnimationFrame(look);

@@ -18,7 +18,8 @@ interface Made {
 export interface LayersFound {
   /** Times that a cube layer was written to. */
   writes: number;
-  /** Draws after samples were let go of, in one frame. */
+  /** Times that samples were resolved and let go of, and draws after that in the same frame. */
+  resolves: number;
   lost: number;
   /** Part of the projection layer, in the last frame, through which what is below is seen. */
   clear: number;
@@ -61,7 +62,7 @@ void main() {
 
 /** Put the stand-in in; `sizes` of projection layers are those of the canvas. */
 export function installLayers(reset: () => void): LayersFound {
-  const found = { writes: 0, lost: 0, clear: 0, cube: null as Made | null };
+  const found = { writes: 0, resolves: 0, lost: 0, clear: 0, cube: null as Made | null };
   let layers: Made[] = [];
   let pending: Made[] | null = null;
   let context: WebGL2RenderingContext | null = null;
@@ -186,6 +187,7 @@ export function installLayers(reset: () => void): LayersFound {
     const { invalidateFramebuffer, drawElements, drawArrays } = prototype;
     prototype.invalidateFramebuffer = function (...call) {
       isLost = true;
+      found.resolves += 1;
       invalidateFramebuffer.apply(this, call);
     };
     prototype.drawElements = function (...call) {
