@@ -211,7 +211,9 @@ class Bundle(InRegions):
         camera
             Where the user begins; by default at the centre, looking along −z, with a vertical field of view of 75°.
         strategy
-            "clovr": rings that arrive fade in, and the morph grows. "clovrd": they are shown at once.
+            "clovr": rings that arrive fade in, and the morph grows. "clovrd": they are shown at
+            once. "vis0" and "vis1", as docs/view.md describes them, need
+            `export(by_footprint=True)`.
 
         Returns
         -------

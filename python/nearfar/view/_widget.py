@@ -27,8 +27,8 @@ ANGLE = 75.0
 PIECE = 4 << 20
 """Bytes of a file in a message: others come in between."""
 
-STRATEGIES = ("clovr", "clovrd")
-"""Ways to show rings that arrive: the morph grows, or all at once."""
+STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
+"""Ways to load that docs/view.md compares."""
 
 LEAST_SIDE, MOST_SIDE = 16, 8192
 
@@ -66,7 +66,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         width, height = check.size("size", size)
         for name, side in (("size[0]", width), ("size[1]", height)):
             check.integer(name, side, LEAST_SIDE, MOST_SIDE)
-        check.choice("strategy", strategy, STRATEGIES)
+        _check_strategy(shown, strategy)
         start = Pose(center, 0.0, 0.0, ANGLE) if camera is None else pose_of(camera)
         self._shown = shown
         self._files = _files(shown)
@@ -142,6 +142,15 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def __repr__(self) -> str:
         return f"Widget({self._shown!r}, position={tuple(self.position)}, yaw={self.yaw:g}, pitch={self.pitch:g})"
+
+
+def _check_strategy(shown: Bundle | ReducedScene, strategy: str) -> None:
+    """Raise ValueError for a strategy that what is shown has no files for."""
+    by_footprint = check.choice("strategy", strategy, STRATEGIES).startswith("vis")
+    if by_footprint and not (isinstance(shown, Bundle) and shown._region["by_footprint"] is not None):
+        raise ValueError(
+            f"strategy: expected 'clovr' or 'clovrd' for what export(by_footprint=True) did not write, got {strategy!r}"
+        )
 
 
 def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:

@@ -93,6 +93,8 @@ export async function openKernel(model: Model, received: Received, signal: Abort
   return {
     manifest,
     fetch: (name, stop, told = () => undefined) => shared(name, stop, told),
+    // Nothing lies in between that keeps copies.
+    distrust: () => undefined,
     dispose() {
       model.off('msg:custom', answered);
       waiting.clear();

@@ -3,6 +3,7 @@ import WORKER from 'worker-text';
 import { createControls } from '../control/controls';
 import type { Pose } from '../control/pose';
 import { nearestOf } from '../show/journey';
+import { strategyOf } from '../show/strategy';
 import { createViewer, type Viewer } from '../show/viewer';
 import { type KernelSource, openKernel } from './kernel';
 import { createMirror } from './mirror';
@@ -10,6 +11,7 @@ import type { Model } from './model';
 
 /** Seconds that a frame may stand for, as in the page. */
 const LONGEST_FRAME = 0.1;
+const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 const POSE = ['position', 'yaw', 'pitch'] as const;
 
 /** The element of a view; the viewer is there for scripts and tests. */
@@ -20,7 +22,7 @@ interface Host extends HTMLElement {
 interface View {
   readonly host: Host;
   readonly canvas: HTMLCanvasElement;
-  /** Say something below the picture, and a problem instead of it from then on. */
+  /** Say something below the picture, or a problem instead of it until that is empty. */
   say(text: string): void;
   complain(problem: string): void;
 }
@@ -74,20 +76,24 @@ function createView(model: Model, el: HTMLElement): View {
 }
 
 /** Draw frames until the function that is returned is called. */
-function show(model: Model, view: View, { manifest, fetch }: KernelSource, failed: (reason: Error) => void): () => void {
+function show(model: Model, view: View, source: KernelSource, failed: (reason: Error) => void): () => void {
   const { canvas, host } = view;
+  const { arrange, isSmooth, isWhole } = strategyOf(String(model.get('strategy')));
+  const manifest = arrange(source.manifest);
   const script = URL.createObjectURL(new Blob([WORKER], { type: 'text/javascript' }));
   const asked = (): Pose => Object.fromEntries(POSE.map((name) => [name, model.get(name)])) as unknown as Pose;
   const controls = createControls(canvas, { start: asked(), keys: canvas });
   const viewer = createViewer(canvas, {
     manifest,
-    fetch,
+    fetch: source.fetch,
     last: Number.POSITIVE_INFINITY,
     worker: new URL(script),
     angle: Number(model.get('angle')),
     antialias: true,
-    isSmooth: model.get('strategy') !== 'clovrd',
+    isSmooth,
+    isWhole,
     failed,
+    lost: (isLost) => view.complain(isLost ? LOST : ''),
     moved: controls.setPose,
   });
   host.nearfar = { viewer };
@@ -130,8 +136,6 @@ function show(model: Model, view: View, { manifest, fetch }: KernelSource, faile
     mirror.dispose();
     controls.dispose();
     viewer.dispose();
-    // Browsers keep few contexts at a time; this one is not left to the collector.
-    viewer.renderer.forceContextLoss();
     URL.revokeObjectURL(script);
   };
 }
