@@ -1,6 +1,7 @@
 /** Draws pictures: near geometry where the morph shows it, and the map wherever nothing near is. */
 import { type Camera, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
+import type { Cube } from './cubes';
 import { farMaterial, type Shared } from './materials';
 import { cubeOf, meshesOf, type Region } from './region';
 import { covering } from './veil';
@@ -17,18 +18,21 @@ export interface Picture {
 }
 
 export interface Painter {
+  /** Let the GPU make ready what the first picture needs, while its files come. */
+  prepare(camera: Camera): void;
   /** Draw a picture over what is there, as a share of it; 1 hides what was there. The map can be shown elsewhere. */
   draw(picture: Picture, camera: Camera, opacity: number, withMap?: boolean): void;
 }
 
 /**
- * A painter for one renderer. `place` moves the rig of the camera, so that the centre of a region is at the origin.
+ * A painter for one renderer. `blank` gives a map that shows nothing, for pictures without one. `place` moves the rig of the camera, so that the centre of a region is at the origin.
  */
 export function createPainter(
   renderer: WebGLRenderer,
   shared: Shared,
   nearShare: number,
   faceSize: number,
+  blank: () => Cube,
   place: (center: Point) => void,
 ): Painter {
   const near = new Scene();
@@ -36,10 +40,13 @@ export function createPainter(
   far.add(screen(shared));
 
   return {
+    prepare(camera) {
+      renderer.compile(far, camera);
+    },
     draw(picture, camera, opacity, withMap = true) {
       const { region, ring, radius, strength } = picture;
       place(region.entry.center);
-      const cube = cubeOf(region, ring);
+      const cube = region.entry.rings[ring]?.map ? cubeOf(region, ring) : blank();
       const inner = nearShare * radius;
       // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 at any distance.
       const slope = radius > 0 ? 1 / (radius - inner) : 1;

@@ -1,14 +1,15 @@
 /** The picture on the screen, one frame after the other. */
 import { Group, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { BundleError } from '../bundle/error';
 import type { Manifest, Point } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
-import type { Kept } from '../decode/messages';
-import { createAtlas } from './atlas';
+import { createAtlas, type Holding } from './atlas';
 import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
 import { createJourney, type Journey, type Leg } from './journey';
 import type { Fetch, Loading } from './loader';
+import { watchLoss } from './loss';
 import { createShared } from './materials';
 import { createPainter, type Picture } from './picture';
 import { cubeOf, trianglesShown } from './region';
@@ -38,6 +39,8 @@ export interface Settings extends Manner {
   readonly failed: (reason: Error) => void;
   /** The user was put to another place, which frames are to be drawn for from now on. */
   readonly moved: (pose: Pose) => void;
+  /** The browser took the graphics away, or gave them back. */
+  readonly lost: (isLost: boolean) => void;
 }
 
 export interface Viewer {
@@ -72,7 +75,7 @@ export interface Viewer {
 }
 
 /** What the panel shows of the picture. */
-export interface Facts {
+export interface Facts extends Holding {
   readonly region: number;
   /** Region of the place that the user is about to go to; null for none. */
   readonly goal: number | null;
@@ -88,9 +91,7 @@ export interface Facts {
   readonly bounds: Bounds | null;
   /** The region whose picture goes out; null for none. */
   readonly leaving: number | null;
-  /** Regions that are open, what the workers kept when the last one was closed, and arrays that meshes share. */
-  readonly regions: readonly number[];
-  readonly kept: readonly Kept[];
+  /** Meshes whose arrays others use, too. */
   readonly shared: number;
 }
 
@@ -98,12 +99,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const { manifest } = settings;
   const faceSize = manifest.map.face_size;
   const nearShare = manifest.morph.near_share;
-  const renderer = new WebGLRenderer({ canvas, antialias: settings.antialias, powerPreference: 'high-performance' });
-  renderer.autoClear = false;
-  // A layer of a headset lies below.
-  renderer.setClearAlpha(0);
-  renderer.sortObjects = false;
-  renderer.debug.checkShaderErrors = true;
+  const renderer = createRenderer(canvas, settings.antialias);
   const camera = new PerspectiveCamera(settings.angle, 1, NEAR, FAR);
   camera.rotation.order = 'YXZ';
   const rig = new Group();
@@ -113,7 +109,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const overlay = new Scene();
   overlay.add(rig, veil.mesh);
   // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
-  const blank = createCube(renderer, 1);
+  let blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
   shared.keeps_rho.value = manifest.morph.kind === 'cylinder';
   const uploads = createUploads();
@@ -126,7 +122,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     rig.updateMatrixWorld(true);
   }
 
-  const painter = createPainter(renderer, shared, nearShare, faceSize, place);
+  const painter = createPainter(renderer, shared, nearShare, faceSize, () => blank, place);
+  painter.prepare(camera);
   const warming = new Scene();
   const store = createStore();
   const loading: Loading = {
@@ -163,6 +160,41 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   let upload = 0;
   let divider: number | null = null;
   let mapLayer: MapLayer | null = null;
+
+  let wasIn: number | null = null;
+  const loss = watchLoss(
+    canvas,
+    () => {
+      wasIn = journey?.region ?? null;
+      close();
+      blank.dispose();
+      settings.lost(true);
+    },
+    () => {
+      renderer.setClearAlpha(0);
+      blank = createCube(renderer, 1);
+      [shared.map.value, shared.codes.value] = [blank.color, blank.codes];
+      painter.prepare(camera);
+      if (wasIn !== null) begin(wasIn);
+      settings.lost(false);
+    },
+  );
+
+  function close(): void {
+    for (const region of atlas.holding.regions) atlas.close(region);
+    journey = leg = null;
+  }
+
+  /** Begin in a region, with nothing loaded. */
+  function begin(number: number): void {
+    close();
+    const moved = (pose: Pose): void => {
+      user = pose;
+      settings.moved(pose);
+    };
+    const { regions, growth } = manifest;
+    journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
+  }
 
   function setPose({ position: [x, y, z], yaw, pitch }: Pose): void {
     stand({ position: [x, y, z], yaw: 0 });
@@ -201,8 +233,9 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
 
   /** Draw the picture of a region over the one that it takes over from. */
   function paintLeg({ region, leaving }: Leg, isMorphed: boolean): void {
-    if (leaving) {
-      if (leaving.pose) setPose(leaving.pose);
+    const before = leaving?.pose ?? user;
+    if (leaving && before) {
+      setPose(before);
       paint(leaving.region, 1, isMorphed);
     }
     if (user) setPose(user);
@@ -243,7 +276,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   }
 
   function advance(pose: Pose, seconds: number): void {
-    upload = uploads.run(UPLOAD_BUDGET);
+    // Before the first picture nothing can jerk.
+    upload = uploads.run(leg && atlas.find(leg.region)?.shown ? UPLOAD_BUDGET : Number.POSITIVE_INFINITY);
     if (!journey) return;
     leg = journey.advance(seconds, pose);
     // Nothing else changes while a region fades in.
@@ -256,20 +290,12 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     camera,
     rig,
     faceSize,
-    open(number) {
-      for (const region of atlas.holding.regions) atlas.close(region);
-      const moved = (pose: Pose): void => {
-        user = pose;
-        settings.moved(pose);
-      };
-      const { regions, growth } = manifest;
-      journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
-      leg = null;
-    },
+    open: begin,
     go: (target) => journey?.go(target),
     retry: atlas.retry,
     frame(pose, seconds) {
       user = pose;
+      if (loss.isLost) return;
       fit();
       const { isPresenting } = renderer.xr;
       if (isPresenting) resolveOnce(renderer, () => advance(pose, seconds));
@@ -321,9 +347,27 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       atlas.dispose();
       for (const worker of workers) worker.dispose();
       blank.dispose();
+      loss.dispose();
       renderer.dispose();
+      // Browsers keep few contexts at a time; this one is not left to the collector.
+      renderer.forceContextLoss();
     },
   };
+}
+
+function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
+  let renderer: WebGLRenderer;
+  try {
+    renderer = new WebGLRenderer({ canvas, antialias, powerPreference: 'high-performance' });
+  } catch (error) {
+    throw new BundleError(error instanceof Error ? error.message : String(error), 'webgl');
+  }
+  renderer.autoClear = false;
+  // A layer of a headset lies below.
+  renderer.setClearAlpha(0);
+  renderer.sortObjects = false;
+  renderer.debug.checkShaderErrors = true;
+  return renderer;
 }
 
 /** The fold margin as a share of the morph's radius: of the cylinder it is its near part, at any radius. */
