@@ -228,7 +228,7 @@ def floor_at(x: int, y: int) -> NDArray[np.float64]:
     right = (2 * (x + 0.5) / width - 1) * tangent * width / height
     up = (1 - 2 * (y + 0.5) / height) * tangent
     ray = np.array([right, np.sin(-0.4) + up * np.cos(0.4), -np.cos(0.4) + up * np.sin(-0.4)])
-    return np.array([0, gallery.EYE, 0]) + ray * gallery.EYE / -ray[1]
+    return np.asarray(np.array([0, gallery.EYE, 0]) + ray * gallery.EYE / -ray[1])
 
 
 def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None:
