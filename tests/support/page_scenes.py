@@ -2,41 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import data
 
 HELMET = "objects/gltf/FlightHelmet/FlightHelmet.gltf"
 TOKYO = "city/tokyo23/tokyo_core_lod1.glb"
-
-
-ANGLE = 75.0
-"""Vertical field of view of the page, degrees."""
-
-
-def camera(size: tuple[int, int], eye: Sequence[float], yaw: float, pitch: float) -> nf.Camera:
-    """The camera of a page of this size."""
-    ahead = np.array([-np.sin(yaw) * np.cos(pitch), np.sin(pitch), -np.cos(yaw) * np.cos(pitch)])
-    aspect = size[0] / size[1]
-    across = np.degrees(2 * np.arctan(np.tan(np.radians(ANGLE) / 2) * aspect))
-    fov = nf.Fov.symmetric(float(across), aspect=aspect)
-    return nf.Camera.look_at(eye, np.array(eye) + ahead, fov=fov, size=size)
-
-
-def of_one_face(faces: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Pixels whose eight neighbours show the same face."""
-    same = np.ones(faces.shape, bool)
-    for rows in (-1, 0, 1):
-        for columns in (-1, 0, 1):
-            same &= np.roll(faces, (rows, columns), (0, 1)) == faces
-    same[[0, -1]] = same[:, [0, -1]] = False
-    return same
 
 
 @dataclass(frozen=True)

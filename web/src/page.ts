@@ -1,17 +1,22 @@
 /** The page: opens the bundle that its address names, and draws it for whoever looks. */
-import { BundleError } from './bundle/error';
+import { BundleError, damagedFile } from './bundle/error';
 import { openSource } from './bundle/source';
 import { createControls } from './control/controls';
 import { distance } from './control/limit';
 import { readLink, writeLink } from './control/link';
+import { directionTo, placeFor } from './control/places';
 import type { Pose } from './control/pose';
 import { nearestOf } from './show/journey';
 import { createMeter } from './show/meter';
+import { strategyOf } from './show/strategy';
 import { createViewer, type Viewer } from './show/viewer';
 import { createDivider } from './ui/divider';
-import { clearMessage, FATAL, showFatal, showProblems } from './ui/messages';
+import { clearMessage, FATAL, showFatal } from './ui/messages';
 import { createPanel } from './ui/panel';
+import type { Commands } from './ui/status';
 import { createThumbMark } from './ui/thumb';
+import { createHeadset, type Headset } from './xr/session';
+import { whyNoHeadset } from './xr/support';
 
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
@@ -19,11 +24,12 @@ const ANGLE = 75;
 const LONGEST_FRAME = 0.1;
 /** Seconds between two updates of the panel. */
 const PANEL_EVERY = 0.25;
+const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 
 declare global {
   interface Window {
     /** The viewer, for scripts and tests. */
-    nearfar?: { readonly viewer: Viewer; setPose(pose: Pose): void };
+    nearfar?: { readonly viewer: Viewer; readonly pose: Pose; setPose(pose: Pose): void };
   }
 }
 
@@ -32,13 +38,17 @@ async function main(): Promise<void> {
   const [canvas, root] = [element('canvas', HTMLCanvasElement), element('#ui', HTMLElement)];
   const meter = createMeter();
   const base = new URL(query.get('bundle') ?? '.', location.href);
+  const strategy = strategyOf(query.get('strategy'));
   const source = await openSource(base, meter.receive, new AbortController().signal);
   meter.restart();
-  const { manifest } = source;
+  const manifest = strategy.arrange(source.manifest);
   const first = manifest.regions[0];
   if (!first) throw new BundleError('manifest.json: expected a region, got none');
+  let headset: Headset | null = null;
   let problems: readonly string[] = [];
   const retry = (): void => {
+    // Browsers that keep the graphics to themselves give them to a page that begins anew.
+    if (problems.includes(LOST)) location.reload();
     problems = [];
     clearMessage();
     viewer.retry();
@@ -50,35 +60,76 @@ async function main(): Promise<void> {
     worker: new URL('worker.js', import.meta.url),
     angle: ANGLE,
     antialias: query.get('aa') !== '0',
-    isSmooth: query.get('strategy') !== 'clovrd',
+    isSmooth: strategy.isSmooth,
+    isWhole: strategy.isWhole,
     failed(reason) {
       problems = [reason.message];
+      const file = damagedFile(reason);
+      if (file !== null) source.distrust(file);
       // Without ring 0 there is no picture to keep.
       if (viewer.facts.arrived < 0) tell(reason);
-      else showProblems(problems, retry);
     },
-    moved: (pose) => controls.setPose(pose),
+    lost(isLost) {
+      problems = isLost ? [LOST] : [];
+    },
+    moved(pose) {
+      controls.setPose(pose);
+      headset?.place(pose);
+    },
   });
   const homeOf = (number: number): Pose => {
     return { position: manifest.regions[number]?.center ?? first.center, yaw: 0, pitch: 0 };
   };
   const start = readLink(location.hash) ?? homeOf(0);
   const thumb = createThumbMark(root);
-  const controls = createControls(canvas, { start, onThumb: thumb.show });
+  const controls = createControls(canvas, {
+    start,
+    onThumb: thumb.show,
+    onGo(x, y) {
+      const direction = directionTo(pose, [x, y], Math.tan((ANGLE * Math.PI) / 360), viewer.camera.aspect);
+      viewer.go({ ...pose, position: placeFor(pose.position, direction, viewer.pointAt(x, y)) });
+    },
+  });
   let pose = controls.update(0);
-  window.nearfar = { viewer, setPose: controls.setPose };
+  window.nearfar = {
+    viewer,
+    setPose: controls.setPose,
+    get pose() {
+      return pose;
+    },
+  };
   window.addEventListener('hashchange', () => viewer.go(readLink(location.hash) ?? pose));
   const divider = createDivider(root, (share) => {
     viewer.setDivider(share);
     panel.reflect({ isDivided: share !== null });
   });
-  const panel = createPanel(root, {
+  const commands: Commands = {
     setDivider: divider.set,
     setMode: controls.setMode,
     home: () => viewer.go({ ...homeOf(viewer.facts.region), yaw: pose.yaw, pitch: pose.pitch }),
+    lookAround: controls.lookAround,
     screenshot: viewer.photo,
     link: () => new URL(writeLink(pose), location.href).href,
     retry,
+  };
+  if (manifest.regions.length > 1) {
+    commands.next = () => {
+      const place = ((nearestOf(manifest.regions, pose.position) ?? 0) + 1) % manifest.regions.length;
+      viewer.go({ ...homeOf(place), yaw: pose.yaw, pitch: pose.pitch });
+      panel.announce(`Place ${place + 1} of ${manifest.regions.length}`);
+    };
+  }
+  const panel = createPanel(root, commands);
+  void whyNoHeadset(navigator.xr, window.isSecureContext).then((reason) => {
+    if (reason === null && navigator.xr) {
+      headset = createHeadset(viewer, navigator.xr, {
+        pose: () => pose,
+        bounds: () => viewer.facts.bounds,
+        left: controls.setPose,
+        isStatic: manifest.dynamic === null,
+      });
+    }
+    commands.headset = headset ?? reason ?? '';
   });
   viewer.open(nearestOf(manifest.regions, start.position) ?? 0);
   let last = performance.now();
@@ -86,7 +137,7 @@ async function main(): Promise<void> {
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
-    pose = controls.update(seconds);
+    pose = headset?.update(Math.min(seconds, LONGEST_FRAME)) ?? controls.update(seconds);
     viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
     controls.setBounds(viewer.facts.bounds);
     meter.frame(seconds);
@@ -122,13 +173,7 @@ function element<T extends HTMLElement>(selector: string, kind: abstract new () 
 /** Say over the whole page why there is nothing to show. */
 function tell(reason: unknown): void {
   const detail = reason instanceof Error ? reason.message : String(reason);
-  const kinds: readonly [RegExp, keyof typeof FATAL][] = [
-    [/newer nearfar/, 'newer'],
-    [/does not come|server answers/, 'network'],
-    [/WebGL/i, 'webgl'],
-    [/expected/, 'damaged'],
-  ];
-  const { title, text } = FATAL[kinds.find(([pattern]) => pattern.test(detail))?.[1] ?? 'other'];
+  const { title, text } = FATAL[reason instanceof BundleError ? reason.kind : 'other'];
   showFatal(title, text, { detail, retry: () => location.reload() });
 }
 

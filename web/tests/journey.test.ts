@@ -11,7 +11,7 @@ const RADII = [10, 22];
 const MARGIN = NEAR_SHARE * 22;
 const FADE = 0.5;
 const FRAME = 1 / 72;
-const MANNER = { isSmooth: true };
+const MANNER = { isSmooth: true, isWhole: false };
 const close = (a: number, b: number, within = 1e-9): void => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 
 interface Loaded {
@@ -67,7 +67,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
   const moves: Pose[] = [];
   const entries = centers.map((x) => ({ center: [x, 1.7, 0], fold_margin: MARGIN }) as const);
   const journey = createJourney(
-    { regions: entries, nearShare: NEAR_SHARE, fade: FADE, moved: (pose) => moves.push(pose) },
+    { regions: entries, marginShare: NEAR_SHARE, fade: FADE, moved: (pose) => moves.push(pose) },
     regions,
     0,
   );

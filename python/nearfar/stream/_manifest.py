@@ -66,6 +66,8 @@ def _check(manifest: dict[str, Any]) -> None:
     low, high = manifest["bounds"]
     check.vector("bounds", low), check.vector("bounds", high)
     check.choice("color_space", manifest["color_space"], ("sRGB",))
+    if check.choice("unit", manifest.get("unit", "object"), ("object", "triangle")) == "triangle":
+        raise ValueError("unit: expected whole objects, got a reduced scene for the page; ReducedScene.load reads it")
     check.choice("morph", manifest["morph"]["kind"], ("cylinder",))
     if check.positive("near_share", manifest["morph"]["near_share"]) != NEAR_SHARE:
         raise ValueError(f"near_share: expected {NEAR_SHARE}, got {manifest['morph']['near_share']}")

@@ -2,25 +2,39 @@
 
 export type Point = readonly [number, number, number];
 
+/** How near and far part are joined: by the blend of 2022, or on cylinders about the axis (CloVR). */
+export type MorphKind = 'blend' | 'cylinder';
+
 /** A file of the bundle. */
 export interface Described {
   readonly bytes: number;
   readonly sha256: string;
 }
 
-/** What a ring changes of the map before it; ring 0 has six pictures and no tiles. */
+/** What a ring changes of the map before it; whole maps, such as that of ring 0, have six pictures and no tiles. */
 export interface MapEntry {
   readonly tiles: readonly number[];
   readonly color: string | readonly string[] | null;
   readonly range: string | readonly string[] | null;
 }
 
-export interface RingEntry {
-  readonly radius: number;
+/** Objects that come together. */
+export interface GroupEntry {
   readonly objects: number;
   readonly triangles: number;
   readonly geometry: string | null;
   readonly parts: readonly string[];
+}
+
+export interface RingEntry extends GroupEntry {
+  readonly radius: number;
+  /** Of what lies after the ring; null where nothing tells what that is. */
+  readonly map: MapEntry | null;
+}
+
+/** What the strategies vis0 and vis1 send instead of rings: objects by their footprints, and the map of the last ring. */
+export interface FootprintEntry {
+  readonly portions: readonly GroupEntry[];
   readonly map: MapEntry;
 }
 
@@ -29,7 +43,10 @@ export interface RegionEntry {
   readonly fold_margin: number;
   readonly neighbours: readonly number[];
   readonly range: { readonly least: number; readonly step: number };
+  /** Radius at which static geometry ends and the map begins, metres; infinite where objects are whole. */
+  readonly cut: number;
   readonly rings: readonly RingEntry[];
+  readonly by_footprint: FootprintEntry | null;
 }
 
 /** A dynamic object; matrices are rows. */
@@ -40,7 +57,7 @@ export interface MovingEntry {
 
 export interface Manifest {
   readonly version: number;
-  readonly morph: { readonly kind: 'cylinder'; readonly near_share: number };
+  readonly morph: { readonly kind: MorphKind; readonly near_share: number };
   readonly growth: { readonly speed: number; readonly reach: number; readonly fade: number };
   readonly triangles: number;
   readonly bounds: readonly [Point, Point];

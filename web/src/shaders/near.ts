@@ -112,7 +112,13 @@ float farthest_range(vec3 d) {
   return code == NOTHING ? 1e38 : coding.x * exp(float(code) * coding.y);
 }
 
+// Radius at which static geometry ends and the map begins.
+uniform float cut;
+
 bool is_hidden() {
+  if (length(v_point.xz) > cut) {
+    return true;
+  }
   if (coding.w == 0.0 || length(v_point.xz) <= radii.y) {
     return false;
   }

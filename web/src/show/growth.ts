@@ -21,6 +21,9 @@ export interface Grown {
   readonly strength: number;
 }
 
+/** Least near share by which the strength grows: what lies nearer than that turns faster. */
+const LEAST_SHARE = 0.05;
+
 /** Before ring 1 is there. */
 export const NOTHING_NEAR: Grown = { radius: 0, strength: 0 };
 
@@ -38,7 +41,7 @@ export function grow(now: Grown, ring: number, seconds: number, settings: Growth
   if (strength === 0 && begins > goal) return { radius: goal, strength };
   const radius = strength === 0 ? begins : now.radius;
   if (strength < 1) {
-    const whole = 1 / (settings.nearShare * radius * rate);
+    const whole = 1 / (Math.max(settings.nearShare, LEAST_SHARE) * radius * rate);
     const needed = (1 - strength) * whole;
     strength = left >= needed ? 1 : strength + left / whole;
     left = Math.max(0, left - needed);

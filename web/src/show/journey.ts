@@ -45,7 +45,8 @@ export interface Regions {
 
 export interface JourneySettings {
   readonly regions: readonly Pick<RegionEntry, 'center' | 'fold_margin'>[];
-  readonly nearShare: number;
+  /** Of a radius of the morph: how far from the centre its picture does not fold. */
+  readonly marginShare: number;
   /** Seconds of a cross-fade. */
   readonly fade: number;
   /** The user was put to another place. */
@@ -103,7 +104,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   /** Where a state of a region does not fold: anywhere within its margin while nothing is near yet. */
   function limitOf(region: number, grown: Grown | null): Limit {
     const { center, fold_margin } = entry(region);
-    return { center, metres: grown && grown.strength > 0 ? settings.nearShare * grown.radius : fold_margin };
+    return { center, metres: grown && grown.strength > 0 ? settings.marginShare * grown.radius : fold_margin };
   }
 
   function room(limit: Limit, place: Vector): number {
@@ -251,7 +252,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     get least() {
       const { center, fold_margin } = entry(current);
       const away = user ? distance(user.position, { center, metres: fold_margin }) : 0;
-      return (ROUNDED * Math.min(away + SLACK, fold_margin)) / settings.nearShare;
+      return (ROUNDED * Math.min(away + SLACK, fold_margin)) / settings.marginShare;
     },
   };
 }

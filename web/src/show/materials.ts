@@ -6,6 +6,7 @@ import {
   GLSL3,
   type IUniform,
   Matrix4,
+  OneFactor,
   OneMinusSrcAlphaFactor,
   RawShaderMaterial,
   SrcAlphaFactor,
@@ -36,12 +37,15 @@ export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
   };
 }
 
+/** A radius beyond everything; infinity is no number to a GPU. */
+const NOWHERE = 1e30;
+
 /** Colours of a picture that fades in are mixed with those of the picture before; the canvas itself stays opaque. */
 const BLENDING = {
   blending: CustomBlending,
   blendSrc: SrcAlphaFactor,
   blendDst: OneMinusSrcAlphaFactor,
-  blendSrcAlpha: SrcAlphaFactor,
+  blendSrcAlpha: OneFactor,
   blendDstAlpha: OneMinusSrcAlphaFactor,
   // In three.js's list of opaque objects, which keeps the order of a picture.
   transparent: false,
@@ -50,7 +54,8 @@ const BLENDING = {
   glslVersion: GLSL3,
 } as const;
 
-export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shared): RawShaderMaterial {
+/** The material of a piece that ends at a radius, or nowhere (`Infinity`). */
+export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shared, cut: number): RawShaderMaterial {
   const { material } = piece;
   const defines: Record<string, string> = {};
   if (piece.normals) defines['SMOOTH'] = '';
@@ -63,7 +68,7 @@ export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shar
     vertexShader: NEAR_VERTEX,
     fragmentShader: NEAR_FRAGMENT,
     defines,
-    uniforms: { ...shared, ...ownUniforms(material, texture) },
+    uniforms: { ...shared, ...ownUniforms(material, texture), cut: { value: Math.min(cut, NOWHERE) } },
   });
 }
 

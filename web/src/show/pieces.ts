@@ -23,12 +23,13 @@ export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 /** Numbers of a placement: three rows of four. */
 const PLACEMENT = 12;
 
-export function meshOf(piece: Piece, texture: Texture | null, shared: Shared, store: Store): PieceMesh {
+/** A mesh whose static geometry ends at a radius, or nowhere (`Infinity`). */
+export function meshOf(piece: Piece, texture: Texture | null, shared: Shared, store: Store, cut: number): PieceMesh {
   const geometry = piece.placements ? placed(piece.placements) : new BufferGeometry();
   const arrays = store.take(piece.same, () => arraysOf(piece));
   for (const [name, attribute] of Object.entries(arrays.attributes)) geometry.setAttribute(name, attribute);
   geometry.setIndex(arrays.index);
-  const mesh = new Mesh(geometry, nearMaterial(piece, texture, shared));
+  const mesh = new Mesh(geometry, nearMaterial(piece, texture, shared, cut));
   mesh.name = piece.name;
   // The morph moves vertices, so that boxes of where they are say nothing.
   mesh.frustumCulled = false;

@@ -71,6 +71,8 @@ export function* geometrySteps(
   store: Store,
   warm: (mesh: PieceMesh) => void,
 ): Generator<Step> {
+  // Dynamic objects, in ring 0, go on beyond it.
+  const cut = ring === 0 ? Infinity : region.entry.cut;
   const group = region.groups[ring];
   if (!group) throw new Error(`there is no ring ${ring}`);
   const made: PieceMesh[] = [];
@@ -88,7 +90,7 @@ export function* geometrySteps(
       yield () => {
         const { image } = piece.material;
         const texture = image === null ? null : (store.textures.get(image) ?? null);
-        const mesh = meshOf(piece, texture, shared, store);
+        const mesh = meshOf(piece, texture, shared, store, cut);
         made.push(mesh);
         warm(mesh);
       };

@@ -8,7 +8,7 @@ import { ICONS } from './icons';
 import { showProblems } from './messages';
 import { copyText, saveFile } from './out';
 import { listen, type Name, SHORTCUTS } from './shortcuts';
-import type { Commands, Status } from './status';
+import type { Commands, HeadsetCommand, Status } from './status';
 
 /** Seconds for which a note is shown. */
 const NOTE = 3;
@@ -46,6 +46,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     orbit: tool('orbit', 'Orbit', ICONS.orbit),
     split: tool('split', 'Split', ICONS.split),
     home: tool('home', 'Home', ICONS.home),
+    next: tool('next', 'Next', ICONS.next),
     photo: tool('photo', 'Photo', ICONS.photo),
     link: tool('link', 'Link', ICONS.link),
     panel: tool('panel', 'Info', ICONS.panel),
@@ -55,13 +56,17 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
   const { headset, ...common } = buttons;
   headset.classList.add('tool-main');
   headset.hidden = true;
+  buttons.next.hidden = !commands.next;
   const bar = make('div', { class: 'tools', role: 'group', 'aria-label': 'Commands' }, ...Object.values(common));
+  bar.classList.toggle('tools-many', commands.next !== undefined);
   const figures = createFigures();
+  const quiet = make('p', { class: 'quiet', hidden: true });
   const panel = make(
     'section',
     { class: 'panel card', id: 'panel', 'aria-label': 'Figures' },
     make('header', {}, make('h1', {}, 'nearfar'), dismiss()),
     figures.element,
+    quiet,
   );
   const chip = make('button', { type: 'button', class: 'chip card', title: 'Show the figures (I)', hidden: true });
   chip.addEventListener('click', () => run('panel'));
@@ -78,8 +83,9 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
   );
   root.append(line, layer, spoken);
   const help = createHelp(root, () => [
-    ...(commands.enterXR ? [] : (['headset'] as const)),
+    ...(headsetOf(commands) ? [] : (['headset'] as const)),
     ...(problems ? [] : (['retry'] as const)),
+    ...(commands.next ? [] : (['next'] as const)),
   ]);
   panel.hidden = !isOpen;
   for (const [name, button] of Object.entries(buttons)) button.addEventListener('click', () => run(name as Name));
@@ -109,6 +115,10 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       announce((await copyText(link)) ? 'Link copied' : link);
     } else if (name === 'home') {
       commands.home();
+    } else if (name === 'next') {
+      commands.next?.();
+    } else if (name === 'look') {
+      commands.lookAround();
     } else if (name === 'panel') {
       panel.hidden = !panel.hidden;
       reflect({});
@@ -118,7 +128,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       commands.retry();
       announce('Trying again');
     } else if (name === 'headset') {
-      await commands.enterXR?.();
+      await headsetOf(commands)?.toggle();
     }
   }
 
@@ -170,6 +180,14 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     problems = texts;
   }
 
+  function tellHeadset(): void {
+    const found = headsetOf(commands);
+    headset.hidden = !found;
+    label(headset, found?.isPresenting ? 'Leave VR' : 'Enter VR');
+    write(quiet, typeof commands.headset === 'string' ? commands.headset : '');
+    quiet.hidden = typeof commands.headset !== 'string';
+  }
+
   return {
     update(status) {
       tell(status);
@@ -180,7 +198,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       line.style.setProperty('--share', share.toFixed(4));
       line.setAttribute('aria-valuenow', String(Math.floor(100 * share)));
       write(chip, shortly(status));
-      headset.hidden = !commands.enterXR;
+      tellHeadset();
       reflect({});
     },
     announce,
@@ -200,6 +218,15 @@ function tool(name: Name, label: string, drawing: string): HTMLButtonElement {
   const title = `${does.charAt(0).toUpperCase()}${does.slice(1)} (${key})`;
   const text = make('span', { class: 'tool-label' }, label);
   return make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': key }, icon(drawing), text);
+}
+
+function label(button: HTMLButtonElement, text: string): void {
+  const place = button.querySelector('.tool-label');
+  if (place) write(place, text);
+}
+
+function headsetOf({ headset }: Commands): HeadsetCommand | null {
+  return typeof headset === 'object' ? headset : null;
 }
 
 function press(button: HTMLButtonElement, isPressed: boolean): void {

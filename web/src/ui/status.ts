@@ -33,12 +33,22 @@ export interface Commands {
   setMode(mode: 'walk' | 'orbit'): void;
   /** Go back to the centre of the region. */
   home(): void;
+  /** Go to the next place of several; absent where there is only one. */
+  next?: () => void;
+  /** Look around with the mouse without a button. */
+  lookAround(): void;
   /** A PNG of the picture without the panel. */
   screenshot(): Promise<Blob>;
   /** A link to this pose. */
   link(): string;
-  /** Enter the headset; absent where there is none. */
-  enterXR?: (() => Promise<void>) | undefined;
+  /** The headset, or why there is none; absent until that is known. */
+  headset?: HeadsetCommand | string;
   /** Load again what failed. */
   retry(): void;
+}
+
+export interface HeadsetCommand {
+  readonly isPresenting: boolean;
+  /** Enter it, or leave it. */
+  toggle(): Promise<void>;
 }

@@ -55,7 +55,9 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
   const outer = radii.at(-1) ?? 0;
   const inner = nearShare * first;
   const least = Math.min(reach, MOST_REACH * first);
-  const kinks = [...new Set(radii.flatMap((radius) => [nearShare * radius, radius]))].sort((a, b) => a - b);
+  const kinks = [...new Set(radii.flatMap((radius) => [nearShare * radius, radius]))]
+    .filter((radius) => radius > CORE * first)
+    .sort((a, b) => a - b);
   const atRest = (rho: number, distance: number, u: number): number =>
     Math.max(rangeAt(rho, distance, u), coarser * WIDEST_AT_REST * rho);
   const growing = (rho: number, distance: number): number =>
