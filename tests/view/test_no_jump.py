@@ -1,4 +1,4 @@
-"""Whole loads of a city on a stepped clock: nothing jumps in the page's own frames, beside CloVRd, which shows at once."""
+"""Whole loads of a city on a stepped clock: no frame of the page jumps, beside CloVRd, which shows rings at once."""
 
 from __future__ import annotations
 
