@@ -391,6 +391,10 @@ def _arrays(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.tessellate": {
             "mesh": valid.scene, **ZONES, "user_region": 0.1, "tolerance_px": 100.0, "camera": valid.camera,
         },
+        "nearfar.tessellate @cylinder": {
+            "mesh": valid.scene, **ZONES, "user_region": 0.1, "tolerance_px": 100.0, "camera": valid.camera,
+            "kind": "cylinder", "radius": ZONES["r2"] / 2, "strength": 0.5,
+        },
         "nearfar.tessellate @trimesh": {
             "mesh": valid.mesh, **ZONES, "user_region": 0.1, "tolerance_px": 100.0, "camera": valid.camera,
         },

@@ -4,7 +4,8 @@ use glam::DVec3;
 
 use super::assemble::{Budget, assemble};
 use super::counts::SplitCounts;
-use super::rule::{Precision, Rule};
+use super::rule::Rule;
+use super::settings::Precision;
 use crate::base::{Progress, Result};
 
 /// A split mesh: the source's vertices, followed by new ones.

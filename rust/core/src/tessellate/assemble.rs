@@ -7,7 +7,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::counts::SplitCounts;
-use super::rule::{Precision, Rule};
+use super::rule::Rule;
+use super::settings::Precision;
 use super::split::Piece;
 use crate::base::{Error, Progress, Result, memory::room_for};
 

@@ -6,20 +6,28 @@
 //! edge depends on the edge alone, so there are no cracks between triangles, meshes or objects. Edges without points
 //! between the radii are never cut, so geometry within r₁ or beyond r₂ stays as it is, bit for bit.
 
-mod bound;
 mod arrays;
 mod assemble;
+mod blend;
+mod bound;
 mod counts;
+mod grown;
+mod grown_bound;
 mod rule;
 mod scene;
+mod segment;
+mod settings;
 mod split;
 mod steps;
+#[cfg(test)]
+mod grown_tests;
 #[cfg(test)]
 mod tests;
 
 pub use arrays::{Arrays, tessellate_arrays};
 pub use counts::SplitCounts;
-pub use rule::{Precision, Rule, Settings, bent_from};
+pub use rule::Rule;
 pub use scene::{needs_split, split_scene, tessellate_scene};
+pub use settings::{Precision, Settings, Stages, bent_from};
 pub use split::Piece;
 pub use steps::Steps;

@@ -7,7 +7,8 @@ use rayon::prelude::*;
 
 use super::assemble::{Assembled, Budget, NewVertex, assemble};
 use super::counts::SplitCounts;
-use super::rule::{Precision, Rule};
+use super::rule::Rule;
+use super::settings::Precision;
 use crate::base::{Buffer, Progress, Result};
 use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};
 use crate::scene::{Instance, InstanceSet, Mesh, Scene, facing_normals};

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::rule::{Precision, Rule};
+use super::rule::Rule;
+use super::settings::Precision;
 use crate::base::Result;
 
 /// A triangle or a piece of one, with the weights of its corners on the whole triangle.

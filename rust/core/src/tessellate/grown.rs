@@ -1,0 +1,211 @@
+//! The rule that splits edges for `Kind::Cylinder`, over all radii of its growth. It depends on the two ends of an edge
+//! alone, so all triangles at an edge split it alike.
+
+use glam::DVec3;
+
+use super::grown_bound::{LONGEST, MOST_RATIO, Measure, Region, SPREAD, allowed};
+use super::segment::{crossing, segment_distance, weights_of_axis};
+use super::settings::{Precision, Settings};
+use crate::base::{Error, Result};
+
+/// Share of the error for the range of ρ along edges; the rest is for their lengths. An area takes the fewest pieces with
+/// 2/3 where the first part grows with a width and the second with the square of a length, and with a half where both grow
+/// with squares.
+const RANGE_SHARE: f64 = 0.6;
+/// Part of r₁ within which pieces are as long as on it, if points within r₁ move: then it has pieces without end.
+const CENTRE: f64 = 1.0 / 64.0;
+/// Share of r₂ − r₁, or of r₂ if points within r₁ move, and of the least distance for which there is a bound, below which
+/// edges are not split where there is none.
+const COARSEST: f64 = 1.0 / 64.0;
+/// Greatest share of r₁ by which edges between two of its points pass inside: h²/(8 r₁²) for h = r₁/8.
+const SAG: f64 = 0.003;
+
+/// Share of the radius up to which surfaces are drawn beyond which edges are not split: no triangle with a drawn point has
+/// such an edge, if its other edges are no longer than an eighth of their distance.
+const DRAWN: f64 = 1.25;
+
+/// The rule for one centre, region of users and tolerance.
+#[derive(Clone, Debug)]
+pub(super) struct GrownRule {
+    settings: Settings,
+    region: Region,
+    /// Radii at which edges are cut, metres.
+    kinks: Vec<f64>,
+    /// Radius within which nothing moves, metres; 0 if all strengths count.
+    still: f64,
+    /// Least distance from the axis at which edges are measured, metres.
+    floor: f64,
+    /// Greatest sum of an edge's parts.
+    allowed: f64,
+    /// Lengths below which edges are not split, metres: anywhere, and nearer to the axis than `floor`.
+    shortest: f64,
+    coarsest: f64,
+    /// Metres by which a vertex on a radius may miss it.
+    rounding: f64,
+    /// Length up to which no edge needs a split, wherever it lies, metres.
+    harmless: f64,
+    /// Whether the coordinates have the digits for the tolerance.
+    is_fine: bool,
+}
+
+impl GrownRule {
+    /// For settings that have been checked, all radii from `least` to r₂, and full strength or all strengths.
+    pub fn new(settings: &Settings, least: f64, is_full: bool, precision: Precision) -> Self {
+        let Settings { r1, r2, reach, tolerance, .. } = *settings;
+        let near = if r2 > 0.0 { r1 / r2 } else { 0.0 };
+        let is_cut = least == r2;
+        let inner = near * least;
+        let still = if is_full { inner } else { 0.0 };
+        let kinks = if is_cut { vec![r1, r2] } else { vec![still] };
+        let region = Region { reach, near, radii: [least, r2], is_cut };
+        let floor =
+            (reach / MOST_RATIO).max(if still > 0.0 { still * (1.0 - SAG) } else { inner.max(r2 / 2.0) * CENTRE });
+        let rounding = settings.rounding(precision);
+        let shortest = 4.0 * rounding;
+        // Vertices that miss a kink, and edges that are too short to be cut there, pass it by at most `shortest`.
+        let passing = if floor > reach {
+            2.0 * shortest * region.slope(floor, f64::INFINITY) * reach / (floor - reach)
+        } else {
+            0.0
+        };
+        let mut rule = Self {
+            settings: *settings,
+            region,
+            kinks: kinks.into_iter().filter(|&kink| kink > 0.0).collect(),
+            still,
+            floor,
+            allowed: (allowed(tolerance) - passing).max(tolerance / 2.0),
+            shortest,
+            coarsest: shortest.max((r2 - still).max(floor) * COARSEST),
+            rounding,
+            harmless: f64::INFINITY,
+            is_fine: passing < tolerance / 4.0,
+        };
+        if reach > 0.0 {
+            let anywhere = Region { is_cut: false, ..region }.measure(floor, floor, f64::INFINITY);
+            let longest = 1.0 / rule.parts_of(&anywhere, [1.0; 3]);
+            rule.harmless = longest.min(LONGEST * floor);
+            rule.is_fine &= rule.harmless > shortest;
+        }
+        rule
+    }
+
+    /// Whether the tolerance is a bound for every user of the region and all points.
+    pub fn holds(&self) -> bool {
+        let is_clear = self.still > 0.0 && self.floor < self.still;
+        self.settings.reach == 0.0 || self.is_fine && is_clear
+    }
+
+    /// Fails if the tolerance is not a bound, except next to the axis where points within r₁ move.
+    pub fn demand(&self) -> Result<()> {
+        let inner = self.region.near * self.region.radii[0];
+        let greatest = MOST_RATIO * (1.0 - SAG) * inner;
+        if self.settings.reach > greatest {
+            let expected = format!(
+                "users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound"
+            );
+            return Err(Error::value("user_region", expected, format!("{} m", self.settings.reach)));
+        }
+        if !self.is_fine {
+            let expected = "a tolerance that the coordinates' digits reach";
+            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
+        }
+        Ok(())
+    }
+
+    /// Length up to which edges have an error below the tolerance wherever they lie.
+    pub fn harmless(&self) -> f64 {
+        self.harmless
+    }
+
+    /// Radius beyond which no edge is split.
+    pub fn outer(&self) -> f64 {
+        DRAWN * self.settings.drawn
+    }
+
+    /// Whether a distance from the axis is less than that of any end of a split edge.
+    pub fn is_within(&self, rho: f64) -> bool {
+        rho < self.still - self.rounding
+    }
+
+    /// Where a triangle around the axis, with all edges beyond what is drawn, is split.
+    pub fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+        let p = corners.map(|corner| self.settings.on_ground(corner));
+        let is_far = self.settings.reach > 0.0 && p.iter().all(|p| p.length() >= self.outer());
+        if is_far { weights_of_axis(p) } else { None }
+    }
+
+    /// Share of the way from a to b at which their edge is split. The caller must order the ends of an edge
+    /// consistently. If an edge is left whole, so is each part of it, because all measures only fall: otherwise thin
+    /// triangles would be split for ever.
+    pub fn share(&self, a: DVec3, b: DVec3) -> Option<f64> {
+        let center = self.settings.center;
+        let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
+        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
+        let length = (b - a).length();
+        let is_short = length <= self.shortest.max(1e-14 * a.abs().max(b.abs()).max_element());
+        if is_short || self.settings.reach == 0.0 {
+            return None;
+        }
+        let nearest = segment_distance(p, q);
+        let is_still = greatest <= self.still + self.rounding && least < self.still - self.rounding;
+        if is_still || nearest >= self.outer() {
+            return None;
+        }
+        let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
+        if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
+            return Some(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
+        }
+        let extent = Extent {
+            nearest,
+            farthest: greatest,
+            distance: distance(a - center, b - center),
+            level: (q - p).length(),
+            length,
+        };
+        let fewest = if nearest < self.floor { self.coarsest } else { self.shortest };
+        let parts = self.parts(&extent).min((length / fewest).floor()).min(1e9);
+        (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
+    }
+
+    /// Number of parts into which an edge is to be split.
+    fn parts(&self, edge: &Extent) -> f64 {
+        let rho = (edge.nearest / SPREAD).max(self.floor);
+        let away = (edge.distance / SPREAD).max(rho);
+        let measure = self.region.measure(rho, away, edge.farthest * SPREAD);
+        let range = edge.farthest - edge.nearest;
+        let bent = self.parts_of(&measure, [range, edge.level, edge.length]);
+        let long = (edge.level / edge.nearest.max(self.floor)).max(edge.length / edge.distance.max(self.floor));
+        (bent.max(long / LONGEST) * (1.0 - 1e-9)).ceil()
+    }
+
+    /// Into how many parts, at least, an edge with these c, h and ℓ must be split to be within the bound.
+    fn parts_of(&self, measure: &Measure, [range, level, length]: [f64; 3]) -> f64 {
+        let [first, second] = measure.range;
+        let (for_range, for_length) = (self.allowed * RANGE_SHARE, self.allowed * (1.0 - RANGE_SHARE));
+        // The count at which first/count + second/count² is within the share.
+        let (one, two) = (first * range / for_range, second * range * range / for_range);
+        let by_range = (one + (one * one + 4.0 * two).sqrt()) / 2.0;
+        let by_length = ((measure.length[0] * level * level + measure.length[1] * length * length) / for_length).sqrt();
+        let [most_range, most_level, most_length] = measure.most;
+        by_range.max(by_length).max(range / most_range).max(level / most_level).max(length / most_length)
+    }
+}
+
+/// An edge, as the bound sees it.
+struct Extent {
+    nearest: f64,
+    farthest: f64,
+    /// Least distance from the centre.
+    distance: f64,
+    level: f64,
+    length: f64,
+}
+
+/// Distance of the origin from a segment.
+fn distance(a: DVec3, b: DVec3) -> f64 {
+    let d = b - a;
+    let squared = d.length_squared();
+    let share = if squared > 0.0 { (-a.dot(d) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    (a + d * share).length()
+}
