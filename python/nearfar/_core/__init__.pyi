@@ -247,6 +247,7 @@ def tessellate_scene(
     stages: tuple[float, bool] | None,
     reach: float,
     tolerance: float,
+    chosen: NDArray[np.bool_] | None = None,
     report: _Report | None = None,
 ) -> tuple[Scene, dict[str, int]]: ...
 def tessellate_arrays(

@@ -50,6 +50,14 @@ def export(
             "Of the client's display: textures are halved while texels suffice for its pixels; 0 keeps them whole.",
         ),
     ] = 25.0,
+    split: Annotated[
+        float | None,
+        option(
+            "--split",
+            "PIXELS",
+            "Split large triangles for clients that move vertices, to this error of their display; by default none.",
+        ),
+    ] = None,
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
@@ -70,6 +78,7 @@ def export(
         samples=samples,
         quality=None if lossless else quality,
         pixels_per_degree=pixels_per_degree or None,
+        split_px=split,
     )
     seconds = time.perf_counter() - started
     regions = [bundle.region(number) for number in range(len(bundle.centers))]

@@ -24,6 +24,7 @@ from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._maps import TILE
 from nearfar.stream._radii import rings as choose
 from nearfar.stream._region import Settings, encode_region
+from nearfar.stream._split import Splitting
 
 
 def export(
@@ -41,6 +42,7 @@ def export(
     compression: str | None = "meshopt",
     pixels_per_degree: SupportsFloat | None = 25.0,
     lod: Lod | None = None,
+    split_px: SupportsFloat | None = None,
     speed: float = 0.7,
 ) -> Bundle:
     """Write a scene as a bundle: near geometry in rings about centres, each with the map of what lies beyond it.
@@ -89,6 +91,11 @@ def export(
         object gets the level for the user who is nearest to it, as for textures; selectors and functions are given it
         straight ahead, at that distance. None writes the scene as it is. Maps are baked from the scene as it is;
         dynamic objects get level 0.
+    split_px
+        Greatest error in pixels of the client's display (see `pixels_per_degree`; 60 a degree if that is None) of a
+        client that moves vertices and splits nothing itself: large triangles of rings are split as `nearfar.tessellate`
+        does, for the growth of their ring, all later radii, and the users named above, 0.001 to 1000. A mesh that is
+        placed several times stays shared between the placements that need no split. None writes triangles whole.
     speed
         Degrees a second at which pictures turn while rings grow, for a user 1 m beside the centre, as in `Growth`.
 
@@ -101,8 +108,8 @@ def export(
     ------
     ValueError
         For numbers out of range, radii that fall or repeat, a centre that is not finite, the same centre twice, a
-        centre with nothing around it if radii are to be chosen, and a URL whose file system is not known or only reads;
-        before any work.
+        centre with nothing around it if radii are to be chosen, triangles that are to be split for users farther than
+        0.35 of the first radius from a centre, and a URL whose file system is not known or only reads; before any work.
     TypeError
         For arguments of another type.
     OSError
@@ -123,12 +130,17 @@ def export(
     detail = Detail.of(scene, lod, settings.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
     bounds = _chosen_radii(scene, centers) if given is None else [given] * len(centers)
+    splitting = Splitting.of(split_px, detail)
+    if splitting is not None:
+        for place, own in zip(centers, bounds, strict=True):
+            splitting.check(tuple(place.tolist()), own)
     growth = Growth(bounds[0], speed=speed)
     divided = [assign(scene, center=place, radii=own) for place, own in zip(centers, bounds, strict=True)]
     textures = encode_textures(scene, settings.quality, detail.halvings(divided))
     files, regions, dynamic = Files(), list[dict[str, Any]](), None
     for rings, beside in zip(divided, near, strict=True):
-        geometry = Geometry(detail.shown(rings), files, textures, step=settings.step, compressed=settings.compressed)
+        shown = detail.shown(rings) if splitting is None else splitting.split(detail.shown(rings))
+        geometry = Geometry(shown, files, textures, step=settings.step, compressed=settings.compressed)
         if not regions:
             dynamic = geometry.moving()
         regions.append({**encode_region(rings, files, settings, geometry), "neighbours": beside})

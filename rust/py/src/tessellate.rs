@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use nearfar_core::tessellate::{self, Precision, Rule, Settings, Stages};
-use numpy::{IntoPyArray, PyReadonlyArray2};
+use numpy::{IntoPyArray, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -21,9 +21,10 @@ fn settings(center: [f64; 3], [r1, r2]: [f64; 2], stages: Option<(f64, bool)>, r
     Settings { center: DVec3::from_array(center), r1, r2, drawn, reach, tolerance, stages }
 }
 
-/// A scene with its static triangles split, and counts of the work by name.
+/// A scene with its static triangles split, and counts of the work by name; `chosen` tells for each object, and last for
+/// faces without one, whether they are split.
 #[pyfunction]
-#[pyo3(signature = (scene, *, center, radii, stages, reach, tolerance, report=None))]
+#[pyo3(signature = (scene, *, center, radii, stages, reach, tolerance, chosen=None, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn tessellate_scene<'py>(
     py: Python<'py>,
@@ -33,12 +34,18 @@ pub(crate) fn tessellate_scene<'py>(
     stages: Option<(f64, bool)>,
     reach: f64,
     tolerance: f64,
+    chosen: Option<PyReadonlyArray1<'py, bool>>,
     report: Option<Py<PyAny>>,
 ) -> PyResult<(Scene, Bound<'py, PyDict>)> {
     let world = settings(center, radii, stages, reach, tolerance);
+    let chosen = chosen.as_ref().map(|chosen| chosen.as_slice()).transpose()?;
+    // −1, for no object, is the last place.
+    let is_chosen = |object: i32| {
+        chosen.is_none_or(|chosen| chosen.get(object as usize).or(chosen.last()).copied().unwrap_or(false))
+    };
     let (split, counts) = run::long(py, report, |progress| {
         let local = Settings { center: world.center - scene.0.origin, ..world };
-        tessellate::tessellate_scene(&scene.0, &Rule::new(&local, Precision::Single)?, progress)
+        tessellate::tessellate_scene(&scene.0, &Rule::new(&local, Precision::Single)?, is_chosen, progress)
     })?;
     let named = PyDict::new(py);
     for (name, count) in

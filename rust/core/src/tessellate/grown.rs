@@ -1,9 +1,9 @@
 //! The rule that splits edges for `Kind::Cylinder`, over all radii of its growth. It depends on the two ends of an edge
 //! alone, so all triangles at an edge split it alike.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-use super::grown_bound::{LONGEST, MOST_RATIO, Measure, Region, SPREAD, allowed};
+use super::grown_bound::{LONGEST, LONGEST_FAR, MOST_RATIO, Measure, Region, SPREAD, SPREAD_FAR, allowed};
 use super::segment::{crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
@@ -17,6 +17,10 @@ const CENTRE: f64 = 1.0 / 64.0;
 /// Share of r₂ − r₁, or of r₂ if points within r₁ move, and of the least distance for which there is a bound, below which
 /// edges are not split where there is none.
 const COARSEST: f64 = 1.0 / 64.0;
+/// Distance of two bands as a share of the greatest range between them: the rest is for edges across the radius, which
+/// pass a band.
+const FILLED: f64 = 0.9;
+const MOST_BANDS: usize = 1 << 16;
 /// Greatest share of r₁ by which edges between two of its points pass inside: h²/(8 r₁²) for h = r₁/8.
 const SAG: f64 = 0.003;
 
@@ -31,6 +35,10 @@ pub(super) struct GrownRule {
     region: Region,
     /// Radii at which edges are cut, metres.
     kinks: Vec<f64>,
+    /// Radii at which edges with too great a range of ρ are cut, metres, ascending.
+    bands: Vec<f64>,
+    /// Least r₁, metres.
+    inner: f64,
     /// Radius within which nothing moves, metres; 0 if all strengths count.
     still: f64,
     /// Least distance from the axis at which edges are measured, metres.
@@ -56,22 +64,20 @@ impl GrownRule {
         let is_cut = least == r2;
         let inner = near * least;
         let still = if is_full { inner } else { 0.0 };
-        let kinks = if is_cut { vec![r1, r2] } else { vec![still] };
+        let kinks = if is_cut { vec![r1, r2] } else { vec![inner] };
         let region = Region { reach, near, radii: [least, r2], is_cut };
         let floor =
             (reach / MOST_RATIO).max(if still > 0.0 { still * (1.0 - SAG) } else { inner.max(r2 / 2.0) * CENTRE });
         let rounding = settings.rounding(precision);
         let shortest = 4.0 * rounding;
         // Vertices that miss a kink, and edges that are too short to be cut there, pass it by at most `shortest`.
-        let passing = if floor > reach {
-            2.0 * shortest * region.slope(floor, f64::INFINITY) * reach / (floor - reach)
-        } else {
-            0.0
-        };
+        let passing = if floor > reach { 2.0 * shortest * region.slope(floor) * reach / (floor - reach) } else { 0.0 };
         let mut rule = Self {
             settings: *settings,
             region,
             kinks: kinks.into_iter().filter(|&kink| kink > 0.0).collect(),
+            bands: Vec::new(),
+            inner,
             still,
             floor,
             allowed: (allowed(tolerance) - passing).max(tolerance / 2.0),
@@ -82,10 +88,11 @@ impl GrownRule {
             is_fine: passing < tolerance / 4.0,
         };
         if reach > 0.0 {
-            let anywhere = Region { is_cut: false, ..region }.measure(floor, floor, f64::INFINITY);
+            let anywhere = Region { is_cut: false, ..region }.measure(floor, floor, false);
             let longest = 1.0 / rule.parts_of(&anywhere, [1.0; 3]);
             rule.harmless = longest.min(LONGEST * floor);
             rule.is_fine &= rule.harmless > shortest;
+            rule.bands = if is_cut { Vec::new() } else { rule.bands_from(inner.max(floor)) };
         }
         rule
     }
@@ -162,33 +169,94 @@ impl GrownRule {
             distance: distance(a - center, b - center),
             level: (q - p).length(),
             length,
+            is_flat: self.region.radii[0] > 0.0
+                && greatest <= self.inner + self.rounding
+                && least < self.inner - self.rounding,
         };
+        let measure = self.measure(&extent);
         let fewest = if nearest < self.floor { self.coarsest } else { self.shortest };
-        let parts = self.parts(&extent).min((length / fewest).floor()).min(1e9);
+        if self.by_range(&measure, greatest - nearest) > 1.0
+            && length >= 2.0 * fewest
+            && let Some(share) = self.band_at(p, q, fewest / length)
+        {
+            return Some(share);
+        }
+        let parts = self.parts(&measure, &extent).min((length / fewest).floor()).min(1e9);
         (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
     }
 
+    /// Where the middle of an edge is nearest to one of the bands.
+    fn band_at(&self, p: DVec2, q: DVec2, room: f64) -> Option<f64> {
+        let next = self.bands.partition_point(|&band| band < ((p + q) / 2.0).length());
+        let around = &self.bands[next.saturating_sub(1)..(next + 1).min(self.bands.len())];
+        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
+        let nearest = segment_distance(p, q);
+        let margin = self.rounding;
+        let crossed: Vec<f64> = around
+            .iter()
+            .copied()
+            .filter(|&band| nearest < band - margin && band < greatest - margin && (band - least).abs() > margin)
+            .collect();
+        crossing(p, q, &crossed, room)
+    }
+
+    /// Radii from one on, between which the range of ρ is small enough for all edges.
+    fn bands_from(&self, first: f64) -> Vec<f64> {
+        let mut bands = vec![first];
+        let mut rho = first;
+        while rho < self.settings.r2 && bands.len() < MOST_BANDS {
+            let near = (rho / SPREAD).max(self.floor);
+            let measure = self.region.measure(near, near, false);
+            rho += FILLED / self.by_range(&measure, 1.0).max(1e-9);
+            bands.push(rho);
+        }
+        bands
+    }
+
+    /// The bound of all triangles at an edge.
+    fn measure(&self, edge: &Extent) -> Measure {
+        let far = self.far();
+        // The points of a triangle that has an edge with the longer limit lie beyond far/SPREAD.
+        let rho = if edge.nearest >= far {
+            (edge.nearest / (1.0 + LONGEST_FAR)).max(far / SPREAD)
+        } else {
+            (edge.nearest / SPREAD).max(self.floor)
+        };
+        let away = edge.distance / if edge.farthest >= far { SPREAD_FAR } else { SPREAD };
+        self.region.measure(rho, away.max(rho), edge.is_flat)
+    }
+
+    /// Distance from the axis from which on edges may be longer, metres: all points of their triangles lie beyond r₂.
+    fn far(&self) -> f64 {
+        self.region.radii[1].max(self.floor) * (1.0 + LONGEST_FAR)
+    }
+
     /// Number of parts into which an edge is to be split.
-    fn parts(&self, edge: &Extent) -> f64 {
-        let rho = (edge.nearest / SPREAD).max(self.floor);
-        let away = (edge.distance / SPREAD).max(rho);
-        let measure = self.region.measure(rho, away, edge.farthest * SPREAD);
+    fn parts(&self, measure: &Measure, edge: &Extent) -> f64 {
+        let longest = if edge.nearest >= self.far() { LONGEST_FAR } else { LONGEST };
         let range = edge.farthest - edge.nearest;
-        let bent = self.parts_of(&measure, [range, edge.level, edge.length]);
+        let bent = self.parts_of(measure, [range, edge.level, edge.length]);
         let long = (edge.level / edge.nearest.max(self.floor)).max(edge.length / edge.distance.max(self.floor));
-        (bent.max(long / LONGEST) * (1.0 - 1e-9)).ceil()
+        (bent.max(long / longest) * (1.0 - 1e-9)).ceil()
     }
 
     /// Into how many parts, at least, an edge with these c, h and ℓ must be split to be within the bound.
     fn parts_of(&self, measure: &Measure, [range, level, length]: [f64; 3]) -> f64 {
+        // Where ρ does not count, all of the error may be for lengths.
+        let share = if measure.range == [0.0; 2] { 1.0 } else { 1.0 - RANGE_SHARE };
+        let bent = measure.length[0] * level * level + measure.length[1] * length * length;
+        let [_, most_level, most_length] = measure.most;
+        let by_length = (bent / (self.allowed * share)).sqrt();
+        self.by_range(measure, range).max(by_length).max(level / most_level).max(length / most_length)
+    }
+
+    /// Into how many parts, at least, an edge with this c must be split.
+    fn by_range(&self, measure: &Measure, range: f64) -> f64 {
         let [first, second] = measure.range;
-        let (for_range, for_length) = (self.allowed * RANGE_SHARE, self.allowed * (1.0 - RANGE_SHARE));
+        let allowed = self.allowed * RANGE_SHARE;
         // The count at which first/count + second/count² is within the share.
-        let (one, two) = (first * range / for_range, second * range * range / for_range);
-        let by_range = (one + (one * one + 4.0 * two).sqrt()) / 2.0;
-        let by_length = ((measure.length[0] * level * level + measure.length[1] * length * length) / for_length).sqrt();
-        let [most_range, most_level, most_length] = measure.most;
-        by_range.max(by_length).max(range / most_range).max(level / most_level).max(length / most_length)
+        let (one, two) = (first * range / allowed, second * range * range / allowed);
+        ((one + (one * one + 4.0 * two).sqrt()) / 2.0).max(range / measure.most[0])
     }
 }
 
@@ -200,6 +268,8 @@ struct Extent {
     distance: f64,
     level: f64,
     length: f64,
+    /// Whether all triangles at the edge lie within the least r₁.
+    is_flat: bool,
 }
 
 /// Distance of the origin from a segment.
