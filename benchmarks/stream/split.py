@@ -15,8 +15,8 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.timing import best, machine, table
 from nearfar import _core
-from nearfar.stream._manifest import NEAR_SHARE
 from nearfar.stream._radii import PUBLISHED
+from nearfar.stream._split import stages
 
 REACH, EYE_HEIGHT, STEP = 1.0, 1.3, 2.0**-10
 """Metres of the users from the centre; height of the eyes in CloVR (2024); step of positions in files, metres."""
@@ -32,23 +32,16 @@ def encoded(scene: nf.Scene) -> int:
     return len(export.glb(0, uris=[None] * len(export.shared()))[0])
 
 
-def stages(ring: int, *, once: bool) -> dict[str, Any]:
-    """The stages at which a ring's objects are shown: all of them from its arrival on, or those of its own growth."""
-    before = PUBLISHED[max(ring - 2, 0)]
-    last = PUBLISHED[-1] if once else PUBLISHED[ring - 1]
-    return {"radii": (NEAR_SHARE * last, last), "stages": (before, ring > 1)}
-
-
 def rows_of(scene: nf.Scene, center: tuple[float, float, float], pixel: float) -> list[list[str]]:
     rings = nf.stream.assign(scene, center=center, radii=PUBLISHED)
     rows, sums = [], [0, 0, 0, 0]
     for ring, radius in enumerate(PUBLISHED, 1):
         whole = scene.subset(objects=rings.objects(ring))
         settings: dict[str, Any] = {"center": center, "reach": REACH, "tolerance": pixel}
-        job = partial(_core.tessellate_scene, whole._core, **stages(ring, once=True), **settings)
+        job = partial(_core.tessellate_scene, whole._core, **stages(PUBLISHED, ring), **settings)
         core, counts = job()
         seconds = best(job, repeat=2).wall
-        own = _core.tessellate_scene(whole._core, **stages(ring, once=False), **settings)[1]["after"]
+        own = _core.tessellate_scene(whole._core, **stages(PUBLISHED[:ring], ring), **settings)[1]["after"]
         sizes = encoded(whole), encoded(whole._derived(core, whole._rest))
         numbers = (counts["before"], counts["after"], *sizes)
         sums = [total + number for total, number in zip(sums, numbers, strict=True)]

@@ -54,12 +54,13 @@ class Splitting:
         return replace(rings, scene=rings.scene._derived(core, rings.scene._rest))
 
     def _settings(self, center: tuple[float, float, float], radii: tuple[float, ...], ring: int) -> dict[str, Any]:
-        least, greatest = radii[max(ring - 2, 0)], radii[-1]
-        return {
-            "center": center,
-            "radii": (NEAR_SHARE * greatest, greatest),
-            # Ring 1 grows by strength at its own radius, others from the radius before.
-            "stages": (least, ring > 1),
-            "reach": self.reach,
-            "tolerance": self.tolerance,
-        }
+        return {"center": center, **stages(radii, ring), "reach": self.reach, "tolerance": self.tolerance}
+
+
+def stages(radii: tuple[float, ...], ring: int) -> dict[str, Any]:
+    """Radii of the last morph and stages at which a ring's objects are shown: all of them from its arrival on.
+
+    Ring 1 grows by strength at its own radius, others from the radius before.
+    """
+    last = radii[-1]
+    return {"radii": (NEAR_SHARE * last, last), "stages": (radii[max(ring - 2, 0)], ring > 1)}

@@ -185,19 +185,17 @@ impl GrownRule {
         (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
     }
 
-    /// Where the middle of an edge is nearest to one of the bands.
+    /// Where an edge crosses a band: of those that it crosses, the one whose number has the most factors of two. So the
+    /// edges of a triangle are cut at the same band, and the edge between the cuts lies along it.
     fn band_at(&self, p: DVec2, q: DVec2, room: f64) -> Option<f64> {
-        let next = self.bands.partition_point(|&band| band < ((p + q) / 2.0).length());
-        let around = &self.bands[next.saturating_sub(1)..(next + 1).min(self.bands.len())];
-        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
-        let nearest = segment_distance(p, q);
-        let margin = self.rounding;
-        let crossed: Vec<f64> = around
-            .iter()
-            .copied()
-            .filter(|&band| nearest < band - margin && band < greatest - margin && (band - least).abs() > margin)
-            .collect();
-        crossing(p, q, &crossed, room)
+        let (nearest, farthest) = (segment_distance(p, q) + self.rounding, p.length().max(q.length()) - self.rounding);
+        let [before, last] = [nearest, farthest].map(|rho| self.bands.partition_point(|&band| band < rho));
+        if last <= before {
+            return None;
+        }
+        let power = (before ^ last).ilog2();
+        let number = last >> power << power;
+        crossing(p, q, &[self.bands[number - 1]], room)
     }
 
     /// Radii from one on, between which the range of ρ is small enough for all edges.

@@ -148,12 +148,12 @@ proptest! {
 #[test]
 fn two_triangles_of_ground_are_bounded_tightly() {
     for (radii, is_full, tolerance, most) in
-        [([10.0, 10.0], true, 3e-3, 40_000), ([22.0, 32.0], true, 3e-3, 60_000), ([10.0, 14.0], false, 6e-3, 200_000)]
+        [([10.0, 10.0], true, 6e-3, 10_000), ([22.0, 32.0], true, 6e-3, 10_000), ([10.0, 14.0], false, 1.2e-2, 10_000)]
     {
         let settings = settings(radii, is_full, 1.0, tolerance);
         let rule = Rule::new(&settings, Precision::Double).unwrap();
         let all: Vec<Piece> = ground(100.0).into_iter().flat_map(|corners| pieces(corners, &rule)).collect();
-        let share = greatest_miss(&all, &settings, 3, 12, 8) / tolerance;
+        let share = greatest_miss(&all, &settings, 3, 6, 4) / tolerance;
         // The bound covers the worst of all heights and directions, and all radii at once.
         assert!((0.05..=1.0).contains(&share), "{share} of {tolerance}, {} pieces", all.len());
         assert!(all.len() < most, "{}", all.len());
@@ -162,7 +162,7 @@ fn two_triangles_of_ground_are_bounded_tightly() {
 
 #[test]
 fn pieces_grow_with_the_height_above_the_centre() {
-    let settings = settings([10.0, 10.0], true, 1.0, 6e-3);
+    let settings = settings([10.0, 10.0], true, 1.0, 4e-2);
     let rule = Rule::new(&settings, Precision::Double).unwrap();
     let count = |height: f64| {
         let [a, b, c, d] =
@@ -170,5 +170,5 @@ fn pieces_grow_with_the_height_above_the_centre() {
         pieces([a, b, c], &rule).len() + pieces([a, c, d], &rule).len()
     };
     let counts = [10.0, 1e3, 1e6].map(count);
-    assert!(counts[2] < 500_000, "{counts:?}");
+    assert!(counts[2] < 20_000, "{counts:?}");
 }
