@@ -18,7 +18,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo test test-slow lint lint-rust lint-python lint-fuzz test-rust test-adapters bench notebooks stress attack fuzz setup clean
+.PHONY: help demo page test test-slow lint lint-rust lint-python lint-fuzz lint-web test-rust test-adapters bench notebooks stress attack fuzz setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -34,11 +34,11 @@ test: lint test-rust .venv/built .venv/test
 	$(bin)/python -m pytest -n auto --dist worksteal
 
 # Tests that take seconds each: whole programs, notebooks, real scenes, other programs' readers. `make test` leaves them out.
-test-slow: .venv/built .venv/test .venv/readers
+test-slow: .venv/built .venv/test .venv/readers .venv/web
 	$(bin)/python -m pytest -n auto --dist worksteal -m "slow and not stress"
 
 # Formatting, lints and types only.
-lint: lint-rust lint-python
+lint: lint-rust lint-python lint-web
 
 # In the debug profile, whose folder the build of the package does not lock.
 lint-rust: .venv/made
@@ -50,6 +50,10 @@ lint-python: .venv/test
 	$(bin)/ruff format --check --quiet .
 	$(bin)/ruff check --quiet .
 	$(bin)/mypy
+
+# Types of the page's sources, where npm is there.
+lint-web: .venv/web
+	@if [ -d web/node_modules ]; then cd web && npx tsc --noEmit; fi
 
 # A workspace of its own, which takes half a minute and seldom changes: `make test` leaves it out.
 lint-fuzz:
@@ -74,7 +78,7 @@ notebooks: .venv/built .venv/test
 	$(bin)/python scripts/notebooks.py $(OUT)/notebooks
 
 # Large sizes and many random cases: the whole of Tokyo, tens of millions of triangles, thousands of examples.
-stress: .venv/built .venv/test .venv/readers
+stress: .venv/built .venv/test .venv/readers .venv/web
 	cargo test --release --quiet --workspace -- --include-ignored
 	NEARFAR_HYPOTHESIS=thorough $(bin)/python -m pytest -m "stress or not stress"
 
@@ -97,7 +101,7 @@ setup: .venv/built .venv/test
 
 # Remove what was built, installed and written.
 clean:
-	rm -rf .venv target $(OUT) python/nearfar/_core.abi3.so tests/readers/node_modules
+	rm -rf .venv target $(OUT) python/nearfar/_core.abi3.so tests/readers/node_modules web/node_modules web/build
 
 # The environment itself, once cargo is known to be there.
 .venv/made:
@@ -124,6 +128,16 @@ clean:
 	@if command -v npm > /dev/null; then \
 		npm ci --prefix tests/readers --ignore-scripts --no-audit --no-fund --loglevel=error && touch $@; \
 	else echo "readers: skipped; they need npm (scripts/system-packages.sh)"; fi
+
+# What builds and checks the page; the package holds the built page, so that nobody else needs it.
+.venv/web: .venv/made web/package.json web/package-lock.json
+	@if command -v npm > /dev/null; then \
+		npm ci --prefix web --ignore-scripts --no-audit --no-fund --loglevel=error && touch $@; \
+	else echo "web: skipped; it needs npm (scripts/system-packages.sh)"; fi
+
+# Build the page that `nearfar view` shows into the package.
+page: .venv/web
+	cd web && npx tsc --noEmit && node build.mjs
 
 # What only the benchmarks compare with.
 .venv/bench: .venv/test

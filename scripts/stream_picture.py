@@ -25,8 +25,8 @@ def main() -> None:
         bundle = nf.stream.export(scene, Path(folder) / "city", center=(0.0, 1.7, 0.0))
         shown = []
         for ring, row in enumerate(bundle.summary()):
-            size = (row["geometry"] + row["color"] + row["range"]) / 1000
-            text = "first picture: a map" if ring == 0 else f"ring {ring}, to {row['radius']:.0f} m"
+            size = sum(row[kind] for kind in ("dynamic", "geometry", "color", "range")) / 1000
+            text = "first picture: a map and cars" if ring == 0 else f"ring {ring}, to {row['radius']:.0f} m"
             picture = nf.render(bundle.at(ring), VIEW, samples=8, channels=("color",)).to_image()
             shown.append(caption(picture, f"{text}, {size:,.0f} kB"))
     truth = nf.render(scene, VIEW, samples=8, channels=("color",)).to_image()

@@ -3,12 +3,13 @@
 #   g++                           meshoptimizer, one of the two simplifiers, is C++
 #   libegl1, libgl1, libosmesa6   off-screen OpenGL for pyrender, an independent renderer for comparisons
 #   libvulkan1, mesa-vulkan-drivers   software graphics adapters, which are tested like those of a graphics card
+#   glslang-tools                 a compiler of GLSL and HLSL, for the snippets of docs/engines
 #   npm, chromium                 other programs' readers of what nearfar writes, some of which need a browser; Ubuntu
 #                                 has Chromium as a snap only: install that, or Chrome, first
 # As root on Debian or Ubuntu it installs missing packages; elsewhere it prints the command and continues.
 set -euo pipefail
 
-packages=(g++ libegl1 libgl1 libosmesa6 libvulkan1 mesa-vulkan-drivers)
+packages=(g++ glslang-tools libegl1 libgl1 libosmesa6 libvulkan1 mesa-vulkan-drivers)
 command -v npm >/dev/null || packages+=(npm)
 command -v google-chrome >/dev/null || command -v chromium-browser >/dev/null || packages+=(chromium)
 

@@ -1,36 +1,37 @@
-// Bundles the page into the Python package: `node build.mjs`. With --tests it bundles the unit tests instead, for Node.
+// Bundles the page, or unit tests for Node: node build.mjs [--tests] [FOLDER]. By default the page goes into the package.
 import { copyFile, mkdir, readdir, rm } from 'node:fs/promises';
 import { build } from 'esbuild';
 
-const DIST = '../python/nearfar/view/dist';
+const PACKAGE = '../python/nearfar/view/dist';
 const common = { bundle: true, format: 'esm', target: 'es2022', legalComments: 'none', logLevel: 'warning' };
 
-async function page() {
-  await rm(DIST, { recursive: true, force: true });
-  await mkdir(DIST, { recursive: true });
+async function page(folder) {
+  await rm(folder, { recursive: true, force: true });
+  await mkdir(folder, { recursive: true });
   await build({
     ...common,
     entryPoints: { page: 'src/page.ts', worker: 'src/decode/worker.ts' },
-    outdir: DIST,
+    outdir: folder,
     minify: true,
     // Names in errors that people report.
     keepNames: true,
   });
-  await build({ entryPoints: ['src/page.css'], outdir: DIST, bundle: true, minify: true, logLevel: 'warning' });
-  await copyFile('src/index.html', `${DIST}/index.html`);
+  await build({ entryPoints: ['src/page.css'], outdir: folder, bundle: true, minify: true, logLevel: 'warning' });
+  await copyFile('src/index.html', `${folder}/index.html`);
 }
 
-async function tests() {
+async function tests(folder) {
   const entryPoints = (await readdir('tests')).filter((name) => name.endsWith('.test.ts'));
-  await rm('build', { recursive: true, force: true });
+  await rm(folder, { recursive: true, force: true });
   await build({
     ...common,
     entryPoints: entryPoints.map((name) => `tests/${name}`),
-    outdir: 'build/tests',
+    outdir: folder,
     outExtension: { '.js': '.mjs' },
     platform: 'node',
     sourcemap: 'inline',
   });
 }
 
-await (process.argv.includes('--tests') ? tests() : page());
+const [choice, folder] = process.argv.slice(2);
+await (choice === '--tests' ? tests(folder ?? 'build/tests') : page(choice ?? PACKAGE));

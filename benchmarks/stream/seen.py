@@ -91,7 +91,7 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
 
 
 def sent_by_ring(bundle: nf.stream.Bundle) -> list[int]:
-    """Bytes of all files that a client has with each ring."""
+    """Bytes of rings and maps that a client has with each ring, without dynamic objects."""
     each = [row["geometry"] + row["color"] + row["range"] for row in bundle.summary()]
     return [sum(each[: ring + 1]) for ring in range(len(each))]
 

@@ -41,7 +41,7 @@ from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
 from .hmd._stereo import StereoFrame, render_eyes
-from . import datasets, hmd, stereo, gpu, lod, stream
+from . import datasets, hmd, stereo, gpu, lod, stream, view
 
 __all__ = [
     "BoundaryTear",
@@ -122,5 +122,6 @@ __all__ = [
     "tear",
     "tessellate",
     "triangle_radii",
+    "view",
     "visual_continuity",
 ]

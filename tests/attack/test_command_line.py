@@ -9,6 +9,7 @@ import pytest
 import trimesh
 import typer
 
+import nearfar as nf
 from nearfar.cli._app import app, run
 from tests.support.hostile_values import FOREIGN, LONGEST
 
@@ -28,6 +29,8 @@ VALID = {
             "meshopt", "--backend", "cpu"),
     "export": ("-i", "ball.glb", "-o", "bundle", "--center", "0,1.7,0", "--radii", "3,8", "--samples", "1",
                "--face-size", "64"),
+    # It would serve until Ctrl-C without the second one.
+    "view": ("seen", "--write"),
     "stereo": ("-i", "ball.glb", "-o", "stereo", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
 }  # fmt: skip
 """Arguments with which each command works on a small scene."""
@@ -47,6 +50,8 @@ def _folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         ball = trimesh.creation.icosphere(0)
         far = ball.copy().apply_translation((0.0, 1.0, -20.0))
         trimesh.Scene([ball, far]).export("ball.glb")
+        settings: dict[str, Any] = {"center": (0.0, 1.7, 0.0), "radii": [3.0, 8.0], "samples": 1, "face_size": 64}
+        nf.stream.export(nf.Scene.load("ball.glb"), "seen", **settings)
         yield
 
 
@@ -55,7 +60,7 @@ def options() -> list[tuple[str, str]]:
         (name, parameter.opts[-1])
         for name, command in COMMANDS.items()
         for parameter in command.params
-        if not parameter.is_flag
+        if parameter.param_type_name == "option" and not parameter.is_flag
     ]
 
 

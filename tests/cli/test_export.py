@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import nearfar as nf
+from tests.support import need
 from tests.support.cli_cases import city as city, command, document
 
 FAST = ("--center", "0,1.7,0", "--face-size", "64", "--samples", "1")
@@ -22,11 +23,33 @@ def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pyt
     assert found["regions"][0]["rings"] == bundle.summary()
     assert bundle.radii == (10.0, 22.0)
     assert bundle.center == (0.0, 1.7, 0.0)
+    for name in ("info", "partition"):
+        status, _, err = command(capsys, name, "-i", out)
+        assert (status, "got a folder with a bundle, which nearfar.stream.open reads" in err) == (1, True)
     more = ("--lossless", "--pixels-per-degree", "0")
     status, printed, err = command(capsys, "export", "-i", city, "-o", out, *FAST, *more)
     assert status == 0, err
     for text in ("first picture", "ring 1, to", "triangles", "exported in"):
         assert text in printed
+
+
+def test_dynamic_objects_are_counted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    given = ("-i", "city:blocks=2,detail=0", "-o", tmp_path / "bundle", "--radii", "5", *FAST)
+    status, printed, err = command(capsys, "export", *given)
+    assert status == 0, err
+    assert "dynamic objects" in printed
+
+
+def test_a_url_takes_a_bundle_too(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    need("fsspec")
+    url = "memory://cli/city"
+    status, printed, err = command(capsys, "export", "-i", city, "-o", url, "--radii", "10", *FAST, "--json")
+    assert status == 0, err
+    assert document(printed, "export")["folder"] == url
+    assert nf.stream.open(url).radii == (10.0,)
+    status, _, err = command(capsys, "export", "-i", city, "-o", "http://127.0.0.1/city", "--radii", "10", *FAST)
+    assert status == 1
+    assert "path: expected" in err
 
 
 def test_several_centres_move_to_a_grid(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

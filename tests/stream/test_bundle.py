@@ -121,14 +121,18 @@ def test_the_manifest_lists_every_file(folder: Path, bundle: nf.stream.Bundle) -
     assert bundle.nbytes == sum(path.stat().st_size for path in (folder / "files").iterdir())
     rows = bundle.summary()
     dynamic = manifest["files"][manifest["dynamic"]["geometry"]]["bytes"]
-    assert sum(row["geometry"] + row["color"] + row["range"] for row in rows) + dynamic == bundle.nbytes
+    assert [row["dynamic"] for row in rows] == [dynamic, 0, 0, 0], "all pictures show what moves"
+    kinds = ("dynamic", "geometry", "color", "range")
+    assert sum(row[kind] for row in rows for kind in kinds) == bundle.nbytes
     assert rows[0]["geometry"] == rows[0]["range"] == 0
+    assert f"{manifest['dynamic']['triangles']:,} triangles, {dynamic:,} bytes" in bundle._repr_html_()
     bundle.verify()
 
 
 @pytest.mark.parametrize("damage", ["missing", "shorter", "changed"])
 def test_a_missing_or_altered_file_is_named(city: nf.Scene, tmp_path: Path, damage: str) -> None:
     bundle = nf.stream.export(city, tmp_path / "b", **{**SETTINGS, "face_size": 64, "radii": [10.0]})
+    assert "1 ring to 10 m" in repr(bundle)
     victim = sorted((tmp_path / "b" / "files").glob("*.glb"))[0]
     data = victim.read_bytes()
     if damage == "missing":

@@ -128,8 +128,7 @@ def test_regions_are_the_bundles_of_each_centre(city: nf.Scene, bundle: nf.strea
 
 def test_files_of_equal_content_are_stored_once(bundle: nf.stream.Bundle) -> None:
     rows = [row for number in range(len(CENTERS)) for row in bundle.region(number).summary()]
-    moving = len(bundle.read(bundle._manifest["dynamic"]["geometry"]))
-    assert bundle.nbytes < moving + sum(row["geometry"] + row["color"] + row["range"] for row in rows)
+    assert bundle.nbytes < sum(row["geometry"] + row["color"] + row["range"] for row in rows)
 
 
 def test_large_meshes_of_one_ring_are_files_that_regions_share(tmp_path: Path) -> None:
@@ -203,7 +202,9 @@ def test_radii_are_chosen_for_each_centre(tmp_path: Path) -> None:
     bundle = nf.stream.export(scene, tmp_path / "one", center=[beside], face_size=64, samples=1)
     assert bundle.radii == nf.stream.rings(scene, center=beside)
     far = (5000.0, 1.0, 0.0)
-    with pytest.raises(ValueError, match=r"center: expected one with objects around it, got \(5000, 1, 0\)"):
+    with pytest.raises(
+        ValueError, match=r"center: .* objects around it, got \(5000, 1, 0\), where none reaches within 63 m; .* radii"
+    ):
         nf.stream.export(scene, tmp_path / "two", center=[beside, far], face_size=64, samples=1)
     assert not (tmp_path / "two").exists()
 

@@ -71,6 +71,19 @@ def test_a_missing_or_altered_file_is_named(copied: Path, damage: str) -> None:
         opened.verify()
 
 
+def test_verify_reads_files_again_that_were_used(copied: Path) -> None:
+    bundle = nf.stream.open(copied)
+    use(bundle)
+    for name in bundle.files:
+        path = copied / name
+        data = path.read_bytes()
+        path.write_bytes(data[:-1] + bytes([data[-1] ^ 1]))
+        with pytest.raises(nf.FormatError, match=path.name):
+            bundle.verify()
+        path.write_bytes(data)
+    bundle.verify()
+
+
 def test_behind_a_url_the_first_use_names_the_file(folder: Path) -> None:
     need("fsspec")
     import fsspec

@@ -72,8 +72,28 @@ def test_urls_that_nothing_can_write(url: str) -> None:
 def test_without_fsspec_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     refused("memory://a/b", ValueError, r"path: expected a folder, or fsspec installed \(pip install fsspec\)")
+    with pytest.raises(ValueError, match=r"fsspec installed \(pip install 'fsspec\[http\]'\), got 'http://a/b'"):
+        nf.stream.open("http://a/b")
     with pytest.raises(ValueError, match=r"path: expected a folder, or fsspec installed"):
         nf.stream.open("memory://a/b")
+
+
+@pytest.mark.parametrize(
+    ("url", "text"),
+    [("http://a/b", r"pip install 'fsspec\[http\]'"), ("s3://a/b", "Install s3fs"), ("memory://a/b", "needs more")],
+)
+def test_packages_that_a_file_system_needs_are_named(url: str, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    need("fsspec")
+    import fsspec
+
+    def missing(*given: Any) -> None:
+        raise ImportError("Install s3fs to access S3" if url.startswith("s3") else "it needs more")
+
+    monkeypatch.setattr(fsspec.core, "url_to_fs", missing)
+    with pytest.raises(
+        ValueError, match=rf"path: expected what fsspec needs for such a URL \(.*{text}.*\), got '{url}'"
+    ):
+        nf.stream.open(url)
 
 
 @pytest.mark.parametrize(
@@ -99,6 +119,10 @@ def test_local_urls_are_paths_and_bundles_are_replaced(monkeypatch: pytest.Monke
     assert content(tmp_path / "b").keys() == {"manifest.json", "tileset.json", *first.files}
     bundle_cases.write(tmp_path / "b", height=1.0)
     assert nf.stream.open(f"file://{tmp_path}/b").nbytes == nf.stream.open(tmp_path / "b").nbytes
+    place = tmp_path / "50 % größer"
+    assert bundle_cases.write(place.as_uri()).nbytes == first.nbytes
+    assert content(place).keys() == {"manifest.json", "tileset.json", *first.files}
+    assert nf.stream.open(f"local://{place}").files == first.files
     # A damaged manifest may be ours: what is left of a bundle can be written again.
     (tmp_path / "b" / "manifest.json").write_text(json.dumps({"format": "nearfar.bundle"})[:-3])
     bundle_cases.write(tmp_path / "b")

@@ -86,6 +86,9 @@ def test_published_radii_and_equal_areas(city: nf.Scene) -> None:
     assert nf.stream.rings(city, center=CENTER, policy="published", r_max=30.0, base_radius=5.0) == (
         *(5.0, 7.0, 8.5, 11.0, 16.0),
     )
+    for reach in (5.0, 0.0003, 7.3, 9.999999999999998):
+        for policy in ("published", "equal_area", "cost"):
+            assert nf.stream.rings(city, center=CENTER, policy=policy, r_max=reach) == (reach,), policy
     area = np.array(nf.stream.rings(city, center=CENTER, policy="equal_area", r_max=50.0))
     assert area[-1] == 50.0
     assert len(area) == 25

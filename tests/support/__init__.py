@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import importlib.util
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -17,7 +18,7 @@ from referencing import Registry, Resource
 
 import nearfar as nf
 from nearfar._base import data as data_files, formats
-from tests.support.reader_cases import no_browser, no_node
+from tests.support.reader_cases import no_browser, no_node, no_web
 
 
 def _module(name: str) -> Callable[[], str]:
@@ -76,6 +77,7 @@ def _release() -> str:
 
 
 PARTS: dict[str, Callable[[], str]] = {
+    "aiohttp": _module("aiohttp"),
     "browser": no_browser,
     "data": _data_folder,
     "DracoPy": _module("DracoPy"),
@@ -86,12 +88,16 @@ PARTS: dict[str, Callable[[], str]] = {
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
     "git": _git,
     "gl": _adapter("gl"),
+    "glslang": lambda: (
+        "" if shutil.which("glslangValidator") else "glslang is not installed; see scripts/system-packages.sh"
+    ),
     "ipywidgets": _module("ipywidgets"),
     "linux": lambda: "" if sys.platform == "linux" else "only Linux tells and limits a process's memory",
     "matplotlib": _module("matplotlib"),
     "miniball": _module("miniball"),
     "OpenEXR": _module("OpenEXR"),
     "node": no_node,
+    "web": no_web,
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")() or _module("ipywidgets")(),
     "pyrender": _pyrender,
     "release": _release,

@@ -22,7 +22,7 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 SECONDS = 300
 """After which a program that does not answer is stopped."""
 
-_FLAGS = (
+BROWSER_FLAGS = (
     "--headless",
     "--no-sandbox",
     "--no-first-run",
@@ -44,12 +44,20 @@ def no_node() -> str:
     return "" if (FOLDER / "node_modules").is_dir() else "`npm ci --prefix tests/readers` has not run"
 
 
+def no_web() -> str:
+    """Return why the page cannot be built, or "" if it can."""
+    if not shutil.which("npx"):
+        return "npm is not installed"
+    return "" if (FOLDER.parents[1] / "web" / "node_modules").is_dir() else "`npm ci --prefix web` has not run"
+
+
 def no_browser() -> str:
     """Return why pages cannot be shown, or "" if they can."""
-    return no_node() if _browser() else f"there is no {' or '.join(BROWSERS)}; see scripts/system-packages.sh"
+    return no_node() if browser() else f"there is no {' or '.join(BROWSERS)}; see scripts/system-packages.sh"
 
 
-def _browser() -> str | None:
+def browser() -> str | None:
+    """The path of a browser, if there is one."""
     return next(filter(None, map(shutil.which, BROWSERS)), None)
 
 
@@ -63,13 +71,19 @@ def node(script: str, paths: Iterable[Path]) -> dict[str, Any]:
 
 
 class _Handler(SimpleHTTPRequestHandler):
-    """Serves the readers, and bundles below /bundles; takes the page's answer."""
+    """Serves a folder of pages, and bundles below /bundles; takes the page's answer."""
 
     def __init__(
-        self, *request: Any, job: bytes, bundles: Mapping[str, Path], answers: queue.Queue[bytes], **kept: Any
+        self,
+        *request: Any,
+        pages: Path,
+        job: bytes,
+        bundles: Mapping[str, Path],
+        answers: queue.Queue[bytes],
+        **kept: Any,
     ) -> None:
         self._job, self._bundles, self._answers = job, bundles, answers
-        super().__init__(*request, directory=str(FOLDER), **kept)
+        super().__init__(*request, directory=str(pages), **kept)
 
     def translate_path(self, path: str) -> str:
         parts = path.split("/")
@@ -114,13 +128,35 @@ def in_browser(bundles: Mapping[str, Path], views: Mapping[str, dict[str, Any]],
         {"name": name, "place": f"/bundles/{name}", "files": _glbs(path), "view": views[name]}
         for name, path in bundles.items()
     ]
+    return answer_of("page.mjs", {"bundles": described}, folder, bundles)
+
+
+def answer_of(
+    module: str,
+    job: Mapping[str, Any],
+    folder: Path,
+    folders: Mapping[str, Path] | None = None,
+    pages: Path = FOLDER,
+) -> dict[str, Any]:
+    """What a module that page.html loads posts to /result after it has read its job from /job.json.
+
+    Parameters
+    ----------
+    module, job
+        The module's name, and what it is to do.
+    folder
+        An empty folder for the browser's profile.
+    folders
+        Folders that the module finds by these names below /bundles.
+    pages
+        The folder of page.html.
+    """
     answers: queue.Queue[bytes] = queue.Queue()
-    job = json.dumps({"bundles": described}).encode()
-    handler = partial(_Handler, job=job, bundles=bundles, answers=answers)
+    handler = partial(_Handler, pages=pages, job=json.dumps(job).encode(), bundles=folders or {}, answers=answers)
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         try:
-            answer = _shown(f"http://127.0.0.1:{server.server_port}/page.html", answers, folder)
+            answer = _shown(f"http://127.0.0.1:{server.server_port}/page.html?{module}", answers, folder)
         finally:
             server.shutdown()
     assert "error" not in answer, answer["error"]
@@ -133,10 +169,10 @@ def _glbs(bundle: Path) -> list[str]:
 
 def _shown(url: str, answers: queue.Queue[bytes], folder: Path) -> dict[str, Any]:
     """Show a page until it answers."""
-    browser = _browser()
-    assert browser
+    program = browser()
+    assert program
     with (folder / "log").open("w") as log:
-        command = [browser, *_FLAGS, f"--user-data-dir={folder / 'profile'}", url]
+        command = [program, *BROWSER_FLAGS, f"--user-data-dir={folder / 'profile'}", url]
         process = subprocess.Popen(command, stdout=log, stderr=log, start_new_session=True)
         try:
             deadline = time.monotonic() + SECONDS
@@ -146,7 +182,7 @@ def _shown(url: str, answers: queue.Queue[bytes], folder: Path) -> dict[str, Any
                     return answer
                 except queue.Empty:
                     is_over = process.poll() is not None or time.monotonic() > deadline
-                    assert not is_over, f"no answer from {browser}: {(folder / 'log').read_text()[-2000:]}"
+                    assert not is_over, f"no answer from {program}: {(folder / 'log').read_text()[-2000:]}"
         finally:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)

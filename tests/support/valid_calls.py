@@ -358,6 +358,7 @@ def _streams(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stream.open": {"path": valid.folder / "bundle"},
         "nearfar.stream.rings": {"scene": scene, "center": center, "r_max": 20.0, "base_radius": 8.0},
         "nearfar.stream.snap": {"center": center, "grid": 2.0},
+        "nearfar.view.write_page": {"path": valid.folder / "bundle"},
     }  # fmt: skip
 
 

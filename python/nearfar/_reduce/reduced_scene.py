@@ -236,6 +236,8 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
     def with_growth(self, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
         """Return the same reduced scene drawn with another radius and strength of the morph, by `nearfar.render` too.
 
+        They belong to drawing, so `save` does not keep them.
+
         Parameters
         ----------
         radius

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -20,7 +19,14 @@ VERSION = 1
 
 def export(
     scene: options.Input,
-    output: Annotated[Path, option("-o --output", "FOLDER", "Folder to write; its parent must exist.")],
+    output: Annotated[
+        str,
+        option(
+            "-o --output",
+            "FOLDER",
+            "Folder to write, whose parent must exist; or a URL that fsspec can write, such as s3://bucket/city.",
+        ),
+    ],
     center: Annotated[
         list[str] | None,
         option(
@@ -40,8 +46,12 @@ def export(
     ] = None,
     face_size: options.FaceSize = None,
     samples: options.Samples = 4,
-    quality: Annotated[int, option("--quality", "NUMBER", "Quality of the maps' pictures, 0 to 100.")] = 90,
-    lossless: Annotated[bool, typer.Option("--lossless", help="Store the maps' pictures without loss.")] = False,
+    quality: Annotated[
+        int, option("--quality", "NUMBER", "Quality of the pictures of maps and textures, 0 to 100.")
+    ] = 90,
+    lossless: Annotated[
+        bool, typer.Option("--lossless", help="Store the pictures of maps and textures without loss.")
+    ] = False,
     pixels_per_degree: Annotated[
         float,
         option(
@@ -86,7 +96,7 @@ def export(
         "source": scene,
         "notes": list(loaded.report.notes),
         "findings": list(dict.fromkeys(finding for region in regions for finding in region.findings)),
-        "folder": str(output),
+        "folder": output,
         "triangles": loaded.triangle_count,
         "bytes": bundle.nbytes,
         "regions": [_described(region) for region in regions],
@@ -139,4 +149,6 @@ def _text(ring: dict[str, float]) -> str:
     parts = [f"map {bytes_text(int(ring['color'] + ring['range']))}"]
     if ring["geometry"]:
         parts.insert(0, f"{count(int(ring['triangles']))} triangles {bytes_text(int(ring['geometry']))}")
+    if ring["dynamic"]:
+        parts.append(f"dynamic objects {bytes_text(int(ring['dynamic']))}")
     return ", ".join(parts)

@@ -176,6 +176,8 @@ def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None, max_
         return _procedural(name, settings)
     if Path(text).is_dir():
         kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
+        if all((Path(text) / name).is_file() for name in ("manifest.json", "tileset.json")):
+            kind = "a bundle, which nearfar.stream.open reads"
         raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
     scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     if scene.report.unit_note:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import card, check, progress
+from nearfar._scene.report import count
 from nearfar._scene.scene import Scene, core_of
 
 RULES = ("object", "vertex")
@@ -93,7 +94,8 @@ class Rings:
         return card.page("Rings", facts)
 
     def __repr__(self) -> str:
-        return f"Rings({self.count} rings to {self.radii[-1]:g} m: {int((self.ring <= self.count).sum()):,} objects)"
+        objects = count(int((self.ring <= self.count).sum()), "object")
+        return f"Rings({count(self.count, 'ring')} to {self.radii[-1]:g} m: {objects})"
 
 
 def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: str = "object") -> Rings:

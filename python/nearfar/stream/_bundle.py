@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -12,6 +12,7 @@ from nearfar._base import card, check, formats
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._scene.report import count
 from nearfar.stream import _manifest, _store
 from nearfar.stream._decode import Layout, decode_map, joined, ring_scene
 from nearfar.stream._growth import Growth
@@ -80,16 +81,22 @@ class Bundle(InRegions):
         Returns
         -------
         list
-            For each ring from 0 on `radius` in metres, `objects`, `triangles`, and the bytes of its `geometry` with
-            textures, `color` and `range`. A file that an earlier ring has counts there only.
+            For each ring from 0 on `radius` in metres, its static `objects` and their `triangles`, and the bytes of its
+            `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Those come with ring
+            0, because every picture shows them. A file that an earlier ring or column has counts there only, so that
+            the bytes of a bundle with one region add up to `nbytes`.
         """
         seen: set[str] = set()
         rows = []
-        for ring in self._rings:
+        for number, ring in enumerate(self._rings):
             row = {name: ring[name] for name in ("radius", "objects", "triangles")}
-            for kind in ("geometry", "color", "range"):
-                value = [*names_of(ring["geometry"]), *ring["parts"]] if kind == "geometry" else ring["map"].get(kind)
-                names = set(names_of(value)) - seen
+            files = {
+                "dynamic": [] if number else _geometry_files(self._manifest["dynamic"]),
+                "geometry": _geometry_files(ring),
+                **{kind: names_of(ring["map"].get(kind)) for kind in ("color", "range")},
+            }
+            for kind, listed in files.items():
+                names = set(listed) - seen
                 seen |= names
                 row[kind] = sum(self._manifest["files"][name]["bytes"] for name in names)
             rows.append(row)
@@ -110,20 +117,14 @@ class Bundle(InRegions):
         FormatError
             For a file that is missing or differs; the message names it.
         """
-        listed = self._listed
-        if check.text("name", name) not in listed:
+        if check.text("name", name) not in self._listed:
             raise ValueError(f"name: expected a file of the manifest, got {check.shortened(name)}")
         if name not in self._kept:
-            place = self._reader.place
-            try:
-                data = self._reader.read(name)
-            except FileNotFoundError:
-                raise _store.missing(place, name) from None
-            self._kept[name] = _store.checked(place, name, data, listed[name])
+            self._kept[name] = self._fetched(name)
         return self._kept[name]
 
     def verify(self) -> None:
-        """Read every file and check its size and hash.
+        """Read every file, also those that were read before, and check its size and hash.
 
         Raises
         ------
@@ -131,8 +132,7 @@ class Bundle(InRegions):
             For the first file that is missing or differs; the message names it.
         """
         for name in self._listed:
-            self.read(name)
-            del self._kept[name]
+            self._fetched(name)
 
     def map(self, ring: int) -> EnvMap:
         """Return the map of what lies after a ring, as a client has it: with range from ring 1 on.
@@ -206,6 +206,14 @@ class Bundle(InRegions):
             return None
         return moving_scene(described, self.read, self._place(described["geometry"]))
 
+    def _fetched(self, name: str) -> bytes:
+        place = self._reader.place
+        try:
+            data = self._reader.read(name)
+        except FileNotFoundError:
+            raise _store.missing(place, name) from None
+        return _store.checked(place, name, data, self._listed[name])
+
     def _decoded(self, name: str, decode: Callable[[bytes], Any]) -> Any:
         data = self.read(name)
         with formats.guarded(self._place(name)):
@@ -219,14 +227,22 @@ class Bundle(InRegions):
         facts = [("region", f"{self.number} of {len(self.centers)}"), ("centre", card.point(self.center))]
         facts.append(("bytes of all", f"{self.nbytes:,}"))
         for number, row in enumerate(self.summary()):
+            if row["dynamic"]:
+                moving = self._manifest["dynamic"]["triangles"]
+                facts.append(("dynamic objects", f"{moving:,} triangles, {row['dynamic']:,} bytes"))
             text = f"{row['triangles']:,} triangles, {row['geometry']:,} + {row['color']:,} + {row['range']:,} bytes"
             facts.append((f"ring {number}, to {row['radius']:g} m", text))
         facts += [("note", finding) for finding in self.findings]
         return card.page("Bundle", facts)
 
     def __repr__(self) -> str:
-        region = f"region {self.number} of {len(self.centers)}, {self.count} rings to {self.radii[-1]:g} m"
+        region = f"region {self.number} of {len(self.centers)}, {count(self.count, 'ring')} to {self.radii[-1]:g} m"
         return f"Bundle({self._reader.place!r}: {region}, {self.nbytes:,} bytes)"
+
+
+def _geometry_files(entry: Mapping[str, Any] | None) -> list[str]:
+    """Names of the files that an entry with a GLB needs: itself, its buffers and its images."""
+    return [] if entry is None else [*names_of(entry["geometry"]), *entry["parts"]]
 
 
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
@@ -237,7 +253,8 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     Parameters
     ----------
     path
-        The folder or its `manifest.json`; or a URL of either, which needs fsspec.
+        The folder or its `manifest.json`; or a URL of either, which needs fsspec and what that needs for such a URL:
+        'fsspec[http]' for web servers, s3fs for ``s3://``.
 
     Raises
     ------
@@ -245,9 +262,9 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
         For a manifest that is damaged or newer than this version reads, and for a file of a local folder that is
         missing or has another size; the message names the file.
     ValueError
-        For a URL whose file system is not known, and where fsspec is missing.
+        For a URL whose file system is not known, and where fsspec, or a package that it needs, is missing.
     OSError
-        If there is no manifest.
+        If there is no manifest, or a server does not answer.
     """
     reader = _store.reader(path)
     manifest = _manifest.read(reader)

@@ -22,7 +22,7 @@ from nearfar.stream._encode import ACROSS, Files, Geometry, encode_textures
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._maps import TILE
-from nearfar.stream._radii import rings as choose
+from nearfar.stream._radii import REACH, rings as choose
 from nearfar.stream._region import Settings, encode_region
 from nearfar.stream._split import Splitting
 
@@ -160,10 +160,11 @@ def _chosen_radii(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
     for place in centers:
         try:
             chosen.append(choose(scene, center=place))
-        except ValueError as error:
+        except ValueError:
             x, y, z = place
             raise ValueError(
-                f"center: expected one with objects around it, got ({x:g}, {y:g}, {z:g}): {error}"
+                f"center: expected one with objects around it, got ({x:g}, {y:g}, {z:g}), where none reaches within "
+                f"{REACH:g} m; export takes any centre if it is given radii"
             ) from None
     return chosen
 

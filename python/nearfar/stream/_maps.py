@@ -38,7 +38,10 @@ class RingMaps:
 
     @property
     def rays(self) -> int:
-        """Number of rays that were traced for all maps."""
+        """Number of rays that all maps hold: those of map 0, and a changed texel's once more for each change.
+
+        A ray is traced once for all maps, so fewer are traced.
+        """
         extra = self.samples > 1 and len(self.first.channels) > 1
         changed = sum(len(change["texels"]) for change in self.changes)
         return (6 * self.first.face_size**2 + changed) * (self.samples + extra)

@@ -19,6 +19,9 @@ POLICIES = ("cost", "published", "equal_area")
 PUBLISHED = (10.0, 14.0, 17.0, 22.0, 32.0, 63.0)
 """Radii in metres that CloVR (2024) prints for its City; they are about 10 √i for i = 1, 2, 3, 5, 10, 40."""
 
+REACH = PUBLISHED[-1]
+"""The last radius in metres, by default."""
+
 TRIANGLE_BYTES = 5.0
 """Bytes of a triangle of compressed geometry."""
 
@@ -33,8 +36,8 @@ def rings(
     scene: Scene,
     *,
     center: ArrayLike,
-    r_max: float = PUBLISHED[-1],
-    base_radius: float = PUBLISHED[0],
+    r_max: float = REACH,
+    base_radius: float | None = None,
     bandwidth: float = 50.0,
     latency: float = 0.05,
     map_bytes: float = MAP_BYTES,
@@ -51,8 +54,8 @@ def rings(
     r_max
         The last radius, metres.
     base_radius
-        Radius R of the first of the rings of equal area, R √i, metres, at most `r_max`. They are what "equal_area"
-        returns, up to `r_max`, and what "cost" merges.
+        Radius R of the first of the rings of equal area, R √i, metres, at most `r_max`; None for 10 m, or `r_max` if
+        that is less. They are what "equal_area" returns, up to `r_max`, and what "cost" merges.
     bandwidth
         Of the link, 10⁶ bits a second, 10⁻⁶ to 10⁹. Only for "cost".
     latency
@@ -84,14 +87,16 @@ def rings(
     """
     core_of(scene)
     middle = check.vector("center", center)
-    reach, base = check.positive("r_max", r_max), check.positive("base_radius", base_radius)
+    reach = check.positive("r_max", r_max)
+    base = min(PUBLISHED[0], reach) if base_radius is None else check.positive("base_radius", base_radius)
     rate, wait = check.within("bandwidth", bandwidth, 1e-6, 1e9) * 1e6 / 8.0, check.within("latency", latency, 0.0, 1e6)
     size = check.within("map_bytes", map_bytes, 0.0, 1e15)
     check.choice("policy", policy, POLICIES)
     if base > reach:
         raise ValueError(f"base_radius: expected at most r_max = {reach:g} m, got {base:g}")
     if policy == "published":
-        scaled = [radius * base / PUBLISHED[0] for radius in PUBLISHED]
+        # The first one is `base` to the last bit, so that there is one even if that is `r_max`.
+        scaled = [base * (radius / PUBLISHED[0]) for radius in PUBLISHED]
         return tuple(radius for radius in scaled if radius <= reach)
     area = equal_areas(base, reach)
     return area if policy == "equal_area" else _cheapest(scene, middle, area, rate, wait, size)

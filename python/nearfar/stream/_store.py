@@ -6,6 +6,7 @@ import errno
 import hashlib
 import importlib.util
 import os
+import urllib.parse
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -24,6 +25,9 @@ LOCAL = ("file://", "local://")
 
 READ_ONLY = {"http", "https"}
 """File systems of fsspec that only read."""
+
+HTTP_PACKAGES = "'fsspec[http]'"
+"""What pip installs for them."""
 
 
 def named(data: bytes, kind: str) -> str:
@@ -96,21 +100,28 @@ def is_url(path: object) -> bool:
 def local(path: str | os.PathLike[str]) -> Path:
     """The path of a local place; ValueError or TypeError if it cannot be one."""
     if isinstance(path, str) and path.startswith(LOCAL):
-        path = path.partition("://")[2]
+        kind, _, path = path.partition("://")
+        # `Path.as_uri` escapes spaces and letters beyond ASCII; fsspec's "local" has paths as they are.
+        path = urllib.parse.unquote(path) if kind == "file" else path
     return check.path("path", path)
 
 
 def _system(url: str) -> tuple[Any, str]:
     """The file system of a URL, and the path in it."""
     check.text("path", url)
+    is_web = url.partition("://")[0] in READ_ONLY
     if not importlib.util.find_spec("fsspec"):
-        raise ValueError(
-            f"path: expected a folder, or fsspec installed (pip install fsspec), got {check.shortened(url)}"
-        )
+        command = f"pip install {HTTP_PACKAGES if is_web else 'fsspec'}"
+        raise ValueError(f"path: expected a folder, or fsspec installed ({command}), got {check.shortened(url)}")
     import fsspec
 
     try:
         system, path = fsspec.core.url_to_fs(url)
+    except ImportError as error:
+        needed = f"pip install {HTTP_PACKAGES}" if is_web else check.one_line(str(error), 180)
+        raise ValueError(
+            f"path: expected what fsspec needs for such a URL ({needed}), got {check.shortened(url)}"
+        ) from None
     except Exception as error:  # each file system has errors of its own
         raise ValueError(
             f"path: expected a URL that fsspec can open, got {check.shortened(url)}: {check.one_line(str(error), 180)}"

@@ -46,7 +46,12 @@ export interface Manifest {
   readonly bounds: readonly [Point, Point];
   readonly map: { readonly face_size: number; readonly tile: number; readonly across: number };
   readonly regions: readonly RegionEntry[];
-  readonly dynamic: { readonly geometry: string; readonly parts: readonly string[]; readonly triangles: number; readonly instances: readonly MovingEntry[] } | null;
+  readonly dynamic: {
+    readonly geometry: string;
+    readonly parts: readonly string[];
+    readonly triangles: number;
+    readonly instances: readonly MovingEntry[];
+  } | null;
   readonly notes: readonly string[];
   readonly files: Readonly<Record<string, Described>>;
 }

@@ -15,7 +15,7 @@ export interface Material {
 export interface Piece {
   /**
    * Three numbers a vertex, metres, y up: from the centre O of the region; where there are placements, in the mesh's
-   * own frame. A dynamic object's are in its node's frame.
+   * own frame.
    */
   readonly positions: Float32Array;
   /** Unit vectors, or null where faces are flat. */
@@ -36,24 +36,8 @@ export interface Geometry {
   readonly pieces: readonly Piece[];
   /** Pictures by URI, of those that the page does not have yet. */
   readonly images: Readonly<Record<string, ImageBitmap>>;
-  /** Placed nodes of dynamic objects: matrix of 16 numbers in columns, to world metres from O, in the order of nodes. */
-  readonly nodes: readonly { readonly name: string; readonly matrix: Float64Array }[];
   /** Triangles drawn; a mesh with placements counts for each. */
   readonly triangles: number;
-  /** Triangles after splitting. */
-  readonly split: number;
-}
-
-/** For which users and pixels large triangles are split: see `split.ts`. */
-export interface SplitSettings {
-  /** Greatest horizontal distance of a user from O, metres. */
-  readonly reach: number;
-  /** Greatest error, radians. */
-  readonly tolerance: number;
-  /** Part of the radius inside which nothing is morphed. */
-  readonly nearShare: number;
-  /** Least and greatest radius that is ever shown, metres. */
-  readonly radii: readonly [number, number];
 }
 
 /** A file, and what the manifest says of it. */
@@ -68,11 +52,13 @@ export interface FileData {
 export interface GeometryRequest {
   readonly kind: 'geometry';
   readonly glb: FileData;
+  /** Buffers that the worker was not sent before, and pictures. It keeps buffers, to which several files refer. */
   readonly parts: readonly FileData[];
   /** URIs of pictures that the page has. */
   readonly known: readonly string[];
   readonly center: Point;
-  readonly split: SplitSettings | null;
+  /** Each node is an object of its own, which can be posed. */
+  readonly isDynamic: boolean;
 }
 
 /** Begin the maps of a region with ring 0: six pictures. The worker forgets the region before. */

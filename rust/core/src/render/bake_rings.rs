@@ -1,18 +1,17 @@
 //! Maps of a scene whose objects become geometry ring after ring: map i shows the objects of rings after i.
 //!
-//! A texel whose first surfaces belong to later rings shows the same in the next map. So each map after the first is
-//! traced only where the one before shows the ring that left. Face by face, all maps are drawn into one picture.
-
-use std::sync::atomic::{AtomicU16, Ordering};
+//! A ray is traced once for all maps, from the last one back: first through what lies beyond all rings, then through the
+//! objects of the last ring, up to the hit beyond, and so on. The hit after a ring's objects is that of the map before
+//! the ring. A hit is shaded once for all maps that show it.
 
 use super::bake::{Bake, standing_only};
-use super::frame::{Channels, Frame, Sample};
-use super::tiles::{Picture, Pixels, RenderView, Spots, draw, redraw};
+use super::frame::{Band, Channels, Frame};
+use super::ring_layers::{OfRings, RingLayers};
+use super::tiles::{CENTER, Caster, ImageTile, NO_RAYS, PIXELS, Picture, TILE};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
-use crate::camera::Footprint;
 use crate::scene::Scene;
-use crate::trace::{AlphaFilter, Hit, HitFilter, Ray};
+use crate::trace::{All, AlphaFilter, Hit, HitFilter, Layer, LayerHits, Ray, closest_hits_by_layer};
 
 /// The maps of all rings.
 #[derive(Debug)]
@@ -23,7 +22,7 @@ pub struct RingMaps {
     pub changes: Vec<Change>,
 }
 
-/// Texels that a ring's map shows anew.
+/// Texels that a ring's map shows anew: those whose samples, or whose centre, met an object of the ring in the map before.
 #[derive(Debug, Default)]
 pub struct Change {
     /// Their numbers in the six faces, ascending.
@@ -41,98 +40,158 @@ pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, pro
         return Err(Error::value("rings", "a ring for faces without an object", "none"));
     }
     settings.channels().check_room(6 * settings.texels() as u64)?;
-    let standing = standing_only(scene, progress)?;
-    let shown = |after| Shown { scene: &standing, rings, after };
-    if standing.has_cutouts() {
-        let filter = |after| AlphaFilter { scene: &standing, inner: shown(after) };
-        let truth = |after| Truth { scene: &standing, filter: filter(after) };
-        maps(settings, count, shown, truth, progress)
+    let scene = &standing_only(scene, progress)?;
+    let layers = RingLayers::new(scene, rings, count, progress)?;
+    if scene.has_cutouts() {
+        maps(scene, settings, &layers.with(|inner| AlphaFilter { scene, inner }), progress)
     } else {
-        maps(settings, count, shown, |after| Truth { scene: &standing, filter: shown(after) }, progress)
+        maps(scene, settings, &layers.with(|filter: OfRings<'_>| filter), progress)
     }
 }
 
-/// Map 0 and the changes, where `shown` and `truth` tell what a map shows of later rings than a number.
-fn maps<'a, F: HitFilter>(
+fn maps<F: HitFilter>(
+    scene: &Scene,
     settings: &Bake,
-    count: u16,
-    shown: impl Fn(u16) -> Shown<'a>,
-    truth: impl Fn(u16) -> Truth<'a, F>,
+    layers: &[Layer<'_, F>],
     progress: &Progress,
 ) -> Result<RingMaps> {
-    let texels = settings.texels();
-    let mut maps = RingMaps { first: Frame::default(), changes: Vec::new() };
-    maps.changes.resize_with(count.into(), Change::default);
+    let mut maps = RingMaps { first: Frame::default(), changes: vec![] };
+    maps.changes.resize_with(layers.len() - 1, Change::default);
     for face in 0..6 {
         let camera = settings.camera(face)?;
-        let view = settings.view(shown(0).scene, &camera);
-        let mut least: Vec<AtomicU16> = std::iter::repeat_with(|| AtomicU16::new(u16::MAX)).take(texels).collect();
-        let mut frame = draw(&view, &Noted { truth: truth(0), shown: shown(0), least: &least }, progress)?;
+        let view = settings.view(scene, &camera);
+        let truth = Truth { scene, filter: All };
+        let baker = Baker { truth, layers, caster: Caster::new(&view)?, channels: view.channels };
+        let mut frame = Frame::new(view.channels, settings.texels())?;
+        let bands = baker.caster.for_tiles(&mut frame, progress, |tile, band, rows| baker.bake(tile, band, rows))?;
         maps.first.append(&frame);
-        for (ring, change) in (1..).zip(&mut maps.changes) {
-            let mask: Vec<bool> = least.iter_mut().map(|least| *least.get_mut() == ring).collect();
-            let drawn: Vec<usize> = (0..texels).filter(|&texel| mask[texel]).collect();
-            if drawn.is_empty() {
-                continue;
+        let first = (usize::from(face) * settings.texels()) as i64;
+        for rows in bands {
+            for (change, rows) in maps.changes.iter_mut().zip(rows.chunks(TILE)) {
+                for row in rows {
+                    change.texels.extend(row.texels.iter().map(|texel| first + texel));
+                    change.frame.append(&row.frame);
+                }
             }
-            drawn.iter().for_each(|&texel| *least[texel].get_mut() = u16::MAX);
-            let view = RenderView { pixels: Pixels { mask: Some(&mask), ..view.pixels }, ..view };
-            let picture = Noted { truth: truth(ring), shown: shown(ring), least: &least };
-            redraw(&view, &picture, &mut frame, progress)?;
-            change.texels.extend(drawn.iter().map(|texel| (usize::from(face) * texels + texel) as i64));
-            change.frame.append_pixels(&frame, &drawn);
         }
     }
     Ok(maps)
 }
 
-/// Surfaces of rings after one.
-#[derive(Clone, Copy, Debug)]
-struct Shown<'a> {
-    scene: &'a Scene,
-    rings: &'a [u16],
-    after: u16,
+struct Baker<'a, F> {
+    truth: Truth<'a, All>,
+    /// That beyond all rings, then those of rings from the last to the first.
+    layers: &'a [Layer<'a, F>],
+    caster: Caster<'a>,
+    channels: Channels,
 }
 
-impl Shown<'_> {
-    #[inline]
-    fn ring(&self, hit: &Hit) -> u16 {
-        let object = self.scene.instance(hit.instance).object_of(hit.face);
-        let last = self.rings.len() - 1;
-        self.rings[usize::try_from(object).map_or(last, |object| object.min(last))]
-    }
+/// The pixels of a tile in one map.
+#[derive(Clone)]
+struct TileMap {
+    /// Sums of the samples' colours.
+    sums: [[f32; 3]; PIXELS],
+    /// Pixels with a sample or centre that shows the layer's own objects, one bit each.
+    own: u64,
 }
 
-impl HitFilter for Shown<'_> {
-    #[inline]
-    fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
-        self.ring(candidate) > self.after
-    }
-}
-
-/// A picture that notes the least ring among the surfaces that a texel's samples meet.
-struct Noted<'a, F> {
-    truth: Truth<'a, F>,
-    shown: Shown<'a>,
-    least: &'a [AtomicU16],
-}
-
-impl<F: HitFilter> Picture for Noted<'_, F> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
-        self.truth.trace(rays, hits, spots);
-        for (n, hit) in hits.iter().enumerate().filter(|(_, hit)| !hit.is_miss()) {
-            let ring = self.shown.ring(hit);
-            self.least[spots.index(n)].fetch_min(ring, Ordering::Relaxed);
+impl<F: HitFilter> Baker<'_, F> {
+    /// Bakes a tile: map 0 into its band, the changes into `rows`, `TILE` for each ring.
+    fn bake(&self, tile: &ImageTile, band: &mut Band<'_>, rows: &mut Vec<Change>) {
+        let count = self.layers.len() - 1;
+        rows.resize_with(count * TILE, Change::default);
+        let mut rays = NO_RAYS;
+        let rays = &mut rays[..tile.count];
+        let mut hits = vec![LayerHits::default(); self.layers.len()];
+        let mut maps = vec![TileMap { sums: [[0.0; 3]; PIXELS], own: 0 }; self.layers.len()];
+        for &offset in &self.caster.offsets {
+            self.trace(tile, offset, rays, &mut hits, &mut maps);
+            self.add_colors(tile, offset, rays, &hits, &mut maps);
+        }
+        if self.channels.any_surface() && self.caster.offsets.len() > 1 {
+            self.trace(tile, CENTER, rays, &mut hits, &mut maps);
+        }
+        let mut shown = &MISSES;
+        for (layer, found) in hits.iter().enumerate() {
+            if found.changed != 0 {
+                shown = &found.hits;
+            }
+            let pixel = |n: usize| {
+                let color = maps[layer].sums[n].map(|sum| sum * self.caster.share());
+                let footprint = || self.caster.footprint(tile, n, CENTER, 1.0);
+                (color, self.truth.sample(&rays[n], &shown[n], footprint, self.channels))
+            };
+            let Some(next) = maps.get(layer + 1) else {
+                for n in 0..tile.count {
+                    let (color, sample) = pixel(n);
+                    band.color(tile.slot(n), color);
+                    band.set_sample(tile.slot(n), &sample);
+                }
+                break;
+            };
+            let rows = &mut rows[(count - layer - 1) * TILE..];
+            for n in ones(next.own) {
+                let (color, sample) = pixel(n);
+                let row = &mut rows[tile.place(n).1];
+                row.texels.push(tile.index(n) as i64);
+                row.frame.push(self.channels, color, COVERAGE, &sample);
+            }
         }
     }
 
-    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        self.truth.add_colors(rays, hits, footprint, sums);
+    fn trace(
+        &self,
+        tile: &ImageTile,
+        offset: [f64; 2],
+        rays: &mut [Ray],
+        hits: &mut [LayerHits],
+        maps: &mut [TileMap],
+    ) {
+        self.caster.aim(tile, offset, rays);
+        closest_hits_by_layer(self.truth.scene, rays, self.layers, hits);
+        maps.iter_mut().zip(hits).for_each(|(map, hits)| map.own |= hits.changed);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        self.truth.sample(ray, hit, footprint, wanted)
+    /// Adds the colours of traced rays to the sums of all maps.
+    fn add_colors(&self, tile: &ImageTile, offset: [f64; 2], rays: &[Ray], hits: &[LayerHits], maps: &mut [TileMap]) {
+        let mut colors = [[0.0; 3]; PIXELS];
+        let (mut new_rays, mut new_hits) = (NO_RAYS, MISSES);
+        for (layer, (found, map)) in hits.iter().zip(maps).enumerate() {
+            if layer == 0 {
+                // Rays that meet nothing show the sky, which has a colour too.
+                let shown = if found.changed == 0 { &MISSES } else { &found.hits };
+                let footprint = |n: usize| self.caster.of_sample(tile, n, offset);
+                self.truth.add_colors(rays, &shown[..rays.len()], footprint, &mut colors[..rays.len()]);
+            } else if found.changed != 0 {
+                let (mut new, mut count) = ([0; PIXELS], 0);
+                for n in ones(found.changed) {
+                    (new[count], new_rays[count], new_hits[count]) = (n, rays[n], found.hits[n]);
+                    count += 1;
+                }
+                let mut new_colors = [[0.0; 3]; PIXELS];
+                let footprint = |at: usize| self.caster.of_sample(tile, new[at], offset);
+                self.truth.add_colors(&new_rays[..count], &new_hits[..count], footprint, &mut new_colors);
+                new[..count].iter().zip(new_colors).for_each(|(&n, color)| colors[n] = color);
+            }
+            for (sum, color) in map.sums.as_flattened_mut().iter_mut().zip(colors.as_flattened()) {
+                *sum += color;
+            }
+        }
     }
+}
+
+/// Hits of rays that meet nothing.
+const MISSES: [Hit; PIXELS] = [Hit::MISS; PIXELS];
+/// Maps have no coverage.
+const COVERAGE: f32 = 0.0;
+
+/// The numbers of a word's bits that are 1.
+fn ones(mut word: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lowest = (word != 0).then(|| word.trailing_zeros() as usize);
+        word &= word.wrapping_sub(1);
+        lowest
+    })
 }
 
 #[cfg(test)]
@@ -141,12 +200,13 @@ mod tests {
 
     use glam::{DAffine3, DVec3};
 
+    use super::super::tiles::draw;
     use super::*;
     use crate::base::FaceMap;
     use crate::base::random::uniform;
     use crate::scene::{Instance, Mesh};
 
-    /// Four hundred triangles around the centre, of 40 objects.
+    /// Triangles around the centre: 400 of 40 objects in one mesh, which is placed twice, and the same as object 7.
     fn scene() -> Scene {
         let at = |n: u64, k| (uniform(7, n, k) * 2.0 - 1.0) as f32;
         let corner = |face: u64, k: u64| {
@@ -158,35 +218,54 @@ mod tests {
         let faces: Vec<[u32; 3]> = (0..400).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
         let objects = FaceMap::PerFace((0..400).map(|n| n / 10 - 1).collect());
         let mesh = Mesh::new(positions.into(), faces.into(), None, None, objects, FaceMap::Uniform(-1)).unwrap();
-        let instance = Instance::new(Arc::new(mesh), DAffine3::IDENTITY, None).unwrap();
-        Scene::new(DVec3::ZERO, vec![instance], vec![], Arc::default(), Arc::default()).unwrap()
+        let mesh = Arc::new(mesh);
+        let placed =
+            |turn: f64, object| Instance::new(Arc::clone(&mesh), DAffine3::from_rotation_y(turn), object).unwrap();
+        let instances = vec![placed(0.0, None), placed(0.3, Some(7)), placed(2.0, None)];
+        Scene::new(DVec3::ZERO, instances, vec![], Arc::default(), Arc::default()).unwrap()
+    }
+
+    /// Objects of rings after one, each hit by itself.
+    struct After<'a>(&'a Scene, &'a [u16], u16);
+
+    impl HitFilter for &After<'_> {
+        fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
+            let object = self.0.instance(candidate.instance).object_of(candidate.face);
+            self.1[usize::try_from(object).unwrap_or(40)] > self.2
+        }
     }
 
     #[test]
-    fn changed_maps_are_those_traced_everywhere() {
+    fn maps_are_those_drawn_one_by_one() {
         let scene = scene();
-        let rings: Vec<u16> = (0..40).map(|n| 1 + n * 5 % 4).collect();
+        // Objects of ring 0 are in no map, those of rings 3 and 4 beyond all.
+        let rings: Vec<u16> = (0..41).map(|n| n * 7 % 5).collect();
         for samples in [1, 5] {
-            let settings = Bake { center: DVec3::ZERO, radius: 0.0, size: 24, samples, range: true, object_id: true };
-            let bake = |rings: &[u16], count| bake_rings(&scene, &settings, rings, count, &Progress::new()).unwrap();
-            let maps = bake(&rings, 3);
+            let settings = Bake { center: DVec3::ZERO, radius: 0.0, size: 28, samples, range: true, object_id: true };
+            let maps = bake_rings(&scene, &settings, &rings, 2, &Progress::new()).unwrap();
             let mut kept = maps.first;
-            let mut traced = 0;
-            for (after, change) in (1..).zip(maps.changes) {
-                traced += change.texels.len();
+            let mut changed = 0;
+            for after in 0..=2 {
+                let filter = &After(&scene, &rings, after);
+                let mut drawn = Frame::default();
+                for face in 0..6 {
+                    let camera = settings.camera(face).unwrap();
+                    let picture = Truth { scene: &scene, filter };
+                    drawn.append(&draw(&settings.view(&scene, &camera), &picture, &Progress::new()).unwrap());
+                }
+                assert_eq!(kept.color, drawn.color);
+                assert_eq!(kept.range, drawn.range);
+                assert_eq!(kept.object_id, drawn.object_id);
+                let Some(change) = maps.changes.get(usize::from(after)) else { continue };
+                assert!(change.texels.is_sorted_by(|a, b| a < b));
+                changed += change.texels.len();
                 for (number, &texel) in change.texels.iter().enumerate() {
                     kept.color[texel as usize] = change.frame.color[number];
                     kept.range[texel as usize] = change.frame.range[number];
                     kept.object_id[texel as usize] = change.frame.object_id[number];
                 }
-                // Objects of ring 0 are in no map.
-                let later: Vec<u16> = rings.iter().map(|&ring| if ring > after { ring } else { 0 }).collect();
-                let whole = bake(&later, 0).first;
-                assert_eq!(kept.color, whole.color);
-                assert_eq!(kept.range, whole.range);
-                assert_eq!(kept.object_id, whole.object_id);
             }
-            assert!(traced > 100 && traced < 3 * 6 * 24 * 24 / 2, "{traced}");
+            assert!(changed > 100 && changed < 2 * 6 * 28 * 28 * 9 / 10, "{changed}");
         }
     }
 

@@ -89,13 +89,14 @@ macro_rules! images {
                 $(self.$central.extend_from_slice(&other.$central);)+
             }
 
-            /// Adds some pixels of another frame's images to the ends of this one's.
-            pub(super) fn append_pixels(&mut self, other: &Self, pixels: &[usize]) {
-                $(if !other.$sampled.is_empty() {
-                    self.$sampled.extend(pixels.iter().map(|&pixel| other.$sampled[pixel]));
+            /// Adds a pixel to the ends of the requested images.
+            #[inline]
+            pub(super) fn push(&mut self, wanted: Channels, $($sampled: $color,)+ sample: &Sample) {
+                $(if wanted.$sampled {
+                    self.$sampled.push($sampled);
                 })+
-                $(if !other.$central.is_empty() {
-                    self.$central.extend(pixels.iter().map(|&pixel| other.$central[pixel]));
+                $(if wanted.$central {
+                    self.$central.push(sample.$central);
                 })+
             }
 

@@ -11,6 +11,7 @@ pub mod sides;
 pub mod temporal;
 pub mod bake;
 pub mod bake_rings;
+mod ring_layers;
 pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};

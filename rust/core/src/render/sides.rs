@@ -237,6 +237,10 @@ struct ByReference<'a, F>(&'a F);
 impl<F: HitFilter> HitFilter for ByReference<'_, F> {
     const ACCEPTS_ALL: bool = F::ACCEPTS_ALL;
 
+    fn shows(&self, instance: u32, face: u32) -> bool {
+        self.0.shows(instance, face)
+    }
+
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         self.0.accepts(ray, candidate)
     }

@@ -16,7 +16,10 @@ use crate::trace::{Hit, Ray};
 pub(super) const TILE: usize = 8;
 pub(crate) const PIXELS: usize = TILE * TILE;
 /// The centre of a pixel, as an offset from its corner.
-const CENTER: [f64; 2] = [0.5, 0.5];
+pub(super) const CENTER: [f64; 2] = [0.5, 0.5];
+/// Room for the rays of a tile.
+pub(super) const NO_RAYS: [Ray; PIXELS] =
+    [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
 
 /// Greatest number of colour samples per pixel.
 pub const MAX_SAMPLES: u32 = 1024;
@@ -44,11 +47,6 @@ impl Spots<'_> {
     /// Column and row of the tile, in tiles.
     pub(super) fn tile(&self) -> (usize, usize) {
         (self.tile.first_column / TILE, self.tile.first_row / TILE)
-    }
-
-    /// Index in the image of the n-th ray's pixel.
-    pub(super) fn index(&self, n: usize) -> usize {
-        self.tile.index(n)
     }
 
     /// Position of the n-th ray in the tile, as fractions of the full tile's width and height.
@@ -102,52 +100,11 @@ pub struct RenderView<'a> {
 
 /// Draws a picture pixel by pixel.
 pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
-    let mut frame = Frame::new(view.channels, view.camera.width as usize * view.camera.height as usize)?;
-    paint(view, picture, true, &mut frame, progress)?;
+    let caster = Caster::new(view)?;
+    let mut frame = Frame::new(view.channels, caster.pixel_count())?;
+    let painter = Painter { picture, caster, channels: view.channels, pixels: view.pixels };
+    painter.caster.for_tiles(&mut frame, progress, |tile, band, (): &mut ()| painter.paint(tile, band))?;
     Ok(frame)
-}
-
-/// Draws pixels of a picture anew; those outside the mask stay as they are. The frame must have the view's channels.
-pub fn redraw(view: &RenderView<'_>, picture: &impl Picture, frame: &mut Frame, progress: &Progress) -> Result<()> {
-    paint(view, picture, false, frame, progress)
-}
-
-fn paint(
-    view: &RenderView<'_>,
-    picture: &impl Picture,
-    is_new: bool,
-    frame: &mut Frame,
-    progress: &Progress,
-) -> Result<()> {
-    if !(1..=MAX_SAMPLES).contains(&view.samples) {
-        return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
-    }
-    check_reach("position", view.camera.position - view.origin)?;
-    let (width, height) = (view.camera.width as usize, view.camera.height as usize);
-    view.pixels.check(width * height)?;
-    progress.expect((width * height) as u64);
-    let painter = Painter {
-        picture,
-        rays: view.camera.rays(),
-        eye: view.camera.position - view.origin,
-        channels: view.channels,
-        offsets: sample_offsets(view.samples),
-        scale: 1.0 / f64::from(view.samples).sqrt(),
-        limits: view.limits.relative_to(view.origin),
-        pixels: view.pixels,
-        is_new,
-    };
-    frame.bands(width * TILE).into_par_iter().enumerate().try_for_each(|(index, mut band)| {
-        let first_row = index * TILE;
-        let rows = TILE.min(height - first_row);
-        for first_column in (0..width).step_by(TILE) {
-            let columns = TILE.min(width - first_column);
-            let tile = ImageTile::new(first_row, first_column, rows, columns, width, view.pixels.mask);
-            painter.paint(&tile, &mut band);
-            progress.check()?;
-        }
-        progress.report((rows * width) as u64)
-    })
 }
 
 /// Refuses a position relative to the scene's origin from which rays would exceed float32's range.
@@ -174,7 +131,7 @@ pub fn sample_offsets(samples: u32) -> Vec<[f64; 2]> {
 }
 
 /// A tile of an image, and the pixels of it that are drawn.
-struct ImageTile {
+pub(super) struct ImageTile {
     first_row: usize,
     first_column: usize,
     rows: usize,
@@ -183,7 +140,7 @@ struct ImageTile {
     width: usize,
     /// Numbers of the drawn pixels within the tile, row by row; the first `count` are valid.
     drawn: [u8; PIXELS],
-    count: usize,
+    pub(super) count: usize,
 }
 
 impl ImageTile {
@@ -208,7 +165,7 @@ impl ImageTile {
 
     /// Column and row within the tile of the n-th drawn pixel.
     #[inline]
-    fn place(&self, n: usize) -> (usize, usize) {
+    pub(super) fn place(&self, n: usize) -> (usize, usize) {
         let number = usize::from(self.drawn[n]);
         (number % self.columns, number / self.columns)
     }
@@ -222,13 +179,13 @@ impl ImageTile {
 
     /// Index in the image of the n-th drawn pixel.
     #[inline]
-    fn index(&self, n: usize) -> usize {
+    pub(super) fn index(&self, n: usize) -> usize {
         self.first_row * self.width + self.slot(n)
     }
 
     /// Index in the band of the n-th drawn pixel.
     #[inline]
-    fn slot(&self, n: usize) -> usize {
+    pub(super) fn slot(&self, n: usize) -> usize {
         let (column, row) = self.place(n);
         row * self.width + self.first_column + column
     }
@@ -242,65 +199,144 @@ impl ImageTile {
     }
 }
 
-struct Painter<'a, P> {
-    picture: &'a P,
+/// The rays of a view, tile by tile.
+pub(super) struct Caster<'a> {
+    width: usize,
+    height: usize,
+    mask: Option<&'a [bool]>,
     rays: Rays,
     eye: DVec3,
-    channels: Channels,
-    offsets: Vec<[f64; 2]>,
+    /// Positions of a pixel's samples.
+    pub(super) offsets: Vec<[f64; 2]>,
     /// Side of the square that a sample represents, pixels.
     scale: f64,
     /// Relative to the scene's origin.
     limits: Limits,
+}
+
+impl<'a> Caster<'a> {
+    /// Fails for an impossible view.
+    pub(super) fn new(view: &RenderView<'a>) -> Result<Self> {
+        if !(1..=MAX_SAMPLES).contains(&view.samples) {
+            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
+        }
+        let eye = view.camera.position - view.origin;
+        check_reach("position", eye)?;
+        let (width, height) = (view.camera.width as usize, view.camera.height as usize);
+        view.pixels.check(width * height)?;
+        Ok(Self {
+            width,
+            height,
+            mask: view.pixels.mask,
+            rays: view.camera.rays(),
+            eye,
+            offsets: sample_offsets(view.samples),
+            scale: 1.0 / f64::from(view.samples).sqrt(),
+            limits: view.limits.relative_to(view.origin),
+        })
+    }
+
+    pub(super) fn pixel_count(&self) -> usize {
+        self.width * self.height
+    }
+
+    /// Calls a function for each tile with the band of a frame that holds it, and returns what it left of each band
+    /// besides, in order.
+    pub(super) fn for_tiles<T: Default + Send>(
+        &self,
+        frame: &mut Frame,
+        progress: &Progress,
+        paint: impl Fn(&ImageTile, &mut Band<'_>, &mut T) + Sync,
+    ) -> Result<Vec<T>> {
+        progress.expect(self.pixel_count() as u64);
+        let bands = frame.bands(self.width * TILE).into_par_iter().enumerate();
+        let paint_band = |(index, mut band)| {
+            let first_row = index * TILE;
+            let rows = TILE.min(self.height - first_row);
+            let mut besides = T::default();
+            for first_column in (0..self.width).step_by(TILE) {
+                let columns = TILE.min(self.width - first_column);
+                let tile = ImageTile::new(first_row, first_column, rows, columns, self.width, self.mask);
+                paint(&tile, &mut band, &mut besides);
+                progress.check()?;
+            }
+            progress.report((rows * self.width) as u64)?;
+            Ok(besides)
+        };
+        bands.map(paint_band).collect()
+    }
+
+    /// Writes the rays of a tile.
+    pub(super) fn aim(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray]) {
+        for (n, ray) in rays.iter_mut().enumerate() {
+            let (x, y) = position(tile, n, offset);
+            *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
+        }
+    }
+
+    /// The share of a sample in its pixel's colour.
+    pub(super) fn share(&self) -> f32 {
+        1.0 / self.offsets.len() as f32
+    }
+
+    /// The footprint of one of a pixel's samples.
+    pub(super) fn of_sample(&self, tile: &ImageTile, n: usize, offset: [f64; 2]) -> Footprint {
+        self.footprint(tile, n, offset, self.scale)
+    }
+
+    /// The footprint of a ray that represents a square of `scale` pixels.
+    pub(super) fn footprint(&self, tile: &ImageTile, n: usize, offset: [f64; 2], scale: f64) -> Footprint {
+        let (x, y) = position(tile, n, offset);
+        self.rays.footprint(x, y, scale)
+    }
+}
+
+struct Painter<'a, P> {
+    picture: &'a P,
+    caster: Caster<'a>,
+    channels: Channels,
     pixels: Pixels<'a>,
-    /// Whether pixels that are not drawn become misses, because the frame has no values yet.
-    is_new: bool,
 }
 
 impl<P: Picture> Painter<'_, P> {
     fn paint(&self, tile: &ImageTile, band: &mut Band<'_>) {
-        if self.is_new {
-            tile.left_out().for_each(|slot| band.set_sample(slot, &Sample::default()));
-        }
+        tile.left_out().for_each(|slot| band.set_sample(slot, &Sample::default()));
         if tile.count == 0 {
             return;
         }
-        let mut rays = [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
+        let mut rays = NO_RAYS;
         let mut hits = [Hit::MISS; PIXELS];
         let (rays, hits) = (&mut rays[..tile.count], &mut hits[..tile.count]);
         let sampled = self.channels.any_sampled();
         if sampled {
             let mut sums = [[0.0f32; 3]; PIXELS];
             let mut counts = [0.0f32; PIXELS];
-            for &offset in &self.offsets {
+            for &offset in &self.caster.offsets {
                 self.trace(tile, offset, rays, hits);
                 if self.channels.color {
                     self.add_colors(tile, offset, rays, hits, &mut sums);
                 }
                 counts.iter_mut().zip(&*hits).filter(|(_, hit)| !hit.is_miss()).for_each(|(count, _)| *count += 1.0);
             }
-            let share = 1.0 / self.offsets.len() as f32;
+            let share = self.caster.share();
             for (n, (sum, count)) in sums.iter().zip(&counts).enumerate().take(tile.count) {
                 band.color(tile.slot(n), sum.map(|sum| sum * share));
                 band.coverage(tile.slot(n), count * share);
             }
         }
         if self.channels.any_surface() {
-            if !sampled || self.offsets.len() > 1 {
+            if !sampled || self.caster.offsets.len() > 1 {
                 self.trace(tile, CENTER, rays, hits);
             }
             for (n, (ray, hit)) in rays.iter().zip(hits.iter()).enumerate() {
-                let footprint = || self.footprint(tile, n, CENTER, 1.0);
+                let footprint = || self.caster.footprint(tile, n, CENTER, 1.0);
                 band.set_sample(tile.slot(n), &self.picture.sample(ray, hit, footprint, self.channels));
             }
         }
     }
 
     fn trace(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
-        for (n, ray) in rays.iter_mut().enumerate() {
-            let (x, y) = position(tile, n, offset);
-            *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
-        }
+        self.caster.aim(tile, offset, rays);
         self.picture.trace(rays, hits, &Spots { tile, offset });
     }
 
@@ -314,16 +350,10 @@ impl<P: Picture> Painter<'_, P> {
         sums: &mut [[f32; 3]; PIXELS],
     ) {
         let before = *sums;
-        self.picture.add_colors(rays, hits, |n| self.footprint(tile, n, offset, self.scale), sums);
+        self.picture.add_colors(rays, hits, |n| self.caster.of_sample(tile, n, offset), sums);
         if self.pixels.bare {
             (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
         }
-    }
-
-    /// The footprint of a sample that represents a square of `scale` pixels.
-    fn footprint(&self, tile: &ImageTile, n: usize, offset: [f64; 2], scale: f64) -> Footprint {
-        let (x, y) = position(tile, n, offset);
-        self.rays.footprint(x, y, scale)
     }
 }
 

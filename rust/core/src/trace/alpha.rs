@@ -12,6 +12,11 @@ pub struct AlphaFilter<'a, F> {
 }
 
 impl<F: HitFilter> HitFilter for AlphaFilter<'_, F> {
+    #[inline(always)]
+    fn shows(&self, instance: u32, face: u32) -> bool {
+        self.inner.shows(instance, face)
+    }
+
     #[inline]
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         let mesh = &self.scene.instance(candidate.instance).mesh;

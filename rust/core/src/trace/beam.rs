@@ -56,6 +56,19 @@ pub(crate) fn walk_set<I: Isa, F: HitFilter>(
     walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, quest, room });
 }
 
+/// Traverses a tree over some of a set's instances. The packet must be filled for the bounds of the whole set.
+#[inline(always)]
+pub(crate) fn walk_some<I: Isa, F: HitFilter>(
+    isa: I,
+    tlas: &Tlas,
+    instances: &[Instance],
+    quest: &Quest<'_, F>,
+    packet: &mut Packet,
+    room: &mut Option<Box<BeamScratch>>,
+) {
+    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first: 0, quest, room });
+}
+
 /// Returns true if the packet's beam meets a leaf of a set's trees or the box of a placed instance.
 #[inline(always)]
 pub(crate) fn touches_set<I: Isa>(isa: I, set: &InstanceSet, packet: &mut Packet) -> bool {
@@ -156,8 +169,9 @@ impl<I: Isa, F: HitFilter> BeamLeaves<I> for BeamInstances<'_, F> {
         if room.members.is_empty() {
             return false;
         }
+        let before = packet.changes;
         self.enter_instance(isa, bvh, number, packet);
-        true
+        packet.changes != before
     }
 }
 
@@ -175,7 +189,11 @@ impl<F: HitFilter> BeamInstances<'_, F> {
             }
             let inner = Quest { rays: &scene_rays[..room.members.len()], filter: quest.filter };
             room.packet.shorten(isa);
+            let before = room.packet.changes;
             walk(isa, &bvh.wide, &mut room.packet, &mut BeamTriangles { bvh, instance: number, quest: &inner });
+            if room.packet.changes == before {
+                return;
+            }
             for (i, &member) in room.members.iter().enumerate() {
                 packet.set_hit(member, &room.packet.hit(i));
             }
@@ -186,7 +204,9 @@ impl<F: HitFilter> BeamInstances<'_, F> {
             let mut search = Search { ray, filter: quest.filter, best: packet.hit(member), any: false };
             let local = Local { floor: room.packet.floor[i], ..Local::new(&room.rays[i], &bvh.bounds) };
             single::walk_mesh(isa, bvh, &local, number, &mut search);
-            packet.set_hit(member, &search.best);
+            if search.best != packet.hit(member) {
+                packet.set_hit(member, &search.best);
+            }
         }
     }
 }
@@ -253,7 +273,7 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
     ) -> bool {
         let mut planes = [0.0; 6];
         for axis in 0..3 {
-            let [a, b, c] = [0, 1, 2].map(|corner: usize| block.corners[corner][axis][lane]);
+            let [a, b, c] = [block.corners[0][axis][lane], block.corners[1][axis][lane], block.corners[2][axis][lane]];
             (planes[2 * axis], planes[2 * axis + 1]) = (least(least(a, b), c), greatest(greatest(a, b), c));
         }
         let load = Loader(isa);
@@ -267,7 +287,11 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
             return false;
         }
         let face = block.faces[lane];
+        if !self.quest.filter.shows(self.instance, face) {
+            return false;
+        }
         if F::ACCEPTS_ALL && t.eq(best) & mask == 0 {
+            packet.changes = packet.changes.wrapping_add(1);
             let rows = &mut packet.best;
             t.select(mask, best).store(&mut rows.t[at..]);
             crossing.u.select(mask, load.row(&rows.u, at)).store(&mut rows.u[at..]);
@@ -304,10 +328,12 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
     }
 }
 
+#[inline(always)]
 fn least(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
+#[inline(always)]
 fn greatest(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }

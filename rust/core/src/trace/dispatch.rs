@@ -6,7 +6,8 @@ use super::beam::{self, Quest};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Avx512};
 use super::lanes::{InstructionSet, Isa, Portable};
-use super::packet::{Packet, RAYS};
+use super::layer::{Layer, LayerHits, by_layer};
+use super::packet::{LEAST_PACKET, Packet, RAYS};
 use super::ray::{All, Hit, HitFilter, Ray};
 use super::single::{Search, walk_set};
 use crate::scene::{InstanceSet, Scene};
@@ -29,6 +30,20 @@ pub fn closest_hits_apart(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, 
     closest_hits_apart_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
+/// Writes for each layer the nearest hits of a packet among the surfaces of that layer and those before it. There may be
+/// at most `RAYS` rays. The scene's moving instances are in no layer.
+///
+/// The best hits of one layer bound the search in the next: a layer of far surfaces should come first if all hits are
+/// wanted. Hits are those of `closest_hits` in a scene where other faces are not shown, bit for bit.
+pub fn closest_hits_by_layer<F: HitFilter>(
+    scene: &Scene,
+    rays: &[Ray],
+    layers: &[Layer<'_, F>],
+    hits: &mut [LayerHits],
+) {
+    closest_hits_by_layer_with(InstructionSet::current(), scene, rays, layers, hits);
+}
+
 /// Returns false if no ray between four rays with one start can hit anything. It may return true for a near miss.
 pub fn beam_touches(scene: &Scene, corners: &[Ray; 4]) -> bool {
     let mut touched = [true];
@@ -44,22 +59,22 @@ pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut
 /// Defines one function per instruction set around a generic kernel. The inlined code is compiled with the instructions
 /// of that set.
 macro_rules! kernels {
-    ($name:ident, $kernel:ident, $out:ty) => {
+    ($name:ident, $kernel:ident, $filter:ty, $out:ty) => {
         pub(super) fn $name<F: HitFilter>(
             level: InstructionSet,
             scene: &Scene,
             rays: &[Ray],
-            filter: &F,
+            filter: $filter,
             out: &mut [$out],
         ) {
             #[cfg(target_arch = "x86_64")]
             {
                 #[target_feature(enable = "avx2")]
-                fn avx2<F: HitFilter>(isa: Avx2, scene: &Scene, rays: &[Ray], filter: &F, out: &mut [$out]) {
+                fn avx2<F: HitFilter>(isa: Avx2, scene: &Scene, rays: &[Ray], filter: $filter, out: &mut [$out]) {
                     $kernel(isa, scene, rays, filter, out);
                 }
                 #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
-                fn avx512<F: HitFilter>(isa: Avx512, scene: &Scene, rays: &[Ray], filter: &F, out: &mut [$out]) {
+                fn avx512<F: HitFilter>(isa: Avx512, scene: &Scene, rays: &[Ray], filter: $filter, out: &mut [$out]) {
                     $kernel(isa, scene, rays, filter, out);
                 }
                 match level {
@@ -76,10 +91,11 @@ macro_rules! kernels {
     };
 }
 
-kernels!(closest_hits_with, closest, Hit);
-kernels!(closest_hits_apart_with, one_by_one, Hit);
-kernels!(any_hits_with, any, bool);
-kernels!(beam_touches_with, touches, bool);
+kernels!(closest_hits_with, closest, &F, Hit);
+kernels!(closest_hits_apart_with, one_by_one, &F, Hit);
+kernels!(closest_hits_by_layer_with, by_layer, &[Layer<'_, F>], LayerHits);
+kernels!(any_hits_with, any, &F, bool);
+kernels!(beam_touches_with, touches, &F, bool);
 
 #[inline(always)]
 fn closest<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
@@ -126,9 +142,6 @@ fn touches<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], _filter: &
     }
     touched.fill(false);
 }
-
-/// Least number of rays for which a packet saves time.
-const LEAST_PACKET: usize = 8;
 
 /// Sets of instances with the number of their first instance; empty sets are left out.
 #[inline(always)]

@@ -13,6 +13,8 @@ use crate::bvh::Node;
 
 /// Greatest number of rays in a packet: a tile of 8 × 8 pixels.
 pub(crate) const RAYS: usize = 64;
+/// Least number of rays for which a packet saves time.
+pub(super) const LEAST_PACKET: usize = 8;
 /// Greatest range of slopes across the main axis at which rays still make a beam.
 const MAX_SLOPE_SPREAD: f32 = 0.35;
 /// Relative widening of a beam, far more than the rounding between a ray's own box test and the beam's.
@@ -42,6 +44,8 @@ pub(crate) struct Packet {
     /// Distance along the main axis per unit of t.
     step: Row,
     pub(crate) best: Best,
+    /// How often best hits have been stored; equal numbers mean that none has changed in between.
+    pub(crate) changes: u32,
     beam: Beam,
 }
 
@@ -87,6 +91,7 @@ impl Packet {
             floor: [f32::NEG_INFINITY; RAYS],
             step: rows[0],
             best: Best { t: rows[0], u: rows[0], v: rows[0], instance: rows[0], face: rows[0] },
+            changes: 0,
             beam: Beam::default(),
         }
     }
@@ -312,6 +317,7 @@ impl Packet {
 
     #[inline(always)]
     pub(crate) fn set_hit(&mut self, ray: usize, hit: &Hit) {
+        self.changes = self.changes.wrapping_add(1);
         let best = &mut self.best;
         (best.t[ray], best.u[ray], best.v[ray]) = (hit.t, hit.u, hit.v);
         (best.instance[ray], best.face[ray]) = (f32::from_bits(hit.instance), f32::from_bits(hit.face));

@@ -47,8 +47,14 @@ impl Hit {
 
 /// Decides which intersections count, for cut-out materials and for pixels split at a radius.
 pub trait HitFilter: Sync {
-    /// Whether every intersection counts, so that `accepts` need not be called.
+    /// Whether every intersection with a face that is shown counts, so that `accepts` need not be called.
     const ACCEPTS_ALL: bool = false;
+
+    /// Whether hits on a face can count, whichever ray makes them. It is asked first, and once for many rays.
+    #[inline(always)]
+    fn shows(&self, _instance: u32, _face: u32) -> bool {
+        true
+    }
 
     /// Whether the candidate counts as a hit.
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool;

@@ -85,6 +85,18 @@ pub(crate) fn walk_set<I: Isa, F: HitFilter>(isa: I, set: &InstanceSet, first: u
     walk(isa, &tlas.wide, &local, search, &Instances { tlas, instances, first });
 }
 
+/// Traverses a tree over some of a set's instances with a ray that is prepared for all of them.
+#[inline(always)]
+pub(crate) fn walk_some<I: Isa, F: HitFilter>(
+    isa: I,
+    tlas: &Tlas,
+    instances: &[Instance],
+    local: &Local,
+    search: &mut Search<'_, F>,
+) {
+    walk(isa, &tlas.wide, local, search, &Instances { tlas, instances, first: 0 });
+}
+
 /// Action at a leaf. It is a trait instead of a closure, because only code that is certainly inlined is compiled with
 /// the caller's instruction set.
 trait Leaves<I, F> {
@@ -265,7 +277,10 @@ fn test_block<I: Isa, F: HitFilter>(isa: I, block: &Block, local: &Local, instan
         mask &= mask - 1;
         let [t, u, v] = lanes.map(|row| row[lane]);
         let candidate = Hit { t, u, v, instance, face: block.faces[lane] };
-        if candidate.is_before(&search.best) && search.filter.accepts(search.ray, &candidate) {
+        if candidate.is_before(&search.best)
+            && search.filter.shows(instance, candidate.face)
+            && search.filter.accepts(search.ray, &candidate)
+        {
             search.best = candidate;
         }
     }

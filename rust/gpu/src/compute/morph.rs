@@ -1,7 +1,6 @@
 //! The morph of long arrays of float32 points.
 
 use bytemuck::{Pod, Zeroable};
-use glam::DVec3;
 use nearfar_core::base::{Progress, Result};
 use nearfar_core::morph::{Kind, Morph};
 use wgpu::BufferUsages;
@@ -31,7 +30,11 @@ pub fn morph(
 ) -> Result<()> {
     device.check()?;
     let program = Program {
-        text: &[include_str!("../shaders/morph.wgsl"), include_str!("../shaders/compute_morph.wgsl")],
+        text: &[
+            include_str!("../shaders/morph.wgsl"),
+            include_str!("../shaders/world.wgsl"),
+            include_str!("../shaders/compute_morph.wgsl"),
+        ],
         entry: match morph.kind {
             Kind::Blend => "morph_blend",
             Kind::Cylinder => "morph_cylinder",
@@ -52,16 +55,14 @@ fn morph_block(morph: &Morph, points: usize) -> MorphBlock {
     // O as the sum of two numbers: float32 alone would be off by metres at 10⁷ m.
     let high = morph.center.as_vec3();
     let low = (morph.center - high.as_dvec3()).as_vec3();
-    let offset: DVec3 = morph.user - morph.center;
-    let wide = |v: DVec3, w: f64| v.as_vec3().extend(w as f32).to_array();
-    // Where both radii are 0 nothing is near: w is 0, and no point stays.
+    // As `zones_of`, in more digits. Where both radii are 0 nothing is near: w is 0, and no point stays.
     let slope = if morph.r2 > 0.0 { 1.0 / (morph.r2 - morph.r1) } else { 0.0 };
     let stays = if morph.r2 > 0.0 && morph.strength == 1.0 { morph.r1 } else { -1.0 };
     MorphBlock {
         center_high: high.extend(morph.strength as f32).to_array(),
         center_low: low.extend(0.0).to_array(),
-        offset: wide(offset, offset.length_squared()),
-        radii: [stays, morph.r2, slope, offset.x.hypot(offset.z)].map(|x| x as f32),
+        offset: (morph.user - morph.center).as_vec3().extend(0.0).to_array(),
+        radii: [stays, morph.r2, slope, 0.0].map(|x| x as f32),
         count: [points as u32, 0, 0, 0],
     }
 }

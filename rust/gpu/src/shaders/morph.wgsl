@@ -29,6 +29,11 @@ struct Place {
     rho: f32,
 }
 
+// Of a user relative to the centre.
+fn ground_place(offset: vec3<f32>) -> Place {
+    return Place(offset.xz, length(offset.xz));
+}
+
 // Distance from the user along a unit direction to where it leaves the cylinder of radius rho about the axis; negative
 // where the user stands outside or the direction never leaves. The larger root in the form that does not cancel.
 fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
@@ -51,4 +56,14 @@ fn on_cylinder(user: Place, from_user: vec3<f32>, from_center: vec3<f32>, w: f32
     let to = blended(from_user, from_center, w);
     let exit = leave_cylinder(user, to.xyz, rho);
     return vec4<f32>(to.xyz, select(to.w, exit, exit >= 0.0));
+}
+
+// How far away the user is shown along a unit direction what the centre sees there at a distance beyond r2, if points
+// are shown on their cylinders. (Blended points keep that distance.) Infinite distances stay.
+fn range_on_cylinder(user: Place, direction: vec3<f32>, from_center: f32) -> f32 {
+    if from_center > 1e30 {
+        return from_center;
+    }
+    let exit = leave_cylinder(user, direction, from_center * length(direction.xz));
+    return select(from_center, exit, exit >= 0.0);
 }

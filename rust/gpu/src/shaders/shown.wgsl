@@ -11,8 +11,7 @@ const CYLINDER_FROM_CENTER: u32 = 5u;
 
 // The user, on the ground.
 fn user_place() -> Place {
-    let at = view.parameters[0].xz - view.parameters[2].xz;
-    return Place(at, length(at));
+    return ground_place(view.parameters[0].xyz - view.parameters[2].xyz);
 }
 
 // Where a point relative to the eye is shown, relative to the eye.
@@ -55,11 +54,10 @@ fn morphed(p: vec3<f32>) -> vec3<f32> {
 // How far away the user is shown what the centre sees at a distance beyond r2.
 fn backdrop_range(direction: vec3<f32>, from_center: f32) -> f32 {
     let is_on_cylinder = STYLE == CYLINDER || STYLE == FROM_CENTER_ON_CYLINDER || STYLE == CYLINDER_FROM_CENTER;
-    if !is_on_cylinder || from_center > 1e30 {
+    if !is_on_cylinder {
         return from_center;
     }
-    let exit = leave_cylinder(user_place(), direction, from_center * length(direction.xz));
-    return select(from_center, exit, exit >= 0.0);
+    return range_on_cylinder(user_place(), direction, from_center);
 }
 
 // A surface that is drawn as far away as it is from the centre is shown as far away as the cylinder says.

@@ -1,0 +1,176 @@
+#ifndef NEARFAR_MORPH
+#define NEARFAR_MORPH
+// The morph of nearfar in GLSL: where the user is shown a point of the world. Licence: MIT or Apache-2.0.
+// Written by `python -m scripts.shaders.write` from morph.wgsl and world.wgsl; docs/engines.md tells how to use it.
+//
+// Call nearfar_morph or nearfar_morph_cylinder in the vertex stage; and, if points are morphed by the cylinder,
+// nearfar_range_cylinder where the far map's range is read. Their parameters:
+//   p              a point of the world, any unit of length; y is up
+//   user           the position U of the eye that the picture is for, same unit and axes; each eye has its own
+//   center         the centre O of the reduction, from which the far map was baked, same unit and axes
+//   r1, r2         radii of the near zone and of all geometry, same unit
+//   strength       1; below it, near points move to where the centre sees them (0), so that they can appear smoothly
+//   direction      a unit vector, in which the map is looked up
+//   range          what the map holds there: the distance from the centre, same unit
+
+// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. The renderer and the kernel of arrays
+// share these functions, so that what the kernel is tested with tests the renderer too.
+
+// A blend of unit vectors below this has no digits left.
+const float OPPOSED = 1e-6;
+
+// Weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2; slope is 1 / (r2 - r1).
+float user_weight(float rho, float r2, float slope) {
+    return clamp((r2 - rho) * slope, 0.0, 1.0);
+}
+
+// Eq. 1-3 as written: the direction in which the user is shown a point, and in w its distance.
+vec4 blended(vec3 from_user, vec3 from_center, float w) {
+    float by_user = length(from_user);
+    float by_center = length(from_center);
+    vec3 user_direction = from_user / max(by_user, 1e-30);
+    vec3 mixed = w * user_direction + (1.0 - w) * from_center / max(by_center, 1e-30);
+    float size = length(mixed);
+    vec3 direction = user_direction;
+    if (size > OPPOSED) {
+        direction = mixed / size;
+    }
+    return vec4(direction, w * by_user + (1.0 - w) * by_center);
+}
+
+// The user's place on the ground relative to the axis, and its distance from it.
+struct Place {
+    vec2 at;
+    float rho;
+};
+
+// Of a user relative to the centre.
+Place ground_place(vec3 offset) {
+    return Place(offset.xz, length(offset.xz));
+}
+
+// Distance from the user along a unit direction to where it leaves the cylinder of radius rho about the axis; negative
+// where the user stands outside or the direction never leaves. The larger root in the form that does not cancel.
+float leave_cylinder(Place user, vec3 direction, float rho) {
+    float a = dot(direction.xz, direction.xz);
+    if (rho <= user.rho || a == 0.0) {
+        return -1.0;
+    }
+    float b = dot(direction.xz, user.at);
+    // Negative inside the cylinder, so that the discriminant is not.
+    float c = (user.rho - rho) * (user.rho + rho);
+    float q = sqrt(b * b - a * c);
+    if (b > 0.0) {
+        return -c / (b + q);
+    }
+    return (q - b) / a;
+}
+
+// The blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
+vec4 on_cylinder(Place user, vec3 from_user, vec3 from_center, float w, float rho) {
+    vec4 to = blended(from_user, from_center, w);
+    float exit = leave_cylinder(user, to.xyz, rho);
+    return vec4(to.xyz, ((exit >= 0.0) ? exit : to.w));
+}
+
+// How far away the user is shown along a unit direction what the centre sees there at a distance beyond r2, if points
+// are shown on their cylinders. (Blended points keep that distance.) Infinite distances stay.
+float range_on_cylinder(Place user, vec3 direction, float from_center) {
+    if (from_center > 1e30) {
+        return from_center;
+    }
+    float exit = leave_cylinder(user, direction, from_center * length(direction.xz));
+    return ((exit >= 0.0) ? exit : from_center);
+}
+
+// The morph of a point of the world, for the kernel of arrays and for engines. Lengths in one unit, y up, either hand.
+
+// Squares beyond this come near to float32's end.
+const float FAR_SQUARED = 1e28;
+
+// Radius within which points stay (negative: none does), r2, 1 / (r2 - r1), and the strength of the morph.
+struct Zones {
+    float stays;
+    float r2;
+    float slope;
+    float strength;
+};
+
+// At strengths below 1 no point stays where it is. Where r2 is 0 nothing is near.
+Zones zones_of(float r1, float r2, float strength) {
+    Zones zones = Zones(-1.0, r2, 0.0, strength);
+    if (r2 > r1) {
+        zones.slope = 1.0 / (r2 - r1);
+    }
+    if (r2 > 0.0 && strength >= 1.0) {
+        zones.stays = r1;
+    }
+    return zones;
+}
+
+// Q - P of the blend. With A = |P-U|, B = |P-O|, v = U-O, e = (A-B)^2, h = w(1-w)/(AB) and n^2 = 1 - h (|v|^2 - e) (the
+// squared length of the blend of both directions), Q = P + a (P-O) + b v, where a = h (e + (|v|^2-e)/(1+n))/n and
+// b = 1 - w (w + (1-w) B/A)/n. Both are of the size of |v|, so that rounding is relative to the user's offset.
+vec3 shift_of_blend(vec3 from_center, vec3 offset, float w) {
+    float b_squared = dot(from_center, from_center);
+    // The limit for points far above: both directions are one.
+    if (w == 0.0 || b_squared > FAR_SQUARED) {
+        return (1.0 - w) * offset;
+    }
+    vec3 from_user = from_center - offset;
+    float offset_squared = dot(offset, offset);
+    float a = length(from_user);
+    float b = sqrt(b_squared);
+    if (offset_squared > a * b) {
+        vec4 to = blended(from_user, from_center, w);
+        return offset + to.w * to.xyz - from_center;
+    }
+    float difference = (offset_squared - 2.0 * dot(from_center, offset)) / (a + b);
+    float e = difference * difference;
+    float turn = offset_squared - e;
+    float h = w * (1.0 - w) / (a * b);
+    float n = sqrt(1.0 - h * turn);
+    float along = h * (e + turn / (1.0 + n)) / n;
+    float by_offset = 1.0 - w * (w + (1.0 - w) * b / a) / n;
+    return along * from_center + by_offset * offset;
+}
+
+// Q - P on the cylinder of radius rho.
+vec3 shift_on_cylinder(vec3 from_center, vec3 offset, float w, float rho) {
+    if (dot(from_center, from_center) > FAR_SQUARED) {
+        return offset;
+    }
+    vec4 to = on_cylinder(ground_place(offset), from_center - offset, from_center, w, rho);
+    return offset + to.w * to.xyz - from_center;
+}
+
+// Where the user is shown a point p of the world: on its own cylinder, or by the blend. The point and the user are given
+// relative to the centre, too: where coordinates are large, subtract in more digits than float32 has.
+vec3 shown_in_world(vec3 p, vec3 from_center, vec3 offset, Zones zones, bool keeps_rho) {
+    float rho = length(from_center.xz);
+    if (rho <= zones.stays) {
+        return p;
+    }
+    float w = zones.strength * user_weight(rho, zones.r2, zones.slope);
+    if (keeps_rho) {
+        return p + shift_on_cylinder(from_center, offset, w, rho);
+    }
+    return p + shift_of_blend(from_center, offset, w);
+}
+
+// Where the user is shown the point p of the world, by the blend (2022).
+vec3 nearfar_morph(vec3 p, vec3 user, vec3 center, float r1, float r2, float strength) {
+    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
+}
+
+// The same by the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
+vec3 nearfar_morph_cylinder(vec3 p, vec3 user, vec3 center, float r1, float r2, float strength) {
+    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
+}
+
+// How far away the user is shown what the far map holds in a unit direction at a range, with the cylinder.
+float nearfar_range_cylinder(vec3 direction, float range, vec3 user, vec3 center) {
+    return range_on_cylinder(ground_place(user - center), direction, range);
+}
+
+#endif

@@ -1,0 +1,185 @@
+// The morph of nearfar in WGSL: where the user is shown a point of the world. Licence: MIT or Apache-2.0.
+// Written by `python -m scripts.shaders.write` from morph.wgsl and world.wgsl; docs/engines.md tells how to use it.
+//
+// Call nearfar_morph or nearfar_morph_cylinder in the vertex stage; and, if points are morphed by the cylinder,
+// nearfar_range_cylinder where the far map's range is read. Their parameters:
+//   p              a point of the world, any unit of length; y is up
+//   user           the position U of the eye that the picture is for, same unit and axes; each eye has its own
+//   center         the centre O of the reduction, from which the far map was baked, same unit and axes
+//   r1, r2         radii of the near zone and of all geometry, same unit
+//   strength       1; below it, near points move to where the centre sees them (0), so that they can appear smoothly
+//   direction      a unit vector, in which the map is looked up
+//   range          what the map holds there: the distance from the centre, same unit
+
+// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. The renderer and the kernel of arrays
+// share these functions, so that what the kernel is tested with tests the renderer too.
+
+// A blend of unit vectors below this has no digits left.
+const OPPOSED: f32 = 1e-6;
+
+// Weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2; slope is 1 / (r2 - r1).
+fn user_weight(rho: f32, r2: f32, slope: f32) -> f32 {
+    return clamp((r2 - rho) * slope, 0.0, 1.0);
+}
+
+// Eq. 1-3 as written: the direction in which the user is shown a point, and in w its distance.
+fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
+    let by_user = length(from_user);
+    let by_center = length(from_center);
+    let user_direction = from_user / max(by_user, 1e-30);
+    let mixed = w * user_direction + (1.0 - w) * from_center / max(by_center, 1e-30);
+    let size = length(mixed);
+    var direction = user_direction;
+    if size > OPPOSED {
+        direction = mixed / size;
+    }
+    return vec4<f32>(direction, w * by_user + (1.0 - w) * by_center);
+}
+
+// The user's place on the ground relative to the axis, and its distance from it.
+struct Place {
+    at: vec2<f32>,
+    rho: f32,
+}
+
+// Of a user relative to the centre.
+fn ground_place(offset: vec3<f32>) -> Place {
+    return Place(offset.xz, length(offset.xz));
+}
+
+// Distance from the user along a unit direction to where it leaves the cylinder of radius rho about the axis; negative
+// where the user stands outside or the direction never leaves. The larger root in the form that does not cancel.
+fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
+    let a = dot(direction.xz, direction.xz);
+    if rho <= user.rho || a == 0.0 {
+        return -1.0;
+    }
+    let b = dot(direction.xz, user.at);
+    // Negative inside the cylinder, so that the discriminant is not.
+    let c = (user.rho - rho) * (user.rho + rho);
+    let q = sqrt(b * b - a * c);
+    if b > 0.0 {
+        return -c / (b + q);
+    }
+    return (q - b) / a;
+}
+
+// The blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
+fn on_cylinder(user: Place, from_user: vec3<f32>, from_center: vec3<f32>, w: f32, rho: f32) -> vec4<f32> {
+    let to = blended(from_user, from_center, w);
+    let exit = leave_cylinder(user, to.xyz, rho);
+    return vec4<f32>(to.xyz, select(to.w, exit, exit >= 0.0));
+}
+
+// How far away the user is shown along a unit direction what the centre sees there at a distance beyond r2, if points
+// are shown on their cylinders. (Blended points keep that distance.) Infinite distances stay.
+fn range_on_cylinder(user: Place, direction: vec3<f32>, from_center: f32) -> f32 {
+    if from_center > 1e30 {
+        return from_center;
+    }
+    let exit = leave_cylinder(user, direction, from_center * length(direction.xz));
+    return select(from_center, exit, exit >= 0.0);
+}
+
+// The morph of a point of the world, for the kernel of arrays and for engines. Lengths in one unit, y up, either hand.
+
+// Squares beyond this come near to float32's end.
+const FAR_SQUARED: f32 = 1e28;
+
+// Radius within which points stay (negative: none does), r2, 1 / (r2 - r1), and the strength of the morph.
+struct Zones {
+    stays: f32,
+    r2: f32,
+    slope: f32,
+    strength: f32,
+}
+
+// At strengths below 1 no point stays where it is. Where r2 is 0 nothing is near.
+fn zones_of(r1: f32, r2: f32, strength: f32) -> Zones {
+    var zones = Zones(-1.0, r2, 0.0, strength);
+    if r2 > r1 {
+        zones.slope = 1.0 / (r2 - r1);
+    }
+    if r2 > 0.0 && strength >= 1.0 {
+        zones.stays = r1;
+    }
+    return zones;
+}
+
+// Q - P of the blend. With A = |P-U|, B = |P-O|, v = U-O, e = (A-B)^2, h = w(1-w)/(AB) and n^2 = 1 - h (|v|^2 - e) (the
+// squared length of the blend of both directions), Q = P + a (P-O) + b v, where a = h (e + (|v|^2-e)/(1+n))/n and
+// b = 1 - w (w + (1-w) B/A)/n. Both are of the size of |v|, so that rounding is relative to the user's offset.
+fn shift_of_blend(from_center: vec3<f32>, offset: vec3<f32>, w: f32) -> vec3<f32> {
+    let b_squared = dot(from_center, from_center);
+    // The limit for points far above: both directions are one.
+    if w == 0.0 || b_squared > FAR_SQUARED {
+        return (1.0 - w) * offset;
+    }
+    let from_user = from_center - offset;
+    let offset_squared = dot(offset, offset);
+    let a = length(from_user);
+    let b = sqrt(b_squared);
+    if offset_squared > a * b {
+        let to = blended(from_user, from_center, w);
+        return offset + to.w * to.xyz - from_center;
+    }
+    let difference = (offset_squared - 2.0 * dot(from_center, offset)) / (a + b);
+    let e = difference * difference;
+    let turn = offset_squared - e;
+    let h = w * (1.0 - w) / (a * b);
+    let n = sqrt(1.0 - h * turn);
+    let along = h * (e + turn / (1.0 + n)) / n;
+    let by_offset = 1.0 - w * (w + (1.0 - w) * b / a) / n;
+    return along * from_center + by_offset * offset;
+}
+
+// Q - P on the cylinder of radius rho.
+fn shift_on_cylinder(from_center: vec3<f32>, offset: vec3<f32>, w: f32, rho: f32) -> vec3<f32> {
+    if dot(from_center, from_center) > FAR_SQUARED {
+        return offset;
+    }
+    let to = on_cylinder(ground_place(offset), from_center - offset, from_center, w, rho);
+    return offset + to.w * to.xyz - from_center;
+}
+
+// Where the user is shown a point p of the world: on its own cylinder, or by the blend. The point and the user are given
+// relative to the centre, too: where coordinates are large, subtract in more digits than float32 has.
+fn shown_in_world(
+    p: vec3<f32>,
+    from_center: vec3<f32>,
+    offset: vec3<f32>,
+    zones: Zones,
+    keeps_rho: bool,
+) -> vec3<f32> {
+    let rho = length(from_center.xz);
+    if rho <= zones.stays {
+        return p;
+    }
+    let w = zones.strength * user_weight(rho, zones.r2, zones.slope);
+    if keeps_rho {
+        return p + shift_on_cylinder(from_center, offset, w, rho);
+    }
+    return p + shift_of_blend(from_center, offset, w);
+}
+
+// Where the user is shown the point p of the world, by the blend (2022).
+fn nearfar_morph(p: vec3<f32>, user: vec3<f32>, center: vec3<f32>, r1: f32, r2: f32, strength: f32) -> vec3<f32> {
+    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
+}
+
+// The same by the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
+fn nearfar_morph_cylinder(
+    p: vec3<f32>,
+    user: vec3<f32>,
+    center: vec3<f32>,
+    r1: f32,
+    r2: f32,
+    strength: f32,
+) -> vec3<f32> {
+    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
+}
+
+// How far away the user is shown what the far map holds in a unit direction at a range, with the cylinder.
+fn nearfar_range_cylinder(direction: vec3<f32>, range: f32, user: vec3<f32>, center: vec3<f32>) -> f32 {
+    return range_on_cylinder(ground_place(user - center), direction, range);
+}

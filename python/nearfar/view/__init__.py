@@ -1,0 +1,7 @@
+"""The page that shows bundles in a browser, and a server for it on this machine."""
+
+from __future__ import annotations
+
+from nearfar.view._page import write_page
+
+__all__ = ["write_page"]

@@ -1,0 +1,97 @@
+//! The static objects of a scene in layers: what lies beyond all rings, then each ring from the last to the first.
+
+use std::collections::HashMap;
+use std::ops::RangeInclusive;
+use std::sync::Arc;
+
+use crate::base::{Progress, Result};
+use crate::scene::{Instance, Scene};
+use crate::trace::{Hit, HitFilter, Layer, LayerTree, Ray};
+
+/// A tree of each layer's instances. An instance with faces of several layers is in the tree of each; its faces are then
+/// told apart ray by ray.
+pub(super) struct RingLayers<'a> {
+    scene: &'a Scene,
+    rings: &'a [u16],
+    /// The instances whose faces are not all of one layer.
+    mixed: Vec<bool>,
+    trees: Vec<(LayerTree, RangeInclusive<u16>)>,
+}
+
+impl<'a> RingLayers<'a> {
+    /// The layers of rings up to `count` and of what lies beyond, for a scene that has been built. `rings` has the ring of
+    /// each object, and last that of faces without one; ring 0 is in no layer.
+    pub(super) fn new(scene: &'a Scene, rings: &'a [u16], count: u16, progress: &Progress) -> Result<Self> {
+        let instances = scene.standing.instances();
+        // Meshes of many faces may be placed many times.
+        let mut of_meshes = HashMap::new();
+        let classes: Vec<Arc<[u16]>> = instances
+            .iter()
+            .map(|instance| {
+                let mesh = instance.object.is_none().then_some(Arc::as_ptr(&instance.mesh));
+                Arc::clone(
+                    of_meshes.entry((mesh, instance.object)).or_insert_with(|| layers_of(instance, rings, count)),
+                )
+            })
+            .collect();
+        let beyond = count.saturating_add(1);
+        let tree = |number: u16| {
+            let tree = LayerTree::new(scene, |instance| classes[instance].contains(&number), progress)?;
+            let numbers = number..=if number == beyond { u16::MAX } else { number };
+            Ok((tree, numbers))
+        };
+        let trees = (1..=beyond).rev().map(tree).collect::<Result<_>>()?;
+        Ok(Self { scene, rings, mixed: classes.iter().map(|layers| layers.len() > 1).collect(), trees })
+    }
+
+    /// The layers, beginning beyond all rings, with filters made from those of rings.
+    pub(super) fn with<F: HitFilter>(&'a self, filter: impl Fn(OfRings<'a>) -> F) -> Vec<Layer<'a, F>> {
+        let Self { scene, rings, mixed, trees } = self;
+        let layer = |(tree, numbers): &'a (LayerTree, RangeInclusive<u16>)| {
+            let of_rings = OfRings { scene, rings, mixed, numbers: numbers.clone() };
+            Layer { tree, filter: filter(of_rings) }
+        };
+        trees.iter().map(layer).collect()
+    }
+}
+
+/// The layers that an instance has faces of, 0 among them for faces that are in none, ascending.
+fn layers_of(instance: &Instance, rings: &[u16], count: u16) -> Arc<[u16]> {
+    let layer = |object: i32| ring_of(rings, object).min(count.saturating_add(1));
+    let mut layers: Vec<u16> = match instance.object {
+        Some(object) => vec![layer(object)],
+        None => instance.mesh.objects.runs(instance.mesh.faces.len()).map(|(_, object)| layer(object)).collect(),
+    };
+    layers.sort_unstable();
+    layers.dedup();
+    layers.into()
+}
+
+fn ring_of(rings: &[u16], object: i32) -> u16 {
+    let last = rings.len() - 1;
+    rings[usize::try_from(object).map_or(last, |object| object.min(last))]
+}
+
+/// Faces of some rings, where the instances are those of a layer's tree.
+#[derive(Clone)]
+pub(super) struct OfRings<'a> {
+    scene: &'a Scene,
+    rings: &'a [u16],
+    mixed: &'a [bool],
+    numbers: RangeInclusive<u16>,
+}
+
+impl HitFilter for OfRings<'_> {
+    const ACCEPTS_ALL: bool = true;
+
+    #[inline]
+    fn shows(&self, instance: u32, face: u32) -> bool {
+        let is_mixed = self.mixed[instance as usize];
+        !is_mixed || self.numbers.contains(&ring_of(self.rings, self.scene.instance(instance).object_of(face)))
+    }
+
+    #[inline(always)]
+    fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
+        true
+    }
+}

@@ -1,0 +1,54 @@
+"""`nearfar view`."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import urllib.request
+from pathlib import Path
+
+import pytest
+
+import nearfar as nf
+from tests.support.cli_cases import command
+
+
+@pytest.fixture(scope="module")
+def bundle(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("view") / "bundle"
+    nf.stream.export(nf.datasets.room(), folder, center=(0.3, 1.6, 0.2), radii=[1.5, 3.0], face_size=64, samples=1)
+    return folder
+
+
+def test_a_bundle_is_served_until_ctrl_c(bundle: Path) -> None:
+    line = [sys.executable, "-m", "nearfar.cli", "view", str(bundle), "--no-browser"]
+    environment = os.environ | {"PYTHONUNBUFFERED": "1"}
+    with subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment) as program:
+        try:
+            assert program.stdout
+            told = program.stdout.readline()
+            url = told.split()[0]
+            with urllib.request.urlopen(url, timeout=60) as answer:
+                assert b"<canvas" in answer.read()
+            program.send_signal(signal.SIGINT)
+            assert program.wait(timeout=120) == 0
+            assert program.stderr
+            assert program.stderr.read() == ""
+        finally:
+            program.kill()
+
+
+def test_the_page_is_written_beside_a_bundle(bundle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    status, printed, _ = command(capsys, "view", bundle, "--write")
+    assert status == 0
+    assert "index.html" in printed
+    assert (bundle / "page.js").is_file()
+
+
+def test_what_is_no_bundle_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for more in ([], ["--write"]):
+        status, _, err = command(capsys, "view", tmp_path / "nothing", *more)
+        assert status == 1
+        assert "nothing" in err

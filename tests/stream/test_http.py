@@ -1,0 +1,92 @@
+"""Bundles behind a web server: read file by file, wherever it serves them, and whatever it does instead."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from tests.support import bundle_cases, need
+
+NAMES = ("city", "ein Dörfchen 50 %")
+
+
+class Handler(SimpleHTTPRequestHandler):
+    """Serves a folder, and does wrong where it is asked to."""
+
+    def log_message(self, format: str, *given: Any) -> None:  # noqa: A002
+        pass
+
+    def do_GET(self) -> None:
+        if self.path.startswith("/busy/"):
+            self.send_error(503)
+        elif self.path.startswith("/short/"):
+            self.send_response(200)
+            self.send_header("Content-Length", "1000")
+            self.end_headers()
+            self.wfile.write(b'{"format": ')
+            self.close_connection = True
+        else:
+            super().do_GET()
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("web")
+    for name in NAMES:
+        bundle_cases.write(path / name)
+    return path
+
+
+@pytest.fixture
+def server(folder: Path) -> Iterator[ThreadingHTTPServer]:
+    need("fsspec")
+    need("aiohttp")
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(folder))) as server:
+        thread = Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        yield server
+        server.shutdown()
+        thread.join()
+
+
+def url_of(server: ThreadingHTTPServer) -> str:
+    return f"http://127.0.0.1:{server.server_port}"
+
+
+@pytest.mark.parametrize("place", ["{}", "{}/", "{}/manifest.json"])
+@pytest.mark.parametrize("name", [*NAMES, "ein%20D%C3%B6rfchen%2050%20%25"])
+def test_what_is_served_is_what_was_written(server: ThreadingHTTPServer, folder: Path, name: str, place: str) -> None:
+    bundle, local = nf.stream.open(place.format(f"{url_of(server)}/{name}")), nf.stream.open(folder / NAMES[0])
+    assert bundle.files == local.files
+    bundle.verify()
+    np.testing.assert_array_equal(bundle.map(2).color, local.map(2).color)
+    assert bundle.at(2).triangle_count == local.at(2).triangle_count
+
+
+def test_a_server_that_fails_is_an_error_that_names_the_file(server: ThreadingHTTPServer, folder: Path) -> None:
+    url = url_of(server)
+    with pytest.raises(FileNotFoundError, match=f"{url}/none/manifest.json"):
+        nf.stream.open(f"{url}/none")
+    for place, text in (("busy", "503"), ("short", "cannot be read")):
+        with pytest.raises(OSError, match=f"{text}.*{url}/{place}/manifest.json"):
+            nf.stream.open(f"{url}/{place}")
+    (folder / "cut" / "files").mkdir(parents=True)
+    for path in (folder / NAMES[0]).rglob("*.*"):
+        data = path.read_bytes()
+        (folder / "cut" / path.relative_to(folder / NAMES[0])).write_bytes(data[:-1] if path.suffix == ".glb" else data)
+    cut = nf.stream.open(f"{url}/cut")
+    for use in (cut.verify, lambda: cut.at(1)):
+        with pytest.raises(nf.FormatError, match=rf"{url}/cut/files/\w+\.glb: expected \d+ as bytes"):
+            use()
+    server.shutdown()
+    server.server_close()
+    with pytest.raises(ConnectionRefusedError, match=f"cannot be read.*{url}/{NAMES[0]}/manifest.json"):
+        nf.stream.open(f"{url}/{NAMES[0]}")

@@ -1,0 +1,75 @@
+"""A page in headless Chromium, driven by Playwright."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tests.support.reader_cases import BROWSER_FLAGS, SECONDS, browser
+
+STATE = """() => ({
+  problem: document.querySelector('#message').textContent,
+  arrived: window.nearfar ? window.nearfar.viewer.facts.arrived : -1,
+})"""
+
+STILL = """([picture, pose, width, height]) => {
+  const viewer = window.nearfar.viewer;
+  viewer.renderer.setAnimationLoop(null);
+  viewer.still(picture, pose);
+  const gl = viewer.renderer.getContext();
+  const pixels = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return btoa(Array.from(pixels, (byte) => String.fromCharCode(byte)).join(''));
+}"""
+
+
+@contextmanager
+def started() -> Iterator[Any]:
+    """Chromium; Playwright allows one at a time."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as player:
+        program = player.chromium.launch(executable_path=browser(), args=list(BROWSER_FLAGS), timeout=SECONDS * 1e3)
+        try:
+            yield program
+        finally:
+            program.close()
+
+
+@contextmanager
+def opened(program: Any, width: int, height: int) -> Iterator[Any]:
+    """A new page; what it prints is in its list `printed`."""
+    page = program.new_page(viewport={"width": width, "height": height})
+    page.printed = []
+    page.on("console", lambda message: page.printed.append(message.text))
+    page.on("pageerror", lambda error: page.printed.append(str(error)))
+    try:
+        yield page
+    finally:
+        page.close()
+
+
+def wait_for_ring(page: Any, ring: int) -> str:
+    """Wait until a ring is there or the page tells of a problem; returns what it tells."""
+    deadline = time.monotonic() + SECONDS
+    while time.monotonic() < deadline:
+        state = page.evaluate(STATE)
+        if state["problem"] or state["arrived"] >= ring:
+            return str(state["problem"])
+        time.sleep(0.1)
+    raise AssertionError(f"ring {ring} does not come: {page.printed}")
+
+
+def still(page: Any, picture: dict[str, Any], pose: dict[str, Any]) -> NDArray[np.uint8]:
+    """The page's picture (H, W, 3) of a ring, radius and strength, sRGB."""
+    import base64
+
+    size = page.viewport_size
+    data = base64.b64decode(page.evaluate(STILL, [picture, pose, size["width"], size["height"]]))
+    pixels = np.frombuffer(data, np.uint8).reshape(size["height"], size["width"], 4)
+    return pixels[::-1, :, :3]

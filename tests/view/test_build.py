@@ -1,0 +1,34 @@
+"""The page in the package is what its sources make, and its parts do what Python's do."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nearfar.view._page import page_files
+from tests.support import need
+from tests.support.web_cases import run
+
+pytestmark = pytest.mark.slow
+
+MOST_BYTES = 350_000
+"""Script and style, compressed."""
+
+
+def test_types_hold() -> None:
+    need("web")
+    run("npx", "tsc", "--noEmit")
+
+
+def test_the_package_holds_what_the_sources_make(tmp_path: Path) -> None:
+    need("web")
+    run("node", "build.mjs", str(tmp_path / "dist"))
+    made = {path.name: path.read_bytes() for path in (tmp_path / "dist").iterdir()}
+    assert made == page_files(), "run `make page`"
+
+
+def test_the_page_is_small() -> None:
+    import gzip
+
+    assert sum(len(gzip.compress(content)) for content in page_files().values()) <= MOST_BYTES

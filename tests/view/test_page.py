@@ -1,0 +1,124 @@
+"""The page in a browser: its pictures beside those of `nearfar.render`, and what it says of damage."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar._scene.srgb import to_srgb
+from nearfar.view._server import Server
+from tests.support import need
+from tests.support.browser import opened, started, still, wait_for_ring
+
+pytestmark = pytest.mark.slow
+
+SIZE = (360, 240)
+ANGLE = 75.0
+CENTER = (3.0, 1.7, -2.0)
+RADII = (10.0, 22.0, 63.0)
+POSES = (((0.8, 0.1, -0.4), 0.3), ((-0.5, 0.0, 0.9), 2.0), ((0.0, 0.0, 0.0), 4.4))
+PITCH = -0.1
+
+
+@pytest.fixture(scope="module")
+def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
+    folder = tmp_path_factory.mktemp("view") / "bundle"
+    scene = nf.datasets.city(blocks=3, detail=1)
+    settings: dict[str, Any] = {"face_size": 256, "quality": None, "pixels_per_degree": None}
+    return nf.stream.export(scene, folder, center=CENTER, radii=RADII, **settings)
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[Any]:
+    need("browser")
+    with started() as program:
+        yield program
+
+
+@pytest.fixture(scope="module", params=[(1, 10.0, 0.6), (2, 15.0, 1.0), (3, 63.0, 1.0)])
+def page(
+    request: pytest.FixtureRequest, chromium: Any, bundle: nf.stream.Bundle
+) -> Iterator[tuple[Any, dict[str, Any]]]:
+    """The page with all rings up to one, and what it is to show: the ring, a radius and a strength."""
+    ring, radius, strength = request.param
+    with Server(bundle._reader.place) as server, opened(chromium, *SIZE) as shown:
+        # Samples within a pixel would mix colours of several faces.
+        shown.goto(f"{server.url}?aa=0&rings={ring}")
+        assert wait_for_ring(shown, ring) == ""
+        yield shown, {"ring": ring, "radius": radius, "strength": strength}
+        # Nothing breaks the policy for contents, and shaders have no warnings.
+        assert shown.printed == []
+
+
+def camera(eye: tuple[float, ...], yaw: float) -> nf.Camera:
+    ahead = np.array([-np.sin(yaw) * np.cos(PITCH), np.sin(PITCH), -np.cos(yaw) * np.cos(PITCH)])
+    width, height = SIZE
+    across = np.degrees(2 * np.arctan(np.tan(np.radians(ANGLE) / 2) * width / height))
+    fov = nf.Fov.symmetric(float(across), aspect=width / height)
+    return nf.Camera.look_at(eye, np.array(eye) + ahead, fov=fov, size=SIZE)
+
+
+def of_one_face(faces: Any) -> Any:
+    """Pixels whose eight neighbours show the same face."""
+    same = np.ones(faces.shape, bool)
+    for rows in (-1, 0, 1):
+        for columns in (-1, 0, 1):
+            same &= np.roll(faces, (rows, columns), (0, 1)) == faces
+    same[[0, -1]] = same[:, [0, -1]] = False
+    return same
+
+
+@pytest.mark.parametrize(("away", "yaw"), POSES)
+def test_pictures_are_those_of_the_bundle(
+    page: tuple[Any, dict[str, Any]], bundle: nf.stream.Bundle, away: Any, yaw: float
+) -> None:
+    shown, picture = page
+    eye = tuple(np.add(CENTER, away).tolist())
+    found = still(shown, picture, {"position": list(eye), "yaw": yaw, "pitch": PITCH})
+    frame = bundle.at(**picture).render(camera(eye, yaw), channels=("color", "face_id"))
+    expected = np.rint(to_srgb(np.clip(frame.require("color"), 0, 1)) * 255)
+    off = np.abs(expected - found).max(axis=-1)
+    inner = of_one_face(frame.require("face_id"))
+    assert inner.mean() > 0.4
+    assert (off[inner] <= 2).mean() >= 0.99
+    assert (off <= 2).mean() >= 0.97
+
+
+def test_ring_0_is_the_map_and_what_moves(chromium: Any, bundle: nf.stream.Bundle) -> None:
+    with Server(bundle._reader.place) as server, opened(chromium, *SIZE) as shown:
+        # No file of ring 1 ever comes.
+        shown.route("**/*.bin", lambda route: route.abort())
+        shown.goto(f"{server.url}?aa=0&rings=1")
+        assert wait_for_ring(shown, 0) == ""
+        picture = {"ring": 0, "radius": 0.0, "strength": 0.0}
+        found = still(shown, picture, {"position": list(CENTER), "yaw": 0.3, "pitch": PITCH})
+    frame = bundle.at(0).render(camera(CENTER, 0.3), channels=("color",))
+    expected = np.rint(to_srgb(np.clip(frame.require("color"), 0, 1)) * 255)
+    assert (np.abs(expected - found).max(axis=-1) <= 2).mean() > 0.95
+
+
+@pytest.mark.parametrize("damage", ["cut", "missing", "newer"])
+def test_damage_is_told(chromium: Any, bundle: nf.stream.Bundle, damage: str) -> None:
+    place = Path(bundle._reader.place)
+    manifest = json.loads((place / "manifest.json").read_text())
+    name = manifest["regions"][0]["rings"][2]["geometry"]
+    with Server(place) as server, opened(chromium, *SIZE) as shown:
+        if damage == "newer":
+            shown.route("**/manifest.json", lambda route: route.fulfill(body=json.dumps({**manifest, "version": 2})))
+        elif damage == "missing":
+            shown.route(f"**/{name}", lambda route: route.fulfill(status=404))
+        else:
+            content = (place / name).read_bytes()
+            shown.route(f"**/{name}", lambda route: route.fulfill(body=content[:-5] + b"12345"))
+        shown.goto(server.url)
+        told = wait_for_ring(shown, len(RADII))
+        assert ("newer nearfar" if damage == "newer" else name) in told
+        if damage != "newer":
+            # What came before stays on the screen.
+            assert shown.evaluate("() => window.nearfar.viewer.facts.arrived") == 1

@@ -1,0 +1,173 @@
+/** Reads a manifest: everything that the page uses is checked, so that damage is a sentence and nothing else. */
+import { type Fields, fileName, hash, integer, list, number, object, optional, text } from './checks';
+import { BundleError } from './error';
+import type { Described, Manifest, MapEntry, MovingEntry, Point, RegionEntry, RingEntry } from './manifest';
+
+const FORMAT = 'nearfar.bundle';
+const VERSION = 1;
+const MOST_FACE = 4096;
+/** Greatest width and height of a WebP picture. */
+const MOST_PIXELS = 16383;
+const [FACES, MOST_REGIONS, MOST_RINGS] = [6, 1000, 1000] as const;
+/** Greatest size of a file, bytes: browsers hold no larger array. */
+const MOST_BYTES = 2 ** 31 - 1;
+/** The code of the greatest range, and the greatest exponent of a range that is finite. */
+const [LAST_CODE, MOST_EXPONENT] = [65534, 600] as const;
+/** Greatest coordinate, metres, and greatest radius. */
+const FARTHEST = 1e12;
+
+export function parseManifest(source: string): Manifest {
+  let parsed: unknown;
+  try {
+    parsed = JSON.parse(source);
+  } catch {
+    throw new BundleError('manifest.json: expected JSON, got something else');
+  }
+  const all = object('manifest', parsed);
+  if (all['format'] !== FORMAT) throw new BundleError(`manifest.json: expected the format ${FORMAT}, got another one`);
+  const version = integer('version', all['version'], 1);
+  if (version > VERSION) {
+    const versions = `it has version ${version}, this page reads ${VERSION}`;
+    throw new BundleError(`this bundle was written by a newer nearfar (${versions}): update the page`);
+  }
+  const [morph, growth, map] = (['morph', 'growth', 'map'] as const).map((name) => object(name, all[name]));
+  const face = integer('map.face_size', map?.['face_size'], 1, MOST_FACE);
+  const tile = integer('map.tile', map?.['tile'], 1, face);
+  if (face % tile !== 0) throw new BundleError(`manifest.json: map.tile: expected a divisor of ${face}, got ${tile}`);
+  if (text('morph.kind', morph?.['kind']) !== 'cylinder') {
+    throw new BundleError('manifest.json: morph.kind: expected cylinder, got another one');
+  }
+  const across = integer('map.across', map?.['across'], 1, Math.floor(MOST_PIXELS / tile));
+  const tiles = FACES * (face / tile) ** 2;
+  const files = object('files', all['files']);
+  const entries = list('regions', all['regions'], object);
+  if (entries.length === 0 || entries.length > MOST_REGIONS) {
+    throw new BundleError(`manifest.json: regions: expected 1 to ${MOST_REGIONS}, got ${entries.length}`);
+  }
+  const manifest: Manifest = {
+    version,
+    morph: { kind: 'cylinder', near_share: number('morph.near_share', morph?.['near_share'], 1e-3, 0.999) },
+    growth: {
+      speed: number('growth.speed', growth?.['speed'], 1e-9),
+      reach: number('growth.reach', growth?.['reach'], 1e-9),
+      fade: number('growth.fade', growth?.['fade'], 0),
+    },
+    triangles: integer('triangles', all['triangles'], 0),
+    bounds: list('bounds', all['bounds'], point, 2) as [Point, Point],
+    map: { face_size: face, tile, across },
+    regions: entries.map((entry, number) => region(`regions[${number}]`, entry, tiles, number, entries.length)),
+    dynamic: optional('dynamic', all['dynamic'], moving),
+    notes: list('notes', all['notes'], text),
+    files: Object.fromEntries(
+      Object.entries(files).map(([name, value]) => [fileName('files', name), described(name, value)]),
+    ),
+  };
+  checkListed(manifest);
+  return manifest;
+}
+
+function described(place: string, value: unknown): Described {
+  const entry = object(place, value);
+  return {
+    bytes: integer(`${place}.bytes`, entry['bytes'], 0, MOST_BYTES),
+    sha256: hash(`${place}.sha256`, entry['sha256']),
+  };
+}
+
+/** Every file that rings, maps and dynamic objects name has a size and a hash. */
+function checkListed({ regions, dynamic, files }: Manifest): void {
+  const rings = regions.flatMap((entry) => entry.rings);
+  const geometry = [...rings, ...(dynamic ? [dynamic] : [])].flatMap((entry) => [entry.geometry, ...entry.parts]);
+  const maps = rings.flatMap(({ map }) => [map.color, map.range].flat());
+  for (const name of [...geometry, ...maps]) {
+    if (name !== null && !Object.hasOwn(files, name)) {
+      throw new BundleError(`manifest.json: files: expected ${name}, which is used, among them`);
+    }
+  }
+}
+
+function point(place: string, value: unknown): Point {
+  return list(place, value, (name, item) => number(name, item, -FARTHEST, FARTHEST), 3) as unknown as Point;
+}
+
+function region(place: string, value: Fields, tiles: number, own: number, count: number): RegionEntry {
+  const range = object(`${place}.range`, value['range']);
+  const rings = list(`${place}.rings`, value['rings'], (name, item, number) => ring(name, item, number, tiles));
+  const radii = rings.map(({ radius }) => radius);
+  const doAscend = radii[0] === 0 && radii.every((radius, number) => number === 0 || radius > (radii[number - 1] ?? 0));
+  if (rings.length < 2 || rings.length > MOST_RINGS || !doAscend) {
+    throw new BundleError(`manifest.json: ${place}.rings: expected radii that ascend from 0`);
+  }
+  const other = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
+  const neighbours = list(`${place}.neighbours`, value['neighbours'], other);
+  if (neighbours.includes(own)) throw new BundleError(`manifest.json: ${place}.neighbours: expected other regions`);
+  const [least, step] = (['least', 'step'] as const).map((name) => {
+    return number(`${place}.range.${name}`, range[name], Number.MIN_VALUE);
+  }) as [number, number];
+  if (!(Math.abs(Math.log(least)) + LAST_CODE * step <= MOST_EXPONENT)) {
+    throw new BundleError(`manifest.json: ${place}.range: expected ranges that are finite`);
+  }
+  return {
+    center: point(`${place}.center`, value['center']),
+    fold_margin: number(`${place}.fold_margin`, value['fold_margin'], 0),
+    neighbours,
+    range: { least, step },
+    rings,
+  };
+}
+
+function ring(place: string, value: unknown, order: number, tiles: number): RingEntry {
+  const entry = object(place, value);
+  return {
+    radius: number(`${place}.radius`, entry['radius'], 0, FARTHEST),
+    objects: integer(`${place}.objects`, entry['objects'], 0),
+    triangles: integer(`${place}.triangles`, entry['triangles'], 0),
+    geometry: optional(`${place}.geometry`, entry['geometry'], fileName),
+    parts: list(`${place}.parts`, entry['parts'], fileName),
+    map: mapOf(`${place}.map`, entry['map'], order, tiles),
+  };
+}
+
+function mapOf(place: string, value: unknown, order: number, tiles: number): MapEntry {
+  const entry = object(place, value);
+  const names = (name: string, item: unknown): string | string[] =>
+    Array.isArray(item) ? list(name, item, fileName, FACES) : fileName(name, item);
+  const map = {
+    tiles: list(`${place}.tiles`, entry['tiles'] ?? [], (name, item) => integer(name, item, 0, tiles - 1)),
+    color: optional(`${place}.color`, entry['color'], names),
+    range: optional(`${place}.range`, entry['range'], names),
+  };
+  const wrong = (expected: string): BundleError => new BundleError(`manifest.json: ${place}: expected ${expected}`);
+  if (order === 0) {
+    if (!Array.isArray(map.color)) throw wrong('six pictures for ring 0');
+    return map;
+  }
+  if (map.tiles.some((tile, number) => number > 0 && tile <= (map.tiles[number - 1] ?? 0))) {
+    throw wrong('numbers of tiles that ascend');
+  }
+  const doChange = map.tiles.length > 0;
+  if (doChange !== (typeof map.color === 'string')) throw wrong('a picture exactly where tiles change');
+  if (order === 1 && !Array.isArray(map.range)) throw wrong('six files of ranges for ring 1');
+  if (order > 1 && doChange !== (typeof map.range === 'string')) throw wrong('ranges exactly where tiles change');
+  return map;
+}
+
+function moving(place: string, value: unknown): NonNullable<Manifest['dynamic']> {
+  const entry = object(place, value);
+  return {
+    geometry: fileName(`${place}.geometry`, entry['geometry']),
+    parts: list(`${place}.parts`, entry['parts'], fileName),
+    triangles: integer(`${place}.triangles`, entry['triangles'], 0),
+    instances: list(`${place}.instances`, entry['instances'], movingEntry),
+  };
+}
+
+function movingEntry(place: string, value: unknown): MovingEntry {
+  const entry = object(place, value);
+  const row = (name: string, item: unknown): number[] =>
+    list(name, item, (column, cell) => number(column, cell, -FARTHEST, FARTHEST), 4);
+  return {
+    object: text(`${place}.object`, entry['object']),
+    transform: optional(`${place}.transform`, entry['transform'], (name, item) => list(name, item, row, 4)),
+  };
+}

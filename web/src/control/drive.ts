@@ -1,0 +1,35 @@
+/** What keys, thumbs and sticks ask for at the moment, as parts of full speed from −1 to 1. */
+export interface Drive {
+  /** Steps to the right and ahead. */
+  readonly right: number;
+  readonly ahead: number;
+  /** Turns to the left and up. */
+  readonly turn: number;
+  readonly look: number;
+  /** Run. */
+  readonly isHasty: boolean;
+}
+
+export const REST: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isHasty: false };
+
+/** All of several wishes; together they are no faster than one. */
+export function together(...wishes: readonly Drive[]): Drive {
+  const sum = (part: (wish: Drive) => number): number => wishes.reduce((total, wish) => total + part(wish), 0);
+  const [right, ahead] = within(sum((wish) => wish.right), sum((wish) => wish.ahead));
+  const [turn, look] = within(sum((wish) => wish.turn), sum((wish) => wish.look));
+  return { right, ahead, turn, look, isHasty: wishes.some((wish) => wish.isHasty) };
+}
+
+/** The same direction, with a length of 1 at most. */
+export function within(x: number, y: number): readonly [number, number] {
+  const length = Math.max(Math.hypot(x, y), 1);
+  return [x / length, y / length];
+}
+
+/** A stick's position without the part around the middle where it rests; from there it begins at 0. */
+export function beyondRest(x: number, y: number, rest: number): readonly [number, number] {
+  const length = Math.hypot(x, y);
+  if (!(length > rest)) return [0, 0];
+  const share = Math.min((length - rest) / (1 - rest), 1) / length;
+  return [x * share, y * share];
+}

@@ -1,0 +1,75 @@
+/** Keys that are held to move. */
+import { type Drive, within } from './drive';
+
+/** Steps to the right and ahead, turns to the left and up, by the place of a key on the keyboard. */
+const AXES: Readonly<Record<string, readonly [number, number, number, number]>> = {
+  KeyW: [0, 1, 0, 0],
+  KeyS: [0, -1, 0, 0],
+  KeyA: [-1, 0, 0, 0],
+  KeyD: [1, 0, 0, 0],
+  ArrowUp: [0, 1, 0, 0],
+  ArrowDown: [0, -1, 0, 0],
+  ArrowLeft: [0, 0, 1, 0],
+  ArrowRight: [0, 0, -1, 0],
+  PageUp: [0, 0, 0, 1],
+  PageDown: [0, 0, 0, -1],
+};
+
+/** Whether a key moves the user, by its place on the keyboard. */
+export function isMoving(code: string): boolean {
+  return Object.hasOwn(AXES, code);
+}
+
+/** Whether a key is meant for something else: a shortcut of the browser, or a field that is typed into. */
+export function isElsewhere(event: KeyboardEvent): boolean {
+  if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return true;
+  const { target } = event;
+  return typeof Element !== 'undefined' && target instanceof Element && target.closest(TYPED) !== null;
+}
+
+const TYPED = 'input, textarea, select, [contenteditable], dialog';
+
+export interface Keys {
+  readonly drive: Drive;
+  dispose(): void;
+}
+
+/** Listen to keys of a window or an element. */
+export function createKeys(source: EventTarget): Keys {
+  const held = new Set<string>();
+  const stop = new AbortController();
+  const listen = (name: string, action: (event: Event) => void): void =>
+    source.addEventListener(name, action, { signal: stop.signal });
+  let isHasty = false;
+
+  listen('keydown', (event) => {
+    const pressed = event as KeyboardEvent;
+    isHasty = pressed.shiftKey;
+    if (!isMoving(pressed.code) || isElsewhere(pressed)) return;
+    held.add(pressed.code);
+    // Arrows scroll, else.
+    pressed.preventDefault();
+  });
+  listen('keyup', (event) => {
+    isHasty = (event as KeyboardEvent).shiftKey;
+    held.delete((event as KeyboardEvent).code);
+    // macOS tells of no key that is let go while Command is held.
+    if ((event as KeyboardEvent).key === 'Meta') held.clear();
+  });
+  // A key that is let go elsewhere is not heard.
+  listen('blur', () => {
+    held.clear();
+    isHasty = false;
+  });
+
+  return {
+    get drive() {
+      const sums = [0, 0, 0, 0];
+      for (const code of held) AXES[code]?.forEach((value, axis) => (sums[axis] = (sums[axis] ?? 0) + value));
+      const [right = 0, ahead = 0, turn = 0, look = 0] = sums;
+      const [across, along] = within(right, ahead);
+      return { right: across, ahead: along, turn: Math.sign(turn), look: Math.sign(look), isHasty };
+    },
+    dispose: () => stop.abort(),
+  };
+}

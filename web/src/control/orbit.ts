@@ -1,0 +1,91 @@
+/** Going around a point that stays in the middle of the picture; plain arithmetic without a browser. */
+import type { Drive } from './drive';
+import { allowedShare, confine, type Limit, settle } from './limit';
+import type { Pose } from './pose';
+import { ahead, bounded, moved, rightOf, STEEPEST, upOf, type Vector } from './vector';
+
+/** Least and greatest distance from the point, metres; what a pose that names no point has. */
+const [NEAREST, FARTHEST, USUAL] = [0.3, 2000, 4] as const;
+/** Radians a second, the factor of the distance in a second as a power of e, and distances a second, at full speed. */
+const [TURN, ZOOM, PAN] = [1.4, 1.2, 0.8] as const;
+
+export interface Orbit {
+  readonly pose: Pose;
+  /** Go on by some seconds: sideways and turning go around, ahead goes nearer; hasty steps move the point instead. */
+  update(seconds: number, drive: Drive): void;
+  /** Go around, radians by which the view turns to the left and up. */
+  rotate(left: number, up: number): void;
+  /** Multiply the distance. */
+  zoom(factor: number): void;
+  /** Move eye and point, in parts of their distance, to the right and up in the picture. */
+  pan(right: number, up: number): void;
+  /** Begin at a pose; the point lies ahead of it. */
+  setPose(pose: Pose): void;
+}
+
+export function createOrbit(start: Pose, limit: () => Limit | null): Orbit {
+  let view: Pose = start;
+  let away: number = USUAL;
+
+  const target = (): Vector => moved(view.position, ahead(view), away);
+
+  /** Put the eye somewhere, and let it look at a point. */
+  function put(eye: Vector, point: Vector): void {
+    const [x, y, z] = moved(point, eye, -1);
+    const level = Math.hypot(x, z);
+    away = bounded(Math.hypot(level, y), NEAREST, FARTHEST);
+    const yaw = level > 1e-9 ? nearest(Math.atan2(-x, -z), view.yaw) : view.yaw;
+    view = { position: eye, yaw, pitch: bounded(Math.atan2(y, level), -STEEPEST, STEEPEST) };
+  }
+
+  function rotate(left: number, up: number): void {
+    if (left === 0 && up === 0) return;
+    const point = target();
+    const turned = { yaw: view.yaw + left, pitch: bounded(view.pitch + up, -STEEPEST, STEEPEST) };
+    const eye = moved(point, ahead(turned), -away);
+    const allowed = confine(view.position, eye, limit());
+    if (allowed === eye) view = { ...turned, position: eye };
+    else put(allowed, point);
+  }
+
+  function zoom(factor: number): void {
+    if (!(factor > 0) || factor === 1) return;
+    const wanted = bounded(away * factor, NEAREST, FARTHEST);
+    const eye = moved(target(), ahead(view), -wanted);
+    const share = allowedShare(view.position, eye, limit());
+    const position = moved(view.position, ahead(view), share * (away - wanted));
+    away += share * (wanted - away);
+    view = { ...view, position };
+  }
+
+  function pan(right: number, up: number): void {
+    const shift = moved(moved([0, 0, 0], rightOf(view.yaw), right * away), upOf(view), up * away);
+    const share = allowedShare(view.position, moved(view.position, shift, 1), limit());
+    view = { ...view, position: moved(view.position, shift, share) };
+  }
+
+  return {
+    get pose() {
+      return view;
+    },
+    update(seconds, { right, ahead: nearer, turn, look, isHasty }) {
+      if (isHasty) pan(PAN * seconds * right, PAN * seconds * nearer);
+      else zoom(Math.exp(-ZOOM * seconds * nearer));
+      const aside = isHasty ? turn : turn - right;
+      rotate(TURN * seconds * aside, TURN * seconds * look);
+      view = { ...view, position: settle(view.position, limit(), seconds) };
+    },
+    rotate,
+    zoom,
+    pan,
+    setPose(pose) {
+      view = pose;
+      away = USUAL;
+    },
+  };
+}
+
+/** The angle equal to `angle` up to whole turns that is nearest to another, so that views turn the short way. */
+function nearest(angle: number, other: number): number {
+  return angle + 2 * Math.PI * Math.round((other - angle) / (2 * Math.PI));
+}

@@ -1,0 +1,40 @@
+/** Directions of a pose, and numbers within bounds. */
+import type { Pose } from './pose';
+
+export type Vector = readonly [number, number, number];
+
+/** Greatest pitch, radians: straight up has no yaw. */
+export const STEEPEST = 1.5;
+
+export function bounded(value: number, least: number, greatest: number): number {
+  return Math.min(Math.max(value, least), greatest);
+}
+
+/** The same angle from −π to π. */
+export function wrapped(angle: number): number {
+  return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+}
+
+/** Unit vector along which a pose looks. */
+export function ahead({ yaw, pitch }: Pick<Pose, 'yaw' | 'pitch'>): Vector {
+  return [-Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), -Math.cos(yaw) * Math.cos(pitch)];
+}
+
+/** Unit vector to the right, level. */
+export function rightOf(yaw: number): Vector {
+  return [Math.cos(yaw), 0, -Math.sin(yaw)];
+}
+
+/** Unit vector that points up in the picture. */
+export function upOf({ yaw, pitch }: Pick<Pose, 'yaw' | 'pitch'>): Vector {
+  return [Math.sin(yaw) * Math.sin(pitch), Math.cos(pitch), Math.cos(yaw) * Math.sin(pitch)];
+}
+
+/** a + share · b. */
+export function moved(a: Vector, b: Vector, share: number): Vector {
+  return [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
+}
+
+export function isSamePose(a: Pose, b: Pose): boolean {
+  return a.yaw === b.yaw && a.pitch === b.pitch && a.position.every((value, axis) => value === b.position[axis]);
+}

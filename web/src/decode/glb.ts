@@ -1,0 +1,194 @@
+/** Reads the GLB files that nearfar writes: their documents, and the arrays that these describe. */
+import { type Compression, decompressed, isCount } from './meshopt';
+
+/** Parts of a glTF 2.0 document, as far as nearfar writes them. Every number may be wrong in a damaged file. */
+export interface Document {
+  readonly nodes?: readonly Node[];
+  readonly meshes?: readonly { readonly primitives?: readonly Primitive[] }[];
+  readonly materials?: readonly MaterialEntry[];
+  readonly textures?: readonly {
+    readonly source?: number;
+    readonly extensions?: { readonly EXT_texture_webp?: { readonly source: number } };
+  }[];
+  readonly images?: readonly { readonly uri: string }[];
+  readonly accessors?: readonly Accessor[];
+  readonly bufferViews?: readonly View[];
+  readonly buffers?: readonly { readonly uri?: string; readonly byteLength: number }[];
+}
+
+export interface Node {
+  readonly mesh?: number;
+  readonly name?: string;
+  readonly translation?: readonly number[];
+  readonly matrix?: readonly number[];
+  readonly extensions?: {
+    readonly EXT_mesh_gpu_instancing?: { readonly attributes?: Readonly<Record<string, number>> };
+  };
+}
+
+export interface Primitive {
+  readonly attributes?: Readonly<Record<string, number>>;
+  readonly indices?: number;
+  readonly material?: number;
+}
+
+export interface MaterialEntry {
+  readonly pbrMetallicRoughness?: {
+    readonly baseColorFactor?: readonly number[];
+    readonly baseColorTexture?: { readonly index: number };
+  };
+  readonly alphaMode?: string;
+  readonly alphaCutoff?: number;
+}
+
+interface Accessor {
+  readonly bufferView: number;
+  readonly byteOffset?: number;
+  readonly componentType: number;
+  readonly count: number;
+  readonly type: string;
+}
+
+interface View {
+  readonly buffer: number;
+  readonly byteOffset?: number;
+  readonly byteLength: number;
+  readonly byteStride?: number;
+  readonly extensions?: { readonly EXT_meshopt_compression?: Compression };
+}
+
+const [MAGIC, VERSION] = [0x46546c67, 2];
+const [JSON_CHUNK, BIN_CHUNK] = [0x4e4f534a, 0x004e4942];
+const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
+/** Rows of an array, and bytes of all arrays of a file, at most: the largest rings have a fraction of them. */
+const [MOST_ROWS, MOST_BYTES] = [2 ** 26, 2 ** 30] as const;
+
+const TYPES = {
+  5120: Int8Array,
+  5121: Uint8Array,
+  5122: Int16Array,
+  5123: Uint16Array,
+  5125: Uint32Array,
+  5126: Float32Array,
+} as const;
+export type Numbers = InstanceType<(typeof TYPES)[keyof typeof TYPES]>;
+
+export interface Glb {
+  readonly document: Document;
+  /** An accessor's rows, without gaps between them; `width` is the number of columns that it must have. */
+  read(accessor: number | undefined, width: number): Promise<Numbers>;
+}
+
+/** Open a GLB. `parts` are the files that it refers to, by their URIs in it; its arrays take so many bytes at most. */
+export function openGlb(
+  bytes: Uint8Array<ArrayBuffer>,
+  parts: ReadonlyMap<string, Uint8Array>,
+  most: number = MOST_BYTES,
+): Glb {
+  const { document, chunk } = chunksOf(bytes);
+  const decoded = new Map<number, Promise<Uint8Array>>();
+  let spent = 0;
+
+  /** Many entries of a damaged document can describe the same bytes. */
+  function spend(size: number): void {
+    spent += size;
+    if (spent > most) throw new Error(`the arrays take more than ${most} bytes`);
+  }
+
+  function bufferOf(number: number): Uint8Array {
+    const entry = at(document.buffers, number, 'buffer');
+    const found = entry.uri === undefined ? chunk : parts.get(entry.uri);
+    if (!found) throw new Error(`the buffer ${entry.uri ?? number} is not there`);
+    return found;
+  }
+
+  async function viewOf(number: number): Promise<Uint8Array> {
+    const view = at(document.bufferViews, number, 'view');
+    const packed = view.extensions?.EXT_meshopt_compression;
+    if (!packed) return slice(bufferOf(view.buffer), view.byteOffset ?? 0, view.byteLength);
+    const source = slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength);
+    const data = await decompressed(source, packed);
+    spend(data.length);
+    return data;
+  }
+
+  return {
+    document,
+    async read(number, width) {
+      const accessor = at(document.accessors, number, 'accessor');
+      const { count, byteOffset: start = 0 } = accessor;
+      const Type = TYPES[accessor.componentType as keyof typeof TYPES];
+      if (!Type || WIDTHS[accessor.type] !== width || !isCount(count) || count > MOST_ROWS || !isCount(start)) {
+        throw new Error(`accessor ${number}: expected rows of ${width} columns, got ${accessor.type}`);
+      }
+      const view = at(document.bufferViews, accessor.bufferView, 'view');
+      let whole = decoded.get(accessor.bufferView);
+      if (!whole) {
+        whole = viewOf(accessor.bufferView);
+        decoded.set(accessor.bufferView, whole);
+      }
+      const row = width * Type.BYTES_PER_ELEMENT;
+      const stride = view.byteStride ?? view.extensions?.EXT_meshopt_compression?.byteStride ?? row;
+      const data = await whole;
+      if (!isCount(stride) || stride < row) throw new Error(`accessor ${number}: expected rows of ${row} bytes`);
+      if (count > 0 && start + (count - 1) * stride + row > data.length) {
+        throw new Error(`accessor ${number} reaches beyond its array`);
+      }
+      spend(count * row);
+      const packed = new Uint8Array(count * row);
+      if (stride === row) packed.set(data.subarray(start, start + packed.length));
+      else {
+        for (let n = 0, place = start; n < count; n++, place += stride) {
+          packed.set(data.subarray(place, place + row), n * row);
+        }
+      }
+      return new Type(packed.buffer);
+    },
+  };
+}
+
+/** The entry of a list; an error that says what is missing. */
+export function at<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
+  if (number === undefined) throw new Error(`the ${what}'s number is missing`);
+  const found = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
+  if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is not there`);
+  return found;
+}
+
+/** The entries of a list that may be missing. */
+export function entries<T>(list: readonly T[] | undefined, what: string): readonly T[] {
+  const isList = list === undefined || (Array.isArray(list) && list.every((item) => typeof item === 'object' && item));
+  if (!isList) throw new Error(`expected a list of ${what}, got something else`);
+  return list ?? [];
+}
+
+function chunksOf(bytes: Uint8Array<ArrayBuffer>): { document: Document; chunk: Uint8Array | null } {
+  const words = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < 20 || words.getUint32(0, true) !== MAGIC || words.getUint32(16, true) !== JSON_CHUNK) {
+    throw new Error('expected a GLB, got something else');
+  }
+  if (words.getUint32(4, true) !== VERSION) throw new Error(`expected version ${VERSION} of glTF, got another one`);
+  const length = words.getUint32(12, true);
+  const document = parsed(slice(bytes, 20, length));
+  const next = 20 + length;
+  if (bytes.length < next + 8) return { document, chunk: null };
+  if (words.getUint32(next + 4, true) !== BIN_CHUNK) throw new Error('expected a binary chunk, got another one');
+  return { document, chunk: slice(bytes, next + 8, words.getUint32(next, true)) };
+}
+
+function parsed(text: Uint8Array): Document {
+  let document: unknown;
+  try {
+    document = JSON.parse(new TextDecoder().decode(text));
+  } catch {
+    throw new Error('expected a glTF document, got something else');
+  }
+  if (typeof document !== 'object' || document === null) throw new Error('expected a glTF document, got a value');
+  return document;
+}
+
+function slice(data: Uint8Array, start: number, length: number): Uint8Array {
+  const isWithin = isCount(start) && isCount(length) && start + length <= data.length;
+  if (!isWithin) throw new Error('an array reaches beyond the file');
+  return data.subarray(start, start + length);
+}

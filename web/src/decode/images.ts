@@ -1,0 +1,63 @@
+/** Decodes WebP pictures, whose size is checked before the browser sets memory aside for it. */
+import { contentOf } from './files';
+import type { FileData } from './messages';
+
+/** Texels of a picture, at most: those of 8192². */
+const MOST_TEXELS = 2 ** 26;
+
+/** A picture as the GPU takes it: its own bytes, whatever profile it claims, and alpha apart from colour. */
+export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
+  const [width, height] = sizeOf(name, data);
+  if (width * height > MOST_TEXELS) {
+    throw new Error(`${name}: expected a smaller picture, got ${width} × ${height} pixels`);
+  }
+  try {
+    return await createImageBitmap(new Blob([data], { type: 'image/webp' }), {
+      colorSpaceConversion: 'none',
+      premultiplyAlpha: 'none',
+      imageOrientation: 'none',
+    });
+  } catch {
+    throw new Error(`${name}: expected a WebP picture, got something else`);
+  }
+}
+
+/** The pixels of an opaque picture of known size, RGBA from the top. */
+export async function pixelsOf(file: FileData, width: number, height: number): Promise<Uint8Array> {
+  const data = await contentOf(file);
+  const found = sizeOf(file.name, data);
+  if (found[0] !== width || found[1] !== height) {
+    throw new Error(`${file.name}: expected ${width} × ${height} pixels, got ${found[0]} × ${found[1]}`);
+  }
+  const bitmap = await pictureOf(file.name, data);
+  try {
+    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+    if (!context) throw new Error(`${file.name}: the browser cannot read pictures here`);
+    context.drawImage(bitmap, 0, 0);
+    return new Uint8Array(context.getImageData(0, 0, width, height).data.buffer);
+  } finally {
+    bitmap.close();
+  }
+}
+
+/** Width and height in the first chunk of a WebP file. */
+export function sizeOf(name: string, data: Uint8Array): [width: number, height: number] {
+  const bytes = new DataView(data.buffer, data.byteOffset, data.byteLength);
+  const textAt = (place: number): string => String.fromCharCode(...data.subarray(place, place + 4));
+  if (data.length >= 30 && textAt(0) === 'RIFF' && textAt(8) === 'WEBP') {
+    switch (textAt(12)) {
+      // Lossy: after three bytes of the frame and three of a mark, 14 bits each, below two bits of scaling.
+      case 'VP8 ':
+        return [bytes.getUint16(26, true) & 0x3fff, bytes.getUint16(28, true) & 0x3fff];
+      // Lossless: after a byte of a mark, 14 bits each, less 1.
+      case 'VP8L': {
+        const bits = bytes.getUint32(21, true);
+        return [1 + (bits & 0x3fff), 1 + ((bits >>> 14) & 0x3fff)];
+      }
+      // Extended: after four bytes of flags, 24 bits each, less 1.
+      case 'VP8X':
+        return [1 + (bytes.getUint32(24, true) & 0xffffff), 1 + (bytes.getUint32(26, true) >>> 8)];
+    }
+  }
+  throw new Error(`${name}: expected a WebP picture, got something else`);
+}

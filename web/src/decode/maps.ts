@@ -1,0 +1,196 @@
+/** The maps of a region: ring 0 whole, then what each ring changes. */
+import { contentOf, inflated, reasonOf } from './files';
+import { pixelsOf } from './images';
+import type { FileData, FirstMapRequest, MapUpdate, NextMapRequest } from './messages';
+import { decodeRanges } from './ranges';
+
+const FACES = 6;
+/** Texels along a face, at most. */
+const MOST_SIDE = 4096;
+/** Bytes of a file of ranges: nine lengths, and for each texel two flags, a pair of bits, a byte and a word at most. */
+const [HEAD, MOST_BYTES, PLANES] = [36, 4, 9] as const;
+
+/** Applies what rings change; keeps the last ring's map. */
+export interface Maps {
+  first(request: FirstMapRequest): Promise<MapUpdate>;
+  next(request: NextMapRequest): Promise<MapUpdate>;
+}
+
+interface State {
+  readonly size: number;
+  readonly tile: number;
+  readonly across: number;
+  readonly step: number;
+  /** sRGB codes, RGBA, of all faces. */
+  readonly color: Uint8Array<ArrayBuffer>;
+  /** Codes of range of all faces; null before ring 1. */
+  codes: Uint16Array<ArrayBuffer> | null;
+  /** Tiles that each ring from 1 on changes. */
+  readonly changed: number[][];
+}
+
+export function createMaps(): Maps {
+  let state: State | null = null;
+  return {
+    async first({ faceSize: size, tile, across, step, color }) {
+      checkLayout(size, tile, across);
+      if (color.length !== FACES) throw new Error(`map: expected six pictures, got ${color.length}`);
+      const whole = new Uint8Array(4 * FACES * size * size);
+      const faces = await Promise.all(color.map((file) => pixelsOf(file, size, size)));
+      faces.forEach((face, number) => whole.set(face, number * face.length));
+      state = { size, tile, across, step, color: whole, codes: null, changed: [] };
+      return wholeMap(state);
+    },
+    async next(request) {
+      if (!state) throw new Error('map: a ring came before the first map');
+      const { since, ring } = request;
+      if (since !== null && !(Number.isInteger(since) && since >= 0 && since <= ring)) {
+        throw new Error(`map: expected an earlier ring than ${ring}, got ${since}`);
+      }
+      await apply(state, request);
+      return since === null ? wholeMap(state) : changedTiles(state, since, ring);
+    },
+  };
+}
+
+function checkLayout(size: number, tile: number, across: number): void {
+  const areCounts = [size, tile, across].every((value) => Number.isInteger(value) && value > 0);
+  const isLayout = areCounts && size <= MOST_SIDE && size % tile === 0;
+  if (!isLayout) throw new Error(`map: expected faces of up to ${MOST_SIDE} texels in tiles, got ${size} in ${tile}`);
+}
+
+async function apply(state: State, { ring, tiles, color, range }: NextMapRequest): Promise<void> {
+  const { size, tile } = state;
+  const side = size / tile;
+  if (ring !== state.changed.length + 1) throw new Error(`map: expected ring ${state.changed.length + 1}, got ${ring}`);
+  const isTile = (number: number): boolean => Number.isInteger(number) && number >= 0 && number < FACES * side * side;
+  if (!tiles.every(isTile)) throw new Error('map: expected tiles of the map, got others');
+  const next = await (state.codes ? laterCodes(state, state.codes, tiles, range) : firstCodes(state, tiles, range));
+  const sheet = await sheetOf(state, tiles.length, color);
+  // All of it is decoded, so that a damaged file leaves the map before as it was.
+  if (sheet) putChanges(state, sheet, next.changed, tiles);
+  state.codes = next.codes;
+  state.changed.push([...tiles]);
+}
+
+function sheetOf({ tile, across }: State, count: number, color: FileData | null): Promise<Uint8Array> | null {
+  if (count === 0) return null;
+  if (!color) throw new Error('map: expected a picture of the tiles that change, got none');
+  return pixelsOf(color, across * tile, Math.ceil(count / across) * tile);
+}
+
+interface Codes {
+  readonly codes: Uint16Array<ArrayBuffer>;
+  /** Which texels change. */
+  readonly changed: Uint8Array;
+}
+
+/** The codes of ring 1: a file for each face. */
+async function firstCodes(state: State, tiles: readonly number[], range: readonly FileData[]): Promise<Codes> {
+  const area = state.size * state.size;
+  const perFace = (state.size / state.tile) ** 2;
+  if (range.length !== FACES) throw new Error(`map: expected six files of ranges, got ${range.length}`);
+  const codes = new Uint16Array(FACES * area);
+  const changed = new Uint8Array(FACES * area);
+  await Promise.all(
+    range.map(async (file, face) => {
+      const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MOST_BYTES * area);
+      const own = tiles.filter((number) => Math.floor(number / perFace) === face).map((number) => number % perFace);
+      const place = codes.subarray(face * area, (face + 1) * area);
+      changed.set(named(file, () => decodeRanges(raw, place, null, own, state)), face * area);
+    }),
+  );
+  return { codes, changed };
+}
+
+/** The codes of a later ring: one file, unless nothing changes. */
+async function laterCodes(
+  state: State,
+  before: Uint16Array<ArrayBuffer>,
+  tiles: readonly number[],
+  range: readonly FileData[],
+): Promise<Codes> {
+  const { tile } = state;
+  const [file] = range;
+  if (range.length !== (tiles.length > 0 ? 1 : 0)) {
+    throw new Error(`map: expected ranges exactly where tiles change, got ${range.length} files`);
+  }
+  if (!file) return { codes: before, changed: new Uint8Array(before.length) };
+  const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MOST_BYTES * tiles.length * tile * tile);
+  const codes = before.slice();
+  return { codes, changed: named(file, () => decodeRanges(raw, codes, before, tiles, state)) };
+}
+
+/** Errors of a function name a file. */
+function named<T>(file: FileData, work: () => T): T {
+  try {
+    return work();
+  } catch (error) {
+    throw new Error(`${file.name}: ${reasonOf(error)}`);
+  }
+}
+
+/** Put texels that change, and their eight neighbours on the same face, from a picture of tiles into the map. */
+function putChanges(state: State, sheet: Uint8Array, changed: Uint8Array, tiles: readonly number[]): void {
+  const { size, tile, across } = state;
+  const side = size / tile;
+  tiles.forEach((number, order) => {
+    const face = Math.floor(number / (side * side));
+    const [column, row] = [number % side, Math.floor(number / side) % side];
+    const [fromX, fromY] = [(order % across) * tile, Math.floor(order / across) * tile];
+    for (let y = 0; y < tile; y++) {
+      for (let x = 0; x < tile; x++) {
+        const [faceX, faceY] = [column * tile + x, row * tile + y];
+        if (!isNear(changed, face * size * size, faceX, faceY, size)) continue;
+        const to = 4 * (face * size * size + faceY * size + faceX);
+        const from = 4 * ((fromY + y) * across * tile + fromX + x);
+        for (let channel = 0; channel < 3; channel++) state.color[to + channel] = sheet[from + channel] as number;
+      }
+    }
+  });
+}
+
+/** Whether a texel or one of its neighbours changes. */
+function isNear(changed: Uint8Array, start: number, x: number, y: number, size: number): boolean {
+  for (let row = Math.max(y - 1, 0); row <= Math.min(y + 1, size - 1); row++) {
+    for (let column = Math.max(x - 1, 0); column <= Math.min(x + 1, size - 1); column++) {
+      if (changed[start + row * size + column]) return true;
+    }
+  }
+  return false;
+}
+
+function wholeMap({ size, color, codes }: State): MapUpdate {
+  const area = size * size;
+  const faces = Array.from({ length: FACES }, (_, face) => face);
+  return {
+    whole: true,
+    color: faces.map((face) => color.slice(4 * face * area, 4 * (face + 1) * area)),
+    codes: codes && faces.map((face) => codes.slice(face * area, (face + 1) * area)),
+  };
+}
+
+/** The tiles that changed after a ring's map, up to another ring's. */
+function changedTiles(state: State, since: number, ring: number): MapUpdate {
+  const { size, tile, color, codes } = state;
+  if (!codes) throw new Error('map: a ring has no ranges');
+  const tiles = Int32Array.from(new Set(state.changed.slice(since, ring).flat())).sort();
+  const side = size / tile;
+  const update = {
+    whole: false as const,
+    tiles,
+    color: new Uint8Array(4 * tiles.length * tile * tile),
+    codes: new Uint16Array(tiles.length * tile * tile),
+  };
+  tiles.forEach((number, order) => {
+    const face = Math.floor(number / (side * side));
+    const [column, row] = [number % side, Math.floor(number / side) % side];
+    for (let y = 0; y < tile; y++) {
+      const from = face * size * size + (row * tile + y) * size + column * tile;
+      const to = (order * tile + y) * tile;
+      update.color.set(color.subarray(4 * from, 4 * (from + tile)), 4 * to);
+      update.codes.set(codes.subarray(from, from + tile), to);
+    }
+  });
+  return update;
+}

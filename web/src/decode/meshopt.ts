@@ -1,0 +1,64 @@
+/** Decompression of arrays by meshoptimizer, whose decoder trusts what it is told: all of it is checked before. */
+import { MeshoptDecoder } from 'meshoptimizer/decoder';
+
+/** What `EXT_meshopt_compression` says of an array. Every number may be wrong in a damaged file. */
+export interface Compression {
+  readonly buffer: number;
+  readonly byteOffset?: number;
+  readonly byteLength: number;
+  readonly byteStride: number;
+  readonly count: number;
+  readonly mode: string;
+  readonly filter?: string;
+}
+
+/** Greatest size of an array that is decompressed, bytes: the largest ring of a bundle has a fraction of it. */
+const MOST_BYTES = 2 ** 28;
+/**
+ * Bytes that a compressed one makes at most: version 0 of the codec of vertices spends at least two bits on 16 bytes of
+ * a column, those of corners spend a byte on a triangle, or on a corner.
+ */
+const MOST_GROWTH = 64;
+/** What a short array may take in any case: its last block may be filled up, bytes. */
+const LEAST_BYTES = 2 ** 16;
+const MOST_STRIDE = 256;
+
+type Strides = (stride: number) => boolean;
+const isCorner: Strides = (stride) => stride === 2 || stride === 4;
+const MODES: ReadonlyMap<string, Strides> = new Map([
+  ['ATTRIBUTES', (stride: number) => stride % 4 === 0 && stride <= MOST_STRIDE],
+  ['TRIANGLES', isCorner],
+  ['INDICES', isCorner],
+]);
+const FILTERS: ReadonlyMap<string, Strides> = new Map([
+  ['NONE', () => true],
+  ['OCTAHEDRAL', (stride: number) => stride === 4 || stride === 8],
+  ['QUATERNION', (stride: number) => stride === 8],
+  ['EXPONENTIAL', (stride: number) => stride % 4 === 0],
+]);
+
+export async function decompressed(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
+  const isSized = isCount(count) && isCount(byteStride) && byteStride > 0;
+  const size = count * byteStride;
+  if (!isSized || size > Math.min(MOST_BYTES, LEAST_BYTES + MOST_GROWTH * source.length)) {
+    throw new Error(`${source.length} compressed bytes claim ${count} rows of ${byteStride} bytes`);
+  }
+  if (!MODES.get(mode)?.(byteStride) || (mode === 'TRIANGLES' && count % 3 !== 0)) {
+    throw new Error(`${count} rows of ${byteStride} bytes cannot be ${mode}`);
+  }
+  if (!FILTERS.get(filter)?.(byteStride) || (mode !== 'ATTRIBUTES' && filter !== 'NONE')) {
+    throw new Error(`${mode} of ${byteStride} bytes have no filter ${filter}`);
+  }
+  const target = new Uint8Array(size);
+  await MeshoptDecoder.ready;
+  try {
+    MeshoptDecoder.decodeGltfBuffer(target, count, byteStride, source, mode, filter);
+  } catch {
+    throw new Error('expected a compressed array, got something else');
+  }
+  return target;
+}
+
+export function isCount(value: unknown): value is number {
+  return Number.isSafeInteger(value) && (value as number) >= 0;
+}

@@ -1,0 +1,59 @@
+/** Pieces that are small enough to be uploaded within a frame. */
+import { ROWS } from './placements';
+import type { Arrays } from './surfaces';
+
+/** Triangles and placements of a piece, at most: about a megabyte each. */
+const [MOST_TRIANGLES, MOST_PLACEMENTS] = [32_768, 16_384] as const;
+/** Vertices that 16 bits number. */
+const SHORT = 65_536;
+
+/** Parts of placements, so that each can be uploaded at once. */
+export function shared(placements: Float32Array): Float32Array[] {
+  const size = ROWS * MOST_PLACEMENTS;
+  if (placements.length <= size) return placements.length > 0 ? [placements] : [];
+  const count = Math.ceil(placements.length / size);
+  return Array.from({ length: count }, (_, n) => placements.slice(n * size, (n + 1) * size));
+}
+
+/** The same triangles in parts of a bounded size, each with the vertices that it uses. */
+export function chopped(whole: Arrays): Arrays[] {
+  const corners = 3 * MOST_TRIANGLES;
+  if (whole.indices.length === 0) return [];
+  if (whole.indices.length <= corners) return [whole];
+  const parts: Arrays[] = [];
+  const renamed = new Int32Array(whole.positions.length / 3).fill(-1);
+  for (let start = 0; start < whole.indices.length; start += corners) {
+    const part = whole.indices.subarray(start, start + corners);
+    const indices = new Uint32Array(part.length);
+    const used = new Uint32Array(part.length);
+    let count = 0;
+    for (let n = 0; n < part.length; n++) {
+      const vertex = part[n] as number;
+      if (renamed[vertex] === -1) {
+        renamed[vertex] = count;
+        used[count++] = vertex;
+      }
+      indices[n] = renamed[vertex] as number;
+    }
+    const chosen = used.subarray(0, count);
+    parts.push({
+      ...whole,
+      indices: count <= SHORT ? Uint16Array.from(indices) : indices,
+      positions: rowsOf(whole.positions, chosen, 3),
+      normals: whole.normals && rowsOf(whole.normals, chosen, 3),
+      uvs: whole.uvs && rowsOf(whole.uvs, chosen, 2),
+      colors: whole.colors && rowsOf(whole.colors, chosen, 4),
+    });
+    for (const vertex of chosen) renamed[vertex] = -1;
+  }
+  return parts;
+}
+
+function rowsOf<T extends Float32Array | Uint16Array>(rows: T, chosen: Uint32Array, width: number): T {
+  const found = new (rows.constructor as new (length: number) => T)(chosen.length * width);
+  for (let n = 0; n < chosen.length; n++) {
+    const row = chosen[n] as number;
+    for (let column = 0; column < width; column++) found[n * width + column] = rows[row * width + column] as number;
+  }
+  return found;
+}

@@ -1,0 +1,85 @@
+/** Placements of meshes: twelve numbers each, rows of 3 × 4. */
+import type { Point } from '../bundle/manifest';
+import type { Glb, Node } from './glb';
+
+/** Numbers of a placement. */
+export const ROWS = 12;
+
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] as const;
+
+export function isIdentity(rows: Float64Array): boolean {
+  return rows.length === ROWS && rows.every((value, n) => value === IDENTITY[n]);
+}
+
+/** Placements of a node in the frame of the root: that of its matrix, or those of its arrays. */
+export async function placementsOf(glb: Glb, node: Node): Promise<Float64Array> {
+  const rows = node.extensions?.EXT_mesh_gpu_instancing ? await instancesOf(glb, node) : matrixOf(node);
+  if (!rows.every(Number.isFinite)) throw new Error('expected placements of finite numbers');
+  return rows;
+}
+
+function matrixOf({ matrix }: Node): Float64Array {
+  if (matrix === undefined) return Float64Array.from(IDENTITY);
+  if (!Array.isArray(matrix) || matrix.length !== 16) throw new Error('expected matrices of 16 numbers');
+  // The file has columns of four.
+  return Float64Array.from({ length: ROWS }, (_, n) => matrix[4 * (n % 4) + Math.floor(n / 4)] as number);
+}
+
+async function instancesOf(glb: Glb, node: Node): Promise<Float64Array> {
+  const attributes = node.extensions?.EXT_mesh_gpu_instancing?.attributes ?? {};
+  const read = async (name: string, width: number): Promise<Float32Array | null> => {
+    if (attributes[name] === undefined) return null;
+    const rows = await glb.read(attributes[name], width);
+    if (!(rows instanceof Float32Array)) throw new Error(`expected placements whose ${name} has 32 bits`);
+    return rows;
+  };
+  const [moves, turns, scales] = await Promise.all([read('TRANSLATION', 3), read('ROTATION', 4), read('SCALE', 3)]);
+  const counts = [[moves, 3], [turns, 4], [scales, 3]] as const;
+  const numbers = counts.flatMap(([rows, width]) => (rows ? [rows.length / width] : []));
+  const [count] = numbers;
+  if (count === undefined || numbers.some((own) => own !== count) || node.matrix !== undefined) {
+    throw new Error('expected arrays of placements of one length');
+  }
+  const placements = new Float64Array(ROWS * count);
+  for (let n = 0; n < count; n++) compose(placements, n, moves, turns, scales);
+  return placements;
+}
+
+/** Write the placement that scales, turns by a quaternion (x, y, z, w) and moves. */
+function compose(
+  placements: Float64Array,
+  n: number,
+  moves: Float32Array | null,
+  turns: Float32Array | null,
+  scales: Float32Array | null,
+): void {
+  const part = (rows: Float32Array | null, width: number, column: number, missing: number): number =>
+    rows ? (rows[width * n + column] as number) : missing;
+  const [qx, qy, qz, qw] = [part(turns, 4, 0, 0), part(turns, 4, 1, 0), part(turns, 4, 2, 0), part(turns, 4, 3, 1)];
+  // Of float32, so that their length is 1 but for rounding.
+  const size = Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw) || 1;
+  const [x, y, z, w] = [qx / size, qy / size, qz / size, qw / size];
+  const turn = [
+    1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
+    2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+    2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y),
+  ];
+  for (let row = 0; row < 3; row++) {
+    for (let column = 0; column < 3; column++) {
+      placements[ROWS * n + 4 * row + column] = (turn[3 * row + column] as number) * part(scales, 3, column, 1);
+    }
+    placements[ROWS * n + 4 * row + 3] = part(moves, 3, row, 0);
+  }
+}
+
+/** All placements one after the other, moved by an offset in float64 before they are rounded. */
+export function rounded(parts: readonly Float64Array[], offset: Point): Float32Array {
+  const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
+  let place = 0;
+  for (const part of parts) {
+    for (let n = 0; n < part.length; n++) {
+      all[place++] = (part[n] as number) + (n % 4 === 3 ? (offset[Math.floor((n % ROWS) / 4)] as number) : 0);
+    }
+  }
+  return all;
+}

@@ -1,0 +1,101 @@
+/** Reader of the nine planes of a file of ranges: docs/stream.md, "Files of ranges". */
+
+export const NOTHING = 65535;
+
+const PLANES = 9;
+const [CHANGED, EMPTY, BITS, WORDS] = [0, 1, 2, 8] as const;
+
+/** How far a prediction is trusted: in which planes its residual begins. */
+export const TRUST = {
+  high: { pair: 3, byte: 6, isBit: true },
+  some: { pair: 4, byte: 6, isBit: false },
+  calm: { pair: 5, byte: 6, isBit: false },
+  low: { pair: null, byte: 7, isBit: false },
+} as const;
+export type Trust = (typeof TRUST)[keyof typeof TRUST];
+
+export interface Planes {
+  /** A flag whose prediction may be wrong. */
+  changed(predicted: boolean): boolean;
+  nothing(predicted: boolean): boolean;
+  /** A folded residual. */
+  residual(trust: Trust): number;
+  /** Refuse bytes that were not read. */
+  finish(): void;
+}
+
+export function damaged(how: string): Error {
+  return new Error(`expected ranges of the listed tiles, got ${how}`);
+}
+
+export function readPlanes(raw: Uint8Array): Planes {
+  const head = 4 * PLANES;
+  if (raw.length < head) throw damaged('fewer bytes');
+  const lengths = new DataView(raw.buffer, raw.byteOffset, head);
+  const planes: Uint8Array[] = [];
+  let end = head;
+  for (let plane = 0; plane < PLANES; plane++) {
+    const start = end;
+    end += lengths.getUint32(4 * plane, true);
+    if (end > raw.length) throw damaged('fewer bytes');
+    planes.push(raw.subarray(start, end));
+  }
+  if (end !== raw.length) throw damaged('more bytes');
+  // Bits, bytes or words of each plane that were read.
+  const read = new Uint32Array(PLANES);
+
+  function bits(plane: number, count: number): number {
+    const place = read[plane] as number;
+    const byte = planes[plane]?.[place >> 3];
+    if (byte === undefined) throw damaged('fewer bytes');
+    read[plane] = place + count;
+    return (byte >> (8 - count - (place & 7))) & ((1 << count) - 1);
+  }
+
+  function byteOf(plane: number): number {
+    const place = read[plane] as number;
+    const byte = planes[plane]?.[place];
+    if (byte === undefined) throw damaged('fewer bytes');
+    read[plane] = place + 1;
+    return byte;
+  }
+
+  function word(): number {
+    const plane = planes[WORDS] as Uint8Array;
+    const half = plane.length >> 1;
+    const place = read[WORDS] as number;
+    const [high, low] = [plane[place], plane[half + place]];
+    if (place >= half || high === undefined || low === undefined) throw damaged('fewer bytes');
+    read[WORDS] = place + 1;
+    return (high << 8) | low;
+  }
+
+  return {
+    changed: (predicted) => predicted !== (bits(CHANGED, 1) === 1),
+    nothing: (predicted) => predicted !== (bits(EMPTY, 1) === 1),
+    residual(trust) {
+      let sum = 0;
+      if (trust.isBit) {
+        if (bits(BITS, 1) === 0) return 0;
+        sum = 1;
+      }
+      if (trust.pair !== null) {
+        const pair = bits(trust.pair, 2);
+        if (pair < 3) return sum + pair;
+        sum += 3;
+      }
+      const byte = byteOf(trust.byte);
+      const value = sum + byte + (byte === 255 ? word() : 0);
+      if (value > 65535) throw damaged('a number beyond 16 bits');
+      return value;
+    },
+    finish() {
+      const whole = (plane: number): number => {
+        const count = read[plane] as number;
+        if (plane === WORDS) return 2 * count;
+        return plane >= 6 ? count : (count + 7) >> 3;
+      };
+      if (planes.some((plane, number) => whole(number) !== plane.length)) throw damaged('more bytes');
+    },
+  };
+}

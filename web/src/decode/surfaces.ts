@@ -1,0 +1,95 @@
+/** Arrays and materials of the primitives of a GLB. */
+import { at, type Glb, type MaterialEntry, type Numbers, type Primitive } from './glb';
+import type { Material, Piece } from './messages';
+
+/** Folder of the files of a bundle; files refer to each other within it. */
+export const FOLDER = 'files/';
+
+/** What a piece is without its place. */
+export type Arrays = Omit<Piece, 'name' | 'placements'>;
+
+export async function primitiveOf(glb: Glb, { attributes = {}, indices, material }: Primitive): Promise<Arrays> {
+  const optional = (name: string, width: number): Promise<Numbers> | null =>
+    attributes[name] === undefined ? null : glb.read(attributes[name], width);
+  const [positions, normals, uvs, colors, corners] = await Promise.all([
+    glb.read(attributes['POSITION'], 3),
+    optional('NORMAL', 3),
+    optional('TEXCOORD_0', 2),
+    optional('COLOR_0', 4),
+    glb.read(indices, 1),
+  ]);
+  const vertices = positions.length / 3;
+  if (!(corners instanceof Uint16Array || corners instanceof Uint32Array) || corners.length % 3 !== 0) {
+    throw new Error('expected triangles of 16 or 32 bits');
+  }
+  if (greatest(corners) >= vertices) throw new Error(`expected corners below ${vertices}`);
+  const counts = [[normals, 3], [uvs, 2], [colors, 4]] as const;
+  if (counts.some(([rows, width]) => rows && rows.length !== width * vertices)) {
+    throw new Error(`expected attributes of ${vertices} vertices`);
+  }
+  if (colors && !(colors instanceof Uint16Array)) throw new Error('expected colours of 16 bits');
+  return {
+    positions: finite(positions, 'positions'),
+    normals: normals && unitVectors(normals),
+    uvs: uvs && finite(uvs, 'texture coordinates'),
+    colors,
+    indices: corners,
+    material: materialOf(glb, at(glb.document.materials, material, 'material')),
+  };
+}
+
+/** The greatest of numbers that are at least 0; −1 if there are none. */
+function greatest(rows: Uint16Array | Uint32Array): number {
+  let most = -1;
+  for (const row of rows) if (row > most) most = row;
+  return most;
+}
+
+function finite(rows: Numbers, what: string): Float32Array {
+  let isFinite = rows instanceof Float32Array;
+  for (let n = 0; isFinite && n < rows.length; n++) isFinite = Number.isFinite(rows[n]);
+  if (!isFinite) throw new Error(`expected ${what} that are finite numbers of 32 bits`);
+  return rows as Float32Array;
+}
+
+/** Normals are bytes or float32; the vectors get length 1. */
+function unitVectors(rows: Numbers): Float32Array {
+  if (!(rows instanceof Int8Array)) finite(rows, 'normals');
+  const unit = new Float32Array(rows.length);
+  for (let n = 0; n < rows.length; n += 3) {
+    const [x, y, z] = [rows[n] as number, rows[n + 1] as number, rows[n + 2] as number];
+    const size = Math.sqrt(x * x + y * y + z * z) || 1;
+    unit[n] = x / size;
+    unit[n + 1] = y / size;
+    unit[n + 2] = z / size;
+  }
+  return unit;
+}
+
+function materialOf(glb: Glb, entry: MaterialEntry): Material {
+  const { pbrMetallicRoughness: surface = {}, alphaMode, alphaCutoff = 0.5 } = entry;
+  const [red, green, blue, alpha, ...more] = surface.baseColorFactor ?? [1, 1, 1, 1];
+  const color = [Number(red), Number(green), Number(blue), Number(alpha)] as const;
+  if (more.length > 0 || !color.every(Number.isFinite) || !Number.isFinite(alphaCutoff)) {
+    throw new Error('expected materials of finite numbers');
+  }
+  const texture = surface.baseColorTexture;
+  return {
+    color,
+    image: texture ? imageOf(glb, texture.index) : null,
+    cutoff: alphaMode === 'MASK' ? alphaCutoff : null,
+  };
+}
+
+function imageOf({ document }: Glb, texture: number): string {
+  const entry = at(document.textures, texture, 'texture');
+  return pictureName(at(document.images, entry.extensions?.EXT_texture_webp?.source ?? entry.source, 'image'));
+}
+
+/** The name in the bundle of a picture. */
+export function pictureName({ uri }: { readonly uri: string }): string {
+  if (typeof uri !== 'string' || !/^[0-9a-f]{16}\.[a-z]+$/.test(uri)) {
+    throw new Error('expected pictures that are files of the bundle');
+  }
+  return FOLDER + uri;
+}

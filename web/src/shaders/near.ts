@@ -1,0 +1,183 @@
+/** Shaders of near geometry: the morph of its vertices, and nearfar's one shading formula. */
+import { SHARED, SRGB } from './shared';
+
+export const NEAR_VERTEX = /* glsl */ `
+${SHARED}
+uniform mat4 projectionMatrix;
+uniform mat4 viewMatrix;
+in vec3 position;
+#ifdef SMOOTH
+in vec3 normal;
+out vec3 v_normal;
+#endif
+#ifdef TEXTURED
+in vec2 uv;
+out vec2 v_uv;
+#endif
+#ifdef COLORED
+in vec4 color;
+out vec3 v_color;
+#endif
+#ifdef PLACED
+// Rows of the matrix from the mesh to metres from the centre.
+in vec4 row_x;
+in vec4 row_y;
+in vec4 row_z;
+#else
+uniform mat4 placement;
+#endif
+// From the centre, where it is; from the eye, where it is shown.
+out vec3 v_point;
+out vec3 v_shown;
+
+vec3 shown(vec3 p) {
+  vec3 from_user = p - cameraPosition;
+  float rho = length(p.xz);
+  if (!is_morphed() || (radii.w == 1.0 && rho <= radii.x)) {
+    return from_user;
+  }
+  float w = radii.w * user_weight(rho, radii.y, radii.z);
+  vec4 to = on_cylinder(user_place(), from_user, p, w, rho);
+  return to.w * to.xyz;
+}
+
+void main() {
+#ifdef PLACED
+  mat4 placement = transpose(mat4(row_x, row_y, row_z, vec4(0.0, 0.0, 0.0, 1.0)));
+#endif
+  v_point = (placement * vec4(position, 1.0)).xyz;
+  v_shown = shown(v_point);
+#ifdef SMOOTH
+  // Normals go by the cofactors of the matrix, whatever its scale and handedness.
+  mat3 m = mat3(placement);
+  v_normal = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])) * normal;
+#endif
+#ifdef TEXTURED
+  v_uv = uv;
+#endif
+#ifdef COLORED
+  v_color = color.rgb;
+#endif
+  gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
+}
+`;
+
+export const NEAR_FRAGMENT = /* glsl */ `
+${SHARED}
+${SRGB}
+uniform vec4 base_color;
+// Share of this picture over the one before, 1 for all.
+uniform float opacity;
+#ifdef TEXTURED
+uniform sampler2D image;
+#endif
+#ifdef CUTOUT
+uniform float cutoff;
+#endif
+#ifdef SMOOTH
+in vec3 v_normal;
+#endif
+#ifdef TEXTURED
+in vec2 v_uv;
+#endif
+#ifdef COLORED
+in vec3 v_color;
+#endif
+in vec3 v_point;
+in vec3 v_shown;
+out vec4 shade;
+
+// Codes of range, and how codes stand for metres: least, step, texels along a face, and 1 where there are ranges.
+uniform usamplerCube codes;
+uniform vec4 coding;
+const uint NOTHING = 65535u;
+// Share of its range by which a fragment may lie behind the map before it counts as hidden.
+const float BIAS = 4e-3;
+
+// The farthest of the four texels whose centres enclose a direction.
+float farthest_range(vec3 d) {
+  vec3 size = abs(d);
+  float longest = max(size.x, max(size.y, size.z));
+  vec3 at = d / longest;
+  float half_texel = 1.0 / coding.z;
+  vec3 right = size.x == longest ? vec3(0.0, half_texel, 0.0) : vec3(half_texel, 0.0, 0.0);
+  vec3 down = size.z == longest ? vec3(0.0, half_texel, 0.0) : vec3(0.0, 0.0, half_texel);
+  if (size.z == longest) {
+    right = vec3(half_texel, 0.0, 0.0);
+  }
+  uint code = max(
+    max(texture(codes, at - right - down).r, texture(codes, at + right - down).r),
+    max(texture(codes, at - right + down).r, texture(codes, at + right + down).r));
+  return code == NOTHING ? 1e38 : coding.x * exp(float(code) * coding.y);
+}
+
+bool is_hidden() {
+  if (coding.w == 0.0 || length(v_point.xz) <= radii.y) {
+    return false;
+  }
+  float range = length(v_shown);
+  vec3 direction = v_shown / range;
+  float limit = farthest_range(direction) * (1.0 + BIAS);
+  return range > (is_morphed() ? range_on_cylinder(user_place(), direction, limit) : limit);
+}
+
+const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);
+const vec3 SUN = vec3(0.60, 0.56, 0.50);
+const vec3 SKY_DIRECTION = vec3(-0.2062843, 0.9282791, 0.3094264);
+const vec3 SKY_LOW = vec3(0.130, 0.135, 0.150);
+const vec3 SKY_HIGH = vec3(0.380, 0.420, 0.480);
+
+vec3 irradiance(vec3 n) {
+  float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
+  return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
+}
+
+// The face's normal towards the viewer; the vertices' one on its side.
+vec3 shading_normal() {
+  vec3 face = cross(dFdx(v_point), dFdy(v_point));
+  float size = length(face);
+  vec3 toward = -normalize(v_shown);
+  face = size > 0.0 ? face / size : toward;
+  face = dot(face, toward) < 0.0 ? -face : face;
+#ifdef SMOOTH
+  float long_normal = length(v_normal);
+  if (long_normal > 0.0) {
+    vec3 n = v_normal / long_normal;
+    return dot(n, face) < 0.0 ? -n : n;
+  }
+#endif
+  return face;
+}
+
+void main() {
+#ifdef TEXTURED
+  // The level at which a texel is as large as a pixel, by areas.
+  vec2 texels = vec2(textureSize(image, 0));
+  vec2 dx = dFdx(v_uv) * texels;
+  vec2 dy = dFdy(v_uv) * texels;
+  float level = 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
+#endif
+  vec3 normal = shading_normal();
+  if (is_hidden()) {
+    discard;
+  }
+  vec3 albedo = base_color.rgb;
+#ifdef COLORED
+  albedo *= v_color;
+#endif
+#ifdef TEXTURED
+  albedo *= textureLod(image, v_uv, level).rgb;
+#endif
+#ifdef CUTOUT
+#ifdef TEXTURED
+  float alpha = base_color.a * textureLod(image, v_uv, 0.0).a;
+#else
+  float alpha = base_color.a;
+#endif
+  if (alpha < cutoff) {
+    discard;
+  }
+#endif
+  shade = vec4(srgb_of(albedo * irradiance(normal)), opacity);
+}
+`;

@@ -1,0 +1,35 @@
+/** GLSL that the shaders of near geometry and of the map share. All positions are metres from the centre O, y up. */
+import { MORPH } from './morph';
+
+export const PRECISION = /* glsl */ `
+precision highp float;
+precision highp int;
+precision highp samplerCube;
+precision highp usamplerCube;
+`;
+
+/** Where the user is shown what, by the functions of `morph.ts`. */
+const SHOWN = /* glsl */ `
+// The eye, from the centre: each eye of a headset has its own.
+uniform vec3 cameraPosition;
+// r1, r2, 1 / (r2 - r1), and the strength of the morph; a strength below 0 stands for no morph at all.
+uniform vec4 radii;
+
+bool is_morphed() {
+  return radii.w >= 0.0;
+}
+
+Place user_place() {
+  return ground_place(cameraPosition);
+}
+`;
+
+/** Encoding of colours, as the screen takes them. */
+export const SRGB = /* glsl */ `
+vec3 srgb_of(vec3 linear) {
+  vec3 c = clamp(linear, 0.0, 1.0);
+  return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThanEqual(c, vec3(0.0031308))));
+}
+`;
+
+export const SHARED = PRECISION + MORPH + SHOWN;

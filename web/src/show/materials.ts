@@ -1,0 +1,87 @@
+/** Materials of near geometry and of the map. All share one set of uniforms, which a picture sets before it is drawn. */
+import {
+  CustomBlending,
+  type CubeTexture,
+  DoubleSide,
+  GLSL3,
+  type IUniform,
+  Matrix4,
+  OneMinusSrcAlphaFactor,
+  RawShaderMaterial,
+  SrcAlphaFactor,
+  type Texture,
+  Vector4,
+} from 'three';
+import type { Material, Piece } from '../decode/messages';
+import { FAR_FRAGMENT, FAR_VERTEX } from '../shaders/far';
+import { NEAR_FRAGMENT, NEAR_VERTEX } from '../shaders/near';
+
+/** Uniforms of a picture; see the shaders. */
+export interface Shared extends Record<string, IUniform> {
+  readonly radii: IUniform<Vector4>;
+  readonly opacity: IUniform<number>;
+  readonly map: IUniform<CubeTexture>;
+  readonly codes: IUniform<CubeTexture>;
+  readonly coding: IUniform<Vector4>;
+}
+
+/** Uniforms for a picture of one cube, until a picture sets others. */
+export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
+  return {
+    radii: { value: new Vector4() },
+    opacity: { value: 1 },
+    map: { value: map },
+    codes: { value: codes },
+    coding: { value: new Vector4() },
+  };
+}
+
+/** Colours of a picture that fades in are mixed with those of the picture before; the canvas itself stays opaque. */
+const BLENDING = {
+  blending: CustomBlending,
+  blendSrc: SrcAlphaFactor,
+  blendDst: OneMinusSrcAlphaFactor,
+  blendSrcAlpha: SrcAlphaFactor,
+  blendDstAlpha: OneMinusSrcAlphaFactor,
+  // In three.js's list of opaque objects, which keeps the order of a picture.
+  transparent: false,
+  depthTest: true,
+  side: DoubleSide,
+  glslVersion: GLSL3,
+} as const;
+
+export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shared): RawShaderMaterial {
+  const { material } = piece;
+  const defines: Record<string, string> = {};
+  if (piece.normals) defines['SMOOTH'] = '';
+  if (piece.colors) defines['COLORED'] = '';
+  if (piece.placements) defines['PLACED'] = '';
+  if (texture && piece.uvs) defines['TEXTURED'] = '';
+  if (material.cutoff !== null) defines['CUTOUT'] = '';
+  return new RawShaderMaterial({
+    ...BLENDING,
+    vertexShader: NEAR_VERTEX,
+    fragmentShader: NEAR_FRAGMENT,
+    defines,
+    uniforms: { ...shared, ...ownUniforms(material, texture) },
+  });
+}
+
+function ownUniforms(material: Material, texture: Texture | null): Record<string, IUniform> {
+  return {
+    base_color: { value: new Vector4(...material.color) },
+    cutoff: { value: material.cutoff ?? 0 },
+    image: { value: texture },
+    placement: { value: new Matrix4() },
+  };
+}
+
+export function farMaterial(shared: Shared): RawShaderMaterial {
+  return new RawShaderMaterial({
+    ...BLENDING,
+    vertexShader: FAR_VERTEX,
+    fragmentShader: FAR_FRAGMENT,
+    depthWrite: false,
+    uniforms: { map: shared.map, opacity: shared.opacity },
+  });
+}

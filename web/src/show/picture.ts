@@ -1,0 +1,81 @@
+/** Draws pictures: near geometry where the morph shows it, and the map wherever nothing near is. */
+import { BufferAttribute, BufferGeometry, type Camera, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
+import type { Point } from '../bundle/manifest';
+import { farMaterial, type Shared } from './materials';
+import { cubeOf, meshesOf, type Region } from './region';
+
+/** What a picture shows. */
+export interface Picture {
+  readonly region: Region;
+  /** Last ring whose geometry is shown; its map shows what lies beyond. */
+  readonly ring: number;
+  /** R, metres. */
+  readonly radius: number;
+  /** 0 to 1; null for the conventional picture: near geometry in its place, and the map as the centre sees it. */
+  readonly strength: number | null;
+}
+
+export interface Painter {
+  /** Draw a picture over what is there, as a share of it; 1 hides what was there. */
+  draw(picture: Picture, camera: Camera, opacity: number): void;
+}
+
+/**
+ * A painter for one renderer. `place` moves the rig of the camera, so that the centre of a region is at the origin.
+ */
+export function createPainter(
+  renderer: WebGLRenderer,
+  shared: Shared,
+  nearShare: number,
+  faceSize: number,
+  place: (center: Point) => void,
+): Painter {
+  const near = new Scene();
+  const far = new Scene();
+  far.add(screen(shared));
+
+  return {
+    draw(picture, camera, opacity) {
+      const { region, ring, radius, strength } = picture;
+      place(region.entry.center);
+      const cube = cubeOf(region, ring);
+      const inner = nearShare * radius;
+      // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 at any distance.
+      const slope = radius > 0 ? 1 / (radius - inner) : 1;
+      shared.radii.value.set(inner, radius, slope, strength ?? -1);
+      shared.map.value = cube.color;
+      shared.codes.value = cube.codes;
+      const { least, step } = region.entry.range;
+      shared.coding.value.set(least, step, faceSize, cube.hasRange ? 1 : 0);
+      shared.opacity.value = opacity;
+      near.children = region.groups.slice(0, ring + 1) as Object3D[];
+      renderer.clearDepth();
+      if (opacity < 1) {
+        // Depth alone first: else a surface behind another one would shine through it.
+        setWrites(region, ring, false, true);
+        renderer.render(near, camera);
+        setWrites(region, ring, true, false);
+      }
+      renderer.render(near, camera);
+      if (opacity < 1) setWrites(region, ring, true, true);
+      renderer.render(far, camera);
+      near.children = [];
+    },
+  };
+}
+
+function setWrites(region: Region, ring: number, color: boolean, depth: boolean): void {
+  for (const mesh of region.groups.slice(0, ring + 1).flatMap(meshesOf)) {
+    mesh.material.colorWrite = color;
+    mesh.material.depthWrite = depth;
+  }
+}
+
+/** One triangle over the whole picture. */
+function screen(shared: Shared): Mesh {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+  const mesh = new Mesh(geometry, farMaterial(shared));
+  mesh.frustumCulled = false;
+  return mesh;
+}

@@ -1,0 +1,66 @@
+/** The panel's figures: what is loaded, drawn and shown. */
+import { make, write } from './dom';
+import { bytesOf, count, metres, milliseconds, percent, rate } from './format';
+import type { Status } from './status';
+
+/** The lines of the panel, by their names. */
+export function linesOf(status: Status): Readonly<Record<string, string>> {
+  const { ring, rings, radius, received, expected, frame, longest, triangles, sceneTriangles } = status;
+  return {
+    Loaded: `${bytesOf(received, expected)} (${percent(received, expected)})`,
+    Speed: isComplete(status) ? 'all is here' : rate(status.rate),
+    Ring: ring === 0 ? `map only, of ${rings}` : `${ring} of ${rings}`,
+    Radius: ring === 0 ? UNUSED : metres(radius),
+    Triangles: `${count(triangles)} of ${count(sceneTriangles)}`,
+    Frame: `${milliseconds(frame)}, at most ${milliseconds(longest)}`,
+    Region: `${status.region + 1} of ${status.regions}`,
+    'From centre': `${metres(status.away)} of ${metres(status.foldMargin)}`,
+  };
+}
+
+const UNUSED = '–';
+
+/** Every ring is shown and every byte is here. */
+export function isComplete({ ring, rings, received, expected }: Status): boolean {
+  return ring >= rings && received >= expected;
+}
+
+/** In a few words, for where there is little room. */
+export function shortly(status: Status): string {
+  return `${percent(status.received, status.expected)} loaded, ring ${status.ring} of ${status.rings}`;
+}
+
+export interface Figures {
+  readonly element: HTMLElement;
+  update(status: Status): void;
+}
+
+export function createFigures(): Figures {
+  const lines = new Map<string, HTMLElement>();
+  const list = make('dl', { class: 'figures' });
+  const reach = make('div', { class: 'reach', 'aria-hidden': 'true' }, make('span', {}));
+  const problems = make('ul', { class: 'problems' });
+
+  function line(name: string): HTMLElement {
+    const found = lines.get(name);
+    if (found) return found;
+    const value = make('dd', {});
+    list.append(make('div', {}, make('dt', {}, name), value));
+    lines.set(name, value);
+    return value;
+  }
+
+  return {
+    element: make('div', { class: 'panel-body' }, list, reach, problems),
+    update(status) {
+      for (const [name, text] of Object.entries(linesOf(status))) write(line(name), text);
+      const share = status.foldMargin > 0 ? Math.min(status.away / status.foldMargin, 1) : 0;
+      reach.style.setProperty('--share', share.toFixed(3));
+      reach.dataset['near'] = String(share > 0.8);
+      const texts = status.problems;
+      if (texts.join('\n') !== [...problems.children].map(({ textContent }) => textContent).join('\n')) {
+        problems.replaceChildren(...texts.map((text) => make('li', {}, text)));
+      }
+    },
+  };
+}

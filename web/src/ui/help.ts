@@ -1,0 +1,97 @@
+/** The help: every key, and what fingers and sticks do. */
+import { icon, make } from './dom';
+import { ICONS } from './icons';
+import { type Name, SHORTCUTS } from './shortcuts';
+
+type Row = readonly [keys: readonly string[], does: string];
+
+const WALK: readonly Row[] = [
+  [['W', 'A', 'S', 'D'], 'walk'],
+  [['↑', '↓'], 'walk ahead and back'],
+  [['←', '→'], 'turn'],
+  [['Page ↑', 'Page ↓'], 'look up and down'],
+  [['Shift'], 'run'],
+  [['Drag'], 'look around'],
+  [['Double click'], 'look around without a button, until Esc'],
+];
+
+const ORBIT: readonly Row[] = [
+  [['Drag'], 'go around'],
+  [['Shift', 'Drag'], 'move; so does the right button'],
+  [['Wheel'], 'nearer and farther'],
+  [['W', 'S'], 'nearer and farther'],
+  [['A', 'D', '←', '→'], 'go around'],
+  [['Shift', 'WASD'], 'move'],
+];
+
+const TOUCH: readonly Row[] = [
+  [['Left thumb'], 'walk'],
+  [['Right thumb'], 'look around'],
+  [['One finger'], 'orbit: go around'],
+  [['Two fingers'], 'orbit: pinch for the distance, drag to move'],
+];
+
+const PAD: readonly Row[] = [
+  [['Left stick'], 'walk; press it to run'],
+  [['Right stick'], 'look around'],
+];
+
+export interface Help {
+  toggle(): void;
+  dispose(): void;
+}
+
+/** A dialog in `root`; `absent` names commands that cannot be used here. */
+export function createHelp(root: HTMLElement, absent: () => readonly Name[]): Help {
+  const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Close', title: 'Close (Esc)' });
+  close.append(icon(ICONS.close));
+  const commands = make('section', {});
+  const dialog = make(
+    'dialog',
+    { class: 'help', 'aria-labelledby': 'help-title', tabindex: '-1' },
+    make('header', {}, make('h1', { id: 'help-title' }, 'How to move'), close),
+    make(
+      'div',
+      { class: 'help-parts' },
+      part('Walk', WALK),
+      part('Orbit', ORBIT),
+      commands,
+      make('div', { class: 'help-touch' }, part('Touch', TOUCH), part('Gamepad', PAD)),
+    ),
+  );
+  close.addEventListener('click', () => dialog.close());
+  dialog.addEventListener('click', (event) => {
+    // The dialog itself is hit only beside its content, on the backdrop.
+    if (event.target === dialog) dialog.close();
+  });
+  dialog.addEventListener('keydown', (event) => {
+    if (event.key !== '?') return;
+    dialog.close();
+    event.preventDefault();
+  });
+  root.append(dialog);
+
+  return {
+    toggle() {
+      if (dialog.open) {
+        dialog.close();
+        return;
+      }
+      const missing = absent();
+      const names = (Object.keys(SHORTCUTS) as Name[]).filter((name) => !missing.includes(name));
+      const rows = names.map((name): Row => [[SHORTCUTS[name].label], SHORTCUTS[name].does]);
+      commands.replaceChildren(...part('Commands', rows).childNodes);
+      dialog.showModal();
+      dialog.scrollTop = 0;
+    },
+    dispose: () => dialog.remove(),
+  };
+}
+
+function part(title: string, rows: readonly Row[]): HTMLElement {
+  const list = make('dl', {});
+  for (const [keys, does] of rows) {
+    list.append(make('dt', {}, ...keys.map((key) => make('kbd', {}, key))), make('dd', {}, does));
+  }
+  return make('section', {}, make('h2', {}, title), list);
+}

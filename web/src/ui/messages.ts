@@ -1,0 +1,100 @@
+/** What the page says when something fails: over the whole page, or in a banner above the last good picture. */
+import { icon, make } from './dom';
+import { ICONS } from './icons';
+
+/** Problems that a banner lists; the rest are counted. */
+const MOST = 3;
+
+export interface FatalOptions {
+  /** What exactly failed, for those who can mend it. */
+  readonly detail?: string | undefined;
+  /** There is something to try again. */
+  readonly retry?: (() => void) | undefined;
+}
+
+/** A title, and what the user can do. */
+export interface Message {
+  readonly title: string;
+  readonly text: string;
+}
+
+/** Failures after which there is nothing to show. */
+export const FATAL = {
+  webgl: {
+    title: 'This browser cannot draw the scene',
+    text:
+      'The page needs WebGL 2. Switch on hardware acceleration in the settings of the browser, or open the page in a ' +
+      'current Chrome, Edge, Firefox or Safari.',
+  },
+  damaged: {
+    title: 'The scene is damaged',
+    text: 'A file is not what the manifest says. Export the scene again, or tell whoever sent you here.',
+  },
+  newer: {
+    title: 'The scene needs a newer nearfar',
+    text: 'It was written in a later format than this page reads. Update nearfar and reload the page.',
+  },
+  network: {
+    title: 'The scene cannot be reached',
+    text: 'The server does not answer, or does not have it. Check the connection and the address, and try again.',
+  },
+  other: {
+    title: 'The scene cannot be shown',
+    text: 'Reload the page. If that does not help, tell whoever sent you here what stands below.',
+  },
+} as const satisfies Readonly<Record<string, Message>>;
+
+/** Say over the whole page why nothing can be shown. */
+export function showFatal(title: string, text: string, { detail, retry }: FatalOptions = {}): void {
+  const heading = make('h1', { tabindex: '-1', id: 'message-title' }, title);
+  const card = make('div', { class: 'fatal-card' }, make('p', { class: 'fatal-brand' }, 'nearfar'), heading);
+  card.append(make('p', {}, text));
+  if (detail) card.append(make('p', { class: 'fatal-detail' }, detail));
+  if (retry) card.append(button('Try again', 'button-main', retry));
+  const place = message();
+  place.replaceChildren(card);
+  place.dataset['kind'] = 'fatal';
+  // What lies behind the message is out of reach, also for keys.
+  for (const other of document.querySelectorAll('canvas, [data-behind]')) other.setAttribute('inert', '');
+  heading.focus({ preventScroll: true });
+}
+
+/** Say what is missing while the last good picture stays; an empty list takes the banner away. */
+export function showProblems(problems: readonly string[], retry: () => void): void {
+  const place = message();
+  if (place.dataset['kind'] === 'fatal') return;
+  const list = make('ul', {}, ...problems.slice(0, MOST).map((problem) => make('li', {}, problem)));
+  if (problems.length > MOST) list.append(make('li', {}, `and ${problems.length - MOST} more`));
+  const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Dismiss', title: 'Dismiss' });
+  close.append(icon(ICONS.close));
+  close.addEventListener('click', clearMessage);
+  const text = make('div', { class: 'banner-text' }, make('strong', {}, 'Part of the scene is missing'), list);
+  if (problems.length === 0) clearMessage();
+  else {
+    place.replaceChildren(text, button('Try again', 'button-main', retry), close);
+    place.dataset['kind'] = 'banner';
+  }
+}
+
+/** Take away what is said. */
+export function clearMessage(): void {
+  const place = message();
+  place.replaceChildren();
+  delete place.dataset['kind'];
+  for (const other of document.querySelectorAll('canvas, [data-behind]')) other.removeAttribute('inert');
+}
+
+function button(label: string, kind: string, action: () => void): HTMLButtonElement {
+  const made = make('button', { type: 'button', class: kind }, label);
+  made.addEventListener('click', action);
+  return made;
+}
+
+/** The page's own element, so that screen readers know it before it speaks. */
+function message(): HTMLElement {
+  const found = document.getElementById('message');
+  if (found) return found;
+  const made = make('div', { id: 'message', role: 'alert' });
+  document.body.append(made);
+  return made;
+}

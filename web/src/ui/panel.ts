@@ -1,0 +1,207 @@
+/** The panel, its buttons and its keys. */
+import type { Mode } from '../control/controls';
+import { icon, make, write } from './dom';
+import { MIDDLE } from './divider';
+import { createFigures, isComplete, shortly } from './figures';
+import { createHelp } from './help';
+import { ICONS } from './icons';
+import { showProblems } from './messages';
+import { copyText, saveFile } from './out';
+import { listen, type Name, SHORTCUTS } from './shortcuts';
+import type { Commands, Status } from './status';
+
+/** Seconds for which a note is shown. */
+const NOTE = 3;
+/** The panel is open at first where it leaves most of the picture free. */
+const ROOMY = '(min-width: 48rem) and (min-height: 34rem)';
+
+export interface Panel {
+  /** Show figures; a few times a second is enough. */
+  update(status: Status): void;
+  /** Show a short note, which screen readers speak when they have finished. */
+  announce(text: string): void;
+  /** The mode or the divider was changed by other means than the panel. */
+  reflect(state: { readonly mode?: Mode; readonly isDivided?: boolean }): void;
+  dispose(): void;
+}
+
+export interface PanelSettings {
+  /** What hears keys: the window by default; in a notebook the element around the page. */
+  readonly keys?: EventTarget;
+  readonly isOpen?: boolean;
+}
+
+/** Build the panel in an element that covers the picture; all that the user asks for goes to `commands`. */
+export function createPanel(root: HTMLElement, commands: Commands, settings: PanelSettings = {}): Panel {
+  const stop = new AbortController();
+  const { keys = window, isOpen = window.matchMedia(ROOMY).matches } = settings;
+  let isDivided = false;
+  let wasRing = -1;
+  let wasComplete = false;
+  let problems = '';
+  let noteEnds = 0;
+
+  const buttons = {
+    walk: tool('walk', 'Walk', ICONS.walk),
+    orbit: tool('orbit', 'Orbit', ICONS.orbit),
+    split: tool('split', 'Split', ICONS.split),
+    home: tool('home', 'Home', ICONS.home),
+    photo: tool('photo', 'Photo', ICONS.photo),
+    link: tool('link', 'Link', ICONS.link),
+    panel: tool('panel', 'Info', ICONS.panel),
+    help: tool('help', 'Help', ICONS.help),
+    headset: tool('headset', 'Enter VR', ICONS.headset),
+  };
+  const { headset, ...common } = buttons;
+  headset.classList.add('tool-main');
+  headset.hidden = true;
+  const bar = make('div', { class: 'tools', role: 'group', 'aria-label': 'Commands' }, ...Object.values(common));
+  const figures = createFigures();
+  const panel = make(
+    'section',
+    { class: 'panel card', id: 'panel', 'aria-label': 'Figures' },
+    make('header', {}, make('h1', {}, 'nearfar'), dismiss()),
+    figures.element,
+  );
+  const chip = make('button', { type: 'button', class: 'chip card', title: 'Show the figures (I)', hidden: true });
+  chip.addEventListener('click', () => run('panel'));
+  const line = make('div', {
+    class: 'load', role: 'progressbar', 'aria-label': 'Loading', 'aria-valuemin': '0', 'aria-valuemax': '100',
+  }, make('span', {}));
+  const note = make('p', { class: 'note card', hidden: true });
+  const spoken = make('p', { class: 'unseen', role: 'status' });
+  const layer = make(
+    'div',
+    { class: 'frame', 'data-behind': true },
+    make('div', { class: 'top' }, panel, chip),
+    make('div', { class: 'bottom' }, note, headset, bar),
+  );
+  root.append(line, layer, spoken);
+  const help = createHelp(root, () => [
+    ...(commands.enterXR ? [] : (['headset'] as const)),
+    ...(problems ? [] : (['retry'] as const)),
+  ]);
+  panel.hidden = !isOpen;
+  for (const [name, button] of Object.entries(buttons)) button.addEventListener('click', () => run(name as Name));
+  listen(keys, run, stop.signal);
+  reflect({ mode: 'walk' });
+
+  function run(name: Name): void {
+    // Whatever a command does wrong is told, and the next one works.
+    perform(name).catch((reason: unknown) => announce(reason instanceof Error ? reason.message : String(reason)));
+  }
+
+  async function perform(name: Name): Promise<void> {
+    if (name === 'walk' || name === 'orbit') {
+      commands.setMode(name);
+      reflect({ mode: name });
+      speak(name === 'walk' ? 'Walking' : 'Orbiting');
+    } else if (name === 'split') {
+      const wanted = !isDivided;
+      reflect({ isDivided: wanted });
+      commands.setDivider(wanted ? MIDDLE : null);
+      speak(wanted ? 'Left conventional, right continuous' : 'Continuous');
+    } else if (name === 'photo') {
+      saveFile(await commands.screenshot(), `nearfar ${new Date().toISOString().slice(0, 19).replace(/\D/g, '-')}.png`);
+      announce('Picture saved');
+    } else if (name === 'link') {
+      const link = commands.link();
+      announce((await copyText(link)) ? 'Link copied' : link);
+    } else if (name === 'home') {
+      commands.home();
+    } else if (name === 'panel') {
+      panel.hidden = !panel.hidden;
+      reflect({});
+    } else if (name === 'help') {
+      help.toggle();
+    } else if (name === 'retry' && problems) {
+      commands.retry();
+      announce('Trying again');
+    } else if (name === 'headset') {
+      await commands.enterXR?.();
+    }
+  }
+
+  function reflect({ mode, isDivided: divided }: Parameters<Panel['reflect']>[0]): void {
+    if (mode) {
+      press(buttons.walk, mode === 'walk');
+      press(buttons.orbit, mode === 'orbit');
+    }
+    isDivided = divided ?? isDivided;
+    press(buttons.split, isDivided);
+    press(buttons.panel, !panel.hidden);
+    chip.hidden = !panel.hidden || wasComplete || wasRing < 0;
+  }
+
+  function dismiss(): HTMLElement {
+    const close = make('button', {
+      type: 'button', class: 'button-icon', 'aria-label': 'Hide the figures', title: 'Hide the figures (I)',
+    }, icon(ICONS.close));
+    close.addEventListener('click', () => {
+      run('panel');
+      buttons.panel.focus({ preventScroll: true });
+    });
+    return close;
+  }
+
+  function announce(text: string): void {
+    write(note, text);
+    speak(text);
+    note.hidden = false;
+    window.clearTimeout(noteEnds);
+    noteEnds = window.setTimeout(() => {
+      note.hidden = true;
+      // The same text is spoken again when it is written again.
+      speak('');
+    }, 1000 * NOTE);
+  }
+
+  function speak(text: string): void {
+    write(spoken, text);
+  }
+
+  function tell(status: Status): void {
+    const complete = isComplete(status);
+    if (complete && !wasComplete) speak('All rings are shown');
+    else if (status.ring !== wasRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
+    [wasRing, wasComplete] = [status.ring, complete];
+    const texts = status.problems.join('\n');
+    if (texts !== problems) showProblems(status.problems, () => run('retry'));
+    problems = texts;
+  }
+
+  return {
+    update(status) {
+      tell(status);
+      figures.update(status);
+      const share = status.expected > 0 ? Math.min(status.received / status.expected, 1) : 1;
+      line.hidden = wasComplete;
+      line.dataset['stuck'] = String(problems !== '');
+      line.style.setProperty('--share', share.toFixed(4));
+      line.setAttribute('aria-valuenow', String(Math.floor(100 * share)));
+      write(chip, shortly(status));
+      headset.hidden = !commands.enterXR;
+      reflect({});
+    },
+    announce,
+    reflect,
+    dispose() {
+      stop.abort();
+      window.clearTimeout(noteEnds);
+      help.dispose();
+      for (const part of [line, layer, spoken]) part.remove();
+    },
+  };
+}
+
+/** A button of the bar, which says what it does and by which key. */
+function tool(name: Name, label: string, drawing: string): HTMLButtonElement {
+  const { label: key, does } = SHORTCUTS[name];
+  const title = `${does.charAt(0).toUpperCase()}${does.slice(1)} (${key})`;
+  const text = make('span', { class: 'tool-label' }, label);
+  return make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': key }, icon(drawing), text);
+}
+
+function press(button: HTMLButtonElement, isPressed: boolean): void {
+  button.setAttribute('aria-pressed', String(isPressed));
+}

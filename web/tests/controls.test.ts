@@ -1,0 +1,220 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { createControls, type Controls } from '../src/control/controls';
+import { type Pad, readPads } from '../src/control/gamepad';
+import type { Thumb } from '../src/control/pointers';
+import type { Pose } from '../src/control/pose';
+import { nextShare } from '../src/ui/divider';
+import { listen } from '../src/ui/shortcuts';
+import { fakeElement, letGo, point, press, send } from './fakes';
+
+const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };
+
+function steered(pads: readonly (Pad | null)[] = []) {
+  const [element, keys] = [fakeElement(), new EventTarget()];
+  const [poses, thumbs]: [Pose[], (Thumb | null)[]] = [[], []];
+  const controls: Controls = createControls(element, {
+    start: START,
+    keys,
+    pads: () => pads,
+    isSudden: () => true,
+    onChange: (pose) => poses.push(pose),
+    onThumb: (thumb) => thumbs.push(thumb),
+  });
+  return { element, keys, controls, poses, thumbs };
+}
+
+function close(a: number | undefined, b: number): void {
+  assert.ok(Math.abs((a ?? Number.NaN) - b) < 1e-9, `${a} is not ${b}`);
+}
+
+test('keys walk while they are held', () => {
+  const { keys, controls } = steered();
+  assert.ok(press(keys, 'KeyW').defaultPrevented);
+  close(controls.update(0.5).position[2], -0.8);
+  press(keys, 'KeyD');
+  const { position } = controls.update(0.5);
+  close(Math.hypot(position[0], position[2] + 0.8), 0.8);
+  letGo(keys, 'KeyW');
+  letGo(keys, 'KeyD');
+  assert.deepEqual(controls.update(0.5).position, position);
+});
+
+test('shift runs, opposite keys stand, a window that loses the keys stands', () => {
+  const { keys, controls } = steered();
+  press(keys, 'ArrowUp', { shiftKey: true });
+  close(controls.update(0.5).position[2], -2.4);
+  press(keys, 'KeyS');
+  close(controls.update(0.5).position[2], -2.4);
+  letGo(keys, 'KeyS');
+  send(keys, 'blur');
+  close(controls.update(0.5).position[2], -2.4);
+});
+
+test('arrows turn, and other keys and shortcuts are left alone', () => {
+  const { keys, controls } = steered();
+  for (const modifier of ['ctrlKey', 'metaKey', 'altKey']) {
+    assert.ok(!press(keys, 'KeyW', { [modifier]: true }).defaultPrevented);
+  }
+  assert.ok(!press(keys, 'KeyB').defaultPrevented);
+  assert.ok(!press(keys, 'constructor').defaultPrevented);
+  assert.deepEqual(controls.update(0.5), START);
+  press(keys, 'ArrowLeft');
+  close(controls.update(0.5).yaw, 0.7);
+});
+
+test('nothing moves in no time, and a long pause counts as half a second', () => {
+  const { keys, controls, poses } = steered();
+  press(keys, 'KeyW');
+  for (const seconds of [0, -1, Number.NaN]) assert.deepEqual(controls.update(seconds), START);
+  assert.equal(poses.length, 0);
+  close(controls.update(3600).position[2], -0.8);
+  assert.equal(poses.length, 1);
+});
+
+test('dragging turns the head, by the same for every frame rate', () => {
+  const { element, controls } = steered();
+  point(element, 'pointermove', 500, 300);
+  point(element, 'pointerdown', 100, 100);
+  assert.ok(element.held.has(1));
+  point(element, 'pointermove', 250, 100);
+  point(element, 'pointermove', 400, 250);
+  point(element, 'pointerup', 400, 250);
+  point(element, 'pointermove', 700, 500);
+  const { yaw, pitch } = controls.update(0.1);
+  close(yaw, 0.8);
+  close(pitch, 0.4);
+});
+
+test('a locked pointer looks the other way round', () => {
+  const { element, controls } = steered();
+  point(element, 'pointerdown', 100, 100);
+  point(element, 'pointerup', 100, 100);
+  send(element, 'dblclick');
+  point(element, 'pointermove', 100, 100, { movementX: 150, movementY: 75 });
+  close(controls.update(0.1).yaw, -0.4);
+  close(controls.update(0.1).pitch, -0.2);
+});
+
+test('the left thumb walks while the right one looks', () => {
+  const { element, controls, thumbs } = steered();
+  const [left, right] = [{ pointerId: 7, pointerType: 'touch' }, { pointerId: 9, pointerType: 'touch' }];
+  point(element, 'pointerdown', 100, 500, left);
+  point(element, 'pointermove', 100, 400, left);
+  point(element, 'pointerdown', 700, 500, right);
+  point(element, 'pointermove', 550, 500, right);
+  close(controls.update(0.5).yaw, -0.4);
+  const { position } = controls.update(0);
+  close(Math.hypot(position[0], position[2]), 0.8);
+  assert.deepEqual(thumbs.at(-1), { x: 100, y: 500, right: 0, down: -100 });
+  point(element, 'pointercancel', 100, 400, left);
+  assert.equal(thumbs.at(-1), null);
+  assert.deepEqual(controls.update(0.5).position, position);
+});
+
+test('a thumb that rests does not creep', () => {
+  const { element, controls } = steered();
+  point(element, 'pointerdown', 100, 500, { pointerType: 'touch' });
+  point(element, 'pointermove', 103, 504, { pointerType: 'touch' });
+  assert.deepEqual(controls.update(0.5).position, START.position);
+});
+
+test('modes change without a jump, and let go of fingers', () => {
+  const { element, controls } = steered();
+  point(element, 'pointerdown', 100, 500, { pointerType: 'touch' });
+  point(element, 'pointermove', 100, 400, { pointerType: 'touch' });
+  const before = controls.update(0.2);
+  controls.setMode('orbit');
+  assert.equal(controls.mode, 'orbit');
+  assert.deepEqual(controls.update(0.2), before);
+  controls.setMode('walk');
+  assert.deepEqual(controls.update(0.2), before);
+});
+
+test('in an orbit the wheel and two fingers zoom, and two fingers pan', () => {
+  const { element, controls } = steered();
+  assert.ok(!send(element, 'wheel', { deltaY: 100, deltaMode: 0 }).defaultPrevented);
+  controls.setMode('orbit');
+  assert.ok(send(element, 'wheel', { deltaY: 100, deltaMode: 0, ctrlKey: false }).defaultPrevented);
+  const wheeled = controls.update(0).position[2];
+  close(wheeled, 4 * Math.exp(0.15) - 4);
+  const [first, second] = [{ pointerId: 7, pointerType: 'touch' }, { pointerId: 9, pointerType: 'touch' }];
+  point(element, 'pointerdown', 300, 300, first);
+  point(element, 'pointerdown', 500, 300, second);
+  point(element, 'pointermove', 200, 300, first);
+  point(element, 'pointermove', 600, 300, second);
+  const pinched = controls.update(0).position;
+  close(pinched[2] + 4, (wheeled + 4) / 2);
+  point(element, 'pointermove', 200, 360, first);
+  point(element, 'pointermove', 600, 360, second);
+  assert.ok(controls.update(0).position[1] > 1.8);
+});
+
+test('home stands at once, and a limit holds for both modes', () => {
+  const { keys, controls } = steered();
+  controls.setPose({ position: [3, 2, 1], yaw: 1, pitch: 0.1 });
+  assert.deepEqual(controls.update(0), { position: [3, 2, 1], yaw: 1, pitch: 0.1 });
+  controls.setPose(START);
+  controls.setLimit([0, 0, 0], 2);
+  press(keys, 'KeyS', { shiftKey: false });
+  for (let frame = 0; frame < 100; frame++) controls.update(0.1);
+  assert.ok(controls.update(0.1).position[2] <= 2 && controls.update(0.1).position[2] > 1.9);
+  controls.setMode('orbit');
+  for (let frame = 0; frame < 100; frame++) controls.update(0.1);
+  assert.ok(controls.update(0.1).position[2] <= 2 + 1e-9);
+  controls.setLimit(null);
+  controls.setMode('walk');
+  for (let frame = 0; frame < 10; frame++) controls.update(0.1);
+  assert.ok(controls.update(0.1).position[2] > 3);
+});
+
+test('after dispose nothing is heard', () => {
+  const { element, keys, controls } = steered();
+  controls.dispose();
+  press(keys, 'KeyW');
+  point(element, 'pointerdown', 100, 100);
+  point(element, 'pointermove', 400, 100);
+  assert.deepEqual(controls.update(0.5), START);
+});
+
+const PAD: Pad = { connected: true, mapping: 'standard', axes: [0, -1, 0.5, 0], buttons: [] };
+
+test('sticks walk and look; at rest, and of unknown layout, they do nothing', () => {
+  const { controls } = steered([null, PAD]);
+  const { yaw } = controls.update(0.5);
+  close(yaw, (-0.7 * (0.5 - 0.18)) / (1 - 0.18));
+  assert.ok(controls.update(0).position[2] < -0.7);
+  const idle = [{ mapping: '' }, { connected: false }, { axes: [0.1, -0.1, 0.05, Number.NaN] }, { axes: [] }];
+  for (const part of idle) {
+    const drive = readPads([{ ...PAD, ...part }]);
+    assert.deepEqual([drive.right, drive.ahead, drive.turn, drive.look], [0, 0, 0, 0]);
+  }
+  const buttons = Array.from({ length: 11 }, (_, number) => ({ pressed: number === 10 }));
+  assert.ok(readPads([{ ...PAD, buttons }]).isHasty);
+});
+
+test('keys move the divider within the picture, and take it away', () => {
+  close(nextShare('ArrowLeft', 0.5) ?? undefined, 0.49);
+  close(nextShare('PageUp', 0.95) ?? undefined, 1);
+  assert.equal(nextShare('Home', 0.5), 0);
+  assert.equal(nextShare('Escape', 0.5), null);
+  for (const key of ['w', 'constructor', 'Tab']) assert.equal(nextShare(key, 0.5), undefined);
+});
+
+test('keys run commands once each, but not where they walk or where a shortcut is meant', () => {
+  const [keys, stop] = [new EventTarget(), new AbortController()];
+  const ran: string[] = [];
+  listen(keys, (name) => ran.push(name), stop.signal);
+  press(keys, 'KeyC', { key: 'C' });
+  press(keys, 'KeyC', { key: 'c', repeat: true });
+  press(keys, 'KeyC', { key: 'c', ctrlKey: true });
+  press(keys, 'Slash', { key: '?', shiftKey: true });
+  press(keys, 'Home', { key: 'Home' });
+  // Dvorak has its L where others have P, and its E, which nothing uses, where they walk to the right.
+  press(keys, 'KeyP', { key: 'l' });
+  press(keys, 'KeyD', { key: 'p' });
+  press(keys, 'KeyQ', { key: '__proto__' });
+  stop.abort();
+  press(keys, 'KeyC', { key: 'c' });
+  assert.deepEqual(ran, ['split', 'help', 'home', 'link']);
+});

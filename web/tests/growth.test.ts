@@ -1,0 +1,60 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { grow, NOTHING_NEAR } from '../src/show/growth';
+import { createStage } from '../src/show/stage';
+
+const settings = { radii: [10, 22, 63], speed: 0.7, reach: 1, nearShare: 0.7, fade: 0.5 };
+const rate = (0.7 * Math.PI) / 180;
+
+test('ring 1 grows by strength, in the time that the manifest prescribes', () => {
+  const whole = 1 / (0.7 * 10 * rate);
+  const half = grow(NOTHING_NEAR, 1, whole / 2, settings);
+  assert.ok(Math.abs(half.strength - 0.5) < 1e-12);
+  assert.deepEqual(grow(half, 1, whole, settings), { radius: 10, strength: 1 });
+});
+
+test('later rings grow so that 1/R falls linearly', () => {
+  const { radius } = grow({ radius: 10, strength: 1 }, 2, 2, settings);
+  assert.ok(Math.abs(1 / radius - (1 / 10 - 0.3 * rate * 2)) < 1e-12);
+  assert.equal(grow({ radius: 10, strength: 1 }, 2, 1e6, settings).radius, 22);
+});
+
+test('the time of frames does not matter', () => {
+  let many = NOTHING_NEAR;
+  for (let n = 0; n < 3000; n++) many = grow(many, 3, 0.01, settings);
+  const once = grow(NOTHING_NEAR, 3, 30, settings);
+  assert.ok(Math.abs(many.radius - once.radius) < 1e-6);
+});
+
+test('rings that come at once fade in one after the other, and no radius exceeds that of a ring that is there', async () => {
+  const stage = createStage(settings, { isSmooth: true });
+  for (const ring of [0, 1, 2, 3]) stage.arrive(ring);
+  let [before, ring] = [0, 0];
+  for (let n = 0; n < 72 * 60; n++) {
+    const shown = stage.advance(1 / 72);
+    assert.ok(shown);
+    assert.ok(shown.grown.radius <= (settings.radii[shown.ring - 1] ?? 0));
+    assert.ok(shown.grown.radius >= before && shown.ring - ring <= 1);
+    [before, ring] = [shown.grown.radius, shown.ring];
+  }
+  assert.deepEqual([before, ring], [63, 3]);
+  await stage.replaceable(4);
+});
+
+test('a ring may replace a map only when that is no longer shown', async () => {
+  const stage = createStage(settings, { isSmooth: true });
+  stage.arrive(0);
+  stage.advance(0);
+  let isFree = false;
+  stage.arrive(1);
+  const wait = stage.replaceable(2).then(() => {
+    isFree = true;
+  });
+  stage.advance(0.01);
+  stage.advance(0.4);
+  await Promise.resolve();
+  assert.equal(isFree, false);
+  stage.advance(0.2);
+  await wait;
+  assert.equal(isFree, true);
+});

@@ -1,0 +1,161 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { deflateSync } from 'node:zlib';
+import { sizeOf } from '../src/decode/images';
+import { createMaps, type Maps } from '../src/decode/maps';
+import type { FileData, FirstMapRequest, NextMapRequest } from '../src/decode/messages';
+import { fileOf } from './support/glb';
+
+const [SIZE, TILE, ACROSS] = [4, 2, 3] as const;
+const NOTHING = 65535;
+
+/** The head of a lossless WebP picture; the browser below fills it with one value. */
+function picture(width: number, height: number, value: number): FileData {
+  const data = new Uint8Array(32);
+  data.set(Buffer.from('RIFF\0\0\0\0WEBPVP8L\0\0\0\0\x2f', 'latin1'));
+  new DataView(data.buffer).setUint32(21, (width - 1) | ((height - 1) << 14), true);
+  data[30] = value;
+  return fileOf(`files/00000000000000${value.toString(16).padStart(2, '0')}.webp`, data);
+}
+
+/** Planes of bits and nothing else. */
+function ranges(...planes: number[][]): FileData {
+  const lengths = Buffer.alloc(36);
+  planes.forEach((plane, number) => lengths.writeUInt32LE(plane.length, 4 * number));
+  const data = deflateSync(Buffer.concat([lengths, ...planes.map((plane) => Buffer.from(plane))]));
+  return fileOf('files/00000000000000ee.range', Uint8Array.from(data));
+}
+
+/** What Node lacks of a browser. */
+class Canvas {
+  private readonly context = { value: 0 };
+  constructor(
+    private readonly width: number,
+    private readonly height: number,
+  ) {}
+  getContext() {
+    const { context, width, height } = this;
+    return {
+      drawImage: (bitmap: { value: number }) => (context.value = bitmap.value),
+      getImageData: () => ({ data: new Uint8ClampedArray(4 * width * height).fill(context.value) }),
+    };
+  }
+}
+const browser = {
+  OffscreenCanvas: Canvas,
+  createImageBitmap: async (blob: Blob) => ({
+    value: new Uint8Array(await blob.arrayBuffer())[30],
+    close: () => undefined,
+  }),
+};
+before(() => Object.assign(globalThis, browser));
+after(() => Object.keys(browser).forEach((name) => Reflect.deleteProperty(globalThis, name)));
+
+const FIRST: FirstMapRequest = {
+  kind: 'first-map',
+  faceSize: SIZE,
+  tile: TILE,
+  across: ACROSS,
+  step: 0.001,
+  color: Array.from({ length: 6 }, (_, face) => picture(SIZE, SIZE, 10 + face)),
+};
+/** Ring 1 changes nothing and shows nothing: all predictions hold. */
+const EMPTY = Array.from({ length: 6 }, () => ranges([], [0, 0]));
+const RING_1: NextMapRequest = { kind: 'next-map', ring: 1, tiles: [], color: null, range: EMPTY, since: null };
+/** In ring 2 tile 4 changes, the first of face 1: its upper left texel by a bit, the others by prediction. */
+const RING_2: NextMapRequest = {
+  kind: 'next-map',
+  ring: 2,
+  tiles: [4],
+  color: picture(ACROSS * TILE, TILE, 99),
+  range: [ranges([0x80], [0])],
+  since: 1,
+};
+
+async function begun(): Promise<Maps> {
+  const maps = createMaps();
+  await maps.first(FIRST);
+  await maps.next(RING_1);
+  return maps;
+}
+
+test('the first map is whole and has no range', async () => {
+  const update = await createMaps().first(FIRST);
+  assert.ok(update.whole);
+  assert.equal(update.codes, null);
+  const ends = update.color.map((face) => [face.length, face[0], face.at(-1)]);
+  assert.deepEqual(ends, [10, 11, 12, 13, 14, 15].map((value) => [64, value, value]));
+});
+
+test('a ring changes texels and their neighbours within its tiles', async () => {
+  const maps = createMaps();
+  await maps.first(FIRST);
+  const first = await maps.next(RING_1);
+  assert.ok(first.whole);
+  assert.ok(first.codes?.every((face) => face.every((code) => code === NOTHING)));
+  const update = await maps.next(RING_2);
+  assert.ok(!update.whole);
+  assert.deepEqual([...update.tiles], [4]);
+  // Alpha stays.
+  assert.deepEqual([...update.color], Array.from({ length: 16 }, (_, n) => (n % 4 === 3 ? 11 : 99)));
+  assert.deepEqual([...update.codes], [NOTHING, NOTHING, NOTHING, NOTHING]);
+});
+
+test('tiles that changed since an older ring come together, in their order', async () => {
+  const maps = await begun();
+  await maps.next({ ...RING_2, tiles: [12], since: null });
+  const range = [ranges([0x88], [0])];
+  const update = await maps.next({ ...RING_2, ring: 3, tiles: [4, 20], range, since: 1 });
+  assert.ok(!update.whole);
+  assert.deepEqual([...update.tiles], [4, 12, 20]);
+});
+
+test('a damaged ring leaves the map as it was, so that it can come again', async () => {
+  const maps = createMaps();
+  await maps.first(FIRST);
+  const cut = (file: FileData): FileData => ({ ...file, data: file.data.slice(0, -1) });
+  const wrong: [changes: Partial<NextMapRequest>, message: RegExp][] = [
+    [{ range: [...EMPTY.slice(1), cut(RING_2.range[0] as FileData)] }, /expected \d+ bytes, as the manifest lists it/],
+    [{ range: [...EMPTY.slice(1), ranges([], [0])] }, /files\/0+ee\.range: expected ranges of .* got fewer/],
+    [{ range: [...EMPTY.slice(1), ranges([], [0, 0], [7])] }, /more bytes/],
+    [{ range: EMPTY.slice(1) }, /six files/],
+    [{ tiles: [24] }, /tiles of the map/],
+    [{ tiles: [0.5] }, /tiles of the map/],
+    [{ ring: 2 }, /expected ring 1, got 2/],
+    [{ since: -1 }, /earlier ring/],
+  ];
+  for (const [changes, message] of wrong) await assert.rejects(maps.next({ ...RING_1, ...changes }), message);
+  await maps.next(RING_1);
+  for (const [changes, message] of [
+    [{ color: picture(TILE, TILE, 1) }, /expected 6 × 2 pixels, got 2 × 2/],
+    [{ color: null }, /a picture of the tiles/],
+    [{ range: [] }, /exactly where tiles change, got 0 files/],
+    [{ range: [ranges([0x80], [0], new Array<number>(100).fill(0))] }, /compressed ranges, got more than/],
+  ] satisfies [Partial<NextMapRequest>, RegExp][]) {
+    await assert.rejects(maps.next({ ...RING_2, ...changes }), message);
+  }
+  const update = await maps.next({ ...RING_2, since: 0 });
+  assert.ok(!update.whole);
+  assert.equal(update.color[0], 99);
+});
+
+test('maps of sizes that cannot be are refused', async () => {
+  for (const changes of [{ faceSize: 1e9 }, { tile: 3 }, { across: 0 }, { faceSize: NaN }]) {
+    await assert.rejects(createMaps().first({ ...FIRST, ...changes }), /expected faces of up to 4096/);
+  }
+  await assert.rejects(createMaps().first({ ...FIRST, color: FIRST.color.slice(1) }), /six pictures/);
+  await assert.rejects(createMaps().next(RING_1), /before the first map/);
+});
+
+test('sizes of pictures are read from all three kinds of files', () => {
+  const head = (kind: string, rest: readonly number[]): Uint8Array => {
+    const start = Buffer.from(`RIFF\0\0\0\0WEBP${kind}\0\0\0\0`, 'latin1');
+    return Uint8Array.from([...start, ...rest, ...Array<number>(16).fill(0)]);
+  };
+  assert.deepEqual(sizeOf('x', head('VP8 ', [0, 0, 0, 0x9d, 1, 0x2a, 0x40, 0x41, 0x20, 0])), [320, 32]);
+  assert.deepEqual(sizeOf('x', head('VP8L', [0x2f, 0xff, 0xc0, 0x0f, 0])), [256, 64]);
+  assert.deepEqual(sizeOf('x', head('VP8X', [0, 0, 0, 0, 0xff, 0xff, 0, 1, 0, 0])), [65_536, 2]);
+  for (const data of [new Uint8Array(40), head('ANIM', []), new Uint8Array(5)]) {
+    assert.throws(() => sizeOf('files/x.webp', data), /files\/x\.webp: expected a WebP picture/);
+  }
+});

@@ -1,0 +1,143 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { REST } from '../src/control/drive';
+import { createOrbit } from '../src/control/orbit';
+import type { Pose } from '../src/control/pose';
+import { ahead } from '../src/control/vector';
+import { createWalk } from '../src/control/walk';
+
+const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };
+const LIMIT = { center: [0, 0, 0], metres: 5 } as const;
+const glides = (): boolean => false;
+const jumps = (): boolean => true;
+
+function walked(
+  drive: object,
+  seconds: number,
+  rate: number,
+  isSudden = glides,
+  limit: typeof LIMIT | null = null,
+): Pose {
+  const walk = createWalk(START, () => limit, isSudden);
+  for (let frame = 0; frame < seconds * rate; frame++) walk.update(1 / rate, { ...REST, ...drive });
+  return walk.pose;
+}
+
+function apart(a: Pose, b: Pose): number {
+  return Math.hypot(...a.position.map((value, axis) => value - (b.position[axis] ?? 0)));
+}
+
+test('speeds are metres a second', () => {
+  assert.ok(apart(walked({ ahead: 1 }, 10, 60, jumps), { ...START, position: [0, 1.7, -16] }) < 1e-9);
+  assert.ok(apart(walked({ right: 1 }, 10, 60, jumps), { ...START, position: [16, 1.7, 0] }) < 1e-9);
+  assert.ok(apart(walked({ ahead: 1, isHasty: true }, 10, 60, jumps), { ...START, position: [0, 1.7, -48] }) < 1e-9);
+  assert.ok(Math.abs(walked({ turn: 1 }, 10, 60).yaw - 14) < 1e-9);
+});
+
+test('a user walks where the view looks, at the same height', () => {
+  const walk = createWalk({ position: [1, 1.7, 2], yaw: 0.7, pitch: 1.2 }, () => null, jumps);
+  walk.update(1, { ...REST, ahead: 1 });
+  const [x, , z] = ahead({ yaw: 0.7, pitch: 0 });
+  assert.ok(apart(walk.pose, { ...START, position: [1 + 1.6 * x, 1.7, 2 + 1.6 * z] }) < 1e-9);
+});
+
+test('walking does not depend on the frame rate', () => {
+  for (const drive of [{ ahead: 1 }, { right: -0.4, ahead: 0.2, isHasty: true }]) {
+    const exact = walked(drive, 2, 1);
+    for (const rate of [4, 30, 72, 144]) assert.ok(apart(walked(drive, 2, rate), exact) < 1e-9);
+  }
+  const curve = walked({ ahead: 1, turn: 1, isHasty: true }, 2, 1);
+  for (const rate of [4, 30, 72, 144, 1000]) {
+    const found = walked({ ahead: 1, turn: 1, isHasty: true }, 2, rate);
+    assert.ok(apart(found, curve) < 0.001, `${rate}: ${apart(found, curve)}`);
+    assert.ok(Math.abs(found.yaw - curve.yaw) < 1e-9);
+  }
+  const edge = walked({ ahead: 1, isHasty: true }, 4, 1, glides, LIMIT);
+  for (const rate of [4, 30, 144]) {
+    assert.ok(apart(walked({ ahead: 1, isHasty: true }, 4, rate, glides, LIMIT), edge) < 1e-6);
+  }
+});
+
+test('nobody leaves the limit, sideways neither', () => {
+  for (const drive of [{ ahead: 1, isHasty: true }, { ahead: 1, right: 1, turn: 0.3, isHasty: true }]) {
+    const { position } = walked(drive, 60, 30, glides, LIMIT);
+    assert.ok(Math.hypot(position[0], position[2]) <= 5 + 1e-9);
+  }
+});
+
+test('the view stops before it is turned over', () => {
+  assert.equal(walked({ look: 1 }, 10, 60).pitch, 1.5);
+  assert.equal(walked({ look: -1 }, 10, 60).pitch, -1.5);
+  const walk = createWalk(START, () => null, glides);
+  walk.look(0.5, 9);
+  assert.deepEqual([walk.pose.yaw, walk.pose.pitch], [0.5, 1.5]);
+});
+
+test('after orbiting the eye comes down to its height without a jump, or at once where that is wanted', () => {
+  const high: Pose = { position: [0, 21.7, 0], yaw: 0, pitch: 0 };
+  const walk = createWalk(START, () => null, glides);
+  walk.resume(high);
+  assert.equal(walk.pose.position[1], 21.7);
+  walk.update(1 / 60, REST);
+  assert.ok(walk.pose.position[1] > 20 && walk.pose.position[1] < 21.7);
+  walk.update(5, REST);
+  assert.ok(Math.abs(walk.pose.position[1] - 1.7) < 1e-6);
+  const sudden = createWalk(START, () => null, jumps);
+  sudden.resume(high);
+  sudden.update(1 / 60, REST);
+  assert.equal(sudden.pose.position[1], 1.7);
+  sudden.setPose(high);
+  sudden.update(1, REST);
+  assert.equal(sudden.pose.position[1], 21.7);
+});
+
+/** The point 4 m ahead, around which an orbit goes that begins at a pose. */
+function middle({ position, yaw, pitch }: Pose, away: number): number[] {
+  return ahead({ yaw, pitch }).map((value, axis) => value * away + (position[axis] ?? 0));
+}
+
+test('an orbit keeps its point in the middle and its distance', () => {
+  const orbit = createOrbit({ position: [3, 2, 1], yaw: 0.4, pitch: -0.2 }, () => null);
+  const point = middle(orbit.pose, 4);
+  orbit.rotate(0.9, 0.3);
+  orbit.update(0.7, { ...REST, turn: 1, look: -0.4 });
+  middle(orbit.pose, 4).forEach((value, axis) => assert.ok(Math.abs(value - (point[axis] ?? 0)) < 1e-9));
+  orbit.zoom(2);
+  middle(orbit.pose, 8).forEach((value, axis) => assert.ok(Math.abs(value - (point[axis] ?? 0)) < 1e-9));
+  orbit.zoom(1e-9);
+  middle(orbit.pose, 0.3).forEach((value, axis) => assert.ok(Math.abs(value - (point[axis] ?? 0)) < 1e-9));
+  for (const wrong of [0, -1, Number.NaN]) orbit.zoom(wrong);
+  assert.ok(orbit.pose.position.every(Number.isFinite));
+});
+
+test('an orbit pans in the picture', () => {
+  const orbit = createOrbit({ position: [0, 0, 0], yaw: 0, pitch: 0 }, () => null);
+  orbit.pan(0.5, 0.25);
+  assert.ok(apart(orbit.pose, { ...START, position: [2, 1, 0] }) < 1e-9);
+});
+
+test('an orbit does not depend on the frame rate', () => {
+  const end = (rate: number): Pose => {
+    const orbit = createOrbit(START, () => null);
+    for (let frame = 0; frame < 2 * rate; frame++) orbit.update(1 / rate, { ...REST, ahead: -0.5, turn: 0.6 });
+    return orbit.pose;
+  };
+  for (const rate of [4, 30, 144]) assert.ok(apart(end(rate), end(1)) < 1e-9);
+});
+
+test('an orbit stays within the limit, whatever is asked', () => {
+  const orbit = createOrbit(START, () => LIMIT);
+  const acts = [
+    () => orbit.zoom(3),
+    () => orbit.rotate(1.3, -0.2),
+    () => orbit.pan(0.8, -0.3),
+    () => orbit.update(0.3, { ...REST, right: 1, ahead: -1 }),
+    () => orbit.update(0.3, { ...REST, right: -1, ahead: 1, isHasty: true }),
+  ];
+  for (let number = 0; number < 500; number++) {
+    acts[(number * 7 + (number >> 2)) % acts.length]?.();
+    const { position, yaw, pitch } = orbit.pose;
+    assert.ok([...position, yaw].every(Number.isFinite) && Math.abs(pitch) <= 1.5);
+    assert.ok(Math.hypot(position[0], position[2]) <= 5 + 1e-9, `${number}`);
+  }
+});
