@@ -4,6 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use super::grown_bound::{LONGEST, LONGEST_FAR, MOST_RATIO, Measure, Region, SPREAD, SPREAD_FAR, allowed};
+use super::rule::Cut;
 use super::segment::{crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
@@ -20,6 +21,8 @@ const COARSEST: f64 = 1.0 / 64.0;
 /// Distance of two bands as a share of the greatest range between them: the rest is for edges across the radius, which
 /// pass a band.
 const FILLED: f64 = 0.9;
+/// Least (r₂ − r₁)/r₂ for which there is a bound.
+const THINNEST: f64 = 1.0 / 4096.0;
 const MOST_BANDS: usize = 1 << 16;
 /// Greatest share of r₁ by which edges between two of its points pass inside: h²/(8 r₁²) for h = r₁/8.
 const SAG: f64 = 0.003;
@@ -52,7 +55,9 @@ pub(super) struct GrownRule {
     rounding: f64,
     /// Length up to which no edge needs a split, wherever it lies, metres.
     harmless: f64,
-    /// Whether the coordinates have the digits for the tolerance.
+    /// Whether w has a slope with a bound between the radii.
+    is_wide: bool,
+    /// Whether so it has, and the coordinates have the digits for the tolerance.
     is_fine: bool,
 }
 
@@ -62,6 +67,7 @@ impl GrownRule {
         let Settings { r1, r2, reach, tolerance, .. } = *settings;
         let near = if r2 > 0.0 { r1 / r2 } else { 0.0 };
         let is_cut = least == r2;
+        let is_wide = r2 - r1 >= r2 * THINNEST;
         let inner = near * least;
         let still = if is_full { inner } else { 0.0 };
         let kinks = if is_cut { vec![r1, r2] } else { vec![inner] };
@@ -85,11 +91,12 @@ impl GrownRule {
             coarsest: shortest.max((r2 - still).max(floor) * COARSEST),
             rounding,
             harmless: f64::INFINITY,
-            is_fine: passing < tolerance / 4.0,
+            is_wide,
+            is_fine: is_wide && passing < tolerance / 4.0,
         };
         if reach > 0.0 {
             let anywhere = Region { is_cut: false, ..region }.measure(floor, floor, false);
-            let longest = 1.0 / rule.parts_of(&anywhere, [1.0; 3]);
+            let longest = 1.0 / rule.by_range(&anywhere, 1.0).max(rule.by_length(&anywhere, 1.0, 1.0));
             rule.harmless = longest.min(LONGEST * floor);
             rule.is_fine &= rule.harmless > shortest;
             rule.bands = if is_cut { Vec::new() } else { rule.bands_from(inner.max(floor)) };
@@ -112,6 +119,10 @@ impl GrownRule {
                 "users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound"
             );
             return Err(Error::value("user_region", expected, format!("{} m", self.settings.reach)));
+        }
+        if !self.is_wide {
+            let Settings { r1, r2, .. } = self.settings;
+            return Err(Error::value("r1", format!("a radius of at most {}", r2 * (1.0 - THINNEST)), r1));
         }
         if !self.is_fine {
             let expected = "a tolerance that the coordinates' digits reach";
@@ -142,10 +153,9 @@ impl GrownRule {
         if is_far { weights_of_axis(p) } else { None }
     }
 
-    /// Share of the way from a to b at which their edge is split. The caller must order the ends of an edge
-    /// consistently. If an edge is left whole, so is each part of it, because all measures only fall: otherwise thin
-    /// triangles would be split for ever.
-    pub fn share(&self, a: DVec3, b: DVec3) -> Option<f64> {
+    /// Where the edge from a to b is split. The caller must order the ends of an edge consistently. If an edge is left
+    /// whole, so is each part of it, because all measures only fall: otherwise thin triangles would be split for ever.
+    pub fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
         let center = self.settings.center;
         let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
         let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
@@ -159,10 +169,6 @@ impl GrownRule {
         if is_still || nearest >= self.outer() {
             return None;
         }
-        let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
-        if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
-            return Some(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
-        }
         let extent = Extent {
             nearest,
             farthest: greatest,
@@ -174,15 +180,22 @@ impl GrownRule {
                 && least < self.inner - self.rounding,
         };
         let measure = self.measure(&extent);
-        let fewest = if nearest < self.floor { self.coarsest } else { self.shortest };
-        if self.by_range(&measure, greatest - nearest) > 1.0
+        let (by_range, need) = (self.by_range(&measure, greatest - nearest), self.by_lengths(&measure, &extent));
+        let at = |share: f64| Some(Cut { share, need });
+        let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
+        if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
+            return at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
+        }
+        let is_bounded = self.is_fine && nearest >= self.floor;
+        let fewest = if is_bounded { self.shortest } else { self.coarsest };
+        if by_range > 1.0
             && length >= 2.0 * fewest
             && let Some(share) = self.band_at(p, q, fewest / length)
         {
-            return Some(share);
+            return at(share);
         }
-        let parts = self.parts(&measure, &extent).min((length / fewest).floor()).min(1e9);
-        (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
+        let parts = (by_range.max(need) * (1.0 - 1e-9)).ceil().min((length / fewest).floor()).min(1e9);
+        if parts >= 2.0 { at((parts / 2.0).floor() / parts) } else { None }
     }
 
     /// Where an edge crosses a band: of those that it crosses, the one whose number has the most factors of two. So the
@@ -229,23 +242,20 @@ impl GrownRule {
         self.region.radii[1].max(self.floor) * (1.0 + LONGEST_FAR)
     }
 
-    /// Number of parts into which an edge is to be split.
-    fn parts(&self, measure: &Measure, edge: &Extent) -> f64 {
+    /// Into how many parts, at least, an edge must be split for its h and ℓ, before rounding up.
+    fn by_lengths(&self, measure: &Measure, edge: &Extent) -> f64 {
         let longest = if edge.nearest >= self.far() { LONGEST_FAR } else { LONGEST };
-        let range = edge.farthest - edge.nearest;
-        let bent = self.parts_of(measure, [range, edge.level, edge.length]);
         let long = (edge.level / edge.nearest.max(self.floor)).max(edge.length / edge.distance.max(self.floor));
-        (bent.max(long / longest) * (1.0 - 1e-9)).ceil()
+        self.by_length(measure, edge.level, edge.length).max(long / longest)
     }
 
-    /// Into how many parts, at least, an edge with these c, h and ℓ must be split to be within the bound.
-    fn parts_of(&self, measure: &Measure, [range, level, length]: [f64; 3]) -> f64 {
+    /// Into how many parts, at least, an edge with these h and ℓ must be split to be within the bound.
+    fn by_length(&self, measure: &Measure, level: f64, length: f64) -> f64 {
         // Where ρ does not count, all of the error may be for lengths.
         let share = if measure.range == [0.0; 2] { 1.0 } else { 1.0 - RANGE_SHARE };
         let bent = measure.length[0] * level * level + measure.length[1] * length * length;
         let [_, most_level, most_length] = measure.most;
-        let by_length = (bent / (self.allowed * share)).sqrt();
-        self.by_range(measure, range).max(by_length).max(level / most_level).max(length / most_length)
+        (bent / (self.allowed * share)).sqrt().max(level / most_level).max(length / most_length)
     }
 
     /// Into how many parts, at least, an edge with this c must be split.

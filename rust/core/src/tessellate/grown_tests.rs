@@ -76,10 +76,10 @@ fn check_bound([a, b, c]: [DVec3; 3], size: f64, settings: &Settings, seed: u64)
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(64))]
     #[test]
     fn no_user_sees_a_point_further_off_at_any_stage_of_a_growth(
-        a in point(), b in point(), c in point(), settings in any_settings(), seed in any::<u64>(), size in 0.02..0.3f64,
+        a in point(), b in point(), c in point(), settings in any_settings(), seed in any::<u64>(), size in 0.02..0.6f64,
     ) {
         check_bound([a, b, c], size, &Settings { tolerance: 2.0 * settings.tolerance, ..settings }, seed)?;
     }
@@ -148,7 +148,7 @@ proptest! {
 #[test]
 fn two_triangles_of_ground_are_bounded_tightly() {
     for (radii, is_full, tolerance, most) in
-        [([10.0, 10.0], true, 6e-3, 10_000), ([22.0, 32.0], true, 6e-3, 10_000), ([10.0, 14.0], false, 1.2e-2, 10_000)]
+        [([10.0, 10.0], true, 6e-3, 8_000), ([22.0, 32.0], true, 6e-3, 12_000), ([10.0, 14.0], false, 2.4e-2, 40_000)]
     {
         let settings = settings(radii, is_full, 1.0, tolerance);
         let rule = Rule::new(&settings, Precision::Double).unwrap();
@@ -170,5 +170,6 @@ fn pieces_grow_with_the_height_above_the_centre() {
         pieces([a, b, c], &rule).len() + pieces([a, c, d], &rule).len()
     };
     let counts = [10.0, 1e3, 1e6].map(count);
-    assert!(counts[2] < 20_000, "{counts:?}");
+    // From 10 m to 1000 km are 17 doublings of the height, each of which takes as many pieces as the next.
+    assert!(counts[2] < 20 * counts[0], "{counts:?}");
 }

@@ -14,6 +14,16 @@ pub struct Rule {
     edges: Edges,
 }
 
+/// Where an edge is split.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cut {
+    /// Share of the way along the edge.
+    pub share: f64,
+    /// Of a triangle's edges, the one with the greatest is split first. By lengths in metres, high pieces of a wall would
+    /// be split in two heights for each width, though the rule allows pieces that are longer in one direction.
+    pub need: f64,
+}
+
 #[derive(Clone, Debug)]
 enum Edges {
     Blend(BlendRule),
@@ -56,12 +66,11 @@ impl Rule {
         }
     }
 
-    /// Share of the way from a to b at which their edge is split. The caller must order the ends of an edge
-    /// consistently.
-    pub(super) fn share(&self, a: DVec3, b: DVec3) -> Option<f64> {
+    /// Where the edge from a to b is split. The caller must order the ends of an edge consistently.
+    pub(super) fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
         match &self.edges {
-            Edges::Blend(rule) => rule.share(a, b),
-            Edges::Grown(rule) => rule.share(a, b),
+            Edges::Blend(rule) => rule.share(a, b).map(|share| Cut { share, need: (b - a).length() }),
+            Edges::Grown(rule) => rule.cut(a, b),
         }
     }
 
