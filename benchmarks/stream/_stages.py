@@ -67,7 +67,7 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
 
     def geometry() -> None:
         encoder = Geometry(rings, files, whole_textures(scene, 90), step=STEP, compressed=True)
-        encoder.rings(), encoder.moving()
+        encoder.groups("ring"), encoder.moving()
 
     watch("encode geometry", geometry)
     watch("write", lambda: _store.write(folder / "bundle", {**files.content, _store.MANIFEST: b"{}"}))

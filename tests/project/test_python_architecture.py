@@ -37,7 +37,7 @@ STAGES: dict[str, set[str]] = {
     "gpu": {"_camera", "_metrics", "_morph", "_render"},
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
     "stream": {"_camera", "_cubemap", "_partition", "_reduce", "_render", "_scene", "_trace"},
-    "view": {"stream"},
+    "view": {"_camera", "_cubemap", "_partition", "_reduce", "_scene", "stream"},
 }
 
 PRIVATE_TO_COMMANDS = {
@@ -72,7 +72,7 @@ ROOMS = {
     "gpu": "",
     "lod": "",
     "stream": "",
-    "view": "how long a ring takes to be shown depends on the link, which nothing here measures yet",
+    "view": "",
     "cli": "calls of the other stages",
 }
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import io
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from tests.support.reader_cases import BROWSER_FLAGS, SECONDS, browser
 
@@ -73,3 +75,18 @@ def still(page: Any, picture: dict[str, Any], pose: dict[str, Any]) -> NDArray[n
     data = base64.b64decode(page.evaluate(STILL, [picture, pose, size["width"], size["height"]]))
     pixels = np.frombuffer(data, np.uint8).reshape(size["height"], size["width"], 4)
     return pixels[::-1, :, :3]
+
+
+def wait_until(page: Any, happened: Callable[[], object]) -> None:
+    """Wait until something has happened; what the page prints is told if it does not."""
+    deadline = time.monotonic() + SECONDS
+    while not happened():
+        assert time.monotonic() < deadline, page.printed
+        # Playwright calls handlers of requests only while it waits itself.
+        page.wait_for_timeout(50)
+
+
+def canvas(page: Any) -> NDArray[np.uint8]:
+    """What the page shows, sRGB (H, W, 3)."""
+    picture = Image.open(io.BytesIO(page.locator("canvas").screenshot()))
+    return np.asarray(picture.convert("RGB"))

@@ -1,10 +1,11 @@
 /** The page: opens the bundle that its address names, and draws it for whoever looks. */
 import { BundleError } from './bundle/error';
-import type { Manifest, RegionEntry } from './bundle/manifest';
 import { openSource } from './bundle/source';
 import { createControls } from './control/controls';
+import { distance } from './control/limit';
 import { readLink, writeLink } from './control/link';
 import type { Pose } from './control/pose';
+import { nearestOf } from './show/journey';
 import { createMeter } from './show/meter';
 import { createViewer, type Viewer } from './show/viewer';
 import { createDivider } from './ui/divider';
@@ -34,19 +35,18 @@ async function main(): Promise<void> {
   const source = await openSource(base, meter.receive, new AbortController().signal);
   meter.restart();
   const { manifest } = source;
-  const region = manifest.regions[0];
-  if (!region) throw new BundleError('manifest.json: expected a region, got none');
+  const first = manifest.regions[0];
+  if (!first) throw new BundleError('manifest.json: expected a region, got none');
   let problems: readonly string[] = [];
   const retry = (): void => {
     problems = [];
     clearMessage();
-    meter.restart();
-    viewer.open(0);
+    viewer.retry();
   };
   const viewer = createViewer(canvas, {
     manifest,
     fetch: source.fetch,
-    last: Number.parseInt(query.get('rings') ?? '', 10) || region.rings.length,
+    last: Number.parseInt(query.get('rings') ?? '', 10) || first.rings.length,
     worker: new URL('worker.js', import.meta.url),
     angle: ANGLE,
     antialias: query.get('aa') !== '0',
@@ -57,14 +57,17 @@ async function main(): Promise<void> {
       if (viewer.facts.arrived < 0) tell(reason);
       else showProblems(problems, retry);
     },
+    moved: (pose) => controls.setPose(pose),
   });
-  const home: Pose = { position: region.center, yaw: 0, pitch: 0 };
+  const homeOf = (number: number): Pose => {
+    return { position: manifest.regions[number]?.center ?? first.center, yaw: 0, pitch: 0 };
+  };
+  const start = readLink(location.hash) ?? homeOf(0);
   const thumb = createThumbMark(root);
-  const controls = createControls(canvas, { start: readLink(location.hash) ?? home, onThumb: thumb.show });
-  controls.setLimit(region.center, region.fold_margin);
+  const controls = createControls(canvas, { start, onThumb: thumb.show });
   let pose = controls.update(0);
   window.nearfar = { viewer, setPose: controls.setPose };
-  window.addEventListener('hashchange', () => controls.setPose(readLink(location.hash) ?? pose));
+  window.addEventListener('hashchange', () => viewer.go(readLink(location.hash) ?? pose));
   const divider = createDivider(root, (share) => {
     viewer.setDivider(share);
     panel.reflect({ isDivided: share !== null });
@@ -72,14 +75,12 @@ async function main(): Promise<void> {
   const panel = createPanel(root, {
     setDivider: divider.set,
     setMode: controls.setMode,
-    home: () => controls.setPose(home),
+    home: () => viewer.go({ ...homeOf(viewer.facts.region), yaw: pose.yaw, pitch: pose.pitch }),
     screenshot: viewer.photo,
     link: () => new URL(writeLink(pose), location.href).href,
     retry,
   });
-  viewer.open(0);
-  const rings = region.rings.length - 1;
-  const expected = bytesOf(manifest, region);
+  viewer.open(nearestOf(manifest.regions, start.position) ?? 0);
   let last = performance.now();
   let sincePanel = PANEL_EVERY;
   viewer.renderer.setAnimationLoop((now: number) => {
@@ -87,34 +88,29 @@ async function main(): Promise<void> {
     last = now;
     pose = controls.update(seconds);
     viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
+    controls.setBounds(viewer.facts.bounds);
     meter.frame(seconds);
     sincePanel += seconds;
     if (sincePanel < PANEL_EVERY) return;
     sincePanel = 0;
-    const { shown, triangles } = viewer.facts;
+    const { shown, triangles, region, received, expected } = viewer.facts;
+    const { center, fold_margin, rings } = manifest.regions[region] ?? first;
     panel.update({
       ring: shown?.ring ?? 0,
-      rings,
+      rings: rings.length - 1,
       radius: shown?.grown.radius ?? 0,
-      expected,
       ...meter.read(),
+      received,
+      expected,
       triangles,
       sceneTriangles: manifest.triangles,
-      region: 0,
+      region,
       regions: manifest.regions.length,
-      away: Math.hypot(pose.position[0] - region.center[0], pose.position[2] - region.center[2]),
-      foldMargin: region.fold_margin,
+      away: distance(pose.position, { center, metres: fold_margin }),
+      foldMargin: fold_margin,
       problems,
     });
   });
-}
-
-/** Bytes of all files that a region needs. */
-function bytesOf({ files, dynamic }: Manifest, { rings }: RegionEntry): number {
-  const names = rings.flatMap(({ geometry, parts, map }) => [geometry, ...parts, map.color, map.range].flat());
-  const moving = dynamic ? [dynamic.geometry, ...dynamic.parts] : [];
-  const all = new Set([...names, ...moving].filter((name) => typeof name === 'string'));
-  return [...all].reduce((sum, name) => sum + (files[name]?.bytes ?? 0), 0);
 }
 
 function element<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {

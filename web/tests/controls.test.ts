@@ -155,14 +155,15 @@ test('home stands at once, and a limit holds for both modes', () => {
   controls.setPose({ position: [3, 2, 1], yaw: 1, pitch: 0.1 });
   assert.deepEqual(controls.update(0), { position: [3, 2, 1], yaw: 1, pitch: 0.1 });
   controls.setPose(START);
-  controls.setLimit([0, 0, 0], 2);
+  const limit = { center: [0, 0, 0], metres: 2 } as const;
+  controls.setBounds({ open: [limit], shown: [limit] });
   press(keys, 'KeyS', { shiftKey: false });
   for (let frame = 0; frame < 100; frame++) controls.update(0.1);
   assert.ok(controls.update(0.1).position[2] <= 2 && controls.update(0.1).position[2] > 1.9);
   controls.setMode('orbit');
   for (let frame = 0; frame < 100; frame++) controls.update(0.1);
   assert.ok(controls.update(0.1).position[2] <= 2 + 1e-9);
-  controls.setLimit(null);
+  controls.setBounds(null);
   controls.setMode('walk');
   for (let frame = 0; frame < 10; frame++) controls.update(0.1);
   assert.ok(controls.update(0.1).position[2] > 3);

@@ -28,6 +28,7 @@ test('the time of frames does not matter', () => {
 
 test('rings that come at once fade in one after the other, and no radius exceeds that of a ring that is there', async () => {
   const stage = createStage(settings, { isSmooth: true });
+  stage.enter(NOTHING_NEAR);
   for (const ring of [0, 1, 2, 3]) stage.arrive(ring);
   let [before, ring] = [0, 0];
   for (let n = 0; n < 72 * 60; n++) {
@@ -43,6 +44,7 @@ test('rings that come at once fade in one after the other, and no radius exceeds
 
 test('a ring may replace a map only when that is no longer shown', async () => {
   const stage = createStage(settings, { isSmooth: true });
+  stage.enter(NOTHING_NEAR);
   stage.arrive(0);
   stage.advance(0);
   let isFree = false;
@@ -57,4 +59,43 @@ test('a ring may replace a map only when that is no longer shown', async () => {
   stage.advance(0.2);
   await wait;
   assert.equal(isFree, true);
+});
+
+test('a radius that would fold is not shown: near things stay as the centre sees them until a ring is large enough', () => {
+  const held = grow(NOTHING_NEAR, 2, 5, settings, 30);
+  assert.deepEqual(held, { radius: 22, strength: 0 });
+  const begun = grow(held, 3, 1, settings, 30);
+  assert.ok(begun.radius === 63 && begun.strength > 0 && begun.strength < 1);
+  // Once things have begun to move, they go on.
+  assert.ok(grow({ radius: 22, strength: 0.5 }, 2, 1, settings, 30).strength > 0.5);
+  // Whoever walks back needs no large radius.
+  assert.equal(grow(held, 2, 1, settings, 5).radius, 10);
+});
+
+test('a region begins as another one is shown, as far as its rings allow', () => {
+  const stage = createStage(settings, { isSmooth: true });
+  assert.equal(stage.offer({ radius: 15, strength: 1 }), null);
+  stage.arrive(0);
+  assert.deepEqual(stage.offer({ radius: 15, strength: 1 }), NOTHING_NEAR);
+  for (const ring of [1, 2]) stage.arrive(ring);
+  assert.deepEqual(stage.offer(NOTHING_NEAR), { radius: 10, strength: 0 });
+  assert.deepEqual(stage.offer({ radius: 15, strength: 1 }), { radius: 15, strength: 1 });
+  assert.deepEqual(stage.offer({ radius: 63, strength: 1 }), { radius: 22, strength: 1 });
+  stage.enter({ radius: 15, strength: 1 });
+  assert.deepEqual(stage.advance(0), { ring: 2, grown: { radius: 15, strength: 1 }, fading: null });
+  const later = stage.advance(1);
+  assert.ok(later && later.grown.radius > 15);
+});
+
+test('a region that is not shown takes each ring in place of the one before, so that no map waits', async () => {
+  const stage = createStage(settings, { isSmooth: true });
+  for (const ring of [0, 1, 2]) {
+    await stage.replaceable(ring);
+    stage.arrive(ring);
+  }
+  stage.enter(NOTHING_NEAR);
+  stage.arrive(3);
+  assert.equal(stage.advance(0)?.fading?.ring, 3);
+  stage.leave();
+  assert.equal(stage.advance(0)?.ring, 3);
 });

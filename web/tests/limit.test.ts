@@ -1,62 +1,97 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { allowedShare, confine, distance, settle } from '../src/control/limit';
+import { allowedShare, type Bounds, confine, distance, settle, within } from '../src/control/limit';
 import type { Vector } from '../src/control/vector';
 
 const LIMIT = { center: [5, 0, -3], metres: 10 } as const;
+const BOUNDS: Bounds = { open: [LIMIT], shown: [LIMIT] };
 const at = (away: number, height = 1.7): Vector => [5 + 0.6 * away, height, -3 + 0.8 * away];
 const close = (a: number, b: number, within = 1e-9): void => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 
 test('within the free part, and without a limit, steps are whole', () => {
-  assert.deepEqual(confine(at(0), at(7.9), LIMIT), at(7.9));
+  assert.deepEqual(confine(at(0), at(7.9), BOUNDS), at(7.9));
   assert.deepEqual(confine(at(0), at(500), null), at(500));
 });
 
 test('steps back are whole from everywhere', () => {
-  assert.deepEqual(confine(at(9.9), at(9.5), LIMIT), at(9.5));
-  assert.deepEqual(confine(at(30), at(29), LIMIT), at(29));
+  assert.deepEqual(confine(at(9.9), at(9.5), BOUNDS), at(9.5));
+  assert.deepEqual(confine(at(30), at(29), BOUNDS), at(29));
 });
 
 test('steps outwards end within the limit, however long they are', () => {
   for (const reach of [9, 10, 11, 20, 1e6]) {
-    const far = distance(confine(at(0), at(reach), LIMIT), LIMIT);
+    const far = distance(confine(at(0), at(reach), BOUNDS), LIMIT);
     assert.ok(far > 8 && far <= 10);
   }
-  assert.equal(confine(at(0), at(50, 4), LIMIT)[1], 4);
+  assert.equal(confine(at(0), at(50, 4), BOUNDS)[1], 4);
 });
 
 test('one long step equals many short ones', () => {
   let place = at(6);
-  const once = confine(place, at(6 + 5), LIMIT);
+  const once = confine(place, at(6 + 5), BOUNDS);
   for (let step = 0; step < 50; step++) {
     const away = distance(place, LIMIT);
-    place = confine(place, at(away + 0.1), LIMIT);
+    place = confine(place, at(away + 0.1), BOUNDS);
   }
   place.forEach((value, axis) => close(value, once[axis] ?? 0));
 });
 
 test('the first step beyond the free part is whole: nothing jars', () => {
-  close(distance(confine(at(8), at(8.001), LIMIT), LIMIT), 8.001, 1e-6);
+  close(distance(confine(at(8), at(8.001), BOUNDS), LIMIT), 8.001, 1e-6);
 });
 
 test('a user beyond the limit cannot go on, and is led back without a jump', () => {
-  close(distance(confine(at(12), at(13), LIMIT), LIMIT), 12);
+  close(distance(confine(at(12), at(13), BOUNDS), LIMIT), 12);
   let place = at(12);
   for (let step = 0; step < 100; step++) {
-    const next = settle(place, LIMIT, 0.02);
+    const next = settle(place, BOUNDS, 0.02);
     assert.ok(distance(place, LIMIT) - distance(next, LIMIT) < 0.13);
     place = next;
   }
-  close(distance(place, LIMIT), distance(settle(at(12), LIMIT, 2), LIMIT));
+  close(distance(place, LIMIT), distance(settle(at(12), BOUNDS, 2), LIMIT));
   close(distance(place, LIMIT), 10, 0.01);
-  assert.deepEqual(settle(at(9), LIMIT, 1), at(9));
+  assert.deepEqual(settle(at(9), BOUNDS, 1), at(9));
 });
 
 test('the share of a step ends as far out as the step does', () => {
   const [from, to]: [Vector, Vector] = [at(7), at(15)];
-  const share = allowedShare(from, to, LIMIT);
-  close(7 + 8 * share, distance(confine(from, to, LIMIT), LIMIT));
-  assert.equal(allowedShare(to, from, LIMIT), 1);
+  const share = allowedShare(from, to, BOUNDS);
+  close(7 + 8 * share, distance(confine(from, to, BOUNDS), LIMIT));
+  assert.equal(allowedShare(to, from, BOUNDS), 1);
   assert.equal(allowedShare(from, to, null), 1);
-  close(allowedShare(at(12), at(13), LIMIT), 0);
+  close(allowedShare(at(12), at(13), BOUNDS), 0);
+});
+
+/** Two discs that overlap by 8 m along x; the border lies at 6. */
+const [LEFT, RIGHT] = [{ center: [0, 0, 0], metres: 10 }, { center: [12, 0, 0], metres: 10 }] as const;
+
+test('between two regions that can be shown no step is shortened', () => {
+  const both: Bounds = { open: [LEFT, RIGHT], shown: [LEFT] };
+  assert.deepEqual(confine([5, 1.7, 0], [7.5, 1.7, 0], both), [7.5, 1.7, 0]);
+  // Beyond the free part of the left one alone it would be.
+  assert.ok(confine([8, 1.7, 0], [9, 1.7, 0], { open: [LEFT], shown: [LEFT] })[0] < 9);
+  assert.deepEqual(confine([8, 1.7, 0], [9, 1.7, 0], both), [9, 1.7, 0]);
+});
+
+test('no step leaves a region that is shown, whatever else can be', () => {
+  const both: Bounds = { open: [LEFT, RIGHT], shown: [LEFT] };
+  close(confine([9, 1.7, 0], [14, 1.7, 0], both)[0], 10);
+  const crossing: Bounds = { open: [RIGHT], shown: [LEFT, RIGHT] };
+  for (const goal of [[40, 1.7, 3], [-40, 1.7, 3], [6, 1.7, 60]] as const) {
+    const place = confine([6, 1.7, 0], goal, crossing);
+    assert.ok(distance(place, LEFT) <= 10 + 1e-9 && distance(place, RIGHT) <= 10 + 1e-9, String(place));
+    const share = allowedShare([6, 1.7, 0], goal, crossing);
+    const part: Vector = [6 + share * (goal[0] - 6), 1.7, share * goal[2]];
+    assert.ok(distance(part, LEFT) <= 10 + 1e-9 && distance(part, RIGHT) <= 10 + 1e-9, String(part));
+  }
+});
+
+test('a user outside all regions is led to the one that is nearest', () => {
+  const place = settle([30, 1.7, 0], { open: [LEFT, RIGHT], shown: [] }, 60);
+  close(place[0], 22, 1e-6);
+});
+
+test('a place is put within a limit', () => {
+  assert.deepEqual(within([3, 5, 4], LEFT), [3, 5, 4]);
+  assert.deepEqual(within([30, 5, 40], LEFT), [6, 5, 8]);
 });

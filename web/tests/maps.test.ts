@@ -53,6 +53,7 @@ after(() => Object.keys(browser).forEach((name) => Reflect.deleteProperty(global
 
 const FIRST: FirstMapRequest = {
   kind: 'first-map',
+  region: 0,
   faceSize: SIZE,
   tile: TILE,
   across: ACROSS,
@@ -61,10 +62,19 @@ const FIRST: FirstMapRequest = {
 };
 /** Ring 1 changes nothing and shows nothing: all predictions hold. */
 const EMPTY = Array.from({ length: 6 }, () => ranges([], [0, 0]));
-const RING_1: NextMapRequest = { kind: 'next-map', ring: 1, tiles: [], color: null, range: EMPTY, since: null };
+const RING_1: NextMapRequest = {
+  kind: 'next-map',
+  region: 0,
+  ring: 1,
+  tiles: [],
+  color: null,
+  range: EMPTY,
+  since: null,
+};
 /** In ring 2 tile 4 changes, the first of face 1: its upper left texel by a bit, the others by prediction. */
 const RING_2: NextMapRequest = {
   kind: 'next-map',
+  region: 0,
   ring: 2,
   tiles: [4],
   color: picture(ACROSS * TILE, TILE, 99),

@@ -15,6 +15,14 @@ test('a manifest is read', () => {
   assert.equal(read.files[FILE]?.bytes, 3);
 });
 
+test('a reduced scene ends at the radius of its one ring', () => {
+  const two = altered(manifest(), [...REGION, 'rings'], (manifest() as any).regions[0].rings.slice(0, 2));
+  const read = parseManifest(asManifest({ ...(two as object), unit: 'triangle', morph: { kind: 'blend', near_share: 0 } }));
+  assert.deepEqual([read.morph.kind, read.morph.near_share], ['blend', 0]);
+  assert.equal(read.regions[0]?.cut, 10);
+  assert.equal(parseManifest(asManifest(two)).regions[0]?.cut, Infinity);
+});
+
 test('damage is named', () => {
   const changes: [path: (string | number)[], value: unknown, message: RegExp][] = [
     [[], [], /manifest: expected an object/],
@@ -22,7 +30,9 @@ test('damage is named', () => {
     [['version'], 2, /^this bundle was written by a newer nearfar .*: update the page$/],
     [['version'], 0.5, /version/],
     [['morph'], null, /morph: expected an object/],
-    [['morph', 'kind'], 'blend', /cylinder/],
+    [['morph', 'kind'], 'none', /morph\.kind: expected blend or cylinder/],
+    [['unit'], 'face', /unit: expected object or triangle/],
+    [['unit'], 'triangle', /rings: expected two with unit triangle/],
     [['morph', 'near_share'], 1, /near_share/],
     [['growth', 'speed'], '<img>', /growth\.speed/],
     [['growth', 'speed'], 0, /growth\.speed/],

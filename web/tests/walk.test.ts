@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { REST } from '../src/control/drive';
+import type { Bounds } from '../src/control/limit';
 import { createOrbit } from '../src/control/orbit';
 import type { Pose } from '../src/control/pose';
 import { ahead } from '../src/control/vector';
@@ -8,6 +9,7 @@ import { createWalk } from '../src/control/walk';
 
 const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };
 const LIMIT = { center: [0, 0, 0], metres: 5 } as const;
+const BOUNDS: Bounds = { open: [LIMIT], shown: [LIMIT] };
 const glides = (): boolean => false;
 const jumps = (): boolean => true;
 
@@ -16,9 +18,9 @@ function walked(
   seconds: number,
   rate: number,
   isSudden = glides,
-  limit: typeof LIMIT | null = null,
+  bounds: Bounds | null = null,
 ): Pose {
-  const walk = createWalk(START, () => limit, isSudden);
+  const walk = createWalk(START, () => bounds, isSudden);
   for (let frame = 0; frame < seconds * rate; frame++) walk.update(1 / rate, { ...REST, ...drive });
   return walk.pose;
 }
@@ -52,15 +54,15 @@ test('walking does not depend on the frame rate', () => {
     assert.ok(apart(found, curve) < 0.001, `${rate}: ${apart(found, curve)}`);
     assert.ok(Math.abs(found.yaw - curve.yaw) < 1e-9);
   }
-  const edge = walked({ ahead: 1, isHasty: true }, 4, 1, glides, LIMIT);
+  const edge = walked({ ahead: 1, isHasty: true }, 4, 1, glides, BOUNDS);
   for (const rate of [4, 30, 144]) {
-    assert.ok(apart(walked({ ahead: 1, isHasty: true }, 4, rate, glides, LIMIT), edge) < 1e-6);
+    assert.ok(apart(walked({ ahead: 1, isHasty: true }, 4, rate, glides, BOUNDS), edge) < 1e-6);
   }
 });
 
 test('nobody leaves the limit, sideways neither', () => {
   for (const drive of [{ ahead: 1, isHasty: true }, { ahead: 1, right: 1, turn: 0.3, isHasty: true }]) {
-    const { position } = walked(drive, 60, 30, glides, LIMIT);
+    const { position } = walked(drive, 60, 30, glides, BOUNDS);
     assert.ok(Math.hypot(position[0], position[2]) <= 5 + 1e-9);
   }
 });
@@ -126,7 +128,7 @@ test('an orbit does not depend on the frame rate', () => {
 });
 
 test('an orbit stays within the limit, whatever is asked', () => {
-  const orbit = createOrbit(START, () => LIMIT);
+  const orbit = createOrbit(START, () => BOUNDS);
   const acts = [
     () => orbit.zoom(3),
     () => orbit.rotate(1.3, -0.2),

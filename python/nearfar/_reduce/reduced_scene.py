@@ -270,11 +270,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         OSError
             If the folder cannot be written or contains other files.
         """
-        zones = self._partition
-        near = self._scene
-        if self._is_whole:
-            moving = np.arange(near._core.standing_triangle_count, near.triangle_count)
-            near = near.subset(triangles=zones.nsf if self._boundary == "r2" else np.union1d(zones.near, moving))
+        near = self._near_part
         settings = (self.center, self.r1, self.r2, self._morph, self._boundary)
         folder.save(path, folder.Contents(near, self._env, *settings, self._counts), half=half)
 
@@ -299,6 +295,15 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
             zones = partition(saved.near, center=saved.center, r1=saved.r1, r2=saved.r2)
             kept: dict[str, Any] = {"morph": saved.morph, "boundary": saved.boundary, "counts": saved.counts}
             return cls(saved.near, zones, saved.env, **kept, is_whole=False)
+
+    @property
+    def _near_part(self) -> Scene:
+        """The drawn geometry as a scene, unmorphed, with its dynamic objects."""
+        near, zones = self._scene, self._partition
+        if not self._is_whole:
+            return near
+        moving = np.arange(near._core.standing_triangle_count, near.triangle_count)
+        return near.subset(triangles=zones.nsf if self._boundary == "r2" else np.union1d(zones.near, moving))
 
     @property
     def _undivided(self) -> Scene:

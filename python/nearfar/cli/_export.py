@@ -68,6 +68,12 @@ def export(
             "Split large triangles for clients that move vertices, to this error of their display; by default none.",
         ),
     ] = None,
+    by_footprint: Annotated[
+        bool,
+        typer.Option(
+            "--by-footprint", help="Write near objects in the order of their footprints too, for vis0 and vis1."
+        ),
+    ] = False,
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
@@ -89,6 +95,7 @@ def export(
         quality=None if lossless else quality,
         pixels_per_degree=pixels_per_degree or None,
         split_px=split,
+        by_footprint=by_footprint,
     )
     seconds = time.perf_counter() - started
     regions = [bundle.region(number) for number in range(len(bundle.centers))]

@@ -1,4 +1,4 @@
-"""`nearfar view`: shows a bundle in the browser."""
+"""`nearfar view`: shows a bundle or a reduced scene in the browser."""
 
 from __future__ import annotations
 
@@ -15,7 +15,12 @@ from nearfar.view._server import Server
 
 
 def view(
-    bundle: Annotated[str, typer.Argument(help="Folder that `nearfar export` wrote, or its URL.", show_default=False)],
+    folder: Annotated[
+        str,
+        typer.Argument(
+            help="Folder that `nearfar export` or `nearfar reduce` wrote, or a bundle's URL.", show_default=False
+        ),
+    ],
     port: Annotated[int, option("--port", "NUMBER", "Port on 127.0.0.1; 0 for any that is free.")] = 0,
     browser: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
     write: Annotated[
@@ -23,13 +28,13 @@ def view(
         typer.Option("--write", help="Write the page into the folder for any web server instead, and serve nothing."),
     ] = False,
 ) -> None:
-    """Show a bundle in the browser: at once from its centre, then refined ring by ring. Ctrl-C ends it."""
+    """Show a bundle or a reduced scene in the browser: at once from its centre, then refined. Ctrl-C ends it."""
     if write:
-        nf.view.write_page(bundle)
-        typer.echo(f"{bundle}/index.html shows the bundle from any web server.")
+        nf.view.write_page(folder)
+        typer.echo(f"{folder}/index.html shows it from any web server.")
         return
-    with Server(bundle, port=port) as server:
-        typer.echo(f"{server.url} shows {bundle}; Ctrl-C ends it.")
+    with Server(folder, port=port) as server:
+        typer.echo(f"{server.url} shows {folder}; Ctrl-C ends it.")
         if browser:
             webbrowser.open(server.url)
         _wait()

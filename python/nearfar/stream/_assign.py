@@ -73,11 +73,8 @@ class Rings:
             For each ring from 1 to n + 1 `radius` in metres (infinite for what lies beyond), `objects`, `triangles` as
             drawn, and `stored`, the triangles that no earlier ring has: meshes with several instances are sent once.
         """
-        loads = _core.ring_loads(self.scene._core, self.codes(), self.count + 2)
-        objects = np.bincount(self.ring, minlength=self.count + 2)
-        names = ("radius", "objects", "triangles", "stored")
-        rows = zip((*self.radii, np.inf), objects[1:].tolist(), *loads[1:, :2].T.tolist(), strict=True)
-        return [dict(zip(names, row, strict=True)) for row in rows]
+        rows = loads(self.scene, self.codes(), self.count + 1)
+        return [{"radius": radius, **row} for radius, row in zip((*self.radii, np.inf), rows, strict=True)]
 
     def codes(self) -> NDArray[np.uint16]:
         """(objects + 1,) rings as kernels take them: those of all objects, and last that of faces without one."""
@@ -139,6 +136,14 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: str
     owner = scene._core.moving_objects()
     ring[owner] = 0
     return Rings(scene, middle, bounds, rule, least, ring, 1 + int(np.searchsorted(bounds, rest)), measured)
+
+
+def loads(scene: Scene, codes: NDArray[np.uint16], last: int) -> list[dict[str, Any]]:
+    """Objects of each group from 1 to `last`, their triangles as drawn, and those that no earlier group stores."""
+    counts = _core.ring_loads(scene._core, codes, last + 1)
+    objects = np.bincount(codes[:-1], minlength=last + 1)
+    columns = zip(objects[1:].tolist(), *counts[1:, :2].T.tolist(), strict=True)
+    return [dict(zip(("objects", "triangles", "stored"), row, strict=True)) for row in columns]
 
 
 def object_radii(

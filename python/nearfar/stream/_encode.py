@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,6 @@ from nearfar import _core
 from nearfar._base import glb as binary, progress, side_by_side
 from nearfar._scene.scene import Scene
 from nearfar.stream import _map_files as codec
-from nearfar.stream._assign import Rings
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
 from nearfar.stream._moving import rows_of
@@ -121,40 +120,50 @@ def encode_textures(scene: Scene, quality: int | None, halvings: NDArray[np.uint
     return encoded
 
 
-class Geometry:
-    """Encodes the geometry of rings, and the dynamic objects; meshes and images they share are files of their own."""
+class Groups(Protocol):
+    """Static objects in groups that are sent one after the other, such as rings."""
 
-    def __init__(self, rings: Rings, files: Files, textures: Textures, *, step: float, compressed: bool) -> None:
-        self._rings, self._files, self._textures = rings, files, textures
+    @property
+    def scene(self) -> Scene: ...
+    @property
+    def count(self) -> int: ...
+    def codes(self) -> NDArray[np.uint16]: ...
+    def summary(self) -> list[dict[str, Any]]: ...
+
+
+class Geometry:
+    """Encodes groups of objects, and the dynamic ones; meshes and images that they share are files of their own."""
+
+    def __init__(self, groups: Groups, files: Files, textures: Textures, *, step: float, compressed: bool) -> None:
+        self._groups, self._files, self._textures = groups, files, textures
         with progress.bar("encoding geometry") as report:
             self._export = _core.Export(
-                rings.scene._core,
-                rings.codes(),
-                rings.count + 2,
-                names=list(rings.scene.object_names),
+                groups.scene._core,
+                groups.codes(),
+                groups.count + 2,
+                names=list(groups.scene.object_names),
                 images=[_beside(name) for name, _ in textures],
                 step=step,
                 compressed=compressed,
                 report=report,
             )
         self._uris: list[str | None] = []
-        for data, groups, _ in self._export.shared():
-            users = sum(group <= rings.count for group in groups)
+        for data, of_groups, _ in self._export.shared():
+            users = sum(group <= groups.count for group in of_groups)
             is_file = users > 1 or (users == 1 and len(data) >= LEAST_SHARED)
             self._uris.append(_beside(files.add(data, "bin")) if is_file else None)
 
-    def rings(self) -> list[dict[str, Any]]:
-        """Encode each ring from 1 on; their entries in a manifest, without maps."""
+    def groups(self, kind: str) -> list[dict[str, Any]]:
+        """Encode each group from 1 on; their entries in a manifest, those of rings without maps."""
         listed = []
-        for ring, row in enumerate(self._rings.summary()[: self._rings.count], 1):
-            found = self._encoded(ring, f"ring {ring}") if row["triangles"] else None
-            counts = {name: row[name] for name in ("radius", "objects", "triangles", "stored")}
-            listed.append({**counts, **({"geometry": None, "parts": []} if found is None else found[1])})
+        for number, row in enumerate(self._groups.summary()[: self._groups.count], 1):
+            found = self._encoded(number, f"{kind} {number}") if row["triangles"] else None
+            listed.append({**row, **({"geometry": None, "parts": []} if found is None else found[1])})
         return listed
 
     def moving(self) -> dict[str, Any] | None:
         """Encode the dynamic objects; their entry in a manifest, None if nothing moves."""
-        scene = self._rings.scene
+        scene = self._groups.scene
         triangles = scene.triangle_count - scene._core.standing_triangle_count
         found = self._encoded(0, "dynamic objects") if triangles else None
         if found is None:

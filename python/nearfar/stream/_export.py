@@ -18,12 +18,13 @@ from nearfar.stream._assign import ascending, assign
 from nearfar.stream._bundle import Bundle, open as open_bundle
 from nearfar.stream._centers import Floats, centers_of, halfway, neighbours
 from nearfar.stream._detail import Detail
-from nearfar.stream._encode import ACROSS, Files, Geometry, encode_textures
+from nearfar.stream._encode import ACROSS, Files, encode_textures
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._maps import TILE
 from nearfar.stream._radii import REACH, rings as choose
-from nearfar.stream._region import Settings, encode_region
+from nearfar.stream._region import Writer
+from nearfar.stream._settings import Settings
 from nearfar.stream._split import Splitting
 
 
@@ -44,6 +45,7 @@ def export(
     lod: Lod | None = None,
     split_px: SupportsFloat | None = None,
     speed: float = 0.7,
+    by_footprint: bool = False,
 ) -> Bundle:
     """Write a scene as a bundle: near geometry in rings about centres, each with the map of what lies beyond it.
 
@@ -98,6 +100,9 @@ def export(
         placed several times stays shared between the placements that need no split. None writes triangles whole.
     speed
         Degrees a second at which pictures turn while rings grow, for a user 1 m beside the centre, as in `Growth`.
+    by_footprint
+        Whether to write the near objects a second time, in the order of their footprints, with the map of the last ring
+        as a whole: that is what the strategies vis0 and vis1, with which CloVR is compared, send instead of rings.
 
     Returns
     -------
@@ -122,7 +127,9 @@ def export(
     from nearfar.stream import _tileset
 
     core_of(scene)
-    settings = Settings.checked(face_size, samples, quality, range_error, step, compression, pixels_per_degree)
+    settings = Settings.checked(
+        face_size, samples, quality, range_error, step, compression, pixels_per_degree, by_footprint
+    )
     centers, given = centers_of(center, grid), None if radii is None else ascending("radii", radii)
     near = neighbours(centers)
     moved = 0.0 if grid is None else math.sqrt(0.5) * float(grid)
@@ -136,14 +143,14 @@ def export(
             splitting.check(tuple(place.tolist()), own)
     growth = Growth(bounds[0], speed=speed)
     divided = [assign(scene, center=place, radii=own) for place, own in zip(centers, bounds, strict=True)]
-    textures = encode_textures(scene, settings.quality, detail.halvings(divided))
-    files, regions, dynamic = Files(), list[dict[str, Any]](), None
+    writer = Writer(settings, encode_textures(scene, settings.quality, detail.halvings(divided)))
+    files, regions, dynamic = writer.files, list[dict[str, Any]](), None
     for rings, beside in zip(divided, near, strict=True):
         shown = detail.shown(rings) if splitting is None else splitting.split(detail.shown(rings))
-        geometry = Geometry(shown, files, textures, step=settings.step, compressed=settings.compressed)
+        geometry = writer.geometry(shown)
         if not regions:
             dynamic = geometry.moving()
-        regions.append({**encode_region(rings, files, settings, geometry), "neighbours": beside})
+        regions.append({**writer.region(rings, shown, geometry), "neighbours": beside})
     tileset = _tileset.encode(regions[0]["center"], regions[0]["rings"], dynamic, files.content)
     described = _store.described(tileset)
     manifest = _manifest(

@@ -66,6 +66,8 @@ def _check(manifest: dict[str, Any]) -> None:
     low, high = manifest["bounds"]
     check.vector("bounds", low), check.vector("bounds", high)
     check.choice("color_space", manifest["color_space"], ("sRGB",))
+    if check.choice("unit", manifest.get("unit", "object"), ("object", "triangle")) == "triangle":
+        raise ValueError("unit: expected whole objects, got a reduced scene for the page; ReducedScene.load reads it")
     check.choice("morph", manifest["morph"]["kind"], ("cylinder",))
     if check.positive("near_share", manifest["morph"]["near_share"]) != NEAR_SHARE:
         raise ValueError(f"near_share: expected {NEAR_SHARE}, got {manifest['morph']['near_share']}")
@@ -107,13 +109,29 @@ def _check_rings(region: dict[str, Any], layout: Layout, files: dict[str, Any]) 
     if len(radii) < 2 or radii[0] != 0.0 or (np.diff(radii) <= 0).any():
         raise ValueError(f"rings: expected radii that ascend from 0, got {check.shortened(radii)}")
     for ring in rings:
-        for name in ("objects", "triangles", "stored"):
-            check.integer(name, ring[name], 0, MOST)
+        _check_counts(ring)
         _check_geometry(ring, files)
         for name in ("color", "range"):
             _check_listed(ring["map"].get(name), files, name)
     layout.check([ring["map"] for ring in rings])
     check.positive("error", region["range"]["error"])
+    if region["by_footprint"] is not None:
+        _check_by_footprint(region["by_footprint"], layout, files)
+
+
+def _check_by_footprint(entry: dict[str, Any], layout: Layout, files: dict[str, Any]) -> None:
+    for portion in check.items("portions", entry["portions"], dict, "descriptions of portions"):
+        _check_counts(portion)
+        _check_geometry(portion, files)
+    color, ranges = (entry["map"][name] for name in ("color", "range"))
+    layout.check([{"color": color}, {"tiles": [], "color": None, "range": ranges}])
+    _check_listed(color, files, "color")
+    _check_listed(ranges, files, "range")
+
+
+def _check_counts(entry: dict[str, Any]) -> None:
+    for name in ("objects", "triangles", "stored"):
+        check.integer(name, entry[name], 0, MOST)
 
 
 def _check_dynamic(dynamic: dict[str, Any] | None, files: dict[str, Any]) -> None:

@@ -8,6 +8,7 @@ from importlib import resources
 
 from nearfar._base import files
 from nearfar.stream import _store
+from nearfar.view import _content
 
 INDEX = "index.html"
 
@@ -48,23 +49,35 @@ def page_files() -> dict[str, bytes]:
 
 
 def write_page(path: str | os.PathLike[str]) -> None:
-    """Write the page's files into the folder of a bundle, so that any web server shows it.
+    """Write the page's files into the folder of a bundle or a reduced scene, so that any web server shows it.
 
     Parameters
     ----------
     path
-        A local folder that `nearfar.stream.export` wrote. Its address shows the bundle then; the page needs no server
-        of nearfar, and no other host. Headsets show it immersively over https only.
+        A local folder that `nearfar.stream.export` or `ReducedScene.save` wrote. Its address shows the scene then; the
+        page needs no server of nearfar, and no other host. Headsets show it immersively over https only. Beside a
+        reduced scene it also needs the scene's parts as a bundle has them, which are written, too: `manifest.json`,
+        `tileset.json` and `files/`.
 
     Raises
     ------
     OSError
-        If there is no manifest, or the folder cannot be written.
+        If the folder has neither, or cannot be written.
+    FormatError
+        For a reduced scene that is damaged; the message names the file.
+    ValueError
+        For a reduced scene without a morph.
     TypeError
         If `path` is no path.
     """
-    folder = _store.local(path)
-    (folder / _store.MANIFEST).stat()
-    for name, content in page_files().items():
+    saved = _content.reduced_folder(path)
+    folder = _store.local(path) if saved is None else saved
+    made: dict[str, bytes] = {}
+    if saved is None:
+        (folder / _store.MANIFEST).stat()
+    else:
+        made = {name: read() for name, read in _content.opened(folder).items()}
+        (folder / _store.FOLDER).mkdir(exist_ok=True)
+    for name, content in {**made, **page_files()}.items():
         with files.atomic_file(folder / name) as file:
             file.write_bytes(content)

@@ -5,16 +5,16 @@ from __future__ import annotations
 import hashlib
 import os
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from types import TracebackType
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
-from nearfar import stream
-from nearfar._base import check, formats
+from nearfar._base import check
 from nearfar.stream import _store
+from nearfar.view._content import Read, opened
 from nearfar.view._page import INDEX, POLICY, TYPES, page_files
 
 HOST = "127.0.0.1"
@@ -24,8 +24,6 @@ NAMES = {HOST, "localhost"}
 FOREVER = "public, max-age=31536000, immutable"
 """For files that are named by their content."""
 
-Read = Callable[[], bytes]
-
 
 class Server:
     """Serves the page and a bundle on 127.0.0.1, in threads of its own; use it in a `with` block, or `close` it.
@@ -33,14 +31,14 @@ class Server:
     Parameters
     ----------
     path
-        What `nearfar.stream.open` takes: a bundle's folder, its manifest, or a URL of either.
+        The folder of a bundle or of a reduced scene, its JSON document, or the URL of a bundle.
     port
         Port to listen on; 0 for any that is free.
 
     Raises
     ------
     FormatError, ValueError, OSError
-        As `nearfar.stream.open` does, and if the port is taken.
+        As `nearfar.stream.open` and `ReducedScene.load` do, and if the port is taken.
     """
 
     def __init__(self, path: str | os.PathLike[str], *, port: int = 0) -> None:
@@ -79,21 +77,14 @@ class Server:
 
 def _served(path: str | os.PathLike[str]) -> Mapping[str, Read]:
     """What is served: how to read each file by its path."""
-    bundle = stream.open(path)
-    manifest = formats.to_json(bundle._manifest).encode()
-
-    def of_bundle(name: str) -> Read:
-        return lambda: bundle._reader.read(name)
 
     def constant(content: bytes) -> Read:
         return lambda: content
 
-    listed = [*bundle.files, _store.TILESET]
     return {
-        **{name: of_bundle(name) for name in listed},
+        **opened(path),
         **{name: constant(content) for name, content in page_files().items()},
         "": constant(page_files()[INDEX]),
-        _store.MANIFEST: constant(manifest),
     }
 
 

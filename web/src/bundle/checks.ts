@@ -30,6 +30,12 @@ export function text(place: string, value: unknown): string {
   return value;
 }
 
+export function choice<T extends string>(place: string, value: unknown, names: readonly T[]): T {
+  const found = names.find((name) => name === value);
+  if (found === undefined) throw wrong(place, names.join(' or '), value);
+  return found;
+}
+
 export function list<T>(
   place: string,
   value: unknown,

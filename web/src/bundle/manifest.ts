@@ -2,6 +2,9 @@
 
 export type Point = readonly [number, number, number];
 
+/** How near and far part are joined: by the blend of 2022, or on cylinders about the axis (CloVR). */
+export type MorphKind = 'blend' | 'cylinder';
+
 /** A file of the bundle. */
 export interface Described {
   readonly bytes: number;
@@ -29,6 +32,8 @@ export interface RegionEntry {
   readonly fold_margin: number;
   readonly neighbours: readonly number[];
   readonly range: { readonly least: number; readonly step: number };
+  /** Radius at which static geometry ends and the map begins, metres; infinite where objects are whole. */
+  readonly cut: number;
   readonly rings: readonly RingEntry[];
 }
 
@@ -40,7 +45,7 @@ export interface MovingEntry {
 
 export interface Manifest {
   readonly version: number;
-  readonly morph: { readonly kind: 'cylinder'; readonly near_share: number };
+  readonly morph: { readonly kind: MorphKind; readonly near_share: number };
   readonly growth: { readonly speed: number; readonly reach: number; readonly fade: number };
   readonly triangles: number;
   readonly bounds: readonly [Point, Point];

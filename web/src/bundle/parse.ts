@@ -1,5 +1,5 @@
 /** Reads a manifest: everything that the page uses is checked, so that damage is a sentence and nothing else. */
-import { type Fields, fileName, hash, integer, list, number, object, optional, text } from './checks';
+import { choice, type Fields, fileName, hash, integer, list, number, object, optional, text } from './checks';
 import { BundleError } from './error';
 import type { Described, Manifest, MapEntry, MovingEntry, Point, RegionEntry, RingEntry } from './manifest';
 
@@ -34,9 +34,8 @@ export function parseManifest(source: string): Manifest {
   const face = integer('map.face_size', map?.['face_size'], 1, MOST_FACE);
   const tile = integer('map.tile', map?.['tile'], 1, face);
   if (face % tile !== 0) throw new BundleError(`manifest.json: map.tile: expected a divisor of ${face}, got ${tile}`);
-  if (text('morph.kind', morph?.['kind']) !== 'cylinder') {
-    throw new BundleError('manifest.json: morph.kind: expected cylinder, got another one');
-  }
+  const kind = choice('morph.kind', morph?.['kind'], ['blend', 'cylinder'] as const);
+  const unit = choice('unit', all['unit'] ?? 'object', ['object', 'triangle'] as const);
   const across = integer('map.across', map?.['across'], 1, Math.floor(MOST_PIXELS / tile));
   const tiles = FACES * (face / tile) ** 2;
   const files = object('files', all['files']);
@@ -46,7 +45,7 @@ export function parseManifest(source: string): Manifest {
   }
   const manifest: Manifest = {
     version,
-    morph: { kind: 'cylinder', near_share: number('morph.near_share', morph?.['near_share'], 1e-3, 0.999) },
+    morph: { kind, near_share: number('morph.near_share', morph?.['near_share'], 0, 1 - 1e-9) },
     growth: {
       speed: number('growth.speed', growth?.['speed'], 1e-9),
       reach: number('growth.reach', growth?.['reach'], 1e-9),
@@ -55,7 +54,10 @@ export function parseManifest(source: string): Manifest {
     triangles: integer('triangles', all['triangles'], 0),
     bounds: list('bounds', all['bounds'], point, 2) as [Point, Point],
     map: { face_size: face, tile, across },
-    regions: entries.map((entry, number) => region(`regions[${number}]`, entry, tiles, number, entries.length)),
+    regions: entries.map((entry, number) => {
+      const place = `regions[${number}]`;
+      return cutBy(unit, place, region(place, entry, tiles, number, entries.length));
+    }),
     dynamic: optional('dynamic', all['dynamic'], moving),
     notes: list('notes', all['notes'], text),
     files: Object.fromEntries(
@@ -113,7 +115,15 @@ function region(place: string, value: Fields, tiles: number, own: number, count:
     neighbours,
     range: { least, step },
     rings,
+    cut: Infinity,
   };
+}
+
+/** Where triangles are near or far, not objects, the one ring ends at its radius in every pixel. */
+function cutBy(unit: 'object' | 'triangle', place: string, entry: RegionEntry): RegionEntry {
+  if (unit === 'object') return entry;
+  if (entry.rings.length !== 2) throw new BundleError(`manifest.json: ${place}.rings: expected two with unit triangle`);
+  return { ...entry, cut: entry.rings[1]?.radius ?? Infinity };
 }
 
 function ring(place: string, value: unknown, order: number, tiles: number): RingEntry {

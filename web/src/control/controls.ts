@@ -2,7 +2,7 @@
 import { type Drive, together } from './drive';
 import { type Pad, readPads } from './gamepad';
 import { createKeys } from './keys';
-import type { Limit } from './limit';
+import type { Bounds } from './limit';
 import { createOrbit } from './orbit';
 import { createPointers, type Mode, type Thumb } from './pointers';
 import type { Pose } from './pose';
@@ -37,8 +37,8 @@ export interface Controls {
   setMode(mode: Mode): void;
   /** Stand somewhere else at once. */
   setPose(pose: Pose): void;
-  /** Stay within some metres of a centre's vertical axis; null lifts the limit. */
-  setLimit(center: Pose['position'] | null, metres?: number): void;
+  /** Stay within bounds; null lifts them. */
+  setBounds(bounds: Bounds | null): void;
   dispose(): void;
 }
 
@@ -46,10 +46,10 @@ export interface Controls {
 export function createControls(element: HTMLElement, settings: ControlSettings): Controls {
   const { start, onChange, onThumb, pads = browserPads, isSudden = reducedMotion() } = settings;
   let mode: Mode = 'walk';
-  let limit: Limit | null = null;
+  let bounds: Bounds | null = null;
   let last = start;
-  const walk = createWalk(start, () => limit, isSudden);
-  const orbit = createOrbit(start, () => limit);
+  const walk = createWalk(start, () => bounds, isSudden);
+  const orbit = createOrbit(start, () => bounds);
   const keys = createKeys(settings.keys ?? window);
   const pointers = createPointers(element, {
     mode: () => mode,
@@ -89,8 +89,8 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
       walk.setPose(pose);
       orbit.setPose(pose);
     },
-    setLimit(center, metres = 0) {
-      limit = center && metres > 0 ? { center, metres } : null;
+    setBounds(next) {
+      bounds = next;
     },
     dispose() {
       keys.dispose();

@@ -1,6 +1,6 @@
 /** Going around a point that stays in the middle of the picture; plain arithmetic without a browser. */
 import type { Drive } from './drive';
-import { allowedShare, confine, type Limit, settle } from './limit';
+import { allowedShare, type Bounds, confine, settle } from './limit';
 import type { Pose } from './pose';
 import { ahead, bounded, moved, rightOf, STEEPEST, upOf, type Vector } from './vector';
 
@@ -23,7 +23,7 @@ export interface Orbit {
   setPose(pose: Pose): void;
 }
 
-export function createOrbit(start: Pose, limit: () => Limit | null): Orbit {
+export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
   let view: Pose = start;
   let away: number = USUAL;
 
@@ -43,7 +43,7 @@ export function createOrbit(start: Pose, limit: () => Limit | null): Orbit {
     const point = target();
     const turned = { yaw: view.yaw + left, pitch: bounded(view.pitch + up, -STEEPEST, STEEPEST) };
     const eye = moved(point, ahead(turned), -away);
-    const allowed = confine(view.position, eye, limit());
+    const allowed = confine(view.position, eye, bounds());
     if (allowed === eye) view = { ...turned, position: eye };
     else put(allowed, point);
   }
@@ -52,7 +52,7 @@ export function createOrbit(start: Pose, limit: () => Limit | null): Orbit {
     if (!(factor > 0) || factor === 1) return;
     const wanted = bounded(away * factor, NEAREST, FARTHEST);
     const eye = moved(target(), ahead(view), -wanted);
-    const share = allowedShare(view.position, eye, limit());
+    const share = allowedShare(view.position, eye, bounds());
     const position = moved(view.position, ahead(view), share * (away - wanted));
     away += share * (wanted - away);
     view = { ...view, position };
@@ -60,7 +60,7 @@ export function createOrbit(start: Pose, limit: () => Limit | null): Orbit {
 
   function pan(right: number, up: number): void {
     const shift = moved(moved([0, 0, 0], rightOf(view.yaw), right * away), upOf(view), up * away);
-    const share = allowedShare(view.position, moved(view.position, shift, 1), limit());
+    const share = allowedShare(view.position, moved(view.position, shift, 1), bounds());
     view = { ...view, position: moved(view.position, shift, share) };
   }
 
@@ -73,7 +73,7 @@ export function createOrbit(start: Pose, limit: () => Limit | null): Orbit {
       else zoom(Math.exp(-ZOOM * seconds * nearer));
       const aside = isHasty ? turn : turn - right;
       rotate(TURN * seconds * aside, TURN * seconds * look);
-      view = { ...view, position: settle(view.position, limit(), seconds) };
+      view = { ...view, position: settle(view.position, bounds(), seconds) };
     },
     rotate,
     zoom,

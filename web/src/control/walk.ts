@@ -1,6 +1,6 @@
 /** Walking in first person at a constant eye height; plain arithmetic without a browser. */
 import type { Drive } from './drive';
-import { confine, type Limit, settle } from './limit';
+import { type Bounds, confine, settle } from './limit';
 import type { Pose } from './pose';
 import { bounded, rightOf, STEEPEST, type Vector } from './vector';
 
@@ -26,7 +26,7 @@ export interface Walk {
 }
 
 /** `isSudden`: speeds and heights change at once, for people whom gliding makes sick. */
-export function createWalk(start: Pose, limit: () => Limit | null, isSudden: () => boolean): Walk {
+export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: () => boolean): Walk {
   let { position, yaw, pitch } = start;
   let height = position[1];
   // Metres a second to the right and ahead.
@@ -45,7 +45,7 @@ export function createWalk(start: Pose, limit: () => Limit | null, isSudden: () 
     const drop = isSudden() ? 0 : (position[1] - height) * Math.exp(-seconds / RISE);
     // Ahead on the ground is (z, −x), where right is (x, z).
     const wanted: Vector = [position[0] + x * right + z * front, height + drop, position[2] + z * right - x * front];
-    position = settle(confine(position, wanted, limit()), limit(), seconds);
+    position = settle(confine(position, wanted, bounds()), bounds(), seconds);
   }
 
   return {

@@ -6,7 +6,7 @@ import { pictureOf } from './images';
 import type { FileData, Geometry, GeometryRequest, Piece } from './messages';
 import { chopped, shared } from './pieces';
 import { isIdentity, placementsOf, rounded } from './placements';
-import { FOLDER, pictureName, primitiveOf } from './surfaces';
+import { FOLDER, pictureName, primitiveOf, sameOf } from './surfaces';
 
 /** Pieces of a file, at most: each is drawn for itself. */
 const MOST_PIECES = 2 ** 18;
@@ -77,7 +77,7 @@ interface Placed {
   readonly rows: Float64Array[];
 }
 
-async function piecesOf(glb: Glb, { center, isDynamic }: GeometryRequest): Promise<Piece[]> {
+async function piecesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRequest): Promise<Piece[]> {
   const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
   const offset = offsetOf(root?.translation, center);
   const byMesh = new Map<number, Placed[]>();
@@ -97,10 +97,12 @@ async function piecesOf(glb: Glb, { center, isDynamic }: GeometryRequest): Promi
       return { name, placements: isPlain ? null : rounded(rows, offset) };
     });
     for (const primitive of entries(at(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
-      for (const arrays of chopped(await primitiveOf(glb, primitive))) {
+      for (const [part, arrays] of chopped(await primitiveOf(glb, primitive)).entries()) {
+        // Without placements positions are those of this region.
+        const same = `${sameOf(glb, primitive, file.name)} ${part}`;
         for (const { name, placements } of placed) {
-          if (placements) for (const own of shared(placements)) pieces.push({ ...arrays, name, placements: own });
-          else pieces.push({ ...arrays, name, placements, positions: moved(arrays.positions, offset) });
+          if (placements) for (const own of shared(placements)) pieces.push({ ...arrays, name, placements: own, same });
+          else pieces.push({ ...arrays, name, placements, same: null, positions: moved(arrays.positions, offset) });
           if (pieces.length > MOST_PIECES) throw new Error(`expected at most ${MOST_PIECES} pieces of geometry`);
         }
       }

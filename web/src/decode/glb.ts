@@ -77,6 +77,8 @@ export interface Glb {
   readonly document: Document;
   /** An accessor's rows, without gaps between them; `width` is the number of columns that it must have. */
   read(accessor: number | undefined, width: number): Promise<Numbers>;
+  /** Where an accessor's content lies in which file, which is '' for this one. */
+  placeOf(accessor: number): string;
 }
 
 /** Open a GLB. `parts` are the files that it refers to, by their URIs in it; its arrays take so many bytes at most. */
@@ -143,6 +145,12 @@ export function openGlb(
         }
       }
       return new Type(packed.buffer);
+    },
+    placeOf(number) {
+      const { bufferView, byteOffset = 0, count } = at(document.accessors, number, 'accessor');
+      const view = at(document.bufferViews, bufferView, 'view');
+      const { buffer, byteOffset: start = 0 } = view.extensions?.EXT_meshopt_compression ?? view;
+      return `${at(document.buffers, buffer, 'buffer').uri ?? ''}:${start}:${byteOffset}:${count}`;
     },
   };
 }

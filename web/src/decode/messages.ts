@@ -27,6 +27,8 @@ export interface Piece {
   readonly indices: Uint16Array | Uint32Array;
   /** Twelve numbers a placement: rows of 3 × 4, from the mesh's frame to metres from O. */
   readonly placements: Float32Array | null;
+  /** Equal for pieces with the same arrays, placements aside, in whatever file; null where nothing is known of others. */
+  readonly same: string | null;
   readonly material: Material;
   /** Name of the dynamic object, or of the node. */
   readonly name: string;
@@ -61,9 +63,10 @@ export interface GeometryRequest {
   readonly isDynamic: boolean;
 }
 
-/** Begin the maps of a region with ring 0: six pictures. The worker forgets the region before. */
+/** Begin the maps of a region with ring 0: six pictures. */
 export interface FirstMapRequest {
   readonly kind: 'first-map';
+  readonly region: number;
   readonly faceSize: number;
   readonly tile: number;
   readonly across: number;
@@ -75,6 +78,7 @@ export interface FirstMapRequest {
 /** Apply the changes of the next ring. */
 export interface NextMapRequest {
   readonly kind: 'next-map';
+  readonly region: number;
   readonly ring: number;
   readonly tiles: readonly number[];
   readonly color: FileData | null;
@@ -84,7 +88,22 @@ export interface NextMapRequest {
   readonly since: number | null;
 }
 
-export type Request = GeometryRequest | FirstMapRequest | NextMapRequest;
+/** Let go of buffers, by their names in the bundle, and of the maps of a region. */
+export interface ForgetRequest {
+  readonly kind: 'forget';
+  readonly buffers: readonly string[];
+  readonly region: number;
+}
+
+/** What a worker keeps after it has forgotten. */
+export interface Kept {
+  readonly buffers: number;
+  readonly bytes: number;
+  /** Regions whose maps it has. */
+  readonly maps: number;
+}
+
+export type Request = GeometryRequest | FirstMapRequest | NextMapRequest | ForgetRequest;
 
 /** What to upload, so that a texture holds a ring's map. */
 export type MapUpdate =
@@ -105,7 +124,7 @@ export type MapUpdate =
     };
 
 export type Answer =
-  | { readonly id: number; readonly result: Geometry | MapUpdate }
+  | { readonly id: number; readonly result: Geometry | MapUpdate | Kept }
   | { readonly id: number; readonly error: string };
 
 /** A request with its number. */

@@ -6,7 +6,7 @@ import type { Material, Piece } from './messages';
 export const FOLDER = 'files/';
 
 /** What a piece is without its place. */
-export type Arrays = Omit<Piece, 'name' | 'placements'>;
+export type Arrays = Omit<Piece, 'name' | 'placements' | 'same'>;
 
 export async function primitiveOf(glb: Glb, { attributes = {}, indices, material }: Primitive): Promise<Arrays> {
   const optional = (name: string, width: number): Promise<Numbers> | null =>
@@ -36,6 +36,15 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
     indices: corners,
     material: materialOf(glb, at(glb.document.materials, material, 'material')),
   };
+}
+
+/** Equal for primitives whose arrays are the same bytes of the same files; `name` is that of the GLB. */
+export function sameOf(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
+  const places = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
+    const place = accessor === undefined ? '' : glb.placeOf(accessor);
+    return `${attribute}=${place.startsWith(':') ? name : ''}${place}`;
+  });
+  return places.sort().join(' ');
 }
 
 /** The greatest of numbers that are at least 0; −1 if there are none. */

@@ -1,10 +1,12 @@
 /** A worker that decodes geometry and maps, one request after the other. */
 import { reasonOf } from './files';
 import { type Buffers, decodeGeometry } from './geometry';
-import { createMaps } from './maps';
-import type { Answer, Geometry, Job, MapUpdate } from './messages';
+import { createMaps, type Maps } from './maps';
+import type { Answer, ForgetRequest, Geometry, Job, Kept, MapUpdate } from './messages';
+import { FOLDER } from './surfaces';
 
-const maps = createMaps();
+/** By region. */
+const maps = new Map<number, Maps>();
 const buffers: Buffers = new Map();
 let last = Promise.resolve();
 
@@ -21,22 +23,39 @@ async function answer(job: Job): Promise<void> {
   }
 }
 
-function work(job: Job): Promise<Geometry | MapUpdate> {
+async function work(job: Job): Promise<Geometry | MapUpdate | Kept> {
   switch (job.kind) {
     case 'geometry':
       return decodeGeometry(job, buffers);
     case 'first-map':
-      return maps.first(job);
+      maps.set(job.region, createMaps());
+      return mapsOf(job.region).first(job);
     case 'next-map':
-      return maps.next(job);
+      return mapsOf(job.region).next(job);
+    case 'forget':
+      return forget(job);
   }
+}
+
+function mapsOf(region: number): Maps {
+  const found = maps.get(region);
+  if (!found) throw new Error('map: a ring came before the first map');
+  return found;
+}
+
+function forget({ buffers: names, region }: ForgetRequest): Kept {
+  for (const name of names) buffers.delete(name.slice(FOLDER.length));
+  maps.delete(region);
+  const sizes = [...buffers.values()].map(({ byteLength }) => byteLength);
+  return { buffers: sizes.length, bytes: sizes.reduce((sum, size) => sum + size, 0), maps: maps.size };
 }
 
 function post(answered: Answer, transfer: Transferable[]): void {
   self.postMessage(answered, { transfer });
 }
 
-function transferred(result: Geometry | MapUpdate): Transferable[] {
+function transferred(result: Geometry | MapUpdate | Kept): Transferable[] {
+  if ('buffers' in result) return [];
   if ('pieces' in result) {
     const arrays = result.pieces.flatMap(({ positions, normals, uvs, colors, indices, placements }) =>
       [positions, normals, uvs, colors, indices, placements].filter((array) => array !== null),

@@ -37,7 +37,7 @@ vec3 shown(vec3 p) {
     return from_user;
   }
   float w = radii.w * user_weight(rho, radii.y, radii.z);
-  vec4 to = on_cylinder(user_place(), from_user, p, w, rho);
+  vec4 to = keeps_rho ? on_cylinder(user_place(), from_user, p, w, rho) : blended(from_user, p, w);
   return to.w * to.xyz;
 }
 
@@ -111,14 +111,21 @@ float farthest_range(vec3 d) {
   return code == NOTHING ? 1e38 : coding.x * exp(float(code) * coding.y);
 }
 
+// Radius at which static geometry ends and the map begins.
+uniform float cut;
+
 bool is_hidden() {
+  if (length(v_point.xz) > cut) {
+    return true;
+  }
   if (coding.w == 0.0 || length(v_point.xz) <= radii.y) {
     return false;
   }
   float range = length(v_shown);
   vec3 direction = v_shown / range;
   float limit = farthest_range(direction) * (1.0 + BIAS);
-  return range > (is_morphed() ? range_on_cylinder(user_place(), direction, limit) : limit);
+  // Blended points keep the distance at which the centre sees them.
+  return range > (is_morphed() && keeps_rho ? range_on_cylinder(user_place(), direction, limit) : limit);
 }
 
 const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);

@@ -1,9 +1,20 @@
 /** A worker that decodes, as a function. */
-import type { Answer, Geometry, GeometryRequest, MapUpdate, Request } from '../decode/messages';
+import type {
+  Answer,
+  FirstMapRequest,
+  ForgetRequest,
+  Geometry,
+  GeometryRequest,
+  Kept,
+  MapUpdate,
+  NextMapRequest,
+  Request,
+} from '../decode/messages';
 
 export interface Decoder {
   (request: GeometryRequest): Promise<Geometry>;
-  (request: Request): Promise<MapUpdate>;
+  (request: FirstMapRequest | NextMapRequest): Promise<MapUpdate>;
+  (request: ForgetRequest): Promise<Kept>;
 }
 
 export interface Worked {
@@ -47,5 +58,7 @@ function buffersOf(request: Request): ArrayBuffer[] {
       return request.color.map((file) => file.data);
     case 'next-map':
       return [...(request.color ? [request.color] : []), ...request.range].map((file) => file.data);
+    case 'forget':
+      return [];
   }
 }

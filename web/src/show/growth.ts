@@ -21,20 +21,27 @@ export interface Grown {
   readonly strength: number;
 }
 
+/** Least near share by which the strength grows: what lies nearer than that turns faster. */
+const LEAST_SHARE = 0.05;
+
 /** Before ring 1 is there. */
 export const NOTHING_NEAR: Grown = { radius: 0, strength: 0 };
 
-/** What is shown after some seconds more, with the rings up to `ring`. */
-export function grow(now: Grown, ring: number, seconds: number, settings: GrowthSettings): Grown {
+/**
+ * What is shown after some seconds more, with the rings up to `ring`. Pictures of a radius below `least` would fold:
+ * until a ring reaches it, everything is shown as the centre sees it, which is the same picture at any radius.
+ */
+export function grow(now: Grown, ring: number, seconds: number, settings: GrowthSettings, least = 0): Grown {
   const goal = settings.radii[ring - 1];
-  const first = settings.radii[0];
-  if (goal === undefined || first === undefined) return NOTHING_NEAR;
+  if (goal === undefined) return NOTHING_NEAR;
   const rate = (settings.speed * Math.PI) / 180 / settings.reach;
-  const radius = Math.max(now.radius, first);
   let left = seconds;
   let strength = now.radius === 0 ? 0 : now.strength;
+  const begins = settings.radii.find((each) => each >= least) ?? Number.POSITIVE_INFINITY;
+  if (strength === 0 && begins > goal) return { radius: goal, strength };
+  const radius = strength === 0 ? begins : now.radius;
   if (strength < 1) {
-    const whole = 1 / (settings.nearShare * first * rate);
+    const whole = 1 / (Math.max(settings.nearShare, LEAST_SHARE) * radius * rate);
     const needed = (1 - strength) * whole;
     strength = left >= needed ? 1 : strength + left / whole;
     left = Math.max(0, left - needed);

@@ -1,123 +1,145 @@
 /** Loads a region ring by ring, in order; each is shown when all of it is on the GPU. */
 import type { WebGLRenderer } from 'three';
+import { filesOfRing } from '../bundle/contents';
 import type { Described, Manifest } from '../bundle/manifest';
+import type { Received } from '../bundle/source';
 import type { FileData } from '../decode/messages';
+import { type Ahead, createAhead } from './ahead';
 import { cubeSteps } from './cubes';
 import type { Decoder } from './decoder';
 import type { Shared } from './materials';
 import type { PieceMesh } from './pieces';
 import { geometrySteps, type Region } from './region';
+import type { Store } from './store';
 import type { Uploads } from './uploads';
 
 /** Fetches files of the bundle, checked for their size. */
-export type Fetch = (name: string, signal: AbortSignal) => Promise<ArrayBuffer>;
+export type Fetch = (name: string, signal: AbortSignal, received?: Received) => Promise<ArrayBuffer>;
 
 export interface Loading {
   readonly manifest: Manifest;
   readonly renderer: WebGLRenderer;
   readonly shared: Shared;
+  readonly store: Store;
   readonly uploads: Uploads;
-  /** Workers for geometry, and for maps: a region keeps the state of its maps in the latter. */
+  /** Workers for geometry, and for maps: the latter keeps the state of each region's maps. */
   readonly geometry: Decoder;
   readonly maps: Decoder;
   readonly fetch: Fetch;
   /** Number of the last ring that is loaded. */
   readonly last: number;
-  /** Names of the buffers that the worker for geometry has. */
-  readonly sent: Set<string>;
   readonly warm: (mesh: PieceMesh) => void;
 }
 
-/** Wait until the cube that holds an older map may be overwritten: it is shown while a cross-fade lasts. */
-export type MayReplace = (ring: number) => Promise<void>;
+/** The loading of one region. */
+export interface Course {
+  readonly region: Region;
+  /** Number of the region. */
+  readonly number: number;
+  /** Is told of each ring that can be shown. */
+  readonly arrived: (ring: number) => void;
+  /** Is told of the bytes that come, and of those of files that are here. */
+  readonly received: Received;
+  /** Resolves when it is this region's turn. */
+  readonly turn: (signal: AbortSignal) => Promise<void>;
+  /** Wait until the cube that holds an older map may be overwritten: it is shown while a cross-fade lasts. */
+  readonly mayReplace: (ring: number) => Promise<void>;
+  readonly signal: AbortSignal;
+}
 
-/** Load all rings; `arrived` is told of each that can be shown. */
-export async function loadRegion(
-  loading: Loading,
-  region: Region,
-  arrived: (ring: number) => void,
-  mayReplace: MayReplace,
-  signal: AbortSignal,
-): Promise<void> {
-  const { entry } = region;
-  await loadFirstMap(loading, region, signal);
-  arrived(0);
-  const { dynamic } = loading.manifest;
-  if (dynamic) await loadGeometry(loading, region, 0, dynamic.geometry, dynamic.parts, signal);
-  for (let ring = 1; ring < entry.rings.length && ring <= loading.last; ring++) {
-    const described = entry.rings[ring];
-    if (!described) continue;
-    const jobs = [loadNextMap(loading, region, ring, mayReplace, signal)];
-    if (described.geometry !== null) {
-      jobs.push(loadGeometry(loading, region, ring, described.geometry, described.parts, signal));
-    }
+interface Job extends Loading, Course {
+  readonly ahead: Ahead;
+  /** Names of parts that the region has received, or had from other regions. */
+  readonly had: Set<string>;
+}
+
+/** Load all rings; while one is decoded and uploaded, files of the next one are fetched. */
+export async function loadRegion(loading: Loading, course: Course): Promise<void> {
+  const { number, region, received, signal, turn } = course;
+  const { manifest, last } = loading;
+  const sizeOf = (name: string): number => manifest.files[name]?.bytes ?? 0;
+  const fetch: Fetch = (name, own) => loading.fetch(name, own, received);
+  const job: Job = { ...loading, ...course, ahead: createAhead(fetch, sizeOf), had: new Set() };
+  const { rings } = region.entry;
+  await turn(signal);
+  await loadFirstMap(job);
+  course.arrived(0);
+  const { dynamic } = manifest;
+  if (dynamic) await loadGeometry(job, 0, dynamic.geometry, dynamic.parts);
+  for (let ring = 1; ring < rings.length && ring <= last; ring++) {
+    const described = rings[ring];
+    if (!described) throw new Error(`region ${number} has no ring ${ring}`);
+    await turn(signal);
+    const jobs = [loadNextMap(job, ring)];
+    if (described.geometry !== null) jobs.push(loadGeometry(job, ring, described.geometry, described.parts));
+    // After those of this ring.
+    const next = ring < last ? rings[ring + 1] : undefined;
+    if (next) job.ahead.want(filesOfRing(next).filter((name) => !isHere(loading, name)), signal);
     await Promise.all(jobs);
-    arrived(ring);
+    course.arrived(ring);
   }
 }
 
-async function loadGeometry(
-  loading: Loading,
-  region: Region,
-  ring: number,
-  name: string,
-  partNames: readonly string[],
-  signal: AbortSignal,
-): Promise<void> {
-  const wanted = partNames.filter((part) => !region.textures.has(part) && !loading.sent.has(part));
-  const [glb, ...parts] = await Promise.all([name, ...wanted].map((file) => fileOf(loading, file, signal)));
+/** Whether a file's content is on the GPU or in the worker. */
+function isHere({ store }: Loading, name: string): boolean {
+  return store.textures.has(name) || store.buffers.has(name);
+}
+
+async function loadGeometry(job: Job, ring: number, name: string, partNames: readonly string[]): Promise<void> {
+  const { manifest, region, signal, store } = job;
+  const wanted = partNames.filter((part) => !isHere(job, part));
+  for (const part of partNames) {
+    // From another region.
+    if (isHere(job, part) && !job.had.has(part)) job.received(manifest.files[part]?.bytes ?? 0);
+    job.had.add(part);
+  }
+  const [glb, ...parts] = await Promise.all([name, ...wanted].map((file) => fileOf(job, file)));
   if (!glb) throw new Error(`${name} is not there`);
-  const geometry = await loading.geometry({
+  signal.throwIfAborted();
+  const geometry = await job.geometry({
     kind: 'geometry',
     glb,
     parts,
-    known: [...region.textures.keys()],
+    known: [...store.textures.keys()],
     center: region.entry.center,
     isDynamic: ring === 0,
   });
   for (const part of wanted) {
-    if (part.endsWith('.bin')) loading.sent.add(part);
+    if (part.endsWith('.bin')) store.buffers.add(part);
   }
-  signal.throwIfAborted();
-  const steps = geometrySteps(loading.renderer, region, ring, geometry, loading.shared, loading.warm);
-  await loading.uploads.add(steps, signal);
+  await job.uploads.add(geometrySteps(job.renderer, region, ring, geometry, job.shared, store, job.warm), signal);
 }
 
-async function loadFirstMap(loading: Loading, region: Region, signal: AbortSignal): Promise<void> {
-  const { manifest, maps, renderer, uploads } = loading;
-  const { map, range } = { map: manifest.map, range: region.entry.range };
-  const color = await filesOf(loading, region.entry.rings[0]?.map.color ?? null, signal);
+async function loadFirstMap(job: Job): Promise<void> {
+  const { manifest, maps, number, region, renderer, signal, uploads } = job;
+  const { map } = manifest;
+  const color = await filesOf(job, region.entry.rings[0]?.map.color ?? null);
+  signal.throwIfAborted();
   const update = await maps({
     kind: 'first-map',
+    region: number,
     faceSize: map.face_size,
     tile: map.tile,
     across: map.across,
-    step: range.step,
+    step: region.entry.range.step,
     color,
   });
   signal.throwIfAborted();
   await uploads.add(cubeSteps(renderer, region.cubes[0], update, 0, map), signal);
 }
 
-async function loadNextMap(
-  loading: Loading,
-  region: Region,
-  ring: number,
-  mayReplace: MayReplace,
-  signal: AbortSignal,
-): Promise<void> {
+async function loadNextMap(job: Job, ring: number): Promise<void> {
+  const { manifest, number, region, renderer, signal, uploads } = job;
   const described = region.entry.rings[ring]?.map;
   if (!described) return;
-  const [color, range] = await Promise.all([
-    filesOf(loading, described.color, signal),
-    filesOf(loading, described.range, signal),
-  ]);
+  const [color, range] = await Promise.all([filesOf(job, described.color), filesOf(job, described.range)]);
   const cube = region.cubes[ring % 2 === 0 ? 0 : 1];
-  await mayReplace(ring);
+  await job.mayReplace(ring);
   signal.throwIfAborted();
   const since = cube.holds !== null && cube.hasRange ? cube.holds : null;
-  const update = await loading.maps({
+  const update = await job.maps({
     kind: 'next-map',
+    region: number,
     ring,
     tiles: described.tiles,
     color: color[0] ?? null,
@@ -125,17 +147,17 @@ async function loadNextMap(
     since,
   });
   signal.throwIfAborted();
-  await loading.uploads.add(cubeSteps(loading.renderer, cube, update, ring, loading.manifest.map), signal);
+  await uploads.add(cubeSteps(renderer, cube, update, ring, manifest.map), signal);
 }
 
-function filesOf(loading: Loading, names: string | readonly string[] | null, signal: AbortSignal): Promise<FileData[]> {
+function filesOf(job: Job, names: string | readonly string[] | null): Promise<FileData[]> {
   const list = names === null ? [] : typeof names === 'string' ? [names] : names;
-  return Promise.all(list.map((name) => fileOf(loading, name, signal)));
+  return Promise.all(list.map((name) => fileOf(job, name)));
 }
 
-async function fileOf(loading: Loading, name: string, signal: AbortSignal): Promise<FileData> {
-  const described: Described | undefined = loading.manifest.files[name];
+async function fileOf({ ahead, manifest, signal }: Job, name: string): Promise<FileData> {
+  const described: Described | undefined = manifest.files[name];
   if (!described) throw new Error(`${name} is not listed in the manifest`);
-  const data = await loading.fetch(name, signal);
+  const data = await ahead.fetch(name, signal);
   return { name, data, bytes: described.bytes, sha256: described.sha256 };
 }

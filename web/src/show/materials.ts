@@ -23,6 +23,7 @@ export interface Shared extends Record<string, IUniform> {
   readonly map: IUniform<CubeTexture>;
   readonly codes: IUniform<CubeTexture>;
   readonly coding: IUniform<Vector4>;
+  readonly keeps_rho: IUniform<boolean>;
 }
 
 /** Uniforms for a picture of one cube, until a picture sets others. */
@@ -33,8 +34,12 @@ export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
     map: { value: map },
     codes: { value: codes },
     coding: { value: new Vector4() },
+    keeps_rho: { value: true },
   };
 }
+
+/** A radius beyond everything; infinity is no number to a GPU. */
+const NOWHERE = 1e30;
 
 /** Colours of a picture that fades in are mixed with those of the picture before; the canvas itself stays opaque. */
 const BLENDING = {
@@ -50,7 +55,8 @@ const BLENDING = {
   glslVersion: GLSL3,
 } as const;
 
-export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shared): RawShaderMaterial {
+/** The material of a piece that ends at a radius, or nowhere (`Infinity`). */
+export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shared, cut: number): RawShaderMaterial {
   const { material } = piece;
   const defines: Record<string, string> = {};
   if (piece.normals) defines['SMOOTH'] = '';
@@ -63,7 +69,7 @@ export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shar
     vertexShader: NEAR_VERTEX,
     fragmentShader: NEAR_FRAGMENT,
     defines,
-    uniforms: { ...shared, ...ownUniforms(material, texture) },
+    uniforms: { ...shared, ...ownUniforms(material, texture), cut: { value: Math.min(cut, NOWHERE) } },
   });
 }
 

@@ -16,26 +16,52 @@ import {
 } from 'three';
 import type { Piece } from '../decode/messages';
 import { nearMaterial, type Shared } from './materials';
+import type { MeshArrays, Store } from './store';
 
 export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 
 /** Numbers of a placement: three rows of four. */
 const PLACEMENT = 12;
 
-export function meshOf(piece: Piece, texture: Texture | null, shared: Shared): PieceMesh {
+/** A mesh whose static geometry ends at a radius, or nowhere (`Infinity`). */
+export function meshOf(piece: Piece, texture: Texture | null, shared: Shared, store: Store, cut: number): PieceMesh {
   const geometry = piece.placements ? placed(piece.placements) : new BufferGeometry();
-  geometry.setAttribute('position', sent(new BufferAttribute(piece.positions, 3)));
-  if (piece.normals) geometry.setAttribute('normal', sent(new BufferAttribute(piece.normals, 3)));
-  if (piece.uvs) geometry.setAttribute('uv', sent(new BufferAttribute(piece.uvs, 2)));
-  if (piece.colors) geometry.setAttribute('color', sent(new BufferAttribute(piece.colors, 4, true)));
-  geometry.setIndex(sent(new BufferAttribute(piece.indices, 1)));
-  const mesh = new Mesh(geometry, nearMaterial(piece, texture, shared));
+  const arrays = store.take(piece.same, () => arraysOf(piece));
+  for (const [name, attribute] of Object.entries(arrays.attributes)) geometry.setAttribute(name, attribute);
+  geometry.setIndex(arrays.index);
+  const mesh = new Mesh(geometry, nearMaterial(piece, texture, shared, cut));
   mesh.name = piece.name;
   // The morph moves vertices, so that boxes of where they are say nothing.
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
   mesh.userData['triangles'] = trianglesOf(piece);
+  mesh.userData['same'] = piece.same;
   return mesh;
+}
+
+/** Free what the GPU holds of a mesh, but for arrays that other meshes share with it. */
+export function disposeMesh({ geometry, material, userData }: PieceMesh, store: Store): void {
+  const isShared = !store.give(userData['same'] as string | null);
+  if (isShared) {
+    // three.js frees all arrays that a geometry still has.
+    for (const name of Object.keys(ATTRIBUTES)) geometry.deleteAttribute(name);
+    geometry.setIndex(null);
+  }
+  geometry.dispose();
+  material.dispose();
+}
+
+/** Numbers a vertex of each attribute of the shader. */
+const ATTRIBUTES = { position: 3, normal: 3, uv: 2, color: 4 } as const;
+
+function arraysOf({ positions, normals, uvs, colors, indices }: Piece): MeshArrays {
+  const found = { position: positions, normal: normals, uv: uvs, color: colors };
+  const attributes: Record<string, BufferAttribute> = {};
+  for (const [name, width] of Object.entries(ATTRIBUTES)) {
+    const array = found[name as keyof typeof found];
+    if (array) attributes[name] = sent(new BufferAttribute(array, width, name === 'color'));
+  }
+  return { attributes, index: sent(new BufferAttribute(indices, 1)) };
 }
 
 export function trianglesOf(piece: Piece): number {

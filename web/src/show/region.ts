@@ -1,10 +1,11 @@
 /** What is on the GPU of one region: the geometry of its rings, and the maps of the last two of them. */
-import { Group, type Texture, type WebGLRenderer } from 'three';
+import { Group, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Geometry } from '../decode/messages';
 import { type Cube, createCube } from './cubes';
 import type { Shared } from './materials';
-import { meshOf, type PieceMesh, textureOf, trianglesOf } from './pieces';
+import { disposeMesh, meshOf, type PieceMesh, textureOf } from './pieces';
+import type { Store } from './store';
 import type { Step } from './uploads';
 
 export interface Region {
@@ -13,28 +14,26 @@ export interface Region {
   readonly groups: readonly Group[];
   /** Two cubes in turn: the one of the ring that is shown, and the one that is being made. */
   readonly cubes: readonly [Cube, Cube];
-  readonly textures: Map<string, Texture>;
   dispose(): void;
 }
 
-export function createRegion(renderer: WebGLRenderer, entry: RegionEntry, faceSize: number): Region {
+export function createRegion(
+  renderer: WebGLRenderer,
+  entry: RegionEntry,
+  faceSize: number,
+  store: Store,
+): Region {
   const groups = entry.rings.map(() => new Group());
   const cubes = [createCube(renderer, faceSize), createCube(renderer, faceSize)] as const;
-  const textures = new Map<string, Texture>();
   return {
     entry,
     groups,
     cubes,
-    textures,
     dispose() {
       for (const group of groups) {
-        for (const mesh of meshesOf(group)) {
-          mesh.geometry.dispose();
-          mesh.material.dispose();
-        }
+        for (const mesh of meshesOf(group)) disposeMesh(mesh, store);
         group.clear();
       }
-      for (const texture of textures.values()) texture.dispose();
       for (const cube of cubes) cube.dispose();
     },
   };
@@ -59,38 +58,49 @@ export function trianglesShown(region: Region, ring: number): number {
     .reduce((sum, mesh) => sum + (mesh.userData['triangles'] as number), 0);
 }
 
-/** Steps after which geometry is on the GPU and in the group of its ring. `warm` makes three.js upload a mesh. */
+/**
+ * Steps after which geometry is on the GPU and in the group of its ring; if they end before, nothing is left of it.
+ * `warm` makes three.js upload a mesh.
+ */
 export function* geometrySteps(
   renderer: WebGLRenderer,
   region: Region,
   ring: number,
   geometry: Geometry,
   shared: Shared,
+  store: Store,
   warm: (mesh: PieceMesh) => void,
 ): Generator<Step> {
-  for (const [uri, image] of Object.entries(geometry.images)) {
-    yield () => {
-      const texture = textureOf(image);
-      renderer.initTexture(texture);
-      image.close();
-      region.textures.set(uri, texture);
-    };
-  }
+  // Dynamic objects, in ring 0, go on beyond it.
+  const cut = ring === 0 ? Infinity : region.entry.cut;
   const group = region.groups[ring];
   if (!group) throw new Error(`there is no ring ${ring}`);
   const made: PieceMesh[] = [];
-  for (const piece of geometry.pieces) {
+  try {
+    for (const [uri, image] of Object.entries(geometry.images)) {
+      yield () => {
+        // Another region may have brought it meanwhile.
+        if (store.textures.has(uri)) return;
+        const texture = textureOf(image);
+        renderer.initTexture(texture);
+        store.textures.set(uri, texture);
+      };
+    }
+    for (const piece of geometry.pieces) {
+      yield () => {
+        const { image } = piece.material;
+        const texture = image === null ? null : (store.textures.get(image) ?? null);
+        const mesh = meshOf(piece, texture, shared, store, cut);
+        made.push(mesh);
+        warm(mesh);
+      };
+    }
+    // Together, so that no frame shows a part of a ring.
     yield () => {
-      const { image } = piece.material;
-      const texture = image === null ? null : (region.textures.get(image) ?? null);
-      const mesh = meshOf(piece, texture, shared);
-      mesh.userData['triangles'] = trianglesOf(piece);
-      warm(mesh);
-      made.push(mesh);
+      group.add(...made.splice(0));
     };
+  } finally {
+    for (const image of Object.values(geometry.images)) image.close();
+    for (const mesh of made) disposeMesh(mesh, store);
   }
-  // Together, so that no frame shows a part of a ring.
-  yield () => {
-    group.add(...made);
-  };
 }

@@ -19,10 +19,16 @@ export interface Shown {
 }
 
 export interface Stage {
-  /** A ring is there; rings come in order. */
+  /** A ring is there; rings come in order. Until the stage is entered, each takes the place of the one before. */
   arrive(ring: number): void;
-  /** Go on by some seconds. */
-  advance(seconds: number): Shown | null;
+  /** What would be shown first if the picture of another region went over into this one; null before ring 0. */
+  offer(from: Grown): Grown | null;
+  /** Show the region from now on, as much like the other region's picture as the rings that are there allow. */
+  enter(from: Grown): void;
+  /** Show it no more. */
+  leave(): void;
+  /** Go on by some seconds; smaller radii than `least` would fold. */
+  advance(seconds: number, least?: number): Shown | null;
   /** Resolves when the map of the ring before `ring` − 1 is no longer shown, so that the map of `ring` may replace it. */
   replaceable(ring: number): Promise<void>;
 }
@@ -32,8 +38,23 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
   let ring = -1;
   let since = 0;
   let isFading = false;
+  let isEntered = false;
   let grown = NOTHING_NEAR;
   let waiting: { ring: number; done: () => void }[] = [];
+
+  function offer(from: Grown): Grown | null {
+    const [first, last] = [settings.radii[0], settings.radii[ring - 1]];
+    if (ring < 0) return null;
+    if (first === undefined || last === undefined) return NOTHING_NEAR;
+    return { radius: Math.min(Math.max(from.radius, first), last), strength: from.radius > 0 ? from.strength : 0 };
+  }
+
+  /** Without smoothness all is shown at once, as soon as it does not fold. */
+  function atOnce(least: number): Grown {
+    const radius = settings.radii[ring - 1];
+    if (radius === undefined) return NOTHING_NEAR;
+    return { radius, strength: grown.strength === 1 || radius >= least ? 1 : 0 };
+  }
 
   function release(): void {
     const free = waiting.filter((entry) => isFree(entry.ring));
@@ -49,16 +70,23 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
   return {
     arrive(next) {
       arrived = next;
-      if (ring < 0 || !isSmooth) {
-        ring = next;
-        const radius = settings.radii[next - 1];
-        if (!isSmooth && radius !== undefined) grown = { radius, strength: 1 };
-        release();
-      }
+      if (isEntered && isSmooth && ring >= 0) return;
+      ring = next;
+      release();
     },
-    advance(seconds) {
+    offer,
+    enter(from) {
+      grown = offer(from) ?? NOTHING_NEAR;
+      isEntered = true;
+    },
+    leave() {
+      isEntered = isFading = false;
+      ring = arrived;
+      release();
+    },
+    advance(seconds, least = 0) {
       if (ring < 0) return null;
-      grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings) : grown;
+      grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : atOnce(least);
       if (!isFading && arrived > ring) {
         isFading = true;
         since = 0;

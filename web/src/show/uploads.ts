@@ -33,6 +33,8 @@ export function createUploads(now: () => number = () => performance.now()): Uplo
       }
       job.done();
     } catch (error) {
+      // What the steps have made until now is of no use.
+      job.steps.return?.();
       job.failed(error);
     }
     jobs.shift();

@@ -1,14 +1,19 @@
-/** The picture on the screen: which region is loaded, what of it is shown, and one frame after the other. */
+/** The picture on the screen, one frame after the other. */
 import { Group, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import type { Manifest, Point } from '../bundle/manifest';
+import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
+import type { Kept } from '../decode/messages';
+import { createAtlas } from './atlas';
 import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
-import { type Fetch, loadRegion, type Loading } from './loader';
+import { createJourney, type Journey, type Leg } from './journey';
+import type { Fetch, Loading } from './loader';
 import { createShared } from './materials';
 import { createPainter, type Picture } from './picture';
-import { createRegion, type Region, trianglesShown } from './region';
-import { createStage, type Manner, type Shown, type Stage } from './stage';
+import { trianglesShown } from './region';
+import type { Manner, Shown } from './stage';
+import { createStore } from './store';
 import { createUploads } from './uploads';
 
 /** Milliseconds of a frame that uploads may take: docs/view.md. */
@@ -27,6 +32,8 @@ export interface Settings extends Manner {
   readonly angle: number;
   readonly antialias: boolean;
   readonly failed: (reason: Error) => void;
+  /** The user was put to another place, which frames are to be drawn for from now on. */
+  readonly moved: (pose: Pose) => void;
 }
 
 export interface Viewer {
@@ -34,10 +41,14 @@ export interface Viewer {
   readonly camera: PerspectiveCamera;
   /** Moves the headset's space: its position is the user's floor. */
   readonly rig: Group;
-  /** Show a region from its ring 0 on; the one before is let go. */
+  /** Begin in a region, from its ring 0 on; all others are let go. */
   open(number: number): void;
+  /** Go to another place by a cross-fade, as soon as its region can be shown. */
+  go(target: Pose): void;
+  /** Load again what failed. */
+  retry(): void;
   /** Draw a frame for a user, some seconds after the one before. */
-  frame(pose: Pose | null, seconds: number): void;
+  frame(pose: Pose, seconds: number): void;
   /** Draw one state, whatever the time: for tests and screenshots. */
   still(picture: Omit<Picture, 'region'>, pose: Pose): void;
   /** Part of the width, from the left, in which the picture is the conventional one; null for none. */
@@ -51,20 +62,24 @@ export interface Viewer {
 /** What the panel shows of the picture. */
 export interface Facts {
   readonly region: number;
+  /** Region of the place that the user is about to go to; null for none. */
+  readonly goal: number | null;
   readonly shown: Shown | null;
   readonly arrived: number;
+  /** Bytes of the region's files that are here, and of all of them. */
+  readonly received: number;
+  readonly expected: number;
   readonly triangles: number;
   /** Milliseconds that uploads took in the last frame. */
   readonly upload: number;
-}
-
-interface Open {
-  readonly number: number;
-  readonly region: Region;
-  readonly stage: Stage;
-  readonly stop: AbortController;
-  arrived: number;
-  shown: Shown | null;
+  /** Where the user may be. */
+  readonly bounds: Bounds | null;
+  /** The region whose picture goes out; null for none. */
+  readonly leaving: number | null;
+  /** Regions that are open, what the workers kept when the last one was closed, and arrays that meshes share. */
+  readonly regions: readonly number[];
+  readonly kept: readonly Kept[];
+  readonly shared: number;
 }
 
 export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Viewer {
@@ -82,6 +97,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
   const blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
+  shared.keeps_rho.value = manifest.morph.kind === 'cylinder';
   const uploads = createUploads();
   const workers: Worked[] = [startDecoder(settings.worker), startDecoder(settings.worker)];
   const feet = { x: 0, y: 0, z: 0 };
@@ -94,16 +110,17 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
 
   const painter = createPainter(renderer, shared, nearShare, faceSize, place);
   const warming = new Scene();
+  const store = createStore();
   const loading: Loading = {
     manifest,
     renderer,
     shared,
+    store,
     uploads,
     geometry: (workers[0] as Worked).decode,
     maps: (workers[1] as Worked).decode,
     fetch: settings.fetch,
     last: settings.last,
-    sent: new Set(),
     warm(mesh) {
       // Rendering nothing of it uploads it.
       const { count } = mesh.geometry.drawRange;
@@ -114,15 +131,19 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       mesh.geometry.setDrawRange(0, count);
     },
   };
-  let open: Open | null = null;
+  const atlas = createAtlas({
+    loading,
+    manner: settings,
+    failed(region, reason) {
+      journey?.failed(region);
+      settings.failed(reason);
+    },
+  });
+  let journey: Journey | null = null;
+  let leg: Leg | null = null;
+  let user: Pose | null = null;
   let upload = 0;
   let divider: number | null = null;
-
-  function close(): void {
-    open?.stop.abort();
-    open?.region.dispose();
-    open = null;
-  }
 
   function setPose({ position: [x, y, z], yaw, pitch }: Pose): void {
     Object.assign(feet, { x, y, z });
@@ -141,28 +162,42 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     camera.updateProjectionMatrix();
   }
 
-  /** Draw what is shown of a region, morphed or conventional. */
-  function paint({ region }: Open, shown: Shown, isMorphed: boolean): void {
-    const { radius, strength } = shown.grown;
-    const picture = { region, radius, strength: isMorphed ? strength : null };
-    painter.draw({ ...picture, ring: shown.ring }, camera, 1);
-    if (shown.fading && shown.fading.share > 0) {
-      painter.draw({ ...picture, ring: shown.fading.ring }, camera, shown.fading.share);
+  /** Draw what is shown of a region, morphed or conventional, as a share over what is there. */
+  function paint(number: number, opacity: number, isMorphed: boolean): void {
+    const open = atlas.find(number);
+    if (!open?.shown || opacity === 0) return;
+    const { ring, grown, fading } = open.shown;
+    const picture = { region: open.region, radius: grown.radius, strength: isMorphed ? grown.strength : null };
+    painter.draw({ ...picture, ring }, camera, opacity);
+    // While a region fades in, nothing in it does.
+    if (opacity === 1 && fading && fading.share > 0) {
+      painter.draw({ ...picture, ring: fading.ring }, camera, fading.share);
     }
   }
 
-  function paintBoth(of: Open, shown: Shown): void {
+  /** Draw the picture of a region over the one that it takes over from. */
+  function paintLeg({ region, leaving }: Leg, isMorphed: boolean): void {
+    if (leaving) {
+      if (leaving.pose) setPose(leaving.pose);
+      paint(leaving.region, 1, isMorphed);
+    }
+    if (user) setPose(user);
+    paint(region, leaving?.share ?? 1, isMorphed);
+  }
+
+  function paintAll(): void {
+    if (!leg || !atlas.find(leg.region)?.shown) return;
     if (divider === null || renderer.xr.isPresenting) {
-      paint(of, shown, true);
+      paintLeg(leg, true);
       return;
     }
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     const left = Math.round(divider * width);
     renderer.setScissorTest(true);
     renderer.setScissor(0, 0, left, height);
-    paint(of, shown, false);
+    paintLeg(leg, false);
     renderer.setScissor(left, 0, width - left, height);
-    paint(of, shown, true);
+    paintLeg(leg, true);
     renderer.setScissorTest(false);
   }
 
@@ -171,32 +206,29 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     camera,
     rig,
     open(number) {
-      const entry = manifest.regions[number];
-      if (!entry) throw new Error(`there is no region ${number}`);
-      close();
-      const radii = entry.rings.slice(1).map((ring) => ring.radius);
-      const stage = createStage({ ...manifest.growth, radii, nearShare }, settings);
-      const stop = new AbortController();
-      const region = createRegion(renderer, entry, faceSize);
-      const opened: Open = { number, region, stage, stop, arrived: -1, shown: null };
-      open = opened;
-      const arrived = (ring: number): void => {
-        opened.arrived = ring;
-        stage.arrive(ring);
+      for (const region of atlas.holding.regions) atlas.close(region);
+      const moved = (pose: Pose): void => {
+        user = pose;
+        settings.moved(pose);
       };
-      loadRegion(loading, region, arrived, (ring) => stage.replaceable(ring), stop.signal).catch((reason: unknown) => {
-        if (!stop.signal.aborted) settings.failed(reason instanceof Error ? reason : new Error(String(reason)));
-      });
+      const { regions, growth } = manifest;
+      journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
+      leg = null;
     },
+    go: (target) => journey?.go(target),
+    retry: atlas.retry,
     frame(pose, seconds) {
-      if (pose) setPose(pose);
+      user = pose;
       fit();
       upload = uploads.run(UPLOAD_BUDGET);
-      if (!open) return;
-      open.shown = open.stage.advance(seconds);
-      if (open.shown) paintBoth(open, open.shown);
+      if (!journey) return;
+      leg = journey.advance(seconds, pose);
+      // Nothing else changes while a region fades in.
+      atlas.advance(leg.region, leg.leaving ? 0 : seconds, journey.least);
+      paintAll();
     },
     still(picture, pose) {
+      const open = journey && atlas.find(journey.region);
       if (!open) throw new Error('no region is open');
       setPose(pose);
       painter.draw({ ...picture, region: open.region }, camera, 1);
@@ -206,26 +238,42 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     },
     photo() {
       // In the same task as the drawing: a canvas keeps its picture no longer.
-      if (open?.shown) paintBoth(open, open.shown);
+      paintAll();
       return new Promise((done, failed) => {
         canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('The browser gives no picture'))), 'image/png');
       });
     },
     get facts() {
+      const region = journey?.region ?? 0;
+      const open = atlas.find(region);
       const ring = open?.shown?.fading?.ring ?? open?.shown?.ring ?? 0;
       return {
-        region: open?.number ?? 0,
+        region,
+        goal: journey?.goal ?? null,
+        leaving: leg?.leaving?.region ?? null,
         shown: open?.shown ?? null,
         arrived: open?.arrived ?? -1,
+        received: open?.received ?? 0,
+        expected: open?.expected ?? 0,
         triangles: open ? trianglesShown(open.region, ring) : 0,
         upload,
+        bounds: journey?.bounds ?? null,
+        ...atlas.holding,
+        shared: store.shared,
       };
     },
     dispose() {
-      close();
+      atlas.dispose();
       for (const worker of workers) worker.dispose();
       blank.dispose();
       renderer.dispose();
     },
   };
+}
+
+/** The fold margin as a share of the morph's radius: of the cylinder it is its near part, at any radius. */
+function marginShare({ morph, regions }: Manifest): number {
+  const [first] = regions;
+  if (!first || !Number.isFinite(first.cut)) return morph.near_share;
+  return Math.max(first.fold_margin / first.cut, Number.EPSILON);
 }

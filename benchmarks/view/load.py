@@ -1,0 +1,184 @@
+"""Seconds until a scene is on the screen over a link of 50 Mbit/s and 20 ms: the page, one GLB, and 3D Tiles.
+
+python -m benchmarks.view.load [--quick] [--repeat N]
+
+All three run in the same headless Chromium, which holds back what comes over the network. Files come from Python's own
+server as they are, without compression. The page shows all of the scene; one GLB holds all of it, with a
+node for each copy; the tileset holds the near part alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from nearfar import _core
+from tests.support.browser import started
+from tests.support.reader_cases import SECONDS
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+READERS = CHECKOUT / "tests" / "readers" / "node_modules"
+RATE, DELAY = 50e6, 20.0
+"""Bits a second, and milliseconds of a round trip."""
+CENTER = (0.0, 1.3, 0.0)
+TARGET = (-2.0, 4.0, -40.0)
+SIZE, ANGLE = (640, 400), 75.0
+
+# When each ring was first in a frame, by the page's own clock.
+WATCH = """() => {
+  const shown = [];
+  window.shownRings = shown;
+  const look = () => {
+    const facts = window.nearfar?.viewer.facts;
+    while (facts && facts.shown && shown.length <= facts.arrived) shown.push(performance.now());
+    requestAnimationFrame(look);
+  };
+  requestAnimationFrame(look);
+}"""
+
+SCRIPT = """() => performance.getEntriesByType('resource').find((entry) => /page\\.js/.test(entry.name)).responseEnd"""
+
+
+class _Handler(SimpleHTTPRequestHandler):
+    """Keeps connections open, as servers for the web do, and prints nothing."""
+
+    protocol_version = "HTTP/1.1"
+
+    def log_message(self, *_: Any) -> None:
+        pass
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Handler, directory=str(folder))) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        try:
+            yield f"http://127.0.0.1:{server.server_port}/"
+        finally:
+            server.shutdown()
+
+
+@contextmanager
+def shaped(chromium: Any) -> Iterator[Any]:
+    """A page of a browser without a cache, behind the link."""
+    context = chromium.new_context(viewport={"width": SIZE[0], "height": SIZE[1]})
+    page = context.new_page()
+    network = context.new_cdp_session(page)
+    network.send("Network.enable")
+    limits = {"latency": DELAY, "downloadThroughput": RATE / 8, "uploadThroughput": RATE / 8}
+    network.send("Network.emulateNetworkConditions", {"offline": False, **limits})
+    try:
+        yield page
+    finally:
+        context.close()
+
+
+def one_glb(scene: nf.Scene) -> bytes:
+    """All of a scene as a plain GLB with a node for each copy."""
+    groups = np.ones(len(scene.object_names) + 1, np.uint16)
+    export = _core.Export(
+        scene._core,
+        groups,
+        3,
+        names=list(scene.object_names),
+        images=[None] * scene._core.texture_count,
+        step=2.0**-10,
+        compressed=False,
+        report=lambda *_: None,
+    )
+    data, _ = export.glb(1, uris=[None] * len(export.shared()), report=lambda *_: None)
+    return bytes(data)
+
+
+def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
+    """Write all files that are served; their bytes."""
+    bundle = nf.stream.export(scene, folder / "bundle", center=CENTER)
+    nf.view.write_page(folder / "bundle")
+    (folder / "scene.glb").write_bytes(one_glb(scene))
+    (folder / "view.json").write_text(json.dumps({"eye": CENTER, "target": TARGET, "angle": ANGLE}))
+    (folder / "index.html").write_text('<body style="margin:0"><script type="module" src="peers.js"></script>')
+    esbuild = CHECKOUT / "web" / "node_modules" / ".bin" / "esbuild"
+    source = CHECKOUT / "benchmarks" / "view" / "_peers.mjs"
+    command = [str(esbuild), str(source), "--bundle", "--minify", "--format=esm", f"--outfile={folder / 'peers.js'}"]
+    # In a module of its own folder, packages are looked up where NODE_PATH tells.
+    subprocess.run(command, check=True, env={**os.environ, "NODE_PATH": str(READERS)})
+    rows = bundle.summary()
+    kinds = ("dynamic", "geometry", "color", "range")
+    return {
+        "ring 0": sum(rows[0][kind] for kind in kinds),
+        "page": sum(row[kind] for row in rows for kind in kinds),
+        "glb": (folder / "scene.glb").stat().st_size,
+        "tiles": sum(row["geometry"] + row["dynamic"] for row in rows),
+    }
+
+
+def page_times(chromium: Any, url: str) -> dict[str, float]:
+    """Seconds from navigation until the script was there, ring 0, and the last ring were shown."""
+    with shaped(chromium) as page:
+        page.add_init_script(f"({WATCH})()")
+        page.goto(url + "bundle/")
+        rings = page.evaluate("async () => (await (await fetch('manifest.json')).json()).regions[0].rings.length")
+        deadline = time.monotonic() + SECONDS
+        while page.evaluate("() => window.shownRings.length") < rings:
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"ring {rings - 1} does not come")
+            time.sleep(0.2)
+        shown = page.evaluate("() => window.shownRings")
+        return {"script": page.evaluate(SCRIPT) / 1e3, "first": shown[0] / 1e3, "last": shown[-1] / 1e3}
+
+
+def peer_times(chromium: Any, url: str) -> dict[str, float]:
+    """The same of another program's page."""
+    with shaped(chromium) as page:
+        page.goto(url)
+        page.wait_for_function("() => window.result", timeout=SECONDS * 1e3)
+        result = page.evaluate("() => window.result")
+        first = result.get("first") or result["last"]
+        return {"script": result["started"] / 1e3, "first": first / 1e3, "last": result["last"] / 1e3}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="a small city")
+    parser.add_argument("--repeat", type=int, default=3, help="loads of each; the medians are printed")
+    given = parser.parse_args()
+    if not (READERS.is_dir() and shutil.which("node")):
+        parser.error("`npm ci --prefix tests/readers` has not run")
+    scene = nf.datasets.city(blocks=3, detail=1 if given.quick else 2)
+    print(machine())
+    with tempfile.TemporaryDirectory() as name, started() as chromium:
+        folder = Path(name)
+        sizes = prepare(scene, folder)
+        with served(folder) as url:
+            jobs = {
+                "nearfar": ("page", partial(page_times, chromium, url)),
+                "one GLB in three.js": ("glb", partial(peer_times, chromium, url + "?glb")),
+                "3d-tiles-renderer, near part": ("tiles", partial(peer_times, chromium, url + "?tiles")),
+            }
+            rows = []
+            for label, (kind, job) in jobs.items():
+                runs = [job() for _ in range(given.repeat)]
+                times = [float(np.median([run[part] for run in runs])) for part in ("script", "first", "last")]
+                rows.append([label, f"{sizes[kind] / 1e6:.2f}", *(f"{seconds:.2f}" for seconds in times)])
+    title = f"{scene.triangle_count:,} triangles, seconds from navigation; ring 0 has {sizes['ring 0'] / 1e6:.2f} MB"
+    print(table(title, ["", "MB", "script there", "first complete picture", "all"], rows))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,75 @@
+"""The near objects in the order in which vis0 and vis1 send them: by how much of the view from the centre they take."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import side_by_side
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._scene.scene import Scene
+from nearfar.stream import _map_files as codec
+from nearfar.stream._assign import Rings, loads
+from nearfar.stream._encode import Files
+from nearfar.stream._footprints import footprints
+from nearfar.stream._map_files import RangeScale
+from nearfar.stream._maps import TILE
+
+PORTIONS = 32
+"""Files that the objects of a region are divided into, at most."""
+
+
+@dataclass(frozen=True, eq=False)
+class Portions:
+    """Static objects of all rings that the centre sees, the largest footprints first."""
+
+    scene: Scene
+    """The scene."""
+    portion: NDArray[np.int32]
+    """(objects,) portion of each object, from 1 on; `count` + 1 for those that are not sent, 0 for dynamic objects."""
+    rest: int
+    """Portion of the faces that belong to no object."""
+    count: int
+    """Number of portions."""
+
+    @classmethod
+    def of(cls, rings: Rings, *, scene: Scene) -> Portions:
+        """Divide the near objects of rings; `scene` has them as they are sent.
+
+        Faces without an object have no footprint of their own: they come last.
+        """
+        seen = footprints(rings.scene, center=rings.center)
+        chosen = np.flatnonzero((rings.ring > 0) & (rings.ring <= rings.count) & (seen > 0.0))
+        ordered = chosen[np.argsort(-seen[chosen], kind="stable")]
+        count = max(min(PORTIONS, len(ordered)), 1)
+        portion = np.where(rings.ring == 0, 0, count + 1).astype(np.int32)
+        portion[ordered] = 1 + np.arange(len(ordered)) * count // max(len(ordered), 1)
+        return cls(scene, portion, count if rings.rest <= rings.count else count + 1, count)
+
+    def codes(self) -> NDArray[np.uint16]:
+        """(objects + 1,) portions as kernels take them: those of all objects, and last that of faces without one."""
+        return np.append(self.portion, self.rest).astype(np.uint16)
+
+    def summary(self) -> list[dict[str, Any]]:
+        """Count objects and triangles of each portion, and last of what is not sent."""
+        return loads(self.scene, self.codes(), self.count + 1)
+
+
+def encode_whole(env: EnvMap, files: Files, quality: int | None, scale: RangeScale) -> dict[str, Any]:
+    """Encode a map as ring 0's colour and ring 1's range are: a file for each face of both."""
+    assert env.range is not None
+    codes = scale.codes(env.range)
+    nothing, no_tiles = np.zeros((1, *codes.shape[1:]), bool), np.zeros(0, np.int64)
+    jobs = [partial(codec.encode_color, face, quality) for face in env.color]
+    jobs += [
+        partial(codec.encode_ranges, face[None], None, nothing, no_tiles, tile=TILE, step=scale.step) for face in codes
+    ]
+    encoded = list(side_by_side.results(jobs))
+    return {
+        "color": [files.add(data, "webp") for data in encoded[:6]],
+        "range": [files.add(data, "range") for data in encoded[6:]],
+    }

@@ -1,0 +1,56 @@
+"""How maps and geometry become files: the arguments of `export`, checked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import SupportsFloat, SupportsIndex
+
+from nearfar._base import check
+from nearfar.stream._maps import MOST_SAMPLES, TILE
+
+MOST_FACE_SIZE = 4096
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How maps and geometry become files."""
+
+    face_size: int
+    samples: int
+    quality: int | None
+    range_error: float
+    step: float
+    compressed: bool
+    pixels_per_degree: float | None
+    by_footprint: bool
+
+    @classmethod
+    def checked(
+        cls,
+        face_size: SupportsIndex,
+        samples: SupportsIndex,
+        quality: SupportsIndex | None,
+        range_error: SupportsFloat,
+        step: SupportsFloat,
+        compression: str | None,
+        pixels_per_degree: SupportsFloat | None,
+        by_footprint: bool,
+    ) -> Settings:
+        """Check them; ValueError or TypeError for settings that cannot be."""
+        size = check.integer("face_size", face_size, TILE, MOST_FACE_SIZE)
+        if size % TILE:
+            raise ValueError(f"face_size: expected a multiple of {TILE}, got {size}")
+        if compression is not None:
+            check.choice("compression", compression, ("meshopt",))
+        return cls(
+            face_size=size,
+            samples=check.integer("samples", samples, 1, MOST_SAMPLES),
+            quality=None if quality is None else check.integer("quality", quality, 0, 100),
+            range_error=check.within("range_error", range_error, 1e-6, 0.1),
+            step=check.within("step", step, 1e-6, 1.0),
+            compressed=compression is not None,
+            pixels_per_degree=(
+                None if pixels_per_degree is None else check.within("pixels_per_degree", pixels_per_degree, 1.0, 500.0)
+            ),
+            by_footprint=check.flag("by_footprint", by_footprint),
+        )

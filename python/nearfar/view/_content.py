@@ -1,0 +1,52 @@
+"""Files of what is shown, by the names that the page asks for: those of a bundle, or a reduced scene's as a bundle."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from nearfar import stream
+from nearfar._base import formats
+from nearfar._reduce import folder
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar.stream import _store
+from nearfar.stream._bundle import Bundle
+from nearfar.view import _reduced
+
+Read = Callable[[], bytes]
+
+
+def opened(path: str | os.PathLike[str]) -> Mapping[str, Read]:
+    """How to read each file of the bundle or the reduced scene at a place; those of the latter are made here."""
+    saved = reduced_folder(path)
+    return of_bundle(stream.open(path)) if saved is None else of_reduced(ReducedScene.load(saved))
+
+
+def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
+    """The folder of a reduced scene at a place; None if there is none."""
+    if _store.is_url(path):
+        return None
+    place = _store.local(path)
+    place = place.parent if place.name == folder.DOCUMENT else place
+    return place if (place / folder.DOCUMENT).is_file() else None
+
+
+def of_bundle(bundle: Bundle) -> dict[str, Read]:
+    """The files of a bundle, which are read when they are asked for."""
+
+    def stored(name: str) -> Read:
+        return lambda: bundle._reader.read(name)
+
+    manifest = formats.to_json(bundle._manifest).encode()
+    listed = (*bundle.files, _store.TILESET)
+    return {**{name: stored(name) for name in listed}, _store.MANIFEST: lambda: manifest}
+
+
+def of_reduced(reduced: ReducedScene) -> dict[str, Read]:
+    """The files of a reduced scene as a bundle."""
+
+    def made(content: bytes) -> Read:
+        return lambda: content
+
+    return {name: made(content) for name, content in _reduced.files_of(reduced).items()}

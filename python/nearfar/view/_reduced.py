@@ -1,0 +1,147 @@
+"""Reduced scenes as the page reads them: a bundle of one region, whose one ring is the near part, in front of the map.
+
+Map 0 shows the whole scene, as the centre sees it; the map of ring 1 is that of the reduced scene. Nothing is lost:
+pictures are stored without loss, but for the 8 bits of sRGB that screens have.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import formats
+from nearfar._camera.camera import Camera, CubeFace
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._cubemap.layouts import envmap_directions
+from nearfar._partition.partition import partition
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._scene.scene import Scene
+from nearfar.stream import _store, _tileset
+from nearfar.stream._assign import Rings, assign
+from nearfar.stream._encode import ACROSS, Files, Geometry, encode_maps, encode_textures, scale_of
+from nearfar.stream._growth import Growth
+from nearfar.stream._manifest import NAME, ORIENTATION, VERSION
+from nearfar.stream._map_files import with_neighbours
+from nearfar.stream._maps import TILE, RingMaps
+from nearfar.stream._settings import MOST_FACE_SIZE
+
+SAMPLES = 4
+"""Colour samples of a texel of map 0 that shows the near part."""
+
+RANGE_ERROR = 2.0**-11
+STEP = 2.0**-10
+"""Greatest relative error of ranges, and metres of which positions are multiples, as bundles have them by default."""
+
+BLANK = 64
+"""Texels along a face of the map where there is none."""
+
+
+def files_of(reduced: ReducedScene) -> dict[str, bytes]:
+    """Return the files of a reduced scene as a bundle by name, its manifest and tileset among them.
+
+    ValueError for the conventional method, which has no morph.
+    """
+    if reduced.morph == "none":
+        raise ValueError("morph: expected 'blend' or 'cylinder' to show, got 'none'; see ReducedScene.with_morph")
+    near = reduced._near_part
+    rings = _rings(near, reduced)
+    maps = _maps(near, reduced, rings)
+    files = Files()
+    textures = encode_textures(near, None, np.zeros(near._core.texture_count, np.uint32))
+    geometry = Geometry(rings, files, textures, step=STEP, compressed=True)
+    dynamic = geometry.moving()
+    scale = scale_of(maps, RANGE_ERROR)
+    pictures = encode_maps(maps, files, quality=None, scale=scale)
+    nothing: dict[str, Any] = {"radius": 0.0, "objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
+    region: dict[str, Any] = {
+        "center": list(reduced.center),
+        "fold_margin": max(reduced._core.fold_margin(reduced.center, None, 1.0), 0.0),
+        "neighbours": [],
+        "findings": [],
+        "range": {"least": scale.least, "step": scale.step, "error": scale.error},
+        "rings": [
+            {**ring, "map": map_} for ring, map_ in zip([nothing, *geometry.groups("ring")], pictures, strict=True)
+        ],
+        "by_footprint": None,
+    }
+    tileset = _tileset.encode(region["center"], region["rings"], dynamic, files.content)
+    bounds = near.bounds if near.triangle_count else np.array([reduced.center, reduced.center])
+    manifest = formats.header(
+        NAME,
+        VERSION,
+        color_space="sRGB",
+        morph={"kind": reduced.morph, "near_share": reduced.r1 / reduced.r2},
+        unit="triangle",
+        growth=Growth((reduced.r2,)).described(),
+        triangles=reduced.stats["triangles"],
+        bounds=bounds.tolist(),
+        map={"face_size": maps.first.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
+        regions=[region],
+        dynamic=dynamic,
+        tileset=_store.described(tileset),
+        notes=list(near.report.notes),
+        files=files.listed(),
+    )
+    text = formats.to_json(manifest, compact=True).encode()
+    return {**files.content, _store.TILESET: tileset, _store.MANIFEST: text}
+
+
+def _rings(near: Scene, reduced: ReducedScene) -> Rings:
+    """All static geometry as ring 1, although parts of objects that a rounded distance puts beyond it."""
+    rings = assign(near, center=reduced.center, radii=[reduced.r2])
+    return replace(rings, ring=np.minimum(rings.ring, 1), rest=1)
+
+
+def _maps(near: Scene, reduced: ReducedScene, rings: Rings) -> RingMaps:
+    """The map of the reduced scene, after a first one with its static near part before it."""
+    far = _far(reduced)
+    static = near.subset(triangles=np.arange(near._core.standing_triangle_count))
+    shown, is_near = _seen_from_center(static, reduced, far)
+    color = np.where(is_near[..., None], shown, far.color)
+    first = EnvMap(reduced.center, color=color, range=far.range)
+    texels = np.flatnonzero(is_near)
+    assert far.range is not None
+    change: dict[str, NDArray[Any]] = {
+        "texels": texels,
+        "color": far.color.reshape(-1, 3)[texels],
+        "range": far.range.reshape(-1)[texels],
+    }
+    return RingMaps(rings, first, (change,), SAMPLES)
+
+
+def _far(reduced: ReducedScene) -> EnvMap:
+    """The map of the reduced scene in float32, with range, in faces of whole tiles."""
+    env = reduced.env
+    if env is None:
+        shape = (6, BLANK, BLANK)
+        return EnvMap(reduced.center, color=np.zeros((*shape, 3), np.float32), range=np.full(shape, np.inf, np.float32))
+    size = min(-(-env.face_size // TILE) * TILE, MOST_FACE_SIZE)
+    if size == env.face_size:
+        color, ranges = env.color, env.range
+    else:
+        directions = envmap_directions(size)
+        color = env.sample(directions)
+        ranges = None if env.range is None else env.sample(directions, channel="range", filter="max")
+    if ranges is None:
+        # Nothing in front of it needs to know how far it is.
+        ranges = np.full((6, size, size), np.inf)
+    return EnvMap(reduced.center, color=np.asarray(color, np.float32), range=np.asarray(ranges, np.float32))
+
+
+def _seen_from_center(
+    static: Scene, reduced: ReducedScene, far: EnvMap
+) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+    """Colours (6, S, S, 3) that the centre sees, and the texels whose neighbourhood shows the near part."""
+    size = far.face_size
+    zones = partition(static, center=reduced.center, r1=reduced.r1, r2=reduced.r2)
+    counts = {**reduced._counts, **zones.summary()}
+    kept: dict[str, Any] = {"morph": reduced.morph, "boundary": "r2", "counts": counts, "is_whole": False}
+    whole = ReducedScene(static, zones, replace(far, range=None), **kept)
+    settings: dict[str, Any] = {"samples": SAMPLES, "channels": ("color", "face_id"), "tolerance_px": np.inf}
+    cameras = [Camera(reduced.center, fov=CubeFace(face), size=(size, size)) for face in range(6)]
+    frames = [whole.render(camera, **settings) for camera in cameras]
+    seen = np.stack([frame.require("face_id") >= 0 for frame in frames])
+    return np.stack([frame.require("color") for frame in frames]), with_neighbours(seen)

@@ -1,0 +1,82 @@
+"""Makes docs/view_load.gif: the page while a bundle loads, for a user who sways beside the centre.
+
+python -m scripts.view_load
+"""
+
+from __future__ import annotations
+
+import base64
+import io
+import math
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+import nearfar as nf
+from nearfar.cli._report_page import caption
+from nearfar.view._server import Server
+from tests.support.browser import opened, started, wait_for_ring
+
+TARGET = Path(__file__).resolve().parents[1] / "docs" / "view_load.gif"
+SIZE = (400, 250)
+CENTER = (0.0, 1.7, 0.0)
+YAW, PITCH = 0.05, 0.02
+STEP, SHOWN = 1 / 3, 0.1
+"""Seconds of the page between two pictures, and for which each is shown."""
+SWAY, PERIOD = 0.9, 6.0
+"""Metres to either side, and seconds of the page there and back."""
+
+# A frame of the page's own, without its clock.
+FRAME = """([pose, seconds]) => {
+  const { viewer } = window.nearfar;
+  viewer.renderer.setAnimationLoop(null);
+  viewer.frame(pose, seconds);
+  const { shown } = viewer.facts;
+  const url = viewer.renderer.domElement.toDataURL('image/png');
+  return { url, ring: shown?.fading?.ring ?? shown?.ring ?? 0, grown: shown?.grown, isFading: !!shown?.fading };
+}"""
+
+
+def main() -> None:
+    """Export the city, load it in the page on a stepped clock, and write the pictures."""
+    scene = nf.datasets.city(blocks=3, detail=1)
+    with tempfile.TemporaryDirectory() as folder, started() as chromium:
+        bundle = nf.stream.export(scene, Path(folder) / "city", center=CENTER)
+        with Server(bundle._reader.place) as server, opened(chromium, *SIZE) as page:
+            page.goto(server.url)
+            assert wait_for_ring(page, 0) == ""
+            frames = shown_while_it_loads(page, bundle)
+    palette = frames[len(frames) // 2].quantize(192, dither=Image.Dither.NONE)
+    reduced = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
+    settings: dict[str, Any] = {"duration": round(1000 * SHOWN), "loop": 0, "optimize": True}
+    reduced[0].save(TARGET, save_all=True, append_images=reduced[1:], **settings)
+
+
+def shown_while_it_loads(page: Any, bundle: nf.stream.Bundle) -> list[Image.Image]:
+    """The page's pictures until the last ring has grown, with what they show written below."""
+    frames: list[Image.Image] = []
+    rest = round(PERIOD / STEP)
+    while rest:
+        angle = 2 * math.pi * len(frames) * STEP / PERIOD
+        position = [CENTER[0] + SWAY * math.sin(angle), CENTER[1], CENTER[2]]
+        state = page.evaluate(FRAME, [{"position": position, "yaw": YAW, "pitch": PITCH}, STEP])
+        ring, grown = state["ring"], state["grown"]
+        text = "a map and cars" if ring == 0 else f"{ring} of {bundle.count} rings"
+        frames.append(captioned(state["url"], text))
+        is_over = ring == bundle.count and grown["radius"] == bundle.radii[-1] and grown["strength"] == 1
+        rest -= is_over
+    return frames
+
+
+def captioned(url: str, text: str) -> Image.Image:
+    """A picture of the canvas with a line of text."""
+    data = base64.b64decode(url.partition(",")[2])
+    picture = np.asarray(Image.open(io.BytesIO(data)).convert("RGB"))
+    return Image.fromarray(caption(picture, text))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,258 @@
+/**
+ * Which region is shown as the user walks on or goes to another place, and which is loaded ahead. A region takes over
+ * from another one by a cross-fade, and only where neither picture folds; until then the user stays where the picture
+ * that is shown does not fold.
+ */
+import type { RegionEntry } from '../bundle/manifest';
+import { type Bounds, distance, FREE, type Limit, within } from '../control/limit';
+import type { Pose } from '../control/pose';
+import type { Vector } from '../control/vector';
+import { type Grown, NOTHING_NEAR } from './growth';
+
+/** A region is loaded ahead when the border is nearer than this part of the way from the centre to it, or metres. */
+const [AHEAD_SHARE, AHEAD_METRES, AHEAD_MOST] = [0.5, 4, 0.9] as const;
+/** What is loaded ahead is kept until the border is farther than that by this part of the way. */
+const KEPT_SHARE = 0.25;
+/** How much nearer another centre must be before it takes over: a part of their distance, metres at most. */
+const [GAP_SHARE, GAP_MOST] = [0.1, 2] as const;
+/** Part of a region's limit that must be left before it takes over by being nearer, so that it is not left at once. */
+const ROOM_SHARE = 0.3;
+/** Metres beyond the user's place at which a radius that is chosen for it would fold. */
+const SLACK = 0.5;
+/** The last radius counts as great enough whatever its product with the near share is rounded to. */
+const ROUNDED = 1 - 1e-9;
+/** Part of the limit within which a place to go to is put, and within which it needs no other region. */
+const [LANDING, HERE_SHARE] = [0.9, 0.5] as const;
+
+/** What the journey asks of regions, and what it is told of them. */
+export interface Regions {
+  /** Load a region, unless that was begun. */
+  open(region: number): void;
+  close(region: number): void;
+  /** Load regions in this order; others wait. */
+  prefer(order: readonly number[]): void;
+  /** What it would show first after a state of another region; null before its ring 0 is there. */
+  offer(region: number, from: Grown): Grown | null;
+  /** All rings are there. */
+  isComplete(region: number): boolean;
+  /** Show it from now on, as much like a state of another region as it can. */
+  enter(region: number, from: Grown): void;
+  /** Show it no more. */
+  leave(region: number): void;
+  /** What it shows of its rings; null while nothing of it can be shown. */
+  grown(region: number): Grown | null;
+}
+
+export interface JourneySettings {
+  readonly regions: readonly Pick<RegionEntry, 'center' | 'fold_margin'>[];
+  /** Of a radius of the morph: how far from the centre its picture does not fold. */
+  readonly marginShare: number;
+  /** Seconds of a cross-fade. */
+  readonly fade: number;
+  /** The user was put to another place. */
+  readonly moved: (pose: Pose) => void;
+}
+
+/** What is shown of a journey. */
+export interface Leg {
+  readonly region: number;
+  /** The picture that goes out below that of the region, which has a share; a pose of its own if the user was moved. */
+  readonly leaving: { readonly region: number; readonly pose: Pose | null; readonly share: number } | null;
+}
+
+export interface Journey {
+  /** Go on by some seconds with the user at a pose. */
+  advance(seconds: number, user: Pose): Leg;
+  /** Go to another place as soon as its region can be shown. */
+  go(target: Pose): void;
+  /** Loading a region has failed: nobody waits for it. */
+  failed(region: number): void;
+  /** Where the user may be. */
+  readonly bounds: Bounds;
+  readonly region: number;
+  /** The region of the place that the user is about to go to; null for none. */
+  readonly goal: number | null;
+  /** The least radius of the region's morph that does not fold where the user is. */
+  readonly least: number;
+}
+
+/** The region whose centre is nearest to a place, of equally near ones the first; null if there is no other than `but`. */
+export function nearestOf(regions: readonly Pick<RegionEntry, 'center'>[], place: Vector, but = -1): number | null {
+  let best: number | null = null;
+  let least = Number.POSITIVE_INFINITY;
+  regions.forEach(({ center }, region) => {
+    const apart = apartOf(center, place);
+    if (region === but || apart >= least) return;
+    [best, least] = [region, apart];
+  });
+  return best;
+}
+
+function apartOf(a: Vector, b: Vector): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+export function createJourney(settings: JourneySettings, regions: Regions, first: number): Journey {
+  let current = first;
+  let ahead: number | null = null;
+  let leaving: { region: number; pose: Pose | null; since: number } | null = null;
+  let going: { region: number; target: Pose } | null = null;
+  let user: Pose | null = null;
+
+  const entry = (region: number) => settings.regions[region] as JourneySettings['regions'][number];
+
+  /** Where a state of a region does not fold: anywhere within its margin while nothing is near yet. */
+  function limitOf(region: number, grown: Grown | null): Limit {
+    const { center, fold_margin } = entry(region);
+    return { center, metres: grown && grown.strength > 0 ? settings.marginShare * grown.radius : fold_margin };
+  }
+
+  function room(limit: Limit, place: Vector): number {
+    return limit.metres - distance(place, limit);
+  }
+
+  const far = (region: number, place: Vector): number => apartOf(entry(region).center, place);
+
+  /** Metres from the current region to another one, and from the user to the border between them; below 0 beyond it. */
+  function borderTo(other: number, place: Vector): { apart: number; border: number } {
+    const apart = Math.max(far(other, entry(current).center), 1e-6);
+    return { apart, border: (far(other, place) ** 2 - far(current, place) ** 2) / (2 * apart) };
+  }
+
+  /** The region that is loaded ahead: the nearest other one; the one before, while it is about as near. */
+  function chooseAhead(place: Vector): number | null {
+    const other = nearestOf(settings.regions, place, current);
+    if (other === null) return null;
+    const { apart, border } = borderTo(other, place);
+    const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MOST * apart) / 2, AHEAD_METRES));
+    if (ahead !== null && ahead !== current) {
+      const isAsNear = far(ahead, place) < far(other, place) + KEPT_SHARE * apart;
+      if (isAsNear && borderTo(ahead, place).border < lead + (KEPT_SHARE * apart) / 2) return ahead;
+    }
+    return border < lead ? other : null;
+  }
+
+  /** What the region ahead would show now; null if it cannot take over from what is shown. */
+  function offered(region: number): Grown | null {
+    const from = regions.grown(current);
+    const offer = from && regions.offer(region, from);
+    // Geometry that is shown does not go back into a map.
+    if (!from || !offer || (from.strength > 0 && offer.strength === 0)) return null;
+    return offer;
+  }
+
+  /** Whether the region ahead takes over. */
+  function mayCross(next: number, place: Vector): boolean {
+    const [from, offer] = [regions.grown(current), offered(next)];
+    if (!from || !offer) return false;
+    const gap = Math.min(GAP_SHARE * borderTo(next, place).apart, GAP_MOST);
+    const [here, there] = [limitOf(current, from), limitOf(next, offer)];
+    const isNearer = far(next, place) + gap <= far(current, place);
+    const isAlike = from.strength === 0 || offer.radius >= from.radius || regions.isComplete(next);
+    if (isNearer && isAlike && room(there, place) >= ROOM_SHARE * there.metres) return true;
+    // At its edge the picture is given up for one that is less like it.
+    const isAtEdge = room(here, place) < (1 - FREE) * here.metres;
+    return isAtEdge && room(there, place) >= Math.max(room(here, place), 0) + gap;
+  }
+
+  function take(region: number, from: Grown, pose: Pose | null): void {
+    leaving = { region: current, pose, since: 0 };
+    if (region !== current) {
+      regions.enter(region, from);
+      current = region;
+    }
+  }
+
+  /** Where the user is put for a place to go to, if its region begins with a state. */
+  function landing(region: number, grown: Grown, target: Pose): Pose {
+    const { center, metres } = limitOf(region, grown);
+    return { ...target, position: within(target.position, { center, metres: LANDING * metres }) };
+  }
+
+  /** Go, if the region of the place can be shown. */
+  function depart(pose: Pose): void {
+    if (!going) return;
+    const { region, target } = going;
+    const from = regions.grown(current);
+    const isHere = region === current;
+    const offer = isHere ? from : regions.offer(region, from ?? NOTHING_NEAR);
+    if (!offer) return;
+    // What it is shown like must leave the user room; else it begins with nothing near.
+    const fits = isHere || room(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
+    const place = landing(region, fits ? offer : NOTHING_NEAR, target);
+    going = null;
+    take(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
+    if (!from) leaving = null;
+    user = place;
+    settings.moved(place);
+  }
+
+  /** Close what is needed no more, and load what is, the region where the user is or will be before others. */
+  function arrange(place: Vector): void {
+    const goal = going?.region ?? null;
+    // While two are shown, there is no third.
+    if (leaving) ahead = leaving.region === current ? null : leaving.region;
+    else ahead = goal === null ? chooseAhead(place) : null;
+    const other = leaving ? ahead : (goal ?? ahead);
+    const wanted = [...new Set([current, other ?? current])];
+    const isAwaited = goal !== null && !leaving;
+    if (other !== null && (isAwaited || far(other, place) < far(current, place))) wanted.reverse();
+    for (let region = 0; region < settings.regions.length; region++) {
+      if (!wanted.includes(region)) regions.close(region);
+    }
+    for (const region of wanted) regions.open(region);
+    regions.prefer(wanted);
+  }
+
+  regions.open(first);
+  regions.enter(first, NOTHING_NEAR);
+
+  return {
+    advance(seconds, pose) {
+      user = pose;
+      if (leaving) {
+        leaving.since += seconds;
+        if (leaving.since >= settings.fade) {
+          if (leaving.region !== current) regions.leave(leaving.region);
+          leaving = null;
+        }
+      }
+      if (!leaving) depart(pose);
+      arrange(user.position);
+      if (!leaving && !going && ahead !== null && mayCross(ahead, user.position)) {
+        take(ahead, regions.grown(current) ?? NOTHING_NEAR, null);
+        arrange(user.position);
+      }
+      const share = leaving && settings.fade > 0 ? leaving.since / settings.fade : 1;
+      return { region: current, leaving: leaving && { region: leaving.region, pose: leaving.pose, share } };
+    },
+    go(target) {
+      const region = nearestOf(settings.regions, target.position) ?? current;
+      const here = limitOf(current, regions.grown(current));
+      // Near the centre the region that is there serves at once; a nearer one takes over later.
+      const isHere = room(here, target.position) >= HERE_SHARE * here.metres;
+      going = { region: isHere ? current : region, target };
+    },
+    failed(region) {
+      if (going?.region === region && region !== current && regions.offer(region, NOTHING_NEAR) === null) going = null;
+    },
+    get bounds() {
+      const here = limitOf(current, regions.grown(current));
+      // A picture of another pose stays where it was.
+      const shown = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
+      const offer = !leaving && ahead !== null ? offered(ahead) : null;
+      return { shown, open: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };
+    },
+    get region() {
+      return current;
+    },
+    get goal() {
+      return going?.region ?? null;
+    },
+    get least() {
+      const { center, fold_margin } = entry(current);
+      const away = user ? distance(user.position, { center, metres: fold_margin }) : 0;
+      return (ROUNDED * Math.min(away + SLACK, fold_margin)) / settings.marginShare;
+    },
+  };
+}
