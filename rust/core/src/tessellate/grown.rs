@@ -23,7 +23,13 @@ const COARSEST: f64 = 1.0 / 64.0;
 const FILLED: f64 = 0.9;
 /// Least (r₂ − r₁)/r₂ for which there is a bound.
 const THINNEST: f64 = 1.0 / 4096.0;
+/// Distance of a cut at a band from the ends of an edge as a share of the greatest range: half of an edge that is too long
+/// to be left whole is more than this.
+const MARGIN: f64 = 0.25;
 const MOST_BANDS: usize = 1 << 16;
+/// Least length of harmless edges as a share of the least distance for which there is a bound: finer pieces would not fit
+/// into memory.
+const FINEST: f64 = 1.0 / (1 << 20) as f64;
 /// Greatest share of r₁ by which edges between two of its points pass inside: h²/(8 r₁²) for h = r₁/8.
 const SAG: f64 = 0.003;
 
@@ -98,7 +104,7 @@ impl GrownRule {
             let anywhere = Region { is_cut: false, ..region }.measure(floor, floor, false);
             let longest = 1.0 / rule.by_range(&anywhere, 1.0).max(rule.by_length(&anywhere, 1.0, 1.0));
             rule.harmless = longest.min(LONGEST * floor);
-            rule.is_fine &= rule.harmless > shortest;
+            rule.is_fine &= rule.harmless > shortest.max(floor * FINEST);
             rule.bands = if is_cut { Vec::new() } else { rule.bands_from(inner.max(floor)) };
         }
         rule
@@ -125,7 +131,7 @@ impl GrownRule {
             return Err(Error::value("r1", format!("a radius of at most {}", r2 * (1.0 - THINNEST)), r1));
         }
         if !self.is_fine {
-            let expected = "a tolerance that the coordinates' digits reach";
+            let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
             return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
         }
         Ok(())
@@ -190,7 +196,7 @@ impl GrownRule {
         let fewest = if is_bounded { self.shortest } else { self.coarsest };
         if by_range > 1.0
             && length >= 2.0 * fewest
-            && let Some(share) = self.band_at(p, q, fewest / length)
+            && let Some(share) = self.band_at(p, q, (greatest - nearest) / by_range, fewest / length)
         {
             return at(share);
         }
@@ -199,9 +205,11 @@ impl GrownRule {
     }
 
     /// Where an edge crosses a band: of those that it crosses, the one whose number has the most factors of two. So the
-    /// edges of a triangle are cut at the same band, and the edge between the cuts lies along it.
-    fn band_at(&self, p: DVec2, q: DVec2, room: f64) -> Option<f64> {
-        let (nearest, farthest) = (segment_distance(p, q) + self.rounding, p.length().max(q.length()) - self.rounding);
+    /// edges of a triangle are cut at the same band, and the edge between the cuts lies along it. Bands next to an end
+    /// would cut off slivers.
+    fn band_at(&self, p: DVec2, q: DVec2, allowed: f64, room: f64) -> Option<f64> {
+        let margin = self.rounding.max(allowed * MARGIN);
+        let (nearest, farthest) = (segment_distance(p, q) + margin, p.length().max(q.length()) - margin);
         let [before, last] = [nearest, farthest].map(|rho| self.bands.partition_point(|&band| band < rho));
         if last <= before {
             return None;
