@@ -12,8 +12,10 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._base import glb
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE
+from tests.support import leveled_cases
 
 CENTER = np.array([0.0, 1.7, 0.0])
 RADII = (8.0, 12.0, 20.0)
@@ -100,14 +102,58 @@ def test_rings_keep_their_objects_and_shared_meshes(bundles: tuple[nf.stream.Bun
         assert after["triangles"] > before["triangles"]
     area = [float(np.linalg.norm(_normals(bundle), axis=1).sum()) for bundle in bundles]
     assert area[1] == pytest.approx(area[0], rel=1e-3)
-    # The posts are too small to be split: three placements in the rings, of one mesh.
-    posts = [row["triangles"] - row["stored"] for row in (whole[1], split[1])]
-    assert posts[1] == posts[0] > 0
+    # The posts are too small to be split: ring 1 places one mesh twice.
+    assert [placements(bundle, 1) for bundle in bundles] == [[2], [2]]
+
+
+def placements(bundle: nf.stream.Bundle, ring: int) -> list[int]:
+    """Number of placements of each mesh that a ring's file places several times."""
+    document = glb.header(bundle.read(bundle._region["rings"][ring]["geometry"]))[0]
+    placed = [node["extensions"]["EXT_mesh_gpu_instancing"] for node in document["nodes"] if "extensions" in node]
+    return [document["accessors"][next(iter(node["attributes"].values()))]["count"] for node in placed]
 
 
 def _normals(bundle: nf.stream.Bundle) -> NDArray[np.float64]:
     a, b, c = np.moveaxis(np.asarray(bundle.at(3).scene.triangles(), np.float64), 1, 0)
     return np.asarray(np.cross(b - a, c - a))
+
+
+@pytest.mark.parametrize(("ring", "radius"), [(1, 8.0), (2, 10.0), (3, 12.0), (3, 20.0)])
+def test_pictures_of_moved_vertices_are_within_the_error_of_bent_rays(
+    bundles: tuple[nf.stream.Bundle, nf.stream.Bundle], ring: int, radius: float
+) -> None:
+    whole, split = bundles
+    for user in users(3, np.random.default_rng(ring)):
+        assert displaced(split, ring, radius, user, method="exact") <= 0.25
+        assert displaced(split, ring, radius, user, method="vertex", tolerance_px=np.inf) <= SPLIT_PX
+        assert displaced(whole, ring, radius, user, method="vertex", tolerance_px=np.inf) > 2 * SPLIT_PX
+
+
+def displaced(bundle: nf.stream.Bundle, ring: int, radius: float, user: NDArray[np.float64], **how: Any) -> float:
+    """Greatest angle, in pixels of the client, between a picture's pixels and where bent rays show their points."""
+    view = nf.Camera(user, target=np.add(user, (1.0, -0.2, 0.3)), fov=nf.Fov.symmetric(90, 16 / 9), size=(160, 90))
+    frame = bundle.at(ring, radius).render(view, channels=("position", "face_id"), **how)
+    near = frame.require("face_id") >= 0
+    points = frame.require("position")[near].astype(np.float64)
+    assert near.sum() > 3000
+    settings: dict[str, Any] = {"user": user, "center": CENTER, "kind": "cylinder"}
+    shown = nf.morph(points, r1=NEAR_SHARE * radius, r2=radius, **settings) - user
+    rays = view.rays()[1][near]
+    angles = np.arctan2(np.linalg.norm(np.cross(shown, rays), axis=1), (shown * rays).sum(axis=1))
+    return float(angles.max()) / PIXEL
+
+
+def test_levels_are_split_as_they_are_sent(tmp_path: Path) -> None:
+    model = leveled_cases.model_of((1, 0))
+    place = np.diag([4.0, 4.0, 4.0, 1.0])
+    place[:3, 3] = (9.0, 1.7, 0.0)
+    scene = nf.lod.place([model], [0], place[None])
+    split, whole = (
+        sum(row["triangles"] for row in nf.stream.export(scene, tmp_path / name, **SETTINGS, lod=[1], **more).summary())
+        for name, more in (("split", {"split_px": SPLIT_PX}), ("whole", {}))
+    )
+    assert whole == 20
+    assert split > 10 * whole
 
 
 def test_bytes_do_not_change(
@@ -122,6 +168,8 @@ def test_bytes_do_not_change(
     ("changed", "named"),
     [
         ({"split_px": 0.0}, "split_px: expected a number"),
+        ({"split_px": np.nan}, "split_px: expected a number"),
+        ({"split_px": 1e4}, "split_px: expected a number"),
         ({"split_px": 1.0, "radii": (2.5, 9.0)}, "split_px: user_region: expected users within 0.87"),
         ({"split_px": 1.0, "center": [(0.0, 1.7, 0.0), (12.0, 1.7, 0.0)]}, "split_px: user_region: expected"),
     ],

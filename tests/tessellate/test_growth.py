@@ -96,7 +96,8 @@ def test_pieces_grow_with_the_height() -> None:
         )
         return len(split(wall, r2=10.0, tolerance_px=8.0).faces)
 
-    assert count(1e5) < 60 * count(30.0)
+    # The height doubles 12 times; each doubling of a high wall takes about as many pieces as all of the low one.
+    assert count(1e5) < 12 * count(30.0)
 
 
 @pytest.mark.parametrize(

@@ -186,8 +186,12 @@ impl GrownRule {
                 && least < self.inner - self.rounding,
         };
         let measure = self.measure(&extent);
-        let (by_range, need) = (self.by_range(&measure, greatest - nearest), self.by_lengths(&measure, &extent));
-        let at = |share: f64| Some(Cut { share, need });
+        let by_range = self.by_range(&measure, greatest - nearest);
+        // The bound lets pieces high above the centre be higher than wide: by lengths in metres each width would be
+        // split in two heights.
+        let tall = (nearest.max(self.floor) / extent.distance.max(self.floor)).min(1.0);
+        let size = extent.level.hypot((b.y - a.y) * tall);
+        let at = |share: f64| Some(Cut { share, size });
         let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
         if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
             return at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
@@ -200,7 +204,10 @@ impl GrownRule {
         {
             return at(share);
         }
-        let parts = (by_range.max(need) * (1.0 - 1e-9)).ceil().min((length / fewest).floor()).min(1e9);
+        let parts = (by_range.max(self.by_lengths(&measure, &extent)) * (1.0 - 1e-9))
+            .ceil()
+            .min((length / fewest).floor())
+            .min(1e9);
         if parts >= 2.0 { at((parts / 2.0).floor() / parts) } else { None }
     }
 

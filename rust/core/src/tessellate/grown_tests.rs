@@ -148,7 +148,7 @@ proptest! {
 #[test]
 fn two_triangles_of_ground_are_bounded_tightly() {
     for (radii, is_full, tolerance, most) in
-        [([10.0, 10.0], true, 6e-3, 8_000), ([22.0, 32.0], true, 6e-3, 9_000), ([10.0, 14.0], false, 2.4e-2, 30_000)]
+        [([10.0, 10.0], true, 6e-3, 8_000), ([22.0, 32.0], true, 6e-3, 9_000), ([10.0, 14.0], false, 2.4e-2, 50_000)]
     {
         let settings = settings(radii, is_full, 1.0, tolerance);
         let rule = Rule::new(&settings, Precision::Double).unwrap();
@@ -170,6 +170,6 @@ fn pieces_grow_with_the_height_above_the_centre() {
         pieces([a, b, c], &rule).len() + pieces([a, c, d], &rule).len()
     };
     let counts = [10.0, 1e3, 1e6].map(count);
-    // From 10 m to 1000 km are 17 doublings of the height, each of which takes as many pieces as the next.
+    // From 10 m to 1000 km the height doubles 17 times, and each doubling takes about as many pieces.
     assert!(counts[2] < 20 * counts[0], "{counts:?}");
 }

@@ -19,9 +19,8 @@ pub struct Rule {
 pub(super) struct Cut {
     /// Share of the way along the edge.
     pub share: f64,
-    /// Of a triangle's edges, the one with the greatest is split first. By lengths in metres, high pieces of a wall would
-    /// be split in two heights for each width, though the rule allows pieces that are longer in one direction.
-    pub need: f64,
+    /// Length of the edge in a measure of its own: of a triangle's edges, the longest is split first.
+    pub size: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -69,7 +68,7 @@ impl Rule {
     /// Where the edge from a to b is split. The caller must order the ends of an edge consistently.
     pub(super) fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
         match &self.edges {
-            Edges::Blend(rule) => rule.share(a, b).map(|share| Cut { share, need: (b - a).length() }),
+            Edges::Blend(rule) => rule.share(a, b).map(|share| Cut { share, size: (b - a).length() }),
             Edges::Grown(rule) => rule.cut(a, b),
         }
     }

@@ -70,8 +70,8 @@ impl Piece {
         let [a, b, c] = [corner(0), corner(1), corner(2)];
         let edges = [[a, b, c], [b, c, a], [c, a, b]];
         let cuts = edges.into_iter().filter_map(|edge| cut(rule, precision, edge[0], edge[1]).map(|m| (edge, m)));
-        let first = cuts.max_by(|(_, (_, need)), (_, (_, other))| need.total_cmp(other));
-        let parts = if let Some(([a, b, c], (m, _))) = first {
+        let longest = cuts.max_by(|(_, (_, size)), (_, (_, other))| size.total_cmp(other));
+        let parts = if let Some(([a, b, c], (m, _))) = longest {
             vec![[a, m, c], [m, b, c]]
         } else {
             let [s, t, u] = rule.inside(&self.corners)?;
@@ -96,12 +96,12 @@ impl Piece {
     }
 }
 
-/// The new vertex on an edge, and how much the edge needs it. The ends are ordered, so both triangles at the edge get the same bits.
+/// The new vertex on an edge, and the size of the edge. The ends are ordered, so both triangles at the edge get the same bits.
 fn cut(rule: &Rule, precision: Precision, a: Corner, b: Corner) -> Option<(Corner, f64)> {
     let (a, b) = if (a.0.x, a.0.y, a.0.z) > (b.0.x, b.0.y, b.0.z) { (b, a) } else { (a, b) };
-    let Cut { share, need } = rule.cut(a.0, b.0)?;
+    let Cut { share, size } = rule.cut(a.0, b.0)?;
     let point = precision.round(a.0.lerp(b.0, share));
     // A point that rounds to an end would cause endless splits.
     let weights = std::array::from_fn(|i| a.1[i] + (b.1[i] - a.1[i]) * share);
-    (point != a.0 && point != b.0).then_some(((point, weights), need))
+    (point != a.0 && point != b.0).then_some(((point, weights), size))
 }
