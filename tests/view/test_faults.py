@@ -17,7 +17,7 @@ import pytest
 import nearfar as nf
 from nearfar.view._server import Server
 from tests.support import need
-from tests.support.browser import canvas, opened, started, wait_for_ring, wait_until
+from tests.support.browser import canvas, opened, started, still, wait_for_ring, wait_until
 from tests.support.bundled_scenes import bundled_scenes
 
 pytestmark = pytest.mark.slow
@@ -222,3 +222,54 @@ def test_names_are_only_ever_text(chromium: Any, tmp_path: Path) -> None:
         assert "<img" in told
         assert page.evaluate("() => [window.ran ?? 0, document.images.length, document.scripts.length]") == [0, 0, 1]
         assert page.printed == []
+
+
+LOSE = """() => {
+  const { renderer } = window.nearfar.viewer;
+  window.loss = renderer.getContext().getExtension('WEBGL_lose_context');
+  window.loss.loseContext();
+}"""
+
+
+def test_lost_graphics_come_back_with_the_picture(page: Any, url: str) -> None:
+    page.goto(url)
+    assert wait_for_ring(page, len(RADII)) == ""
+    state, pose = {"ring": 2, "radius": 15.0, "strength": 1.0}, {"position": CENTER, "yaw": 0.7, "pitch": 0.0}
+    page.evaluate(LOSE)
+    wait_until(page, lambda: "graphics" in page.locator("#message").inner_text())
+    page.wait_for_timeout(300)
+    page.evaluate("() => window.loss.restoreContext()")
+    wait_until(page, lambda: page.locator("#message").inner_text() == "")
+    assert wait_for_ring(page, len(RADII)) == ""
+    after = still(page, state, pose)
+    assert [text for text in page.printed if "Context" not in text] == []
+    page.reload()
+    assert wait_for_ring(page, len(RADII)) == ""
+    assert np.array_equal(after, still(page, state, pose))
+    assert after.std() > 10
+
+
+def test_a_damaged_file_comes_anew_when_the_user_tries_again(page: Any, url: str, place: Path) -> None:
+    """The browser may keep the damaged copy, which the server calls good for ever."""
+    name = ring_file(place, 1)
+    content = (place / name).read_bytes()
+    answers = [content, content[:-5] + b"12345"]
+    page.route(f"**/{name}", lambda route: route.fulfill(body=answers.pop()))
+    page.add_init_script(
+        """window.asked = [];
+        const ask = window.fetch;
+        window.fetch = (url, how) => { window.asked.push([String(url), how?.cache]); return ask(url, how); };"""
+    )
+    page.goto(url)
+    assert name in wait_for_ring(page, len(RADII))
+    page.get_by_role("button", name="Try again").click()
+    wait_until(page, lambda: page.evaluate("() => window.nearfar.viewer.facts.arrived") == len(RADII))
+    asked = [how for address, how in page.evaluate("() => window.asked") if name in address]
+    assert asked == ["default", "reload"]
+    assert page.locator("#message").inner_text() == ""
+
+
+def test_a_browser_without_webgl_is_told(page: Any, url: str) -> None:
+    page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null;")
+    page.goto(url)
+    assert "WebGL 2" in wait_for_ring(page, 0)

@@ -1,5 +1,5 @@
 /** The page: opens the bundle that its address names, and draws it for whoever looks. */
-import { BundleError } from './bundle/error';
+import { BundleError, damagedFile } from './bundle/error';
 import { openSource } from './bundle/source';
 import { createControls } from './control/controls';
 import { distance } from './control/limit';
@@ -7,11 +7,15 @@ import { readLink, writeLink } from './control/link';
 import type { Pose } from './control/pose';
 import { nearestOf } from './show/journey';
 import { createMeter } from './show/meter';
+import { strategyOf } from './show/strategy';
 import { createViewer, type Viewer } from './show/viewer';
 import { createDivider } from './ui/divider';
-import { clearMessage, FATAL, showFatal, showProblems } from './ui/messages';
+import { clearMessage, FATAL, showFatal } from './ui/messages';
 import { createPanel } from './ui/panel';
+import type { Commands } from './ui/status';
 import { createThumbMark } from './ui/thumb';
+import { createHeadset, type Headset } from './xr/session';
+import { whyNoHeadset } from './xr/support';
 
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
@@ -19,6 +23,7 @@ const ANGLE = 75;
 const LONGEST_FRAME = 0.1;
 /** Seconds between two updates of the panel. */
 const PANEL_EVERY = 0.25;
+const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 
 declare global {
   interface Window {
@@ -32,13 +37,17 @@ async function main(): Promise<void> {
   const [canvas, root] = [element('canvas', HTMLCanvasElement), element('#ui', HTMLElement)];
   const meter = createMeter();
   const base = new URL(query.get('bundle') ?? '.', location.href);
+  const strategy = strategyOf(query.get('strategy'));
   const source = await openSource(base, meter.receive, new AbortController().signal);
   meter.restart();
-  const { manifest } = source;
+  const manifest = strategy.arrange(source.manifest);
   const first = manifest.regions[0];
   if (!first) throw new BundleError('manifest.json: expected a region, got none');
+  let headset: Headset | null = null;
   let problems: readonly string[] = [];
   const retry = (): void => {
+    // Browsers that keep the graphics to themselves give them to a page that begins anew.
+    if (problems.includes(LOST)) location.reload();
     problems = [];
     clearMessage();
     viewer.retry();
@@ -50,14 +59,22 @@ async function main(): Promise<void> {
     worker: new URL('worker.js', import.meta.url),
     angle: ANGLE,
     antialias: query.get('aa') !== '0',
-    isSmooth: query.get('strategy') !== 'clovrd',
+    isSmooth: strategy.isSmooth,
+    isWhole: strategy.isWhole,
     failed(reason) {
       problems = [reason.message];
+      const file = damagedFile(reason);
+      if (file !== null) source.distrust(file);
       // Without ring 0 there is no picture to keep.
       if (viewer.facts.arrived < 0) tell(reason);
-      else showProblems(problems, retry);
     },
-    moved: (pose) => controls.setPose(pose),
+    lost(isLost) {
+      problems = isLost ? [LOST] : [];
+    },
+    moved(pose) {
+      controls.setPose(pose);
+      headset?.place(pose);
+    },
   });
   const homeOf = (number: number): Pose => {
     return { position: manifest.regions[number]?.center ?? first.center, yaw: 0, pitch: 0 };
@@ -72,13 +89,25 @@ async function main(): Promise<void> {
     viewer.setDivider(share);
     panel.reflect({ isDivided: share !== null });
   });
-  const panel = createPanel(root, {
+  const commands: Commands = {
     setDivider: divider.set,
     setMode: controls.setMode,
     home: () => viewer.go({ ...homeOf(viewer.facts.region), yaw: pose.yaw, pitch: pose.pitch }),
     screenshot: viewer.photo,
     link: () => new URL(writeLink(pose), location.href).href,
     retry,
+  };
+  const panel = createPanel(root, commands);
+  void whyNoHeadset(navigator.xr, window.isSecureContext).then((reason) => {
+    if (reason === null && navigator.xr) {
+      headset = createHeadset(viewer, navigator.xr, {
+        pose: () => pose,
+        bounds: () => viewer.facts.bounds,
+        left: controls.setPose,
+        isStatic: manifest.dynamic === null,
+      });
+    }
+    commands.headset = headset ?? reason ?? '';
   });
   viewer.open(nearestOf(manifest.regions, start.position) ?? 0);
   let last = performance.now();
@@ -86,7 +115,7 @@ async function main(): Promise<void> {
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
-    pose = controls.update(seconds);
+    pose = headset?.update(Math.min(seconds, LONGEST_FRAME)) ?? controls.update(seconds);
     viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
     controls.setBounds(viewer.facts.bounds);
     meter.frame(seconds);
@@ -122,13 +151,7 @@ function element<T extends HTMLElement>(selector: string, kind: abstract new () 
 /** Say over the whole page why there is nothing to show. */
 function tell(reason: unknown): void {
   const detail = reason instanceof Error ? reason.message : String(reason);
-  const kinds: readonly [RegExp, keyof typeof FATAL][] = [
-    [/newer nearfar/, 'newer'],
-    [/does not come|server answers/, 'network'],
-    [/WebGL/i, 'webgl'],
-    [/expected/, 'damaged'],
-  ];
-  const { title, text } = FATAL[kinds.find(([pattern]) => pattern.test(detail))?.[1] ?? 'other'];
+  const { title, text } = FATAL[reason instanceof BundleError ? reason.kind : 'other'];
   showFatal(title, text, { detail, retry: () => location.reload() });
 }
 

@@ -27,7 +27,7 @@ test('the time of frames does not matter', () => {
 });
 
 test('rings that come at once fade in one after the other, and no radius exceeds that of a ring that is there', async () => {
-  const stage = createStage(settings, { isSmooth: true });
+  const stage = createStage(settings, { isSmooth: true, isWhole: false });
   stage.enter(NOTHING_NEAR);
   for (const ring of [0, 1, 2, 3]) stage.arrive(ring);
   let [before, ring] = [0, 0];
@@ -43,7 +43,7 @@ test('rings that come at once fade in one after the other, and no radius exceeds
 });
 
 test('a ring may replace a map only when that is no longer shown', async () => {
-  const stage = createStage(settings, { isSmooth: true });
+  const stage = createStage(settings, { isSmooth: true, isWhole: false });
   stage.enter(NOTHING_NEAR);
   stage.arrive(0);
   stage.advance(0);
@@ -73,7 +73,7 @@ test('a radius that would fold is not shown: near things stay as the centre sees
 });
 
 test('a region begins as another one is shown, as far as its rings allow', () => {
-  const stage = createStage(settings, { isSmooth: true });
+  const stage = createStage(settings, { isSmooth: true, isWhole: false });
   assert.equal(stage.offer({ radius: 15, strength: 1 }), null);
   stage.arrive(0);
   assert.deepEqual(stage.offer({ radius: 15, strength: 1 }), NOTHING_NEAR);
@@ -88,7 +88,7 @@ test('a region begins as another one is shown, as far as its rings allow', () =>
 });
 
 test('a region that is not shown takes each ring in place of the one before, so that no map waits', async () => {
-  const stage = createStage(settings, { isSmooth: true });
+  const stage = createStage(settings, { isSmooth: true, isWhole: false });
   for (const ring of [0, 1, 2]) {
     await stage.replaceable(ring);
     stage.arrive(ring);

@@ -11,7 +11,7 @@ const RADII = [10, 22];
 const MARGIN = NEAR_SHARE * 22;
 const FADE = 0.5;
 const FRAME = 1 / 72;
-const MANNER = { isSmooth: true };
+const MANNER = { isSmooth: true, isWhole: false };
 const close = (a: number, b: number, within = 1e-9): void => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 
 interface Loaded {

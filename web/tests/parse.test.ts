@@ -11,7 +11,7 @@ const RING = [...REGION, 'rings', 1] as const;
 test('a manifest is read', () => {
   const read = parseManifest(asManifest(manifest()));
   assert.equal(read.regions[0]?.rings[1]?.radius, 10);
-  assert.deepEqual(read.regions[0]?.rings[1]?.map.tiles, [0, 3]);
+  assert.deepEqual(read.regions[0]?.rings[1]?.map?.tiles, [0, 3]);
   assert.equal(read.files[FILE]?.bytes, 3);
 });
 

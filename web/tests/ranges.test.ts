@@ -18,7 +18,7 @@ test('codes of a bundle', { skip: folder === undefined }, async () => {
   const raw = async (name: string) => new Uint8Array(inflateSync(await readFile(`${folder}/${name}`)));
   let codes = new Uint16Array(6 * area);
   for (const [number, { map }] of region.rings.entries()) {
-    if (number === 0) continue;
+    if (number === 0 || !map) continue;
     if (Array.isArray(map.range)) {
       for (const [face, name] of map.range.entries()) {
         const own = map.tiles.filter((tile) => Math.floor(tile / perFace) === face).map((tile) => tile % perFace);

@@ -1,13 +1,21 @@
 /** Files that parts of a bundle need. */
-import type { Manifest, RegionEntry, RingEntry } from './manifest';
+import type { GroupEntry, Manifest, MapEntry, RegionEntry, RingEntry } from './manifest';
 
-export function filesOfRing({ geometry, parts, map }: RingEntry): string[] {
-  return [geometry, ...parts, map.color, map.range].flat().filter((name) => name !== null);
+export function filesOfGeometry({ geometry, parts }: Pick<GroupEntry, 'geometry' | 'parts'>): string[] {
+  return geometry === null ? [] : [geometry, ...parts];
+}
+
+export function filesOfMap(map: MapEntry | null): string[] {
+  return map ? [map.color, map.range].flat().filter((name) => name !== null) : [];
+}
+
+export function filesOfRing(ring: RingEntry): string[] {
+  return [...filesOfGeometry(ring), ...filesOfMap(ring.map)];
 }
 
 /** All files of a region up to a ring, each once; those of what moves are among them. */
 export function filesOfRegion({ dynamic }: Manifest, { rings }: RegionEntry, last: number): Set<string> {
-  const moving = dynamic ? [dynamic.geometry, ...dynamic.parts] : [];
+  const moving = dynamic ? filesOfGeometry(dynamic) : [];
   return new Set([...moving, ...rings.slice(0, last + 1).flatMap(filesOfRing)]);
 }
 

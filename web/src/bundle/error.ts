@@ -1,4 +1,19 @@
-/** What a bundle has that cannot be shown, in a sentence. */
+/** Why nothing can be shown: the bundle, a newer one, the network, what the address asks for, or the browser's graphics. */
+export type Kind = 'damaged' | 'newer' | 'network' | 'other' | 'webgl';
+
+/** What cannot be shown, in a sentence. */
 export class BundleError extends Error {
   override readonly name = 'BundleError';
+
+  constructor(
+    message: string,
+    readonly kind: Kind = 'damaged',
+  ) {
+    super(message);
+  }
+}
+
+/** The file that a sentence on damage begins with; null if it is about something else. */
+export function damagedFile({ message }: Error): string | null {
+  return /^(files\/[\w.]+):/.exec(message)?.[1] ?? null;
 }

@@ -11,19 +11,30 @@ export interface Described {
   readonly sha256: string;
 }
 
-/** What a ring changes of the map before it; ring 0 has six pictures and no tiles. */
+/** What a ring changes of the map before it; whole maps, such as that of ring 0, have six pictures and no tiles. */
 export interface MapEntry {
   readonly tiles: readonly number[];
   readonly color: string | readonly string[] | null;
   readonly range: string | readonly string[] | null;
 }
 
-export interface RingEntry {
-  readonly radius: number;
+/** Objects that come together. */
+export interface GroupEntry {
   readonly objects: number;
   readonly triangles: number;
   readonly geometry: string | null;
   readonly parts: readonly string[];
+}
+
+export interface RingEntry extends GroupEntry {
+  readonly radius: number;
+  /** Of what lies after the ring; null where nothing tells what that is. */
+  readonly map: MapEntry | null;
+}
+
+/** What the strategies vis0 and vis1 send instead of rings: objects by their footprints, and the map of the last ring. */
+export interface FootprintEntry {
+  readonly portions: readonly GroupEntry[];
   readonly map: MapEntry;
 }
 
@@ -35,6 +46,7 @@ export interface RegionEntry {
   /** Radius at which static geometry ends and the map begins, metres; infinite where objects are whole. */
   readonly cut: number;
   readonly rings: readonly RingEntry[];
+  readonly by_footprint: FootprintEntry | null;
 }
 
 /** A dynamic object; matrices are rows. */

@@ -1,7 +1,18 @@
 /** Reads a manifest: everything that the page uses is checked, so that damage is a sentence and nothing else. */
 import { choice, type Fields, fileName, hash, integer, list, number, object, optional, text } from './checks';
+import { filesOfGeometry, filesOfMap, filesOfRing } from './contents';
 import { BundleError } from './error';
-import type { Described, Manifest, MapEntry, MovingEntry, Point, RegionEntry, RingEntry } from './manifest';
+import type {
+  Described,
+  FootprintEntry,
+  GroupEntry,
+  Manifest,
+  MapEntry,
+  MovingEntry,
+  Point,
+  RegionEntry,
+  RingEntry,
+} from './manifest';
 
 const FORMAT = 'nearfar.bundle';
 const VERSION = 1;
@@ -28,7 +39,7 @@ export function parseManifest(source: string): Manifest {
   const version = integer('version', all['version'], 1);
   if (version > VERSION) {
     const versions = `it has version ${version}, this page reads ${VERSION}`;
-    throw new BundleError(`this bundle was written by a newer nearfar (${versions}): update the page`);
+    throw new BundleError(`this bundle was written by a newer nearfar (${versions}): update the page`, 'newer');
   }
   const [morph, growth, map] = (['morph', 'growth', 'map'] as const).map((name) => object(name, all[name]));
   const face = integer('map.face_size', map?.['face_size'], 1, MOST_FACE);
@@ -78,11 +89,15 @@ function described(place: string, value: unknown): Described {
 
 /** Every file that rings, maps and dynamic objects name has a size and a hash. */
 function checkListed({ regions, dynamic, files }: Manifest): void {
-  const rings = regions.flatMap((entry) => entry.rings);
-  const geometry = [...rings, ...(dynamic ? [dynamic] : [])].flatMap((entry) => [entry.geometry, ...entry.parts]);
-  const maps = rings.flatMap(({ map }) => [map.color, map.range].flat());
-  for (const name of [...geometry, ...maps]) {
-    if (name !== null && !Object.hasOwn(files, name)) {
+  const names = [
+    ...regions.flatMap(({ rings }) => rings.flatMap(filesOfRing)),
+    ...regions.flatMap(({ by_footprint: other }) =>
+      other ? [...other.portions.flatMap(filesOfGeometry), ...filesOfMap(other.map)] : [],
+    ),
+    ...(dynamic ? filesOfGeometry(dynamic) : []),
+  ];
+  for (const name of names) {
+    if (!Object.hasOwn(files, name)) {
       throw new BundleError(`manifest.json: files: expected ${name}, which is used, among them`);
     }
   }
@@ -116,6 +131,7 @@ function region(place: string, value: Fields, tiles: number, own: number, count:
     range: { least, step },
     rings,
     cut: Infinity,
+    by_footprint: optional(`${place}.by_footprint`, value['by_footprint'], footprints),
   };
 }
 
@@ -129,12 +145,29 @@ function cutBy(unit: 'object' | 'triangle', place: string, entry: RegionEntry): 
 function ring(place: string, value: unknown, order: number, tiles: number): RingEntry {
   const entry = object(place, value);
   return {
+    ...group(place, entry),
     radius: number(`${place}.radius`, entry['radius'], 0, FARTHEST),
+    map: mapOf(`${place}.map`, entry['map'], order, tiles),
+  };
+}
+
+function group(place: string, value: unknown): GroupEntry {
+  const entry = object(place, value);
+  return {
     objects: integer(`${place}.objects`, entry['objects'], 0),
     triangles: integer(`${place}.triangles`, entry['triangles'], 0),
     geometry: optional(`${place}.geometry`, entry['geometry'], fileName),
     parts: list(`${place}.parts`, entry['parts'], fileName),
-    map: mapOf(`${place}.map`, entry['map'], order, tiles),
+  };
+}
+
+function footprints(place: string, value: unknown): FootprintEntry {
+  const entry = object(place, value);
+  const map = object(`${place}.map`, entry['map']);
+  const faces = (name: string): string[] => list(`${place}.map.${name}`, map[name], fileName, FACES);
+  return {
+    portions: list(`${place}.portions`, entry['portions'], group),
+    map: { tiles: [], color: faces('color'), range: faces('range') },
   };
 }
 

@@ -23,6 +23,8 @@ export interface Source {
    * each gets bytes of its own. Files come in the order in which they are asked for, some at the same time.
    */
   readonly fetch: (name: string, signal: AbortSignal, received?: Received) => Promise<ArrayBuffer>;
+  /** A file was damaged: the next time it is not taken from the browser's cache. */
+  readonly distrust: (name: string) => void;
 }
 
 /** Open a bundle whose manifest lies below a base URL; `received` is told of the bytes of all files. */
@@ -32,10 +34,14 @@ export async function openSource(
   signal: AbortSignal,
   network: Network = NETWORK,
 ): Promise<Source> {
+  const distrusted = new Set<string>();
   /** `bytes` is the size of the file, where it is known, and `most` the greatest that it may have. */
   const load = (name: string, bytes: number | null, most: number, own: AbortSignal, told: Received) => {
     const limits = { name, bytes, most };
-    return withTrials(name, own, network, (again) => transfer(new URL(name, base), limits, told, own, again, network));
+    return withTrials(name, own, network, (again) => {
+      const isRenewed = distrusted.delete(name) || again;
+      return transfer(new URL(name, base), limits, told, own, isRenewed, network);
+    });
   };
   const text = await load('manifest.json', null, MOST_MANIFEST, signal, received);
   const manifest = parseManifest(new TextDecoder().decode(text));
@@ -48,7 +54,11 @@ export async function openSource(
       told(more);
     }));
   });
-  return { manifest, fetch: (name, own, told = () => undefined) => shared(name, own, told) };
+  return {
+    manifest,
+    fetch: (name, own, told = () => undefined) => shared(name, own, told),
+    distrust: (name) => distrusted.add(name),
+  };
 }
 
 async function withTrials<T>(
@@ -66,7 +76,7 @@ async function withTrials<T>(
       if (signal.aborted || error instanceof BundleError) throw error;
       const pause = PAUSES[number];
       const reason = error instanceof Error ? error.message : String(error);
-      if (pause === undefined) throw new BundleError(`${name} does not come: ${reason}`);
+      if (pause === undefined) throw new BundleError(`${name} does not come: ${reason}`, 'network');
       await network.wait(pause, signal);
     }
   }

@@ -90,7 +90,7 @@ function refuse(name: string, { ok, status, statusText }: Response): void {
   if (ok) return;
   const answer = `the server answers ${status} ${statusText}`.trim();
   if (status >= 500 || LATER.has(status)) throw new Error(answer);
-  throw new BundleError(`${name}: ${answer}`);
+  throw new BundleError(`${name}: ${answer}`, 'network');
 }
 
 function wrongSize({ name, bytes, most }: Limits, got: string): BundleError {

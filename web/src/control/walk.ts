@@ -21,6 +21,8 @@ export interface Walk {
   look(left: number, up: number): void;
   /** Stand somewhere else; its height is the eye height from then on. */
   setPose(pose: Pose): void;
+  /** Go on from where the user's own body has moved the head, at its height; the speed stays. */
+  follow(pose: Pose): void;
   /** Take over where another mode has led; the eye goes back to its height in a moment. */
   resume(pose: Pose): void;
 }
@@ -48,6 +50,11 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     position = settle(confine(position, wanted, bounds()), bounds(), seconds);
   }
 
+  function follow(pose: Pose): void {
+    ({ position, yaw, pitch } = pose);
+    height = position[1];
+  }
+
   return {
     get pose() {
       return { position, yaw, pitch };
@@ -61,10 +68,10 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
       pitch = bounded(pitch + up, -STEEPEST, STEEPEST);
     },
     setPose(pose) {
-      ({ position, yaw, pitch } = pose);
-      height = position[1];
+      follow(pose);
       velocity = [0, 0];
     },
+    follow,
     resume(pose) {
       ({ position, yaw, pitch } = pose);
       velocity = [0, 0];

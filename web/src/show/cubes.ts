@@ -15,7 +15,7 @@ export interface Cube {
 
 /** Rows of a face that are uploaded in a step: a megabyte of a face of 1024². */
 const ROWS = 256;
-const FACES = 6;
+export const FACES = 6;
 
 export function createCube(renderer: WebGLRenderer, faceSize: number): Cube {
   const gl = renderer.getContext() as WebGL2RenderingContext;
@@ -54,6 +54,11 @@ function wrapped(renderer: WebGLRenderer, handle: WebGLTexture): CubeTexture {
 
 function handleOf(renderer: WebGLRenderer, texture: CubeTexture): WebGLTexture {
   return (renderer.properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture;
+}
+
+/** The colours of a cube, for WebGL itself. */
+export function colorOf(renderer: WebGLRenderer, { color }: Cube): WebGLTexture {
+  return handleOf(renderer, color);
 }
 
 /** Steps after which the cube holds a ring's map. */

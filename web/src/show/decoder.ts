@@ -1,4 +1,5 @@
 /** A worker that decodes, as a function. */
+import { BundleError } from '../bundle/error';
 import type {
   Answer,
   FirstMapRequest,
@@ -31,11 +32,11 @@ export function startDecoder(script: URL): Worked {
   worker.onmessage = ({ data }: MessageEvent<Answer>) => {
     const asked = waiting.get(data.id);
     waiting.delete(data.id);
-    if ('error' in data) asked?.failed(new Error(data.error));
+    if ('error' in data) asked?.failed(new BundleError(data.error));
     else asked?.done(data.result as never);
   };
   worker.onerror = (event) => {
-    const reason = new Error(`the decoder stopped: ${event.message || 'the browser gives no reason'}`);
+    const reason = new BundleError(`the decoder stopped: ${event.message || 'the browser gives no reason'}`, 'other');
     for (const { failed } of waiting.values()) failed(reason);
     waiting.clear();
   };

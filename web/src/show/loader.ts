@@ -1,9 +1,9 @@
 /** Loads a region ring by ring, in order; each is shown when all of it is on the GPU. */
 import type { WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
-import type { Described, Manifest } from '../bundle/manifest';
+import type { Described, Manifest, MapEntry } from '../bundle/manifest';
 import type { Received } from '../bundle/source';
-import type { FileData } from '../decode/messages';
+import type { FileData, FirstMapRequest } from '../decode/messages';
 import { type Ahead, createAhead } from './ahead';
 import { cubeSteps } from './cubes';
 import type { Decoder } from './decoder';
@@ -49,7 +49,7 @@ export interface Course {
 
 interface Job extends Loading, Course {
   readonly ahead: Ahead;
-  /** Names of parts that the region has received, or had from other regions. */
+  /** Names of parts that the region has asked for, or had from other regions. */
   readonly had: Set<string>;
 }
 
@@ -62,7 +62,7 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
   const job: Job = { ...loading, ...course, ahead: createAhead(fetch, sizeOf), had: new Set() };
   const { rings } = region.entry;
   await turn(signal);
-  await loadFirstMap(job);
+  if (rings[0]?.map) await loadFirstMap(job, rings[0].map);
   course.arrived(0);
   const { dynamic } = manifest;
   if (dynamic) await loadGeometry(job, 0, dynamic.geometry, dynamic.parts);
@@ -70,11 +70,13 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
     const described = rings[ring];
     if (!described) throw new Error(`region ${number} has no ring ${ring}`);
     await turn(signal);
-    const jobs = [loadNextMap(job, ring)];
+    const jobs: Promise<void>[] = [];
+    if (described.map) jobs.push(loadMap(job, ring, described.map));
     if (described.geometry !== null) jobs.push(loadGeometry(job, ring, described.geometry, described.parts));
     // After those of this ring.
     const next = ring < last ? rings[ring + 1] : undefined;
-    if (next) job.ahead.want(filesOfRing(next).filter((name) => !isHere(loading, name)), signal);
+    const isNew = (name: string): boolean => !isHere(loading, name) && !job.had.has(name);
+    if (next) job.ahead.want(filesOfRing(next).filter(isNew), signal);
     await Promise.all(jobs);
     course.arrived(ring);
   }
@@ -110,44 +112,42 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
   await job.uploads.add(geometrySteps(job.renderer, region, ring, geometry, job.shared, store, job.warm), signal);
 }
 
-async function loadFirstMap(job: Job): Promise<void> {
-  const { manifest, maps, number, region, renderer, signal, uploads } = job;
-  const { map } = manifest;
-  const color = await filesOf(job, region.entry.rings[0]?.map.color ?? null);
+async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
+  const { manifest, region, renderer, signal, uploads } = job;
+  const update = await job.maps(firstRequest(job, await filesOf(job, map.color)));
   signal.throwIfAborted();
-  const update = await maps({
-    kind: 'first-map',
-    region: number,
-    faceSize: map.face_size,
-    tile: map.tile,
-    across: map.across,
-    step: region.entry.range.step,
-    color,
-  });
-  signal.throwIfAborted();
-  await uploads.add(cubeSteps(renderer, region.cubes[0], update, 0, map), signal);
+  await uploads.add(cubeSteps(renderer, region.cubes[0], update, 0, manifest.map), signal);
 }
 
-async function loadNextMap(job: Job, ring: number): Promise<void> {
-  const { manifest, number, region, renderer, signal, uploads } = job;
-  const described = region.entry.rings[ring]?.map;
-  if (!described) return;
-  const [color, range] = await Promise.all([filesOf(job, described.color), filesOf(job, described.range)]);
+/** Load what a ring changes of the map before it, or a whole map. */
+async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry): Promise<void> {
+  const { manifest, maps, number, region, renderer, signal, uploads } = job;
+  const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
+  const isWhole = Array.isArray(color);
   const cube = region.cubes[ring % 2 === 0 ? 0 : 1];
   await job.mayReplace(ring);
   signal.throwIfAborted();
+  if (isWhole) await maps(firstRequest(job, pictures));
+  signal.throwIfAborted();
   const since = cube.holds !== null && cube.hasRange ? cube.holds : null;
-  const update = await job.maps({
+  const update = await maps({
     kind: 'next-map',
     region: number,
-    ring,
-    tiles: described.tiles,
-    color: color[0] ?? null,
-    range,
+    // Whole ranges come as those of the first ring do.
+    ring: isWhole ? 1 : ring,
+    tiles,
+    color: isWhole ? null : (pictures[0] ?? null),
+    range: codes,
     since,
   });
   signal.throwIfAborted();
   await uploads.add(cubeSteps(renderer, cube, update, ring, manifest.map), signal);
+}
+
+function firstRequest({ manifest, number, region, signal }: Job, color: FileData[]): FirstMapRequest {
+  signal.throwIfAborted();
+  const { face_size: faceSize, tile, across } = manifest.map;
+  return { kind: 'first-map', region: number, faceSize, tile, across, step: region.entry.range.step, color };
 }
 
 function filesOf(job: Job, names: string | readonly string[] | null): Promise<FileData[]> {
@@ -155,9 +155,13 @@ function filesOf(job: Job, names: string | readonly string[] | null): Promise<Fi
   return Promise.all(list.map((name) => fileOf(job, name)));
 }
 
-async function fileOf({ ahead, manifest, signal }: Job, name: string): Promise<FileData> {
+async function fileOf({ ahead, manifest, received, signal, store }: Job, name: string): Promise<FileData> {
   const described: Described | undefined = manifest.files[name];
   if (!described) throw new Error(`${name} is not listed in the manifest`);
-  const data = await ahead.fetch(name, signal);
+  const kept = store.moving.get(name);
+  if (kept) received(described.bytes);
+  const data = kept ?? (await ahead.fetch(name, signal));
+  // What is sent to a worker is gone here.
+  if (name === manifest.dynamic?.geometry) store.moving.set(name, data.slice(0));
   return { name, data, bytes: described.bytes, sha256: described.sha256 };
 }

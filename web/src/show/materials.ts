@@ -6,6 +6,7 @@ import {
   GLSL3,
   type IUniform,
   Matrix4,
+  OneFactor,
   OneMinusSrcAlphaFactor,
   RawShaderMaterial,
   SrcAlphaFactor,
@@ -46,7 +47,7 @@ const BLENDING = {
   blending: CustomBlending,
   blendSrc: SrcAlphaFactor,
   blendDst: OneMinusSrcAlphaFactor,
-  blendSrcAlpha: SrcAlphaFactor,
+  blendSrcAlpha: OneFactor,
   blendDstAlpha: OneMinusSrcAlphaFactor,
   // In three.js's list of opaque objects, which keeps the order of a picture.
   transparent: false,

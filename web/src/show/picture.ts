@@ -1,8 +1,10 @@
 /** Draws pictures: near geometry where the morph shows it, and the map wherever nothing near is. */
-import { BufferAttribute, BufferGeometry, type Camera, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
+import { type Camera, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
+import type { Cube } from './cubes';
 import { farMaterial, type Shared } from './materials';
 import { cubeOf, meshesOf, type Region } from './region';
+import { covering } from './veil';
 
 /** What a picture shows. */
 export interface Picture {
@@ -16,18 +18,21 @@ export interface Picture {
 }
 
 export interface Painter {
-  /** Draw a picture over what is there, as a share of it; 1 hides what was there. */
-  draw(picture: Picture, camera: Camera, opacity: number): void;
+  /** Let the GPU make ready what the first picture needs, while its files come. */
+  prepare(camera: Camera): void;
+  /** Draw a picture over what is there, as a share of it; 1 hides what was there. The map can be shown elsewhere. */
+  draw(picture: Picture, camera: Camera, opacity: number, withMap?: boolean): void;
 }
 
 /**
- * A painter for one renderer. `place` moves the rig of the camera, so that the centre of a region is at the origin.
+ * A painter for one renderer. `blank` gives a map that shows nothing, for pictures without one. `place` moves the rig of the camera, so that the centre of a region is at the origin.
  */
 export function createPainter(
   renderer: WebGLRenderer,
   shared: Shared,
   nearShare: number,
   faceSize: number,
+  blank: () => Cube,
   place: (center: Point) => void,
 ): Painter {
   const near = new Scene();
@@ -35,10 +40,13 @@ export function createPainter(
   far.add(screen(shared));
 
   return {
-    draw(picture, camera, opacity) {
+    prepare(camera) {
+      renderer.compile(far, camera);
+    },
+    draw(picture, camera, opacity, withMap = true) {
       const { region, ring, radius, strength } = picture;
       place(region.entry.center);
-      const cube = cubeOf(region, ring);
+      const cube = region.entry.rings[ring]?.map ? cubeOf(region, ring) : blank();
       const inner = nearShare * radius;
       // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 at any distance.
       const slope = radius > 0 ? 1 / (radius - inner) : 1;
@@ -58,7 +66,7 @@ export function createPainter(
       }
       renderer.render(near, camera);
       if (opacity < 1) setWrites(region, ring, true, true);
-      renderer.render(far, camera);
+      if (withMap) renderer.render(far, camera);
       near.children = [];
     },
   };
@@ -73,9 +81,7 @@ function setWrites(region: Region, ring: number, color: boolean, depth: boolean)
 
 /** One triangle over the whole picture. */
 function screen(shared: Shared): Mesh {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
-  const mesh = new Mesh(geometry, farMaterial(shared));
+  const mesh = new Mesh(covering(), farMaterial(shared));
   mesh.frustumCulled = false;
   return mesh;
 }

@@ -4,10 +4,12 @@
  */
 import { grow, type Grown, type GrowthSettings, NOTHING_NEAR } from './growth';
 
-/** Of the four ways to load that CloVR compares, those that this page shows by what is on the screen when. */
+/** What is on the screen when. */
 export interface Manner {
   /** Rings that arrive fade in, and the morph grows; else both happen at once. */
   readonly isSmooth: boolean;
+  /** Nothing is shown before the last ring is there. */
+  readonly isWhole: boolean;
 }
 
 /** What is drawn now: one picture, or two while one fades in over the other. */
@@ -33,7 +35,7 @@ export interface Stage {
   replaceable(ring: number): Promise<void>;
 }
 
-export function createStage(settings: GrowthSettings & { readonly fade: number }, { isSmooth }: Manner): Stage {
+export function createStage(settings: GrowthSettings & { readonly fade: number }, { isSmooth, isWhole }: Manner): Stage {
   let arrived = -1;
   let ring = -1;
   let since = 0;
@@ -42,9 +44,13 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
   let grown = NOTHING_NEAR;
   let waiting: { ring: number; done: () => void }[] = [];
 
+  function isThere(): boolean {
+    return ring >= (isWhole ? settings.radii.length : 0);
+  }
+
   function offer(from: Grown): Grown | null {
     const [first, last] = [settings.radii[0], settings.radii[ring - 1]];
-    if (ring < 0) return null;
+    if (!isThere()) return null;
     if (first === undefined || last === undefined) return NOTHING_NEAR;
     return { radius: Math.min(Math.max(from.radius, first), last), strength: from.radius > 0 ? from.strength : 0 };
   }
@@ -85,7 +91,7 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
       release();
     },
     advance(seconds, least = 0) {
-      if (ring < 0) return null;
+      if (!isThere()) return null;
       grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : atOnce(least);
       if (!isFading && arrived > ring) {
         isFading = true;

@@ -1,20 +1,25 @@
 /** The picture on the screen, one frame after the other. */
 import { Group, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { BundleError } from '../bundle/error';
 import type { Manifest, Point } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
-import type { Kept } from '../decode/messages';
-import { createAtlas } from './atlas';
+import { createAtlas, type Holding } from './atlas';
 import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
 import { createJourney, type Journey, type Leg } from './journey';
 import type { Fetch, Loading } from './loader';
+import { watchLoss } from './loss';
 import { createShared } from './materials';
 import { createPainter, type Picture } from './picture';
-import { trianglesShown } from './region';
+import { cubeOf, trianglesShown } from './region';
 import type { Manner, Shown } from './stage';
 import { createStore } from './store';
 import { createUploads } from './uploads';
+import { createVeil } from './veil';
+import type { Floor } from '../xr/floor';
+import type { MapLayer } from '../xr/layer';
+import { resolveOnce } from '../xr/samples';
 
 /** Milliseconds of a frame that uploads may take: docs/view.md. */
 export const UPLOAD_BUDGET = 3;
@@ -34,6 +39,8 @@ export interface Settings extends Manner {
   readonly failed: (reason: Error) => void;
   /** The user was put to another place, which frames are to be drawn for from now on. */
   readonly moved: (pose: Pose) => void;
+  /** The browser took the graphics away, or gave them back. */
+  readonly lost: (isLost: boolean) => void;
 }
 
 export interface Viewer {
@@ -41,14 +48,22 @@ export interface Viewer {
   readonly camera: PerspectiveCamera;
   /** Moves the headset's space: its position is the user's floor. */
   readonly rig: Group;
+  /** Texels along an edge of a map. */
+  readonly faceSize: number;
   /** Begin in a region, from its ring 0 on; all others are let go. */
   open(number: number): void;
   /** Go to another place by a cross-fade, as soon as its region can be shown. */
   go(target: Pose): void;
   /** Load again what failed. */
   retry(): void;
-  /** Draw a frame for a user, some seconds after the one before. */
+  /** Draw a frame for a user, some seconds after the one before. In a headset the pose is what it tells. */
   frame(pose: Pose, seconds: number): void;
+  /** Put the floor of a headset's user somewhere. */
+  stand(floor: Floor): void;
+  /** Let a layer of the headset show the map while nothing fades; null to draw it. */
+  setMapLayer(layer: MapLayer | null): void;
+  /** Darken the picture, from 0 to 1 for black. */
+  setVeil(darkness: number): void;
   /** Draw one state, whatever the time: for tests and screenshots. */
   still(picture: Omit<Picture, 'region'>, pose: Pose): void;
   /** Part of the width, from the left, in which the picture is the conventional one; null for none. */
@@ -60,7 +75,7 @@ export interface Viewer {
 }
 
 /** What the panel shows of the picture. */
-export interface Facts {
+export interface Facts extends Holding {
   readonly region: number;
   /** Region of the place that the user is about to go to; null for none. */
   readonly goal: number | null;
@@ -76,9 +91,7 @@ export interface Facts {
   readonly bounds: Bounds | null;
   /** The region whose picture goes out; null for none. */
   readonly leaving: number | null;
-  /** Regions that are open, what the workers kept when the last one was closed, and arrays that meshes share. */
-  readonly regions: readonly number[];
-  readonly kept: readonly Kept[];
+  /** Meshes whose arrays others use, too. */
   readonly shared: number;
 }
 
@@ -86,16 +99,17 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const { manifest } = settings;
   const faceSize = manifest.map.face_size;
   const nearShare = manifest.morph.near_share;
-  const renderer = new WebGLRenderer({ canvas, antialias: settings.antialias, powerPreference: 'high-performance' });
-  renderer.autoClear = false;
-  renderer.sortObjects = false;
-  renderer.debug.checkShaderErrors = true;
+  const renderer = createRenderer(canvas, settings.antialias);
   const camera = new PerspectiveCamera(settings.angle, 1, NEAR, FAR);
   camera.rotation.order = 'YXZ';
   const rig = new Group();
   rig.add(camera);
+  const veil = createVeil();
+  // Drawn over the picture: what a headset adds to the rig, and the veil.
+  const overlay = new Scene();
+  overlay.add(rig, veil.mesh);
   // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
-  const blank = createCube(renderer, 1);
+  let blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
   shared.keeps_rho.value = manifest.morph.kind === 'cylinder';
   const uploads = createUploads();
@@ -108,7 +122,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     rig.updateMatrixWorld(true);
   }
 
-  const painter = createPainter(renderer, shared, nearShare, faceSize, place);
+  const painter = createPainter(renderer, shared, nearShare, faceSize, () => blank, place);
+  painter.prepare(camera);
   const warming = new Scene();
   const store = createStore();
   const loading: Loading = {
@@ -144,11 +159,52 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   let user: Pose | null = null;
   let upload = 0;
   let divider: number | null = null;
+  let mapLayer: MapLayer | null = null;
+
+  let wasIn: number | null = null;
+  const loss = watchLoss(
+    canvas,
+    () => {
+      wasIn = journey?.region ?? null;
+      close();
+      blank.dispose();
+      settings.lost(true);
+    },
+    () => {
+      renderer.setClearAlpha(0);
+      blank = createCube(renderer, 1);
+      [shared.map.value, shared.codes.value] = [blank.color, blank.codes];
+      painter.prepare(camera);
+      if (wasIn !== null) begin(wasIn);
+      settings.lost(false);
+    },
+  );
+
+  function close(): void {
+    for (const region of atlas.holding.regions) atlas.close(region);
+    journey = leg = null;
+  }
+
+  /** Begin in a region, with nothing loaded. */
+  function begin(number: number): void {
+    close();
+    const moved = (pose: Pose): void => {
+      user = pose;
+      settings.moved(pose);
+    };
+    const { regions, growth } = manifest;
+    journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
+  }
 
   function setPose({ position: [x, y, z], yaw, pitch }: Pose): void {
-    Object.assign(feet, { x, y, z });
+    stand({ position: [x, y, z], yaw: 0 });
     camera.position.set(0, 0, 0);
     camera.rotation.set(pitch, yaw, 0);
+  }
+
+  function stand({ position: [x, y, z], yaw }: Floor): void {
+    Object.assign(feet, { x, y, z });
+    rig.rotation.y = yaw;
   }
 
   function fit(): void {
@@ -163,12 +219,12 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   }
 
   /** Draw what is shown of a region, morphed or conventional, as a share over what is there. */
-  function paint(number: number, opacity: number, isMorphed: boolean): void {
+  function paint(number: number, opacity: number, isMorphed: boolean, withMap = true): void {
     const open = atlas.find(number);
     if (!open?.shown || opacity === 0) return;
     const { ring, grown, fading } = open.shown;
     const picture = { region: open.region, radius: grown.radius, strength: isMorphed ? grown.strength : null };
-    painter.draw({ ...picture, ring }, camera, opacity);
+    painter.draw({ ...picture, ring }, camera, opacity, withMap);
     // While a region fades in, nothing in it does.
     if (opacity === 1 && fading && fading.share > 0) {
       painter.draw({ ...picture, ring: fading.ring }, camera, fading.share);
@@ -177,17 +233,35 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
 
   /** Draw the picture of a region over the one that it takes over from. */
   function paintLeg({ region, leaving }: Leg, isMorphed: boolean): void {
-    if (leaving) {
-      if (leaving.pose) setPose(leaving.pose);
+    const before = leaving?.pose ?? user;
+    if (leaving && before) {
+      setPose(before);
       paint(leaving.region, 1, isMorphed);
     }
     if (user) setPose(user);
     paint(region, leaving?.share ?? 1, isMorphed);
   }
 
+  /** The same for both eyes of a headset, which has its own pose: a place that was left is not shown from elsewhere. */
+  function paintEyes({ region, leaving }: Leg): void {
+    if (leaving && !leaving.pose) paint(leaving.region, 1, true);
+    paint(region, leaving?.share ?? 1, true, leaving !== null || !isApart(region));
+  }
+
+  /** Whether a layer of the headset shows the map of a region in this frame. */
+  function isApart(number: number): boolean {
+    const open = atlas.find(number);
+    if (!open?.shown || open.shown.fading) return false;
+    return mapLayer?.show(cubeOf(open.region, open.shown.ring), rig.rotation.y) ?? false;
+  }
+
   function paintAll(): void {
     if (!leg || !atlas.find(leg.region)?.shown) return;
-    if (divider === null || renderer.xr.isPresenting) {
+    if (renderer.xr.isPresenting) {
+      paintEyes(leg);
+      return;
+    }
+    if (divider === null) {
       paintLeg(leg, true);
       return;
     }
@@ -201,32 +275,38 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     renderer.setScissorTest(false);
   }
 
+  function advance(pose: Pose, seconds: number): void {
+    // Before the first picture nothing can jerk.
+    upload = uploads.run(leg && atlas.find(leg.region)?.shown ? UPLOAD_BUDGET : Number.POSITIVE_INFINITY);
+    if (!journey) return;
+    leg = journey.advance(seconds, pose);
+    // Nothing else changes while a region fades in.
+    atlas.advance(leg.region, leg.leaving ? 0 : seconds, journey.least);
+    paintAll();
+  }
+
   return {
     renderer,
     camera,
     rig,
-    open(number) {
-      for (const region of atlas.holding.regions) atlas.close(region);
-      const moved = (pose: Pose): void => {
-        user = pose;
-        settings.moved(pose);
-      };
-      const { regions, growth } = manifest;
-      journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
-      leg = null;
-    },
+    faceSize,
+    open: begin,
     go: (target) => journey?.go(target),
     retry: atlas.retry,
     frame(pose, seconds) {
       user = pose;
+      if (loss.isLost) return;
       fit();
-      upload = uploads.run(UPLOAD_BUDGET);
-      if (!journey) return;
-      leg = journey.advance(seconds, pose);
-      // Nothing else changes while a region fades in.
-      atlas.advance(leg.region, leg.leaving ? 0 : seconds, journey.least);
-      paintAll();
+      const { isPresenting } = renderer.xr;
+      if (isPresenting) resolveOnce(renderer, () => advance(pose, seconds));
+      else advance(pose, seconds);
+      if (isPresenting || veil.mesh.visible) renderer.render(overlay, camera);
     },
+    stand,
+    setMapLayer(layer) {
+      mapLayer = layer;
+    },
+    setVeil: veil.set,
     still(picture, pose) {
       const open = journey && atlas.find(journey.region);
       if (!open) throw new Error('no region is open');
@@ -237,6 +317,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       divider = share;
     },
     photo() {
+      if (renderer.xr.isPresenting) return Promise.reject(new Error('Pictures are saved outside the headset'));
       // In the same task as the drawing: a canvas keeps its picture no longer.
       paintAll();
       return new Promise((done, failed) => {
@@ -269,6 +350,21 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       renderer.dispose();
     },
   };
+}
+
+function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
+  let renderer: WebGLRenderer;
+  try {
+    renderer = new WebGLRenderer({ canvas, antialias, powerPreference: 'high-performance' });
+  } catch (error) {
+    throw new BundleError(error instanceof Error ? error.message : String(error), 'webgl');
+  }
+  renderer.autoClear = false;
+  // A layer of a headset lies below.
+  renderer.setClearAlpha(0);
+  renderer.sortObjects = false;
+  renderer.debug.checkShaderErrors = true;
+  return renderer;
 }
 
 /** The fold margin as a share of the morph's radius: of the cylinder it is its near part, at any radius. */

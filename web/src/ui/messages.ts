@@ -68,7 +68,7 @@ export function showProblems(problems: readonly string[], retry: () => void): vo
   const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Dismiss', title: 'Dismiss' });
   close.append(icon(ICONS.close));
   close.addEventListener('click', clearMessage);
-  const text = make('div', { class: 'banner-text' }, make('strong', {}, 'Part of the scene is missing'), list);
+  const text = make('div', { class: 'banner-text' }, make('strong', {}, 'Not all of the scene is shown'), list);
   if (problems.length === 0) clearMessage();
   else {
     place.replaceChildren(text, button('Try again', 'button-main', retry), close);

@@ -8,7 +8,7 @@ import { ICONS } from './icons';
 import { showProblems } from './messages';
 import { copyText, saveFile } from './out';
 import { listen, type Name, SHORTCUTS } from './shortcuts';
-import type { Commands, Status } from './status';
+import type { Commands, HeadsetCommand, Status } from './status';
 
 /** Seconds for which a note is shown. */
 const NOTE = 3;
@@ -57,11 +57,13 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
   headset.hidden = true;
   const bar = make('div', { class: 'tools', role: 'group', 'aria-label': 'Commands' }, ...Object.values(common));
   const figures = createFigures();
+  const quiet = make('p', { class: 'quiet', hidden: true });
   const panel = make(
     'section',
     { class: 'panel card', id: 'panel', 'aria-label': 'Figures' },
     make('header', {}, make('h1', {}, 'nearfar'), dismiss()),
     figures.element,
+    quiet,
   );
   const chip = make('button', { type: 'button', class: 'chip card', title: 'Show the figures (I)', hidden: true });
   chip.addEventListener('click', () => run('panel'));
@@ -78,7 +80,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
   );
   root.append(line, layer, spoken);
   const help = createHelp(root, () => [
-    ...(commands.enterXR ? [] : (['headset'] as const)),
+    ...(headsetOf(commands) ? [] : (['headset'] as const)),
     ...(problems ? [] : (['retry'] as const)),
   ]);
   panel.hidden = !isOpen;
@@ -118,7 +120,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       commands.retry();
       announce('Trying again');
     } else if (name === 'headset') {
-      await commands.enterXR?.();
+      await headsetOf(commands)?.toggle();
     }
   }
 
@@ -170,6 +172,14 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     problems = texts;
   }
 
+  function tellHeadset(): void {
+    const found = headsetOf(commands);
+    headset.hidden = !found;
+    label(headset, found?.isPresenting ? 'Leave VR' : 'Enter VR');
+    write(quiet, typeof commands.headset === 'string' ? commands.headset : '');
+    quiet.hidden = typeof commands.headset !== 'string';
+  }
+
   return {
     update(status) {
       tell(status);
@@ -180,7 +190,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       line.style.setProperty('--share', share.toFixed(4));
       line.setAttribute('aria-valuenow', String(Math.floor(100 * share)));
       write(chip, shortly(status));
-      headset.hidden = !commands.enterXR;
+      tellHeadset();
       reflect({});
     },
     announce,
@@ -200,6 +210,15 @@ function tool(name: Name, label: string, drawing: string): HTMLButtonElement {
   const title = `${does.charAt(0).toUpperCase()}${does.slice(1)} (${key})`;
   const text = make('span', { class: 'tool-label' }, label);
   return make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': key }, icon(drawing), text);
+}
+
+function label(button: HTMLButtonElement, text: string): void {
+  const place = button.querySelector('.tool-label');
+  if (place) write(place, text);
+}
+
+function headsetOf({ headset }: Commands): HeadsetCommand | null {
+  return typeof headset === 'object' ? headset : null;
 }
 
 function press(button: HTMLButtonElement, isPressed: boolean): void {

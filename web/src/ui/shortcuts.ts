@@ -20,7 +20,7 @@ export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
   home: { key: 'home', label: 'Home', does: 'go back to the centre' },
   panel: { key: 'i', label: 'I', does: 'show or hide the figures' },
   retry: { key: 'r', label: 'R', does: 'load again what failed' },
-  headset: { key: 'v', label: 'V', does: 'enter the headset' },
+  headset: { key: 'v', label: 'V', does: 'enter the headset, and leave it' },
   help: { key: '?', label: '?', does: 'show or hide this help' },
 };
 

@@ -37,8 +37,14 @@ export interface Commands {
   screenshot(): Promise<Blob>;
   /** A link to this pose. */
   link(): string;
-  /** Enter the headset; absent where there is none. */
-  enterXR?: (() => Promise<void>) | undefined;
+  /** The headset, or why there is none; absent until that is known. */
+  headset?: HeadsetCommand | string;
   /** Load again what failed. */
   retry(): void;
+}
+
+export interface HeadsetCommand {
+  readonly isPresenting: boolean;
+  /** Enter it, or leave it. */
+  toggle(): Promise<void>;
 }

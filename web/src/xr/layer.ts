@@ -1,0 +1,80 @@
+/**
+ * The map as a layer of the headset's own (XRCubeLayer): the browser draws it behind near geometry, at the rate and with
+ * the resolution of the display.
+ */
+import type { WebGLRenderer } from 'three';
+import { colorOf, type Cube, FACES } from '../show/cubes';
+
+export interface MapLayer {
+  /**
+   * Hold the map of a cube, for a headset whose space is turned by a yaw in the world. True if the layer shows just
+   * that in this frame; else the map must be drawn.
+   */
+  show(cube: Cube, yaw: number): boolean;
+}
+
+/** A layer below the picture of the session that is presented; null where the browser has none. */
+export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLayer | null {
+  const { xr } = renderer;
+  const [session, space] = [xr.getSession(), xr.getReferenceSpace()];
+  if (!session?.enabledFeatures?.includes('layers') || !space) return null;
+  const binding: XRWebGLBinding = xr.getBinding();
+  if (typeof binding.createCubeLayer !== 'function') return null;
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const layer = binding.createCubeLayer({
+    space,
+    layout: 'mono',
+    viewPixelWidth: faceSize,
+    viewPixelHeight: faceSize,
+    // As the maps of the page, so that texels are mixed alike: without their curve.
+    colorFormat: gl.SRGB8_ALPHA8,
+  });
+  const picture = xr.getBaseLayer() as XRLayer;
+  session.updateRenderState({ layers: [layer, picture] });
+  const copy = createCopy(gl, faceSize);
+  let held: { readonly cube: Cube; readonly ring: number | null } | null = null;
+  let turn: number | null = null;
+
+  /** Copy a map into the layer; false if it is there already. */
+  function hold(cube: Cube): boolean {
+    if (held?.cube === cube && held.ring === cube.holds && !layer.needsRedraw) return false;
+    copy(colorOf(renderer, cube), binding.getSubImage(layer, xr.getFrame()).colorTexture);
+    held = { cube, ring: cube.holds };
+    return true;
+  }
+
+  function orient(yaw: number): boolean {
+    if (turn === yaw) return false;
+    turn = yaw;
+    // The map does not turn with the user's floor.
+    layer.orientation = new DOMPointReadOnly(0, Math.sin(-yaw / 2), 0, Math.cos(yaw / 2));
+    return true;
+  }
+
+  return {
+    show(cube, yaw) {
+      const isNew = [hold(cube), orient(yaw), !session.renderState.layers?.includes(layer)];
+      // What changes in a frame may be shown from the next one on only.
+      return !isNew.includes(true);
+    },
+  };
+}
+
+/** Copies all faces of a cube map, texel by texel, and leaves WebGL as it was. */
+function createCopy(gl: WebGL2RenderingContext, size: number): (from: WebGLTexture, to: WebGLTexture) => void {
+  const [source, target] = [gl.createFramebuffer(), gl.createFramebuffer()];
+  const attach = (buffer: number, face: number, texture: WebGLTexture): void =>
+    gl.framebufferTexture2D(buffer, gl.COLOR_ATTACHMENT0, gl.TEXTURE_CUBE_MAP_POSITIVE_X + face, texture, 0);
+  return (from, to) => {
+    const before = [gl.READ_FRAMEBUFFER_BINDING, gl.DRAW_FRAMEBUFFER_BINDING].map((name) => gl.getParameter(name));
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, source);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, target);
+    for (let face = 0; face < FACES; face++) {
+      attach(gl.READ_FRAMEBUFFER, face, from);
+      attach(gl.DRAW_FRAMEBUFFER, face, to);
+      gl.blitFramebuffer(0, 0, size, size, 0, 0, size, size, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    }
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, before[0]);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, before[1]);
+  };
+}

@@ -1,0 +1,120 @@
+/** What a headset shows beside the scene: controllers or joints of hands, the arc and the ring of a jump. */
+import {
+  CapsuleGeometry,
+  Color,
+  Group,
+  HemisphereLight,
+  IcosahedronGeometry,
+  InstancedMesh,
+  type Material,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  RingGeometry,
+  Vector3,
+} from 'three';
+import type { Vector } from '../control/vector';
+import type { Input } from './inputs';
+import { ARC_POINTS } from './teleport';
+
+/** Where a jump would lead, in the headset's space. */
+export interface Aim {
+  readonly arc: readonly Vector[];
+  readonly target: Vector;
+  /** The target is not where the arc was aimed: it would lie beyond the limit. */
+  readonly isHeld: boolean;
+}
+
+export interface Look {
+  /** To be put into the rig. */
+  readonly group: Group;
+  update(inputs: readonly Input[], aim: Aim | null): void;
+  dispose(): void;
+}
+
+/** Hands, and joints of a hand. */
+const [HANDS, JOINTS] = [2, 25] as const;
+/** Radius of a controller and half its length, of a point of an arc, and the radii of the ring, metres. */
+const [THICK, LONG, POINT] = [0.018, 0.05, 0.012] as const;
+const RING = [0.22, 0.3] as const;
+const [FREE, HELD] = [0x4cc2ff, 0xffb84c] as const;
+
+export function createLook(): Look {
+  const group = new Group();
+  const body = new MeshLambertMaterial({ color: 0xd5dbe3 });
+  // Over everything: the ground may lie before or behind the user's floor by a little.
+  const mark = new MeshBasicMaterial({ color: FREE, depthTest: false });
+  const joints = beads(HANDS * JOINTS, body);
+  const points = beads(ARC_POINTS, mark);
+  const ring = new Mesh(new RingGeometry(...RING, 48).rotateX(-Math.PI / 2), mark);
+  const controllers = Array.from({ length: HANDS }, () => {
+    const mesh = new Mesh(new CapsuleGeometry(THICK, 2 * LONG, 4, 12).rotateX(Math.PI / 2), body);
+    mesh.matrixAutoUpdate = false;
+    return mesh;
+  });
+  const light = new HemisphereLight(0xffffff, 0x666a70, 2.5);
+  const drawn = [...controllers, joints, points, ring];
+  for (const mesh of drawn) mesh.frustumCulled = false;
+  group.add(light, ...drawn);
+  const colors = { free: new Color(FREE), held: new Color(HELD) };
+  const [matrix, scale] = [new Matrix4(), new Vector3()];
+
+  function showControllers(inputs: readonly Input[]): void {
+    const grips = inputs.map(({ grip }) => grip).filter((grip) => grip !== null);
+    controllers.forEach((mesh, number) => {
+      const grip = grips[number];
+      mesh.visible = grip !== undefined;
+      if (grip) mesh.matrix.fromArray(grip);
+    });
+  }
+
+  function showJoints(inputs: readonly Input[]): void {
+    let count = 0;
+    for (const { joints: found } of inputs) {
+      if (!found) continue;
+      for (let joint = 0; joint < found.radii.length && count < HANDS * JOINTS; joint++) {
+        matrix.fromArray(found.matrices, 16 * joint);
+        const radius = found.radii[joint] ?? 0;
+        joints.setMatrixAt(count++, matrix.scale(scale.setScalar(radius)));
+      }
+    }
+    show(joints, count);
+  }
+
+  function showAim(aim: Aim | null): void {
+    aim?.arc.forEach(([x, y, z], number) => {
+      points.setMatrixAt(number, matrix.makeScale(POINT, POINT, POINT).setPosition(x, y, z));
+    });
+    show(points, aim?.arc.length ?? 0);
+    ring.visible = aim !== null;
+    if (!aim) return;
+    ring.position.set(...aim.target);
+    mark.color.copy(aim.isHeld ? colors.held : colors.free);
+  }
+
+  return {
+    group,
+    update(inputs, aim) {
+      showControllers(inputs);
+      showJoints(inputs);
+      showAim(aim);
+    },
+    dispose() {
+      for (const mesh of drawn) mesh.geometry.dispose();
+      for (const mesh of [joints, points]) mesh.dispose();
+      for (const material of [body, mark]) material.dispose();
+      group.removeFromParent();
+    },
+  };
+}
+
+function beads(count: number, material: Material): InstancedMesh {
+  return new InstancedMesh(new IcosahedronGeometry(1, 2), material, count);
+}
+
+function show(mesh: InstancedMesh, count: number): void {
+  mesh.count = count;
+  mesh.visible = count > 0;
+  mesh.instanceMatrix.needsUpdate = true;
+}

@@ -1,0 +1,174 @@
+/** The immersive mode: the picture for both eyes of a headset, and how its user moves. */
+import type { Bounds } from '../control/limit';
+import type { Pose } from '../control/pose';
+import type { Vector } from '../control/vector';
+import { createWalk } from '../control/walk';
+import type { Viewer } from '../show/viewer';
+import { type Aiming, createAiming } from './aiming';
+import {
+  EYE_HEIGHT,
+  type Floor,
+  floorUnder,
+  type Head,
+  headBounds,
+  headOf,
+  inside,
+  inWorld,
+  localOf,
+  moved,
+  turned,
+  worldOf,
+} from './floor';
+import { type Input, readInputs } from './inputs';
+import { createMapLayer } from './layer';
+import { createLook, type Look } from './look';
+import { createSteering, type Steering } from './steer';
+import { createJump, type Jump } from './teleport';
+
+export interface Headset {
+  readonly isPresenting: boolean;
+  /** Enter it, or leave it; browsers want a click or a key. */
+  toggle(): Promise<void>;
+  /** Put the user's head above another place; outside nothing happens. */
+  place(pose: Pose): void;
+  /** The head's pose in the world after some seconds more, once a frame; null outside. */
+  update(seconds: number): Pose | null;
+}
+
+export interface HeadsetSettings {
+  /** Where the user is when the headset is entered. */
+  readonly pose: () => Pose;
+  /** Within which the eyes stay, also when they change. */
+  readonly bounds: () => Bounds | null;
+  /** The headset has been left, at a pose for the screen. */
+  readonly left: (pose: Pose) => void;
+  /** Nothing moves, so that the browser may show the map by itself. */
+  readonly isStatic: boolean;
+}
+
+/** What lasts as long as a session. */
+interface Visit {
+  readonly look: Look;
+  readonly aiming: Aiming;
+  readonly steering: Steering;
+  readonly jump: Jump;
+  readonly walk: ReturnType<typeof createWalk>;
+  /** Null until the headset knows where it is. */
+  floor: Floor | null;
+  pose: Pose;
+  /** A point of the world to which a jump leads in this frame. */
+  goal: Vector | null;
+  /** The system has put the origin of the headset's space elsewhere. */
+  isMoved: boolean;
+}
+
+/** Speeds start and stop gently. */
+const glides = (): boolean => false;
+
+export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
+  const { renderer, rig } = viewer;
+  const bounds = (): Bounds | null => headBounds(settings.bounds());
+  let visit: Visit | null = null;
+  renderer.xr.enabled = true;
+
+  async function enter(): Promise<void> {
+    const session = await xr.requestSession('immersive-vr', {
+      requiredFeatures: ['local-floor'],
+      optionalFeatures: ['hand-tracking', 'layers'],
+    });
+    session.addEventListener('end', leave);
+    try {
+      await renderer.xr.setSession(session);
+    } catch (reason) {
+      await session.end();
+      throw reason;
+    }
+    const begun = begin(session);
+    visit = begun;
+    rig.add(begun.look.group);
+    renderer.xr.getReferenceSpace()?.addEventListener('reset', () => (begun.isMoved = true));
+    if (settings.isStatic) viewer.setMapLayer(createMapLayer(renderer, viewer.faceSize));
+  }
+
+  function begin(session: XRSession): Visit {
+    const pose = settings.pose();
+    const made: Visit = {
+      look: createLook(),
+      aiming: createAiming(session, (target) => {
+        const { floor, jump } = made;
+        const goal = floor && worldOf(floor, target);
+        jump.start(() => (made.goal = goal));
+      }),
+      steering: createSteering(),
+      jump: createJump(),
+      walk: createWalk(pose, bounds, glides),
+      floor: null,
+      pose,
+      goal: null,
+      isMoved: false,
+    };
+    return made;
+  }
+
+  function leave(): void {
+    if (!visit) return;
+    const { look, aiming, floor, pose } = visit;
+    visit = null;
+    look.dispose();
+    aiming.dispose();
+    viewer.setMapLayer(null);
+    viewer.setVeil(0);
+    const [x, y, z] = pose.position;
+    settings.left({ position: [x, floor ? floor.position[1] + EYE_HEIGHT : y, z], yaw: pose.yaw, pitch: 0 });
+  }
+
+  /** The floor after a frame: the user has walked, turned or jumped, and stays within the walls. */
+  function floorOf(of: Visit, head: Head, inputs: readonly Input[], seconds: number): Floor {
+    const { position: [x, y, z], yaw } = of.pose;
+    const ground: Vector = [x, of.floor?.position[1] ?? y - EYE_HEIGHT, z];
+    let floor = of.floor && !of.isMoved ? of.floor : floorUnder(ground, yaw, head);
+    of.isMoved = false;
+    const { drive, turn } = of.steering.read(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
+    floor = turned(floor, head, turn);
+    of.walk.follow(inWorld(floor, head));
+    of.walk.update(seconds, drive);
+    floor = moved(floor, head, of.goal ?? of.walk.pose.position);
+    of.goal = null;
+    // A body that goes on beyond the walls takes the floor along.
+    return moved(floor, head, inside(worldOf(floor, head.position), bounds()));
+  }
+
+  return {
+    get isPresenting() {
+      return visit !== null;
+    },
+    toggle() {
+      const session = renderer.xr.getSession();
+      return session ? session.end() : enter();
+    },
+    place(pose) {
+      if (visit) Object.assign(visit, { floor: null, pose });
+    },
+    update(seconds) {
+      const [frame, space] = [renderer.xr.getFrame(), renderer.xr.getReferenceSpace()];
+      if (!visit || !frame || !space) return null;
+      const seen = frame.getViewerPose(space);
+      // A headset that does not know where it is shows nothing new.
+      if (!seen) return visit.pose;
+      const head = headOf(seen.transform.matrix);
+      const inputs = readInputs(frame, space);
+      viewer.setVeil(visit.jump.advance(seconds));
+      const floor = floorOf(visit, head, inputs, seconds);
+      visit.floor = floor;
+      visit.pose = inWorld(floor, head);
+      viewer.stand(floor);
+      const allowed = (wanted: Vector): Vector => localOf(floor, inside(worldOf(floor, wanted), bounds()));
+      visit.look.update(inputs, visit.aiming.update(inputs, allowed));
+      return visit.pose;
+    },
+  };
+}
+
+function stickOf(inputs: readonly Input[], hand: XRHandedness): Input['stick'] {
+  return inputs.find(({ source }) => source.handedness === hand)?.stick ?? null;
+}

@@ -1,0 +1,78 @@
+/** Where a thrown arc comes down, and the jump to there; plain arithmetic without a headset. */
+import type { Vector } from '../control/vector';
+
+/** Metres a second and per second²: aimed level from the hip, it reaches some four metres; at 45° more than seven. */
+const [SPEED, GRAVITY] = [7.5, 9.81] as const;
+/** Points of an arc. */
+export const ARC_POINTS = 24;
+/** Seconds in which the picture goes dark, and comes back. */
+const FADE = 0.12;
+
+export interface Ray {
+  readonly origin: Vector;
+  /** Unit vector. */
+  readonly direction: Vector;
+}
+
+/** Where an arc that begins along a ray comes down on the ground at height 0. A hand below the ground throws from it. */
+export function landing({ origin: [x, y, z], direction: [dx, dy, dz] }: Ray): Vector {
+  const seconds = fall(y, dy);
+  return [x + SPEED * dx * seconds, 0, z + SPEED * dz * seconds];
+}
+
+/** Points of the arc from the hand to a target on the ground, which may be another one than where it comes down. */
+export function arc(ray: Ray, target: Vector): Vector[] {
+  const { origin, direction } = ray;
+  const seconds = fall(origin[1], direction[1]);
+  const end = landing(ray);
+  return Array.from({ length: ARC_POINTS }, (_, number): Vector => {
+    const share = number / (ARC_POINTS - 1);
+    const time = share * seconds;
+    const at = (axis: 0 | 1 | 2): number =>
+      origin[axis] + SPEED * direction[axis] * time + share * share * (target[axis] - end[axis]);
+    return [at(0), at(1) - (GRAVITY / 2) * time * time, at(2)];
+  });
+}
+
+/** Seconds until something thrown up from a height at a part of the speed is down. */
+function fall(height: number, up: number): number {
+  const rise = SPEED * up;
+  return (rise + Math.sqrt(rise * rise + 2 * GRAVITY * Math.max(height, 0))) / GRAVITY;
+}
+
+export interface Jump {
+  /** Go dark, act, and come back. It takes the place of a jump that has not acted. */
+  start(action: () => void): void;
+  /** Go on by some seconds; returns how dark it is, 0 to 1. */
+  advance(seconds: number): number;
+}
+
+export function createJump(): Jump {
+  // Seconds since the start; it is darkest at FADE.
+  let since = 2 * FADE;
+  let pending: (() => void) | null = null;
+
+  function act(): void {
+    const action = pending;
+    pending = null;
+    action?.();
+  }
+
+  return {
+    start(action) {
+      pending = action;
+      // From as dark as it is.
+      since = Math.min(since, Math.max(2 * FADE - since, 0));
+    },
+    advance(seconds) {
+      const before = since;
+      since = Math.min(since + seconds, 2 * FADE);
+      if (pending && since >= FADE) {
+        // A frame at full darkness, however long frames are.
+        if (before < FADE) since = FADE;
+        act();
+      }
+      return 1 - Math.abs(since - FADE) / FADE;
+    },
+  };
+}

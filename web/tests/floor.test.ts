@@ -1,0 +1,84 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { Vector } from '../src/control/vector';
+import {
+  EYE_APART,
+  floorUnder,
+  headBounds,
+  type Head,
+  headOf,
+  inside,
+  inWorld,
+  localOf,
+  moved,
+  turned,
+  worldOf,
+} from '../src/xr/floor';
+
+const HEAD: Head = { position: [0.4, 1.5, -0.3], yaw: 0.7, pitch: -0.2 };
+const FLOOR = { position: [10, 3, -20], yaw: 1.1 } as const;
+
+function near(a: readonly number[], b: readonly number[], far = 1e-12): void {
+  a.forEach((value, axis) => assert.ok(Math.abs(value - (b[axis] ?? Number.NaN)) < far, `${a} is not ${b}`));
+}
+
+/** Columns of the matrix of a head that has turned by a yaw, looked up, and rolled to the left. */
+function matrixOf(yaw: number, pitch: number, roll: number): number[] {
+  const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
+  const [right, up]: [Vector, Vector] = [[cy, 0, -sy], [sy * sp, cp, cy * sp]];
+  const [c, s] = [Math.cos(roll), Math.sin(roll)];
+  const mixed = (a: Vector, b: Vector, p: number, q: number): number[] => a.map((value, i) => p * value + q * (b[i] ?? 0));
+  const back = [sy * cp, -sp, cy * cp];
+  return [...mixed(right, up, c, s), 0, ...mixed(up, right, c, -s), 0, ...back, 0, 1, 2, 3, 1];
+}
+
+test('points of the headset and of the world are each other’s', () => {
+  near(worldOf({ position: [1, 2, 3], yaw: Math.PI / 2 }, [0, 0, -1]), [0, 2, 3]);
+  near(localOf(FLOOR, worldOf(FLOOR, [1.5, 0.2, -4])), [1.5, 0.2, -4]);
+});
+
+test('the head stands where the page was, and looks the same way', () => {
+  const floor = floorUnder([5, 0, 6], 2.5, HEAD);
+  const { position, yaw, pitch } = inWorld(floor, HEAD);
+  near([...position, yaw, pitch], [5, 1.5, 6, 2.5, -0.2]);
+});
+
+test('turns go around the head', () => {
+  const before = inWorld(FLOOR, HEAD);
+  const after = inWorld(turned(FLOOR, HEAD, 0.5), HEAD);
+  near(after.position, before.position);
+  near([after.yaw - before.yaw], [0.5]);
+});
+
+test('moves put the head above a point, at its height', () => {
+  near(inWorld(moved(FLOOR, HEAD, [-1, 99, 2]), HEAD).position, [-1, 4.5, 2]);
+});
+
+test('both eyes stay within the limits', () => {
+  const limit = { center: [1, 0, 1], metres: 4 } as const;
+  const bounds = headBounds({ open: [limit], shown: [limit] });
+  near(inside([2, 7, 3], bounds), [2, 7, 3]);
+  near(inside([1, 7, 101], bounds), [1, 7, 5 - EYE_APART]);
+  near(inside([1, 7, 101], null), [1, 7, 101]);
+  near(inside([3, 7, 1], headBounds({ open: [], shown: [{ ...limit, metres: 0 }] })), [1, 7, 1]);
+  // While one region takes over from another, within both.
+  const two = { open: [], shown: [limit, { center: [6, 0, 1], metres: 2 }] } as const;
+  for (const point of [[0, 7, 0], [9, 7, 9], [4.5, 7, 1]] as const) {
+    const [x, y, z] = inside(point, two);
+    assert.ok(Math.hypot(x - 1, z - 1) < 4 + 0.05 && Math.hypot(x - 6, z - 1) < 2 + 0.05);
+    assert.equal(y, 7);
+  }
+  near(inside([4.5, 7, 1], two), [4.5, 7, 1]);
+});
+
+test('a head has yaw and pitch, however it is rolled', () => {
+  for (const [yaw, pitch, roll] of [[0, 0, 0], [2, 1, 0.4], [-3, -1.2, -1], [0.3, 1.5, 0.01]] as const) {
+    const { position, ...angles } = headOf(matrixOf(yaw, pitch, roll));
+    assert.deepEqual(position, [1, 2, 3]);
+    near([angles.yaw, angles.pitch], [yaw, pitch]);
+  }
+});
+
+test('a head that looks straight up or down has the yaw that it came with', () => {
+  for (const pitch of [Math.PI / 2, -Math.PI / 2, 1.56, -1.56]) near([headOf(matrixOf(0.8, pitch, 0)).yaw], [0.8], 1e-9);
+});

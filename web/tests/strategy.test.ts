@@ -1,0 +1,68 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { filesOfRing } from '../src/bundle/contents';
+import { parseManifest } from '../src/bundle/parse';
+import { NOTHING_NEAR } from '../src/show/growth';
+import { createStage } from '../src/show/stage';
+import { strategyOf } from '../src/show/strategy';
+import { altered, asManifest, FACES, FILE, manifest } from './support/manifest';
+
+const GLB = 'files/0123456789abcdef.glb';
+const PORTION = { objects: 2, triangles: 7, geometry: GLB, parts: [] };
+const PLACE = ['regions', 0, 'by_footprint'] as const;
+const BY_FOOTPRINT = { portions: [PORTION, { ...PORTION, geometry: null }], map: { color: FACES, range: FACES } };
+
+test('rings are the bundle as it is', () => {
+  const read = parseManifest(asManifest(manifest()));
+  for (const name of [null, 'clovr', 'clovrd']) assert.equal(strategyOf(name).arrange(read), read);
+});
+
+test('by footprint, portions come first and the whole map of the last ring at the end', () => {
+  const read = parseManifest(asManifest(altered(manifest({ [GLB]: 5 }), PLACE, BY_FOOTPRINT)));
+  for (const name of ['vis0', 'vis1']) {
+    const rings = strategyOf(name).arrange(read).regions[0]?.rings ?? [];
+    assert.deepEqual(rings.map(filesOfRing), [[], [GLB], [], [...FACES, ...FACES]]);
+    assert.deepEqual(rings.map(({ radius }) => radius), [0, 22, 22, 22]);
+    assert.deepEqual(rings.map(({ map }) => map !== null), [false, false, false, true]);
+  }
+});
+
+test('a bundle without objects by footprint, and other names, are told', () => {
+  const read = parseManifest(asManifest(manifest()));
+  assert.throws(() => strategyOf('vis1').arrange(read), /regions\[0\].by_footprint: .* by_footprint=True/);
+  for (const name of ['vis2', '', 'toString', '__proto__']) {
+    assert.throws(() => strategyOf(name), /strategy: expected clovr, clovrd, vis0, vis1, got/);
+  }
+});
+
+test('damage of what is there by footprint is named', () => {
+  const damaged: [unknown, RegExp][] = [
+    [{ ...BY_FOOTPRINT, portions: 3 }, /by_footprint.portions: expected a list/],
+    [{ ...BY_FOOTPRINT, portions: [{ ...PORTION, objects: -1 }] }, /portions\[0\].objects/],
+    [{ ...BY_FOOTPRINT, map: { color: FILE, range: FACES } }, /by_footprint.map.color: expected a list of 6/],
+    [{ ...BY_FOOTPRINT, map: { color: FACES } }, /by_footprint.map.range/],
+    [BY_FOOTPRINT, /files: expected files\/0123456789abcdef.glb, which is used/],
+  ];
+  for (const [value, told] of damaged) {
+    const sizes = value === BY_FOOTPRINT ? {} : { [GLB]: 5 };
+    assert.throws(() => parseManifest(asManifest(altered(manifest(sizes), PLACE, value))), told);
+  }
+});
+
+test('vis0 shows nothing before all is there, vis1 every portion at once by the last morph', () => {
+  const settings = { radii: [22, 22, 22], speed: 0.7, reach: 1, nearShare: 0.7, fade: 0.5 };
+  const seen = ['vis0', 'vis1'].map((name) => {
+    const stage = createStage(settings, strategyOf(name));
+    stage.enter(NOTHING_NEAR);
+    return [0, 1, 2, 3].map((ring) => {
+      stage.arrive(ring);
+      const shown = stage.advance(1 / 72);
+      assert.equal(shown?.fading ?? null, null);
+      return shown && [shown.ring, shown.grown.radius, shown.grown.strength];
+    });
+  });
+  assert.deepEqual(seen, [
+    [null, null, null, [3, 22, 1]],
+    [[0, 0, 0], [1, 22, 1], [2, 22, 1], [3, 22, 1]],
+  ]);
+});

@@ -1,0 +1,59 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { arc, ARC_POINTS, createJump, landing } from '../src/xr/teleport';
+
+const LEVEL = { origin: [1, 1.2, 2], direction: [0, 0, -1] } as const;
+
+test('arcs come down on the floor, as thrown things do', () => {
+  const [x, y, z] = landing(LEVEL);
+  // A fall of 1.2 m takes √(2 h / g).
+  assert.ok(Math.abs(z - (2 - 7.5 * Math.sqrt(2.4 / 9.81))) < 1e-12);
+  assert.deepEqual([x, y], [1, 0]);
+  const diagonal = { ...LEVEL, origin: [0, 0, 0], direction: [0, Math.SQRT1_2, -Math.SQRT1_2] } as const;
+  assert.ok(Math.abs(landing(diagonal)[2] + 7.5 ** 2 / 9.81) < 1e-12);
+  // Straight up comes back; straight down is below the hand; a hand below the floor stays there.
+  const up = landing({ ...LEVEL, direction: [0, 1, 0] });
+  assert.ok(Math.hypot(up[0] - 1, up[2] - 2) < 1e-12);
+  const low = landing({ origin: [1, -0.5, 2], direction: [0, -1, 0] });
+  assert.ok(Math.hypot(low[0] - 1, low[2] - 2) < 1e-12);
+});
+
+test('the arc that is drawn leads from the hand to the target', () => {
+  for (const target of [landing(LEVEL), [3, 0, 1]] as const) {
+    const points = arc(LEVEL, target);
+    assert.equal(points.length, ARC_POINTS);
+    assert.deepEqual(points[0], LEVEL.origin);
+    points.at(-1)?.forEach((value, axis) => assert.ok(Math.abs(value - (target[axis] ?? 0)) < 1e-12));
+  }
+});
+
+test('a jump happens once, when it is dark', () => {
+  for (const seconds of [0.001, 0.011, 0.05, 0.3]) {
+    const jump = createJump();
+    let count = 0;
+    assert.equal(jump.advance(seconds), 0);
+    jump.start(() => count++);
+    let before = count;
+    const darkness: number[] = [];
+    for (let frame = 0; frame < 1 / seconds + 3; frame++) {
+      const dark = jump.advance(seconds);
+      if (count > before) assert.equal(dark, 1);
+      before = count;
+      darkness.push(dark);
+    }
+    assert.equal(count, 1);
+    assert.equal(darkness.at(-1), 0);
+    assert.ok(darkness.every((dark) => dark >= 0 && dark <= 1));
+  }
+});
+
+test('the second of two jumps takes the place of the first, and the picture does not flash', () => {
+  const jump = createJump();
+  const done: string[] = [];
+  jump.start(() => done.push('first'));
+  const before = jump.advance(0.06);
+  jump.start(() => done.push('second'));
+  assert.equal(jump.advance(0), before);
+  for (let frame = 0; frame < 60; frame++) jump.advance(1 / 60);
+  assert.deepEqual(done, ['second']);
+});
