@@ -42,10 +42,10 @@ def test_dynamic_objects_are_counted(tmp_path: Path, capsys: pytest.CaptureFixtu
 
 def test_large_triangles_are_split(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     def triangles(*more: str) -> int:
-        given = ("-i", city, "-o", tmp_path / "bundle", "--radii", "10,22", *FAST, *more, "--json")
-        status, printed, err = command(capsys, "export", *given)
+        given: tuple[str | Path, ...] = ("-i", city, "-o", tmp_path / "bundle", "--radii", "10,22", *FAST, *more)
+        status, printed, err = command(capsys, "export", *given, "--json")
         assert status == 0, err
-        return sum(row["triangles"] for row in document(printed, "export")["regions"][0]["rings"])
+        return sum(int(row["triangles"]) for row in document(printed, "export")["regions"][0]["rings"])
 
     assert triangles("--split", "20") > 2 * triangles()
 

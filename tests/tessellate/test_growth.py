@@ -7,12 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 import trimesh
-from numpy.typing import NDArray
 
 import nearfar as nf
-from tests.tessellate.test_tessellate import CENTER, PIXEL, VIEW, ground, open_edges, users
+from tests.support.tessellate_cases import CENTER, PIXEL, VIEW, Array, ground, open_edges, users
 
-Array = NDArray[np.float64]
 NEAR = 0.7
 
 

@@ -3,8 +3,8 @@
 
 use glam::{DVec2, DVec3};
 
+use super::cut::Cut;
 use super::grown_bound::{LONGEST, LONGEST_FAR, MOST_RATIO, Measure, Region, SPREAD, SPREAD_FAR, allowed};
-use super::rule::Cut;
 use super::segment::{crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::blend::BlendRule;
+use super::cut::Cut;
 use super::grown::GrownRule;
 use super::settings::{Precision, Settings, Stages};
 use crate::base::Result;
@@ -12,15 +13,6 @@ use crate::base::Result;
 pub struct Rule {
     settings: Settings,
     edges: Edges,
-}
-
-/// Where an edge is split.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Cut {
-    /// Share of the way along the edge.
-    pub share: f64,
-    /// Length of the edge in a measure of its own: of a triangle's edges, the longest is split first.
-    pub size: f64,
 }
 
 #[derive(Clone, Debug)]

@@ -1,3 +1,5 @@
+mod grown;
+
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -13,12 +15,12 @@ fn settings(reach: f64, tolerance: f64) -> Settings {
     Settings { center, r1: 30.0, r2: 50.0, drawn: 50.0, reach, tolerance, stages: Stages::Blend }
 }
 
-pub(super) fn pieces(corners: [DVec3; 3], rule: &Rule) -> Vec<Piece> {
+fn pieces(corners: [DVec3; 3], rule: &Rule) -> Vec<Piece> {
     Piece::whole(corners).split(rule, Precision::Double, |_| false, |_| Ok(())).unwrap()
 }
 
 /// Random numbers from 0 to 1, a new one at each call.
-pub(super) fn numbers(seed: u64) -> impl FnMut() -> f64 {
+fn numbers(seed: u64) -> impl FnMut() -> f64 {
     let mut count = 0;
     move || {
         count += 1;
@@ -27,7 +29,7 @@ pub(super) fn numbers(seed: u64) -> impl FnMut() -> f64 {
 }
 
 /// Angle between the interpolated morph of a piece's corners and the morph of the point itself.
-pub(super) fn miss(morph: &Morph, corners: &[DVec3; 3], [s, t, u]: [f64; 3]) -> f64 {
+fn miss(morph: &Morph, corners: &[DVec3; 3], [s, t, u]: [f64; 3]) -> f64 {
     let [a, b, c] = *corners;
     let exact = morph.apply(a * s + b * t + c * u) - morph.user;
     let [a, b, c] = corners.map(|corner| morph.apply(corner) - morph.user);
@@ -64,16 +66,16 @@ fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, users: usize,
     greatest
 }
 
-pub(super) fn ground(extent: f64) -> [[DVec3; 3]; 2] {
+fn ground(extent: f64) -> [[DVec3; 3]; 2] {
     let at = |x: f64, z: f64| DVec3::new(x * extent, 0.0, z * extent);
     [[at(-1.0, -1.0), at(-1.0, 1.0), at(1.0, 1.0)], [at(-1.0, -1.0), at(1.0, 1.0), at(1.0, -1.0)]]
 }
 
-pub(super) fn area([a, b, c]: &[DVec3; 3]) -> DVec3 {
+fn area([a, b, c]: &[DVec3; 3]) -> DVec3 {
     (*b - *a).cross(*c - *a) / 2.0
 }
 
-pub(super) fn point() -> impl Strategy<Value = DVec3> {
+fn point() -> impl Strategy<Value = DVec3> {
     (-80.0..80.0f64, -5.0..60.0f64, -80.0..80.0f64).prop_map(|(x, y, z)| DVec3::new(x, y, z))
 }
 

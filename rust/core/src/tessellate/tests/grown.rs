@@ -1,11 +1,12 @@
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
-use super::rule::Rule;
-use super::settings::{Precision, Settings, Stages};
-use super::split::Piece;
-use super::tests::{area, ground, miss, numbers, pieces, point};
+use super::{area, ground, miss, numbers, pieces, point};
 use crate::morph::{Kind, Morph};
+use crate::tessellate::grown_bound::MOST_RATIO;
+use crate::tessellate::rule::Rule;
+use crate::tessellate::settings::{Precision, Settings, Stages};
+use crate::tessellate::split::Piece;
 
 const NEAR: f64 = 0.7;
 
@@ -21,7 +22,7 @@ fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize
     let Stages::Cylinder { least, is_full } = settings.stages else { return f64::NAN };
     let mut next = numbers(seed);
     let mut greatest: f64 = 0.0;
-    let exempt = if is_full { 0.0 } else { 1.15 * settings.reach / super::grown_bound::MOST_RATIO };
+    let exempt = if is_full { 0.0 } else { 1.15 * settings.reach / MOST_RATIO };
     for _ in 0..stages {
         let aim = DVec3::new(next() - 0.5, (next() - 0.5) * next(), next() - 0.5).normalize_or_zero();
         let user = settings.center + aim * settings.reach * next().powf(0.1);
