@@ -347,7 +347,10 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       atlas.dispose();
       for (const worker of workers) worker.dispose();
       blank.dispose();
+      loss.dispose();
       renderer.dispose();
+      // Browsers keep few contexts at a time; this one is not left to the collector.
+      renderer.forceContextLoss();
     },
   };
 }

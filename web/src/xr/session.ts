@@ -129,7 +129,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     let floor = of.floor && !of.isMoved ? of.floor : floorUnder(ground, yaw, head);
     of.isMoved = false;
     const { drive, turn } = of.steering.read(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
-    floor = turned(floor, head, turn);
+    if (turn !== 0) floor = turned(floor, head, turn);
     of.walk.follow(inWorld(floor, head));
     of.walk.update(seconds, drive);
     floor = moved(floor, head, of.goal ?? of.walk.pose.position);
