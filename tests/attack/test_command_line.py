@@ -65,8 +65,9 @@ def options() -> list[tuple[str, str]]:
 
 
 def without(arguments: tuple[str, ...], names: list[str]) -> list[str]:
-    pairs = zip(arguments[::2], arguments[1::2], strict=True)
-    return [part for pair in pairs if pair[0] not in names for part in pair]
+    """Arguments without some options and their values; flags have none."""
+    dropped = {place + step for place, part in enumerate(arguments) if part in names for step in (0, 1)}
+    return [part for place, part in enumerate(arguments) if place not in dropped]
 
 
 def flaw(status: int, printed: str, option: str) -> str | None:

@@ -29,7 +29,8 @@ def gallery(places: int) -> nf.Scene:
     vertices, faces = normal_cases.ball(3)
     shared = builder.mesh(vertices, faces, normals=vertices, material=builder.material(base_color=(0.7, 0.3, 0.1, 1)))
     gray = builder.material(base_color=(0.5, 0.5, 0.55, 1))
-    corners, uvs = [[0, 0, 0], [2, 0, 0], [2, 1.5, 0], [0, 1.5, 0]], [[0, 0], [1, 0], [1, 1], [0, 1]]
+    uvs = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    corners = np.column_stack([uvs * (2, 1.5), np.zeros(4)])
     for place in range(places):
         x, _, _ = center(place)
         image = np.full((32, 32, 4), 255, np.uint8)
@@ -48,10 +49,8 @@ def gallery(places: int) -> nf.Scene:
 
 def export(places: int, folder: Path) -> nf.stream.Bundle:
     """The hall with a region at each place."""
-    settings = {"face_size": 64, "samples": 1}
-    return nf.stream.export(
-        gallery(places), folder, center=[center(place) for place in range(places)], radii=RADII, **settings
-    )
+    centers = [center(place) for place in range(places)]
+    return nf.stream.export(gallery(places), folder, center=centers, radii=RADII, face_size=64, samples=1)
 
 
 def _at(x: float, y: float, z: float) -> np.ndarray:

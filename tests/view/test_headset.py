@@ -12,7 +12,7 @@ import pytest
 import nearfar as nf
 from nearfar.view._server import Server
 from tests.support import need
-from tests.support.browser import started
+from tests.support.browser import opened, started, wait_for_ring
 from tests.support.headset import (
     HEADSETS,
     Captured,
@@ -150,3 +150,16 @@ def test_no_layer_shows_the_map_where_something_moves(chromium: Any, server: str
     with worn(chromium, address(server, "rings=1&strategy=clovrd"), "quest3", SIZE, 1, layers=True) as page:
         capture(page, "shown.ring === 1")
         assert page.evaluate("() => window.emulated.layers.cube") is None
+
+
+def test_a_browser_without_a_headset_says_so(chromium: Any, server: str) -> None:
+    with opened(chromium, 900, 700) as page:
+        page.goto(server)
+        assert wait_for_ring(page, 0) == ""
+        page.get_by_text("No headset is connected.").wait_for()
+        assert not page.locator(".tool-main").is_visible()
+        # Its key does nothing, and the help does not speak of it.
+        page.keyboard.press("v")
+        page.keyboard.press("?")
+        assert not page.get_by_text("enter the headset").is_visible()
+        assert page.printed == []

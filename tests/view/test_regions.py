@@ -32,7 +32,7 @@ MOST_LESS = 0.003
 """By which continuity at a crossing may be less than that of a walk in the full scene, in the mean."""
 PLACES = 50
 MOST_GROWTH = 0.15
-"""By which part the page's heap may grow from region 10 to region 44: compiled functions take a little more and more."""
+"""By which part the heap may grow from region 10 to region 44: compiled functions take a little more and more."""
 
 
 @pytest.fixture(scope="module")
@@ -214,3 +214,37 @@ def jump(stepped: SteppedPage, target: dict[str, Any]) -> None:
         if told["goal"] is None and told["leaving"] is None:
             return
     raise AssertionError(f"the page does not go there: {told}")
+
+
+ROOMY = (600, 500)
+"""Size of a page whose tools leave most of the picture free."""
+PLACE = "window.nearfar.pose.position"
+
+
+def floor_at(x: int, y: int) -> NDArray[np.float64]:
+    """Where the middle of a pixel shows the hall's floor, from the first centre, looking down by 0.4 along −z."""
+    width, height = ROOMY
+    tangent = np.tan(np.radians(ANGLE) / 2)
+    right = (2 * (x + 0.5) / width - 1) * tangent * width / height
+    up = (1 - 2 * (y + 0.5) / height) * tangent
+    ray = np.array([right, np.sin(-0.4) + up * np.cos(0.4), -np.cos(0.4) + up * np.sin(-0.4)])
+    return np.asarray(np.array([0, gallery.EYE, 0]) + ray * gallery.EYE / -ray[1])
+
+
+def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None:
+    with Server(hall) as server, opened(chromium, *ROOMY) as shown:
+        # All rings at once, so that the limit is that of the last one.
+        shown.goto(f"{server.url}?aa=0&strategy=clovrd#p=0,{gallery.EYE},0&yaw=0&pitch=-0.4")
+        shown.wait_for_function("() => window.nearfar?.viewer.facts.shown?.ring === 2", timeout=60e3)
+        x, y = 300, 360
+        # The point that a pixel shows is that of the scene; between two pictures there is none.
+        found = shown.evaluate(f"() => window.nearfar.viewer.pointAt({x / ROOMY[0]}, {y / ROOMY[1]})")
+        assert np.allclose(found, floor_at(x, y), atol=2e-3)
+        assert shown.evaluate("() => window.nearfar.viewer.pointAt(0.142, 0.02)") is None
+        shown.mouse.dblclick(x, y)
+        shown.wait_for_function(f"() => Math.abs({PLACE}[2] - {found[2]}) < 0.02", timeout=60e3)
+        shown.keyboard.press("n")
+        shown.wait_for_function(f"() => Math.hypot({PLACE}[0] - {gallery.STEP}, {PLACE}[2]) < 0.02", timeout=60e3)
+        shown.wait_for_function("() => window.nearfar.viewer.facts.region === 1", timeout=60e3)
+        assert shown.evaluate("() => document.querySelector('.note').textContent") == f"Place 2 of {PLACES}"
+        assert shown.printed == []

@@ -4,6 +4,7 @@ import { BundleError } from '../bundle/error';
 import type { Manifest, Point } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
+import type { Vector } from '../control/vector';
 import { createAtlas, type Holding } from './atlas';
 import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
@@ -11,6 +12,7 @@ import { createJourney, type Journey, type Leg } from './journey';
 import type { Fetch, Loading } from './loader';
 import { watchLoss } from './loss';
 import { createShared } from './materials';
+import { pick } from './pick';
 import { createPainter, type Picture } from './picture';
 import { cubeOf, trianglesShown } from './region';
 import type { Manner, Shown } from './stage';
@@ -54,6 +56,8 @@ export interface Viewer {
   open(number: number): void;
   /** Go to another place by a cross-fade, as soon as its region can be shown. */
   go(target: Pose): void;
+  /** The point of near geometry that the picture shows, x and y from its upper left from 0 to 1; null for none. */
+  pointAt(x: number, y: number): Vector | null;
   /** Load again what failed. */
   retry(): void;
   /** Draw a frame for a user, some seconds after the one before. In a headset the pose is what it tells. */
@@ -111,7 +115,6 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
   let blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
-  shared.keeps_rho.value = manifest.morph.kind === 'cylinder';
   const uploads = createUploads();
   const workers: Worked[] = [startDecoder(settings.worker), startDecoder(settings.worker)];
   const feet = { x: 0, y: 0, z: 0 };
@@ -292,6 +295,18 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     faceSize,
     open: begin,
     go: (target) => journey?.go(target),
+    pointAt(x, y) {
+      const open = leg && atlas.find(leg.region);
+      if (!open?.shown || !user) return null;
+      const { region, shown } = open;
+      setPose(user);
+      const { radius, strength } = shown.grown;
+      const found = pick(renderer, camera, [x, y], () => {
+        painter.draw({ region, ring: shown.ring, radius, strength }, camera, 1, false);
+      });
+      const { center } = region.entry;
+      return found && [found.x + center[0], found.y + center[1], found.z + center[2]];
+    },
     retry: atlas.retry,
     frame(pose, seconds) {
       user = pose;
