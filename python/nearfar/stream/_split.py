@@ -14,6 +14,9 @@ from nearfar.stream._assign import Rings
 from nearfar.stream._detail import SHARPEST, Detail
 from nearfar.stream._manifest import NEAR_SHARE
 
+MOST_REACH = 0.348
+"""Distance of users from a centre, as a share of the first radius, up to which the error has a bound."""
+
 
 @dataclass(frozen=True)
 class Splitting:
@@ -35,6 +38,11 @@ class Splitting:
 
     def check(self, center: tuple[float, float, float], radii: tuple[float, ...]) -> None:
         """ValueError if the rings about a centre cannot be split within the tolerance."""
+        if self.reach > MOST_REACH * radii[0]:
+            raise ValueError(
+                f"radii: expected a first radius of at least {self.reach / MOST_REACH:.3f} m with split_px, for users up "
+                f"to {self.reach:g} m from a centre, got {radii[0]:g} m"
+            )
         nothing: Any = {"vertices": np.zeros((0, 3)), "faces": np.zeros((0, 3), np.uint32)}
         try:
             for ring in range(1, len(radii) + 1):
