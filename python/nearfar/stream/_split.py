@@ -40,8 +40,8 @@ class Splitting:
         """ValueError if the rings about a centre cannot be split within the tolerance."""
         if self.reach > MOST_REACH * radii[0]:
             raise ValueError(
-                f"radii: expected a first radius of at least {self.reach / MOST_REACH:.3f} m with split_px, for users up "
-                f"to {self.reach:g} m from a centre, got {radii[0]:g} m"
+                f"radii: expected a first radius of at least {self.reach / MOST_REACH:.3f} m with split_px, for users "
+                f"up to {self.reach:g} m from a centre, got {radii[0]:g} m"
             )
         nothing: Any = {"vertices": np.zeros((0, 3)), "faces": np.zeros((0, 3), np.uint32)}
         try:
