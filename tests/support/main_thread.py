@@ -50,13 +50,14 @@ START = """(pose) => {
   let before = { posts: counts.posts, messages: counts.messages };
   let bytes = counts.bytes;
   viewer.renderer.setAnimationLoop(() => {
-    const first = viewer.facts.arrived < 0;
+    const isFirst = viewer.facts.arrived < 0;
+    const programs = viewer.renderer.info.programs.length;
     bytes = counts.bytes;
     viewer.frame(pose, 1 / 72);
     const { upload, arrived } = viewer.facts;
     const waited = counts.posts - before.posts + counts.messages - before.messages;
     before = { posts: counts.posts, messages: counts.messages };
-    counts.frames.push({ upload, waited, bytes: counts.bytes - bytes, arrived, first });
+    counts.frames.push({ upload, waited, bytes: counts.bytes - bytes, arrived, isFirst, compiled: viewer.renderer.info.programs.length - programs });
   });
 }"""
 
