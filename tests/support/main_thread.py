@@ -57,7 +57,8 @@ START = """(pose) => {
     const { upload, arrived } = viewer.facts;
     const waited = counts.posts - before.posts + counts.messages - before.messages;
     before = { posts: counts.posts, messages: counts.messages };
-    counts.frames.push({ upload, waited, bytes: counts.bytes - bytes, arrived, isFirst, compiled: viewer.renderer.info.programs.length - programs });
+    const compiled = viewer.renderer.info.programs.length - programs;
+    counts.frames.push({ upload, waited, bytes: counts.bytes - bytes, arrived, isFirst, compiled });
   });
 }"""
 
