@@ -18,6 +18,26 @@ async function page(folder) {
   });
   await build({ entryPoints: ['src/page.css'], outdir: folder, bundle: true, minify: true, logLevel: 'warning' });
   await copyFile('src/index.html', `${folder}/index.html`);
+  await widget(`${folder}/widget`);
+}
+
+/** The view for notebooks: one script, with that of the workers in it. */
+async function widget(folder) {
+  const options = { ...common, minify: true, keepNames: true };
+  const workers = await build({ ...options, entryPoints: ['src/decode/worker.ts'], write: false });
+  const text = {
+    name: 'worker-text',
+    setup({ onResolve, onLoad }) {
+      onResolve({ filter: /^worker-text$/ }, ({ path }) => ({ path, namespace: 'text' }));
+      onLoad({ filter: /.*/, namespace: 'text' }, () => ({ contents: workers.outputFiles[0].text, loader: 'text' }));
+    },
+  };
+  await build({
+    ...options,
+    entryPoints: ['src/widget/widget.ts', 'src/widget/widget.css'],
+    outdir: folder,
+    plugins: [text],
+  });
 }
 
 async function tests(folder) {

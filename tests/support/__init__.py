@@ -78,6 +78,7 @@ def _release() -> str:
 
 PARTS: dict[str, Callable[[], str]] = {
     "aiohttp": _module("aiohttp"),
+    "anywidget": _module("anywidget"),
     "browser": no_browser,
     "data": _data_folder,
     "DracoPy": _module("DracoPy"),
@@ -92,6 +93,7 @@ PARTS: dict[str, Callable[[], str]] = {
         "" if shutil.which("glslangValidator") else "glslang is not installed; see scripts/system-packages.sh"
     ),
     "ipywidgets": _module("ipywidgets"),
+    "jupyterlab": _module("jupyterlab"),
     "linux": lambda: "" if sys.platform == "linux" else "only Linux tells and limits a process's memory",
     "matplotlib": _module("matplotlib"),
     "miniball": _module("miniball"),

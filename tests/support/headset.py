@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._scene.srgb import to_srgb
 from tests.support.browser import opened, wait_for_ring
 from tests.support.web_cases import WEB, run
 
@@ -49,11 +50,20 @@ def tangents() -> dict[str, dict[str, float]]:
 
 
 @contextmanager
-def worn(program: Any, url: str, kind: str, size: tuple[int, int], ring: int) -> Iterator[Any]:
-    """The page in a headset, all rings up to one loaded; `size` is that of an eye's picture."""
+def worn(
+    program: Any, url: str, kind: str, size: tuple[int, int], ring: int, *, layers: bool = False, held: str = ""
+) -> Iterator[Any]:
+    """The page in a headset, all rings up to one loaded; `size` is that of an eye's picture.
+
+    Files whose names are `held` are held back until `page.let_go()`.
+    """
     with opened(program, 2 * size[0], size[1]) as page:
-        wanted = {"headset": kind, "eyes": tangents(), "ipd": HEADSETS[kind]}
+        wanted = {"headset": kind, "eyes": tangents(), "ipd": HEADSETS[kind], "layers": layers}
         page.add_init_script(f"window.wanted = {json.dumps(wanted)};\n{script()}")
+        routes: list[Any] = []
+        if held:
+            page.route(f"**/{held}", lambda route: routes.append(route))
+        page.let_go = lambda: [route.continue_() for route in routes]
         page.goto(url)
         assert wait_for_ring(page, ring) == ""
         page.get_by_role("button", name="Enter VR").click()
@@ -77,10 +87,9 @@ def look(page: Any, position: Vector, turn: Quaternion) -> None:
 
 
 def empty_hands(page: Any) -> None:
-    """Put the controllers away, so that they hide nothing."""
-    page.evaluate(
-        "() => { for (const one of Object.values(window.emulated.device.controllers)) one.connected = false; }"
-    )
+    """Put the controllers far below, so that they hide nothing."""
+    for hand in ("left", "right"):
+        point(page, hand, (0.0, -90.0, 0.0), (0.0, 0.0, 0.0, 1.0))
     frames(page, 2)
 
 
@@ -158,3 +167,88 @@ def camera(floor: Floor, head: Vector, turn: Quaternion, side: str, ipd: float, 
 def folder_of(bundle: nf.stream.Bundle) -> Path:
     """The folder of a bundle."""
     return Path(bundle._reader.place)
+
+
+def floor_of(page: Any, center: Vector) -> Floor:
+    """Where the page has put the floor of its user, if it shows the region of a centre."""
+    x, y, z, yaw = page.evaluate(
+        "() => { const { rig } = window.nearfar.viewer; return [...rig.position.toArray(), rig.rotation.y]; }"
+    )
+    return Floor(np.array([x, y, z]) + center, yaw)
+
+
+def push(page: Any, hand: str, right: float, down: float, *, pressed: bool = False) -> None:
+    """Push a controller's stick."""
+    page.evaluate(
+        "([hand, x, y, pressed]) => { const one = window.emulated.device.controllers[hand];"
+        " one.updateAxes('thumbstick', x, y); one.updateButtonValue('thumbstick', pressed ? 1 : 0); }",
+        [hand, right, down, pressed],
+    )
+
+
+def point(page: Any, hand: str, position: Vector, turn: Quaternion, kind: str = "controllers") -> None:
+    """Put a controller, or one of the `hands`, somewhere in the headset's space."""
+    page.evaluate(
+        "([kind, hand, [x, y, z], [a, b, c, d]]) => { const one = window.emulated.device[kind][hand];"
+        " one.position.set(x, y, z); one.quaternion.set(a, b, c, d); }",
+        [kind, hand, position, turn],
+    )
+
+
+def squeeze(page: Any, hand: str, value: float, kind: str = "controllers") -> None:
+    """Pull a controller's trigger, or pinch with one of the `hands`; 0 lets go."""
+    page.evaluate(
+        "([kind, hand, value]) => { const one = window.emulated.device[kind][hand];"
+        " if (kind === 'hands') one.updatePinchValue(value); else one.updateButtonValue('trigger', value); }",
+        [kind, hand, value],
+    )
+
+
+SPEED, GRAVITY = 7.5, 9.81
+"""Metres a second and per second², with which arcs are thrown."""
+
+
+def thrown(floor: Floor, position: Vector, turn: Quaternion) -> NDArray[np.float64]:
+    """The point of the floor, in the world, on which something falls that a hand throws ahead."""
+    ahead = rotated(turn, (0, 0, -1)) * SPEED
+    seconds = (ahead[1] + np.sqrt(ahead[1] ** 2 + 2 * GRAVITY * position[1])) / GRAVITY
+    local = np.array(position) + ahead * seconds
+    return floor.position + rotated(about((0, 1, 0), floor.yaw), (local[0], 0.0, local[2]))
+
+
+def eyes(floor: Floor, head: tuple[Vector, Quaternion], ipd: float, size: tuple[int, int]) -> dict[str, nf.Camera]:
+    """nearfar's cameras of both eyes."""
+    return {side: camera(floor, *head, side, ipd, size) for side in ("left", "right")}
+
+
+def of_one_face(faces: Any) -> Any:
+    """Pixels whose eight neighbours show the same face."""
+    same = np.ones(faces.shape, bool)
+    for rows in (-1, 0, 1):
+        for columns in (-1, 0, 1):
+            same &= np.roll(faces, (rows, columns), (0, 1)) == faces
+    same[[0, -1]] = same[:, [0, -1]] = False
+    return same
+
+
+def expected(
+    bundle: nf.stream.Bundle, picture: dict[str, Any], seen: nf.Camera
+) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """nearfar's picture in codes, and the pixels that are compared."""
+    frame = bundle.at(**picture).render(seen, channels=("color", "face_id"))
+    codes = to_srgb(np.clip(frame.require("color"), 0, 1)) * 255
+    return np.asarray(codes, np.float64), of_one_face(frame.require("face_id"))
+
+
+def share_alike(found: NDArray[np.uint8], codes: NDArray[np.float64], inner: NDArray[np.bool_]) -> float:
+    """The share of pixels that are within 2 of 255."""
+    off = np.abs(np.rint(codes) - found).max(axis=-1)
+    return float((off[inner] <= 2).mean())
+
+
+def alike(bundle: nf.stream.Bundle, picture: dict[str, Any], found: Captured, cameras: dict[str, nf.Camera]) -> float:
+    """The lesser share of both eyes' pixels that are nearfar's."""
+    return min(
+        share_alike(pixels, *expected(bundle, picture, cameras[side]))
+        for side, pixels in (("left", found.left), ("right", found.right))
+    )

@@ -14,8 +14,10 @@ from tests.support.valid_objects import EYE, MATRIX, SIZE, ZONES, Valid
 NEEDS = {
     "nearfar.LoadCurve.plot": "matplotlib",
     "nearfar.ReducedScene.explore": "ipywidgets",
+    "nearfar.ReducedScene.show": "anywidget",
     "nearfar.lod.LodModel.plot": "matplotlib",
     "nearfar.lod.simplify": "fast_simplification",
+    "nearfar.stream.Bundle.show": "anywidget",
 }
 """Parts of `tests.support.PARTS` that callables need."""
 
@@ -154,6 +156,7 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.ReducedScene.begin": begin,
         "nearfar.ReducedScene.displayed": {"points": valid.vertices, "user": EYE},
         "nearfar.ReducedScene.explore": {},
+        "nearfar.ReducedScene.show": {"camera": camera},
         "nearfar.ReducedScene.load": {"path": valid.file("ReducedScene")},
         "nearfar.ReducedScene.recentered": {"center": EYE},
         "nearfar.ReducedScene.render": {"camera": camera, "backend": "cpu"},
@@ -331,6 +334,7 @@ def _streams(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stream.Bundle.neighbours": {"region": 0},
         "nearfar.stream.Bundle.region": {"region": 0},
         "nearfar.stream.Bundle.read": {"name": next(iter(valid.bundle.files))},
+        "nearfar.stream.Bundle.show": {"camera": valid.camera},
         "nearfar.stream.Bundle.summary": {},
         "nearfar.stream.Bundle.verify": {},
         "nearfar.stream.RingMaps": _fields(valid.ring_maps),

@@ -6,11 +6,14 @@ from pathlib import Path
 
 import pytest
 
+import nearfar.view
 from nearfar.view._page import page_files
 from tests.support import need
 from tests.support.web_cases import run
 
 pytestmark = pytest.mark.slow
+
+STORED = Path(nearfar.view.__file__).parent / "dist"
 
 MOST_BYTES = 350_000
 """Script and style, compressed."""
@@ -24,11 +27,16 @@ def test_types_hold() -> None:
 def test_the_package_holds_what_the_sources_make(tmp_path: Path) -> None:
     need("web")
     run("node", "build.mjs", str(tmp_path / "dist"))
-    made = {path.name: path.read_bytes() for path in (tmp_path / "dist").iterdir()}
-    assert made == page_files(), "run `make page`"
+    made, stored = (
+        {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*.*")}
+        for folder in (tmp_path / "dist", STORED)
+    )
+    assert made == stored, "run `make page`"
+    assert set(page_files()) == {name for name in stored if "/" not in name}
 
 
 def test_the_page_is_small() -> None:
     import gzip
 
     assert sum(len(gzip.compress(content)) for content in page_files().values()) <= MOST_BYTES
+    assert sum(len(gzip.compress(path.read_bytes())) for path in (STORED / "widget").iterdir()) <= MOST_BYTES

@@ -3,29 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.srgb import to_srgb
 from nearfar.view._server import Server
 from tests.support import need
-from tests.support.browser import started
+from tests.support.browser import opened, started, wait_for_ring
 from tests.support.headset import (
     HEADSETS,
     Captured,
     Quaternion,
     Vector,
     about,
-    camera,
     capture,
     empty_hands,
+    expected,
+    eyes,
     floor_under,
     folder_of,
     look,
+    share_alike,
     times,
     worn,
 )
@@ -72,33 +73,8 @@ def address(server: str, query: str) -> str:
     return f"{server}?aa=0&{query}#p={place}&yaw={YAW}&pitch=-0.2"
 
 
-def of_one_face(faces: Any) -> Any:
-    """Pixels whose eight neighbours show the same face."""
-    same = np.ones(faces.shape, bool)
-    for rows in (-1, 0, 1):
-        for columns in (-1, 0, 1):
-            same &= np.roll(faces, (rows, columns), (0, 1)) == faces
-    same[[0, -1]] = same[:, [0, -1]] = False
-    return same
-
-
-def expected(
-    bundle: nf.stream.Bundle, picture: dict[str, Any], seen: nf.Camera
-) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """nearfar's picture in codes, and the pixels that are compared."""
-    frame = bundle.at(**picture).render(seen, channels=("color", "face_id"))
-    codes = to_srgb(np.clip(frame.require("color"), 0, 1)) * 255
-    return np.asarray(codes, np.float64), of_one_face(frame.require("face_id"))
-
-
-def share_alike(found: NDArray[np.uint8], codes: NDArray[np.float64], inner: NDArray[np.bool_]) -> float:
-    off = np.abs(np.rint(codes) - found).max(axis=-1)
-    return float((off[inner] <= 2).mean())
-
-
 def eyes_of(head: tuple[Vector, Quaternion], kind: str) -> dict[str, nf.Camera]:
-    floor = floor_under(START, YAW, FIRST)
-    return {side: camera(floor, *head, side, HEADSETS[kind], SIZE) for side in ("left", "right")}
+    return eyes(floor_under(START, YAW, FIRST), head, HEADSETS[kind], SIZE)
 
 
 @pytest.mark.parametrize("kind", HEADSETS)
@@ -122,4 +98,68 @@ def test_each_eye_is_shown_the_picture_of_its_own_position(
             places = np.array([np.subtract(cameras[side].position, CENTER) for side in ("left", "right")])
             assert found.eyes.shape == (2, 3)
             assert np.abs(found.eyes[np.argsort(found.eyes[:, 0])] - places[np.argsort(places[:, 0])]).max() < 1e-5
+        assert page.printed == []
+
+
+def test_one_position_for_both_eyes_would_be_seen(chromium: Any, tmp_path: Path) -> None:
+    """Pictures are those of the eyes' own positions, not of the head between them: in a room that is seen."""
+    settings: dict[str, Any] = {"face_size": 256, "quality": None, "pixels_per_degree": None}
+    place: Vector = (0.6, 1.6, 0.5)
+    head = HEADS[1]
+    bundle = nf.stream.export(nf.datasets.room(), tmp_path / "room", center=(0.5, 1.6, 0.4), radii=(8.0,), **settings)
+    picture = {"ring": 1, "radius": 8.0, "strength": 1.0}
+    with (
+        Server(folder_of(bundle)) as running,
+        worn(chromium, f"{running.url}?aa=0&strategy=clovrd#p=0.6,1.6,0.5&yaw={YAW}", "quest2", SIZE, 1) as page,
+    ):
+        empty_hands(page)
+        look(page, *head)
+        found = capture(page, "shown.ring === 1")
+    floor = floor_under(place, YAW, FIRST)
+    own, between = (eyes(floor, head, ipd, SIZE) for ipd in (HEADSETS["quest2"], 0.0))
+    for side, pixels in (("left", found.left), ("right", found.right)):
+        off = [
+            int((np.abs(pixels - expected(bundle, picture, cameras[side])[0]).max(axis=-1) > 8).sum())
+            for cameras in (own, between)
+        ]
+        assert off[1] > 2000
+        assert off[0] < 0.2 * off[1], off
+
+
+def test_a_ring_fades_in_for_both_eyes(chromium: Any, server: str, bundle: nf.stream.Bundle) -> None:
+    held = bundle._manifest["regions"][0]["rings"][2]["geometry"]
+    with worn(chromium, address(server, "rings=2"), "quest2", SIZE, 1, held=held) as page:
+        empty_hands(page)
+        look(page, *HEADS[1])
+        found = capture(page, "shown.ring === 1 && shown.grown.strength === 1")
+        assert found.shown["fading"] is None
+        page.let_go()
+        found = capture(page, "shown.fading && shown.fading.ring === 2 && Math.abs(shown.fading.share - 0.5) < 0.35")
+        grown, share = found.shown["grown"], found.shown["fading"]["share"]
+        cameras = eyes_of(HEADS[1], "quest2")
+        for side, pixels in (("left", found.left), ("right", found.right)):
+            before, inner = expected(bundle, {"ring": 1, **grown}, cameras[side])
+            after, inner_after = expected(bundle, {"ring": 2, **grown}, cameras[side])
+            blended = (1 - share) * np.rint(before) + share * np.rint(after)
+            assert np.abs(after - before).max() > 30
+            assert share_alike(pixels, blended, inner & inner_after) >= 0.98
+
+
+def test_no_layer_shows_the_map_where_something_moves(chromium: Any, server: str, bundle: nf.stream.Bundle) -> None:
+    assert bundle._manifest["dynamic"]
+    with worn(chromium, address(server, "rings=1&strategy=clovrd"), "quest3", SIZE, 1, layers=True) as page:
+        capture(page, "shown.ring === 1")
+        assert page.evaluate("() => window.emulated.layers.cube") is None
+
+
+def test_a_browser_without_a_headset_says_so(chromium: Any, server: str) -> None:
+    with opened(chromium, 900, 700) as page:
+        page.goto(server)
+        assert wait_for_ring(page, 0) == ""
+        page.get_by_text("No headset is connected.").wait_for()
+        assert not page.locator(".tool-main").is_visible()
+        # Its key does nothing, and the help does not speak of it.
+        page.keyboard.press("v")
+        page.keyboard.press("?")
+        assert not page.get_by_text("enter the headset").is_visible()
         assert page.printed == []

@@ -4,6 +4,7 @@ import { openSource } from './bundle/source';
 import { createControls } from './control/controls';
 import { distance } from './control/limit';
 import { readLink, writeLink } from './control/link';
+import { directionTo, placeFor } from './control/places';
 import type { Pose } from './control/pose';
 import { nearestOf } from './show/journey';
 import { createMeter } from './show/meter';
@@ -28,7 +29,7 @@ const LOST = 'The browser has taken the graphics away. The picture comes back as
 declare global {
   interface Window {
     /** The viewer, for scripts and tests. */
-    nearfar?: { readonly viewer: Viewer; setPose(pose: Pose): void };
+    nearfar?: { readonly viewer: Viewer; readonly pose: Pose; setPose(pose: Pose): void };
   }
 }
 
@@ -81,9 +82,22 @@ async function main(): Promise<void> {
   };
   const start = readLink(location.hash) ?? homeOf(0);
   const thumb = createThumbMark(root);
-  const controls = createControls(canvas, { start, onThumb: thumb.show });
+  const controls = createControls(canvas, {
+    start,
+    onThumb: thumb.show,
+    onGo(x, y) {
+      const direction = directionTo(pose, [x, y], Math.tan((ANGLE * Math.PI) / 360), viewer.camera.aspect);
+      viewer.go({ ...pose, position: placeFor(pose.position, direction, viewer.pointAt(x, y)) });
+    },
+  });
   let pose = controls.update(0);
-  window.nearfar = { viewer, setPose: controls.setPose };
+  window.nearfar = {
+    viewer,
+    setPose: controls.setPose,
+    get pose() {
+      return pose;
+    },
+  };
   window.addEventListener('hashchange', () => viewer.go(readLink(location.hash) ?? pose));
   const divider = createDivider(root, (share) => {
     viewer.setDivider(share);
@@ -93,10 +107,18 @@ async function main(): Promise<void> {
     setDivider: divider.set,
     setMode: controls.setMode,
     home: () => viewer.go({ ...homeOf(viewer.facts.region), yaw: pose.yaw, pitch: pose.pitch }),
+    lookAround: controls.lookAround,
     screenshot: viewer.photo,
     link: () => new URL(writeLink(pose), location.href).href,
     retry,
   };
+  if (manifest.regions.length > 1) {
+    commands.next = () => {
+      const place = ((nearestOf(manifest.regions, pose.position) ?? 0) + 1) % manifest.regions.length;
+      viewer.go({ ...homeOf(place), yaw: pose.yaw, pitch: pose.pitch });
+      panel.announce(`Place ${place + 1} of ${manifest.regions.length}`);
+    };
+  }
   const panel = createPanel(root, commands);
   void whyNoHeadset(navigator.xr, window.isSecureContext).then((reason) => {
     if (reason === null && navigator.xr) {

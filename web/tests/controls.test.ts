@@ -13,6 +13,7 @@ const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };
 function steered(pads: readonly (Pad | null)[] = []) {
   const [element, keys] = [fakeElement(), new EventTarget()];
   const [poses, thumbs]: [Pose[], (Thumb | null)[]] = [[], []];
+  const places: [number, number][] = [];
   const controls: Controls = createControls(element, {
     start: START,
     keys,
@@ -20,8 +21,9 @@ function steered(pads: readonly (Pad | null)[] = []) {
     isSudden: () => true,
     onChange: (pose) => poses.push(pose),
     onThumb: (thumb) => thumbs.push(thumb),
+    onGo: (x, y) => places.push([x, y]),
   });
-  return { element, keys, controls, poses, thumbs };
+  return { element, keys, controls, poses, thumbs, places };
 }
 
 function close(a: number | undefined, b: number): void {
@@ -90,10 +92,23 @@ test('a locked pointer looks the other way round', () => {
   const { element, controls } = steered();
   point(element, 'pointerdown', 100, 100);
   point(element, 'pointerup', 100, 100);
-  send(element, 'dblclick');
+  controls.lookAround();
   point(element, 'pointermove', 100, 100, { movementX: 150, movementY: 75 });
   close(controls.update(0.1).yaw, -0.4);
   close(controls.update(0.1).pitch, -0.2);
+});
+
+test('two clicks, or two taps of a finger, ask for the place in the picture', () => {
+  const { element, places } = steered();
+  send(element, 'dblclick', { clientX: 200, clientY: 150 });
+  const touch = { pointerId: 4, pointerType: 'touch' };
+  for (let tap = 0; tap < 2; tap++) {
+    point(element, 'pointerdown', 600, 300, touch);
+    point(element, 'pointerup', 600, 300, touch);
+  }
+  // Some browsers tell of two taps, too.
+  send(element, 'dblclick', { clientX: 600, clientY: 300 });
+  assert.deepEqual(places, [[0.25, 0.25], [0.75, 0.5]]);
 });
 
 test('the left thumb walks while the right one looks', () => {

@@ -1,9 +1,11 @@
-"""Notebooks show reduced scenes as a card, and in the explorer."""
+"""Notebooks show reduced scenes as a card, in the explorer, and in the page's viewer."""
 
 from __future__ import annotations
 
 from nearfar._base import card, check
+from nearfar._camera.camera import Camera
 from nearfar._reduce.explore import Explorer, Reduced
+from nearfar._render.showing import View, show as make_view
 
 
 class InNotebooks:
@@ -58,3 +60,36 @@ class InNotebooks:
         for name, value in zip(("size[0]", "size[1]"), check.size("size", size), strict=True):
             check.integer(name, value, 16, 2048)
         return Explorer(self, size=size, face_size=check.integer("face_size", face_size, 1, 1024))
+
+    def show(
+        self: Reduced, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: str = "clovr"
+    ) -> View:
+        """Show the reduced scene in a notebook: the page's viewer, in which the user walks and looks around.
+
+        Files go to the browser in messages of the notebook, so that Python may run on another machine.
+
+        Parameters
+        ----------
+        size
+            Width and height in pixels of the browser, 16 to 8192; it is smaller where a cell is narrower.
+        camera
+            Where the user begins; by default at the centre, looking along −z, with a vertical field of view of 75°.
+        strategy
+            "clovr": the near part fades in, and the morph grows by its strength. "clovrd": it is shown at once.
+
+        Returns
+        -------
+        View
+            A widget, which a notebook shows if it is the last value of a cell. Its `camera` can be read and set, as
+            can `position`, `yaw`, `pitch` (radians) and `angle` (degrees); `ring`, `region`, `radius`, `strength` and
+            `problem` can be read. Places without widgets, such as saved notebooks, show a picture.
+
+        Raises
+        ------
+        ImportError
+            If anywidget is not installed.
+        ValueError, TypeError
+            For arguments out of their domains, such as a camera that is rolled,
+            and for a scene without a morph.
+        """
+        return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)

@@ -9,9 +9,11 @@ from functools import cached_property
 from typing import Any
 
 from nearfar._base import card, check, formats
+from nearfar._camera.camera import Camera
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._render.showing import View, show as make_view
 from nearfar._scene.report import count
 from nearfar.stream import _manifest, _store
 from nearfar.stream._decode import Layout, decode_map, joined, ring_scene
@@ -194,6 +196,40 @@ class Bundle(InRegions):
         kept: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
         reduced = ReducedScene(scene, zones, self.map(number), **kept)
         return reduced.with_growth(shown, strength)
+
+    def show(
+        self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: str = "clovr"
+    ) -> View:
+        """Show the bundle in a notebook: the page's viewer, in which the user walks and looks around.
+
+        Files go to the browser in messages of the notebook, so that Python may run on another machine.
+
+        Parameters
+        ----------
+        size
+            Width and height in pixels of the browser, 16 to 8192; it is smaller where a cell is narrower.
+        camera
+            Where the user begins; by default at the centre, looking along −z, with a vertical field of view of 75°.
+        strategy
+            "clovr": rings that arrive fade in, and the morph grows. "clovrd": they are shown at
+            once. "vis0" and "vis1", as docs/view.md describes them, need
+            `export(by_footprint=True)`.
+
+        Returns
+        -------
+        View
+            A widget, which a notebook shows if it is the last value of a cell. Its `camera` can be read and set, as
+            can `position`, `yaw`, `pitch` (radians) and `angle` (degrees); `ring`, `region`, `radius`, `strength` and
+            `problem` can be read. Places without widgets, such as saved notebooks, show a picture.
+
+        Raises
+        ------
+        ImportError
+            If anywidget is not installed.
+        ValueError, TypeError
+            For arguments out of their domains, such as a camera that is rolled.
+        """
+        return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)
 
     @cached_property
     def _layout(self) -> Layout:

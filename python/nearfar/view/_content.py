@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 
 from nearfar import stream
@@ -20,7 +21,10 @@ Read = Callable[[], bytes]
 def opened(path: str | os.PathLike[str]) -> Mapping[str, Read]:
     """How to read each file of the bundle or the reduced scene at a place; those of the latter are made here."""
     saved = reduced_folder(path)
-    return of_bundle(stream.open(path)) if saved is None else of_reduced(ReducedScene.load(saved))
+    if saved is None:
+        bundle = stream.open(path)
+        return of_bundle(bundle, bundle._reader.read)
+    return of_reduced(ReducedScene.load(saved))
 
 
 def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
@@ -32,15 +36,11 @@ def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
     return place if (place / folder.DOCUMENT).is_file() else None
 
 
-def of_bundle(bundle: Bundle) -> dict[str, Read]:
+def of_bundle(bundle: Bundle, read: Callable[[str], bytes]) -> dict[str, Read]:
     """The files of a bundle, which are read when they are asked for."""
-
-    def stored(name: str) -> Read:
-        return lambda: bundle._reader.read(name)
-
     manifest = formats.to_json(bundle._manifest).encode()
     listed = (*bundle.files, _store.TILESET)
-    return {**{name: stored(name) for name in listed}, _store.MANIFEST: lambda: manifest}
+    return {**{name: partial(read, name) for name in listed}, _store.MANIFEST: lambda: manifest}
 
 
 def of_reduced(reduced: ReducedScene) -> dict[str, Read]:

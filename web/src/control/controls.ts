@@ -21,6 +21,8 @@ export interface ControlSettings {
   readonly onChange?: (pose: Pose) => void;
   /** The left thumb walks: where it is, or null when it is gone. */
   readonly onThumb?: (thumb: Thumb | null) => void;
+  /** Two taps or clicks ask for a place, in parts of the picture's width and height from its upper left. */
+  readonly onGo?: (x: number, y: number) => void;
   /** What hears keys: the window by default; in a notebook the element, so that the notebook keeps its own keys. */
   readonly keys?: EventTarget;
   /** Gamepads, by default those of the browser. */
@@ -37,6 +39,8 @@ export interface Controls {
   setMode(mode: Mode): void;
   /** Stand somewhere else at once. */
   setPose(pose: Pose): void;
+  /** A walker looks around with the mouse without a button, until Escape. */
+  lookAround(): void;
   /** Stay within bounds; null lifts them. */
   setBounds(bounds: Bounds | null): void;
   dispose(): void;
@@ -44,7 +48,7 @@ export interface Controls {
 
 /** Let an element, which should be focusable, steer a pose. */
 export function createControls(element: HTMLElement, settings: ControlSettings): Controls {
-  const { start, onChange, onThumb, pads = browserPads, isSudden = reducedMotion() } = settings;
+  const { start, onChange, onThumb, onGo, pads = browserPads, isSudden = reducedMotion() } = settings;
   let mode: Mode = 'walk';
   let bounds: Bounds | null = null;
   let last = start;
@@ -58,6 +62,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
     pan: orbit.pan,
     zoom: orbit.zoom,
     thumb: (thumb) => onThumb?.(thumb),
+    go: (x, y) => onGo?.(x, y),
   });
 
   const current = (): Pose => (mode === 'walk' ? walk.pose : orbit.pose);
@@ -89,6 +94,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
       walk.setPose(pose);
       orbit.setPose(pose);
     },
+    lookAround: pointers.lock,
     setBounds(next) {
       bounds = next;
     },

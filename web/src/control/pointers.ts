@@ -1,5 +1,6 @@
 /** Mouse, pen and touch: dragging, two fingers, the wheel, and a locked pointer. */
 import { beyondRest, type Drive, REST } from './drive';
+import { createTaps } from './taps';
 
 /** Radians by which dragging over the height of the picture turns a walker's head, and a view around its point. */
 const [LOOK, AROUND] = [1.6, Math.PI] as const;
@@ -31,11 +32,15 @@ export interface PointerActions {
   zoom(factor: number): void;
   /** The left thumb has moved, or is gone. */
   thumb(thumb: Thumb | null): void;
+  /** Two taps or clicks ask for a place, in parts of the picture's width and height from its upper left. */
+  go(x: number, y: number): void;
 }
 
 export interface Pointers {
   /** What the left thumb asks for. */
   readonly drive: Drive;
+  /** Look around with the mouse without a button, until Escape. */
+  lock(): void;
   /** Forget all fingers: the mode has changed. */
   release(): void;
   dispose(): void;
@@ -53,16 +58,27 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   const downs = new Map<number, Down>();
   const stop = new AbortController();
   let drive = REST;
-  let isMouse = false;
+
+  const taps = createTaps(go);
+  let isTouch = false;
 
   const scale = (): number => 1 / Math.max(element.clientHeight, 1);
   const isLocked = (): boolean => element.ownerDocument.pointerLockElement === element;
 
+  function go({ clientX, clientY }: { readonly clientX: number; readonly clientY: number }): void {
+    const { left, top, width, height } = element.getBoundingClientRect();
+    // A locked pointer is in the middle.
+    if (isLocked()) actions.go(0.5, 0.5);
+    else actions.go((clientX - left) / Math.max(width, 1), (clientY - top) / Math.max(height, 1));
+  }
+
   function down(event: PointerEvent): void {
-    isMouse = event.pointerType === 'mouse';
+    isTouch = event.pointerType === 'touch';
+    const isMouse = event.pointerType === 'mouse';
     const isFirst = event.button === 0 && !event.shiftKey;
     if (actions.mode() === 'walk' && isMouse && !isFirst) return;
     element.setPointerCapture(event.pointerId);
+    if (isTouch) taps.down(event);
     const task = isThumb(event) ? 'step' : isFirst ? 'turn' : 'pan';
     downs.set(event.pointerId, { x: event.clientX, y: event.clientY, task });
     if (task === 'step') step({ x: event.clientX, y: event.clientY }, event);
@@ -111,6 +127,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   }
 
   function up(event: PointerEvent): void {
+    if (event.pointerType === 'touch') taps.up(event);
     if (downs.get(event.pointerId)?.task === 'step') rest();
     downs.delete(event.pointerId);
   }
@@ -127,9 +144,8 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
     actions.zoom(Math.exp(WHEEL * event.deltaY * (WHEEL_PIXELS[event.deltaMode] ?? 1) * (event.ctrlKey ? 6 : 1)));
   }
 
-  /** Look around without a button until Escape. */
   function lock(): void {
-    if (actions.mode() !== 'walk' || !isMouse) return;
+    if (actions.mode() !== 'walk') return;
     // Browsers refuse it in frames and shortly after Escape; dragging still works.
     Promise.resolve(element.requestPointerLock()).catch(() => undefined);
   }
@@ -139,8 +155,9 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   element.addEventListener('pointermove', move, { signal });
   element.addEventListener('pointerup', up, { signal });
   element.addEventListener('pointercancel', up, { signal });
+  // At the speed that the system is set to; of two taps only some browsers tell, so these are told apart here.
+  element.addEventListener('dblclick', (event) => isTouch || go(event), { signal });
   element.addEventListener('wheel', wheel, { signal, passive: false });
-  element.addEventListener('dblclick', lock, { signal });
   element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
 
   function release(): void {
@@ -153,6 +170,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
     get drive() {
       return drive;
     },
+    lock,
     release,
     dispose() {
       release();

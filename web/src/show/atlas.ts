@@ -30,14 +30,21 @@ export interface Open {
   state: 'loading' | 'complete' | 'failed';
 }
 
+export interface Holding {
+  /** Numbers of the regions that are open. */
+  readonly regions: readonly number[];
+  readonly isLoading: boolean;
+  /** What the workers kept when the last region was closed. */
+  readonly kept: readonly Kept[];
+}
+
 export interface Atlas extends Regions {
   find(region: number): Open | null;
   /** Show a region some seconds later; smaller radii than `least` would fold. */
   advance(region: number, seconds: number, least: number): Shown | null;
   /** Load again what failed. */
   retry(): void;
-  /** Numbers of open regions, and what the workers kept when the last one was closed. */
-  readonly holding: { readonly regions: readonly number[]; readonly kept: readonly Kept[] };
+  readonly holding: Holding;
   dispose(): void;
 }
 
@@ -171,7 +178,8 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       }
     },
     get holding() {
-      return { regions: [...opens.keys()], kept };
+      const isLoading = [...opens.values()].some(({ state }) => state === 'loading');
+      return { regions: [...opens.keys()], isLoading, kept };
     },
     dispose() {
       for (const open of [...opens.values()]) end(open);

@@ -49,7 +49,7 @@ export interface Course {
 
 interface Job extends Loading, Course {
   readonly ahead: Ahead;
-  /** Names of parts that the region has received, or had from other regions. */
+  /** Names of parts that the region has asked for, or had from other regions. */
   readonly had: Set<string>;
 }
 
@@ -75,7 +75,8 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
     if (described.geometry !== null) jobs.push(loadGeometry(job, ring, described.geometry, described.parts));
     // After those of this ring.
     const next = ring < last ? rings[ring + 1] : undefined;
-    if (next) job.ahead.want(filesOfRing(next).filter((name) => !isHere(loading, name)), signal);
+    const isNew = (name: string): boolean => !isHere(loading, name) && !job.had.has(name);
+    if (next) job.ahead.want(filesOfRing(next).filter(isNew), signal);
     await Promise.all(jobs);
     course.arrived(ring);
   }
@@ -154,9 +155,13 @@ function filesOf(job: Job, names: string | readonly string[] | null): Promise<Fi
   return Promise.all(list.map((name) => fileOf(job, name)));
 }
 
-async function fileOf({ ahead, manifest, signal }: Job, name: string): Promise<FileData> {
+async function fileOf({ ahead, manifest, received, signal, store }: Job, name: string): Promise<FileData> {
   const described: Described | undefined = manifest.files[name];
   if (!described) throw new Error(`${name} is not listed in the manifest`);
-  const data = await ahead.fetch(name, signal);
+  const kept = store.moving.get(name);
+  if (kept) received(described.bytes);
+  const data = kept ?? (await ahead.fetch(name, signal));
+  // What is sent to a worker is gone here.
+  if (name === manifest.dynamic?.geometry) store.moving.set(name, data.slice(0));
   return { name, data, bytes: described.bytes, sha256: described.sha256 };
 }

@@ -2,24 +2,31 @@
 
 export interface Loss {
   readonly isLost: boolean;
+  /** Watch no longer. */
+  dispose(): void;
 }
 
 /** Watch a canvas; to be called after three.js does, which makes itself ready first. */
 export function watchLoss(canvas: HTMLCanvasElement, lost: () => void, restored: () => void): Loss {
   let isLost = false;
-  canvas.addEventListener('webglcontextlost', (event) => {
+  const stop = new AbortController();
+  const { signal } = stop;
+  const went = (event: Event): void => {
     // Else the browser gives nothing back.
     event.preventDefault();
     isLost = true;
     lost();
-  });
-  canvas.addEventListener('webglcontextrestored', () => {
+  };
+  const came = (): void => {
     isLost = false;
     restored();
-  });
+  };
+  canvas.addEventListener('webglcontextlost', went, { signal });
+  canvas.addEventListener('webglcontextrestored', came, { signal });
   return {
     get isLost() {
       return isLost;
     },
+    dispose: () => stop.abort(),
   };
 }

@@ -12,6 +12,8 @@ export interface Store {
   readonly textures: Map<string, Texture>;
   /** Names of the buffers that the worker for geometry has. */
   readonly buffers: Set<string>;
+  /** The file of dynamic objects, which every region needs. */
+  readonly moving: Map<string, ArrayBuffer>;
   /** Arrays of a mesh: those that another one with the same name has, if there is one. */
   take(name: string | null, make: () => MeshArrays): MeshArrays;
   /** A mesh has gone; true if no other one uses its arrays. */
@@ -30,6 +32,7 @@ export function createStore(): Store {
   return {
     textures,
     buffers,
+    moving: new Map(),
     take(name, make) {
       if (name === null) return make();
       const entry = held.get(name) ?? { arrays: make(), users: 0 };

@@ -4,14 +4,15 @@ import { BundleError } from '../bundle/error';
 import type { Manifest, Point } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
-import type { Kept } from '../decode/messages';
-import { createAtlas } from './atlas';
+import type { Vector } from '../control/vector';
+import { createAtlas, type Holding } from './atlas';
 import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
 import { createJourney, type Journey, type Leg } from './journey';
 import type { Fetch, Loading } from './loader';
 import { watchLoss } from './loss';
 import { createShared } from './materials';
+import { pick } from './pick';
 import { createPainter, type Picture } from './picture';
 import { cubeOf, trianglesShown } from './region';
 import type { Manner, Shown } from './stage';
@@ -55,6 +56,8 @@ export interface Viewer {
   open(number: number): void;
   /** Go to another place by a cross-fade, as soon as its region can be shown. */
   go(target: Pose): void;
+  /** The point of near geometry that the picture shows, x and y from its upper left from 0 to 1; null for none. */
+  pointAt(x: number, y: number): Vector | null;
   /** Load again what failed. */
   retry(): void;
   /** Draw a frame for a user, some seconds after the one before. In a headset the pose is what it tells. */
@@ -76,7 +79,7 @@ export interface Viewer {
 }
 
 /** What the panel shows of the picture. */
-export interface Facts {
+export interface Facts extends Holding {
   readonly region: number;
   /** Region of the place that the user is about to go to; null for none. */
   readonly goal: number | null;
@@ -92,9 +95,7 @@ export interface Facts {
   readonly bounds: Bounds | null;
   /** The region whose picture goes out; null for none. */
   readonly leaving: number | null;
-  /** Regions that are open, what the workers kept when the last one was closed, and arrays that meshes share. */
-  readonly regions: readonly number[];
-  readonly kept: readonly Kept[];
+  /** Meshes whose arrays others use, too. */
   readonly shared: number;
 }
 
@@ -236,8 +237,9 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
 
   /** Draw the picture of a region over the one that it takes over from. */
   function paintLeg({ region, leaving }: Leg, isMorphed: boolean): void {
-    if (leaving) {
-      if (leaving.pose) setPose(leaving.pose);
+    const before = leaving?.pose ?? user;
+    if (leaving && before) {
+      setPose(before);
       paint(leaving.region, 1, isMorphed);
     }
     if (user) setPose(user);
@@ -294,6 +296,18 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     faceSize,
     open: begin,
     go: (target) => journey?.go(target),
+    pointAt(x, y) {
+      const open = leg && atlas.find(leg.region);
+      if (!open?.shown || !user) return null;
+      const { region, shown } = open;
+      setPose(user);
+      const { radius, strength } = shown.grown;
+      const found = pick(renderer, camera, [x, y], () => {
+        painter.draw({ region, ring: shown.ring, radius, strength }, camera, 1, false);
+      });
+      const { center } = region.entry;
+      return found && [found.x + center[0], found.y + center[1], found.z + center[2]];
+    },
     retry: atlas.retry,
     frame(pose, seconds) {
       user = pose;
@@ -349,7 +363,10 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       atlas.dispose();
       for (const worker of workers) worker.dispose();
       blank.dispose();
+      loss.dispose();
       renderer.dispose();
+      // Browsers keep few contexts at a time; this one is not left to the collector.
+      renderer.forceContextLoss();
     },
   };
 }

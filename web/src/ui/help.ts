@@ -12,7 +12,7 @@ const WALK: readonly Row[] = [
   [['Page ↑', 'Page ↓'], 'look up and down'],
   [['Shift'], 'run'],
   [['Drag'], 'look around'],
-  [['Double click'], 'look around without a button, until Esc'],
+  [['Double click'], 'go to a place'],
 ];
 
 const ORBIT: readonly Row[] = [
@@ -27,6 +27,7 @@ const ORBIT: readonly Row[] = [
 const TOUCH: readonly Row[] = [
   [['Left thumb'], 'walk'],
   [['Right thumb'], 'look around'],
+  [['Two taps'], 'go to a place'],
   [['One finger'], 'orbit: go around'],
   [['Two fingers'], 'orbit: pinch for the distance, drag to move'],
 ];

@@ -46,6 +46,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     orbit: tool('orbit', 'Orbit', ICONS.orbit),
     split: tool('split', 'Split', ICONS.split),
     home: tool('home', 'Home', ICONS.home),
+    next: tool('next', 'Next', ICONS.next),
     photo: tool('photo', 'Photo', ICONS.photo),
     link: tool('link', 'Link', ICONS.link),
     panel: tool('panel', 'Info', ICONS.panel),
@@ -55,7 +56,9 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
   const { headset, ...common } = buttons;
   headset.classList.add('tool-main');
   headset.hidden = true;
+  buttons.next.hidden = !commands.next;
   const bar = make('div', { class: 'tools', role: 'group', 'aria-label': 'Commands' }, ...Object.values(common));
+  bar.classList.toggle('tools-many', commands.next !== undefined);
   const figures = createFigures();
   const quiet = make('p', { class: 'quiet', hidden: true });
   const panel = make(
@@ -82,6 +85,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
   const help = createHelp(root, () => [
     ...(headsetOf(commands) ? [] : (['headset'] as const)),
     ...(problems ? [] : (['retry'] as const)),
+    ...(commands.next ? [] : (['next'] as const)),
   ]);
   panel.hidden = !isOpen;
   for (const [name, button] of Object.entries(buttons)) button.addEventListener('click', () => run(name as Name));
@@ -111,6 +115,10 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       announce((await copyText(link)) ? 'Link copied' : link);
     } else if (name === 'home') {
       commands.home();
+    } else if (name === 'next') {
+      commands.next?.();
+    } else if (name === 'look') {
+      commands.lookAround();
     } else if (name === 'panel') {
       panel.hidden = !panel.hidden;
       reflect({});

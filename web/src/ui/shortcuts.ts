@@ -1,7 +1,7 @@
 /** Commands by key; the panel runs them and the help lists them. */
 import { isElsewhere, isMoving } from '../control/keys';
 
-export type Name = 'walk' | 'orbit' | 'split' | 'photo' | 'link' | 'home' | 'panel' | 'retry' | 'headset' | 'help';
+export type Name = 'walk' | 'orbit' | 'split' | 'photo' | 'link' | 'home' | 'next' | 'look' | 'panel' | 'retry' | 'headset' | 'help';
 
 export interface Shortcut {
   /** The key, in small letters, and what stands on it. */
@@ -18,6 +18,8 @@ export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
   photo: { key: 'p', label: 'P', does: 'save the picture' },
   link: { key: 'l', label: 'L', does: 'copy a link to this view' },
   home: { key: 'home', label: 'Home', does: 'go back to the centre' },
+  next: { key: 'n', label: 'N', does: 'go to the next place' },
+  look: { key: 'f', label: 'F', does: 'look around with the mouse without a button, until Esc' },
   panel: { key: 'i', label: 'I', does: 'show or hide the figures' },
   retry: { key: 'r', label: 'R', does: 'load again what failed' },
   headset: { key: 'v', label: 'V', does: 'enter the headset, and leave it' },

@@ -33,6 +33,10 @@ export interface Commands {
   setMode(mode: 'walk' | 'orbit'): void;
   /** Go back to the centre of the region. */
   home(): void;
+  /** Go to the next place of several; absent where there is only one. */
+  next?: () => void;
+  /** Look around with the mouse without a button. */
+  lookAround(): void;
   /** A PNG of the picture without the panel. */
   screenshot(): Promise<Blob>;
   /** A link to this pose. */

@@ -67,7 +67,8 @@ const glides = (): boolean => false;
 
 export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
   const { renderer, rig } = viewer;
-  const bounds = (): Bounds | null => headBounds(settings.bounds());
+  // Those of the frame.
+  let bounds: Bounds | null = null;
   let visit: Visit | null = null;
   renderer.xr.enabled = true;
 
@@ -101,7 +102,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
       }),
       steering: createSteering(),
       jump: createJump(),
-      walk: createWalk(pose, bounds, glides),
+      walk: createWalk(pose, () => bounds, glides),
       floor: null,
       pose,
       goal: null,
@@ -129,13 +130,13 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     let floor = of.floor && !of.isMoved ? of.floor : floorUnder(ground, yaw, head);
     of.isMoved = false;
     const { drive, turn } = of.steering.read(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
-    floor = turned(floor, head, turn);
+    if (turn !== 0) floor = turned(floor, head, turn);
     of.walk.follow(inWorld(floor, head));
     of.walk.update(seconds, drive);
     floor = moved(floor, head, of.goal ?? of.walk.pose.position);
     of.goal = null;
     // A body that goes on beyond the walls takes the floor along.
-    return moved(floor, head, inside(worldOf(floor, head.position), bounds()));
+    return moved(floor, head, inside(worldOf(floor, head.position), bounds));
   }
 
   return {
@@ -155,6 +156,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
       const seen = frame.getViewerPose(space);
       // A headset that does not know where it is shows nothing new.
       if (!seen) return visit.pose;
+      bounds = headBounds(settings.bounds());
       const head = headOf(seen.transform.matrix);
       const inputs = readInputs(frame, space);
       viewer.setVeil(visit.jump.advance(seconds));
@@ -162,7 +164,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
       visit.floor = floor;
       visit.pose = inWorld(floor, head);
       viewer.stand(floor);
-      const allowed = (wanted: Vector): Vector => localOf(floor, inside(worldOf(floor, wanted), bounds()));
+      const allowed = (wanted: Vector): Vector => localOf(floor, inside(worldOf(floor, wanted), bounds));
       visit.look.update(inputs, visit.aiming.update(inputs, allowed));
       return visit.pose;
     },

@@ -1,12 +1,15 @@
 /** An emulated headset for the page, put into it before its own script runs. It is no part of the page. */
 import { metaQuest2, metaQuest3, XRDevice } from 'iwer';
 import type { Facts } from '../../src/show/viewer';
+import { installLayers, type LayersFound } from './layers';
 
 /** What a test asks for: a headset, and the tangents of the angles to the sides of each eye's picture. */
 interface Wanted {
   readonly headset: 'quest2' | 'quest3';
   readonly eyes: Readonly<Record<'left' | 'right', Tangents>>;
   readonly ipd: number;
+  /** Whether the browser has WebXR Layers. */
+  readonly layers: boolean;
 }
 
 interface Tangents {
@@ -31,6 +34,7 @@ declare global {
     wanted: Wanted;
     emulated: {
       readonly device: XRDevice;
+      readonly layers: LayersFound | null;
       capture(isWanted: (shown: NonNullable<Facts['shown']>) => boolean): Promise<Captured>;
       /** Wait until some frames are drawn. */
       frames(count: number): Promise<void>;
@@ -38,9 +42,10 @@ declare global {
   }
 }
 
-const { headset, eyes, ipd } = window.wanted;
+const { headset, eyes, ipd, layers } = window.wanted;
 const device = new XRDevice(headset === 'quest2' ? metaQuest2 : metaQuest3, { ipd, stereoEnabled: true });
 device.installRuntime({ forceInstall: true });
+const found = layers ? installLayers(() => window.nearfar?.viewer.renderer.resetState()) : null;
 
 /** Pictures of headsets reach farther outwards than inwards; the emulator's own do not. */
 Object.defineProperty(XRView.prototype, 'projectionMatrix', {
@@ -100,15 +105,20 @@ function read(): Captured {
   return { width, height, pixels: base64(pixels), shown: viewer.facts.shown, eyes: [...told.values()] };
 }
 
+/** Frames after which nobody waits any longer. */
+const MOST = 500;
+
 window.emulated = {
   device,
+  layers: found,
   capture: (isWanted) =>
-    new Promise((done) => {
+    new Promise((done, failed) => {
       let frames = 0;
       const look = (): void => {
         const shown = window.nearfar?.viewer.facts.shown;
         // The first of the frames may have been begun before.
         if (++frames > 2 && shown && isWanted(shown)) done(read());
+        else if (frames > MOST) failed(new Error(`no frame is wanted: ${JSON.stringify([shown, found])}`));
         else {
           told.clear();
           session().requestAnimationFrame(look);

@@ -1,0 +1,62 @@
+"""Views in notebooks: what they offer, and how stages come by them. The last stage, `view`, makes them."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+from typing import Protocol
+
+from nearfar._camera.camera import Camera
+
+
+class View(Protocol):
+    """A view in a notebook, which shows itself as the last value of a cell; a widget of anywidget.
+
+    The user walks and looks around in the browser, and Python reads where; or Python moves the user.
+    """
+
+    camera: Camera
+    """The camera of the picture. Setting it moves the user, without roll, and sets the vertical field of view; its
+    size does not count."""
+    position: tuple[float, float, float]
+    """World position of the user's eye, metres."""
+    yaw: float
+    """Turn about the vertical axis, radians; 0 looks along −z, positive to the left."""
+    pitch: float
+    """Radians, −1.5 to 1.5; positive looks up."""
+    angle: float
+    """Vertical field of view, degrees, 10 to 150."""
+
+    @property
+    def ring(self) -> int:
+        """Last ring that is shown; −1 while nothing is."""
+
+    @property
+    def region(self) -> int:
+        """Number of the region that is shown."""
+
+    @property
+    def radius(self) -> float:
+        """Radius of the morph now, metres."""
+
+    @property
+    def strength(self) -> float:
+        """Strength of the morph now, 0 to 1."""
+
+    @property
+    def problem(self) -> str:
+        """The last problem of the browser, a sentence; empty for none."""
+
+
+def show(
+    shown: object, *, center: tuple[float, float, float], size: tuple[int, int], camera: Camera | None, strategy: str
+) -> View:
+    """Make the view of a bundle or a reduced scene; ImportError without anywidget.
+
+    It is found by name: the stage that makes it comes after those that ask for it.
+    """
+    if importlib.util.find_spec("anywidget") is None:
+        raise ImportError("show needs anywidget: pip install anywidget")
+    widget = importlib.import_module("nearfar.view._widget")
+    view: View = widget.Widget(shown, center=center, size=size, camera=camera, strategy=strategy)
+    return view

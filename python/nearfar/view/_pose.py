@@ -1,0 +1,66 @@
+"""Cameras as the page has them: an eye, a turn to the left, a look up, and a vertical field of view."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from nearfar._base import check
+from nearfar._camera.camera import Camera, Fov
+
+STEEPEST = 1.5
+"""Greatest pitch up and down, radians."""
+
+LEAST_ANGLE, MOST_ANGLE = 10.0, 150.0
+"""Vertical field of view, degrees."""
+
+LEVEL = 1e-6
+"""Greatest sine of a camera's roll, and part of a tangent by which opposite sides of a view may differ."""
+
+
+class Pose(NamedTuple):
+    """Where the user's eye is and looks, and the vertical field of view."""
+
+    position: tuple[float, float, float]
+    yaw: float
+    """Radians; 0 looks along −z, positive to the left."""
+    pitch: float
+    """Radians; positive looks up."""
+    angle: float
+    """Vertical field of view, degrees."""
+
+
+def pose_of(camera: Camera) -> Pose:
+    """The pose of a camera; ValueError or TypeError for one that the page has none for."""
+    fov = check.instance("camera", camera, Camera).fov
+    if not isinstance(fov, Fov):
+        raise TypeError(f"camera: expected a perspective one (nearfar.Fov), got {type(fov).__name__}")
+    if abs(fov.left + fov.right) > LEVEL * fov.right or abs(fov.down + fov.up) > LEVEL * fov.up:
+        raise ValueError("camera: expected the same field of view to both sides, up and down, got others")
+    x, y, z, w = camera.orientation
+    ahead = np.array([-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1])
+    right_y = 2 * (x * y + w * z)
+    if abs(right_y) > LEVEL:
+        raise ValueError(f"camera: expected one that is not rolled, got {math.degrees(math.asin(right_y)):.3g} degrees")
+    pitch = math.atan2(ahead[1], math.hypot(ahead[0], ahead[2]))
+    if abs(pitch) > STEEPEST:
+        raise ValueError(f"camera: expected one that looks up or down by at most {STEEPEST} radians, got {pitch:.4g}")
+    angle = math.degrees(2.0 * math.atan(fov.up))
+    check.within("camera: vertical field of view", angle, LEAST_ANGLE, MOST_ANGLE)
+    return Pose(camera.position, math.atan2(-ahead[0], -ahead[2]), pitch, angle)
+
+
+def camera_of(pose: Pose, size: tuple[int, int]) -> Camera:
+    """The camera of a pose, for pictures of a size in pixels."""
+    half_yaw, half_pitch = 0.5 * pose.yaw, 0.5 * pose.pitch
+    orientation = (
+        math.cos(half_yaw) * math.sin(half_pitch),
+        math.sin(half_yaw) * math.cos(half_pitch),
+        -math.sin(half_yaw) * math.sin(half_pitch),
+        math.cos(half_yaw) * math.cos(half_pitch),
+    )
+    up = math.tan(math.radians(0.5 * pose.angle))
+    across = up * size[0] / size[1]
+    return Camera(pose.position, orientation, fov=Fov(-across, across, -up, up), size=size)

@@ -1,0 +1,164 @@
+"""The view in notebooks: the page's viewer as a widget of anywidget, which is imported with this module.
+
+Files go to the browser in messages, because Python may run on another machine than the browser.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+from typing import Any
+
+import anywidget
+import traitlets
+
+from nearfar._base import card, check
+from nearfar._base.errors import Error
+from nearfar._camera.camera import Camera
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar.stream._bundle import Bundle
+from nearfar.view import _content
+from nearfar.view._pose import LEAST_ANGLE, MOST_ANGLE, STEEPEST, Pose, camera_of, pose_of
+
+ANGLE = 75.0
+"""Vertical field of view at the start, degrees, as in the page."""
+
+PIECE = 4 << 20
+"""Bytes of a file in a message: others come in between."""
+
+STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
+"""Ways to load that docs/view.md compares."""
+
+LEAST_SIDE, MOST_SIDE = 16, 8192
+
+
+@cache
+def _built(name: str) -> str:
+    return (resources.files("nearfar.view") / "dist" / "widget" / name).read_text(encoding="utf-8")
+
+
+class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
+    """A bundle or a reduced scene in a notebook; `nearfar._render.showing.View` says what its attributes are."""
+
+    position = traitlets.Tuple(*[traitlets.Float()] * 3).tag(sync=True)
+    yaw = traitlets.Float().tag(sync=True)
+    pitch = traitlets.Float().tag(sync=True)
+    angle = traitlets.Float(ANGLE).tag(sync=True)
+    width = traitlets.Int(read_only=True).tag(sync=True)
+    height = traitlets.Int(read_only=True).tag(sync=True)
+    strategy = traitlets.Unicode(read_only=True).tag(sync=True)
+    ring = traitlets.Int(-1, read_only=True).tag(sync=True)
+    region = traitlets.Int(0, read_only=True).tag(sync=True)
+    radius = traitlets.Float(0.0, read_only=True).tag(sync=True)
+    strength = traitlets.Float(0.0, read_only=True).tag(sync=True)
+    problem = traitlets.Unicode("", read_only=True).tag(sync=True)
+
+    def __init__(
+        self,
+        shown: Bundle | ReducedScene,
+        *,
+        center: tuple[float, float, float],
+        size: tuple[int, int],
+        camera: Camera | None,
+        strategy: str,
+    ) -> None:
+        width, height = check.size("size", size)
+        for name, side in (("size[0]", width), ("size[1]", height)):
+            check.integer(name, side, LEAST_SIDE, MOST_SIDE)
+        _check_strategy(shown, strategy)
+        start = Pose(center, 0.0, 0.0, ANGLE) if camera is None else pose_of(camera)
+        self._shown = shown
+        self._files = _files(shown)
+        self._last: tuple[str, bytes] | None = None
+        self._esm, self._css = _built("widget.js"), _built("widget.css")
+        super().__init__(**start._asdict())
+        for name, value in (("width", width), ("height", height), ("strategy", strategy), ("region", _number(shown))):
+            self.set_trait(name, value)
+        self.on_msg(self._answer)
+
+    @property
+    def camera(self) -> Camera:
+        """The camera of the picture."""
+        return camera_of(Pose(self.position, self.yaw, self.pitch, self.angle), (self.width, self.height))
+
+    @camera.setter
+    def camera(self, camera: Camera) -> None:
+        pose = pose_of(camera)
+        # One message, so that the browser shows none of the poses in between.
+        with self.hold_sync():
+            for name, value in pose._asdict().items():
+                setattr(self, name, value)
+
+    @traitlets.validate("position")
+    def _check_position(self, proposal: Mapping[str, Any]) -> tuple[float, float, float]:
+        return check.vector("position", proposal["value"])
+
+    @traitlets.validate("yaw")
+    def _check_yaw(self, proposal: Mapping[str, Any]) -> float:
+        return check.number("yaw", proposal["value"])
+
+    @traitlets.validate("pitch")
+    def _check_pitch(self, proposal: Mapping[str, Any]) -> float:
+        return check.within("pitch", proposal["value"], -STEEPEST, STEEPEST)
+
+    @traitlets.validate("angle")
+    def _check_angle(self, proposal: Mapping[str, Any]) -> float:
+        return check.within("angle", proposal["value"], LEAST_ANGLE, MOST_ANGLE)
+
+    def _answer(self, _: Any, asked: Any, __: Any) -> None:
+        """Send a piece of a file to the browser, or why there is none."""
+        if not isinstance(asked, dict) or asked.get("kind") != "read":
+            return
+        mark = asked.get("id")
+        try:
+            content = self._content(asked.get("name"))
+            start = check.integer("start", asked.get("start", 0), 0, len(content))
+        except (Error, OSError, ValueError, TypeError) as error:
+            self.send({"id": mark, "problem": check.one_line(str(error), 300)})
+        else:
+            self.send({"id": mark, "bytes": len(content)}, [content[start : start + PIECE]])
+
+    def _content(self, name: Any) -> bytes:
+        """The content of a file; that of the last one is kept, because it is sent in pieces."""
+        if self._last is None or self._last[0] != name:
+            if not isinstance(name, str) or name not in self._files:
+                raise ValueError(f"name: expected a file of what is shown, got {check.shortened(name)}")
+            self._last = name, self._files[name]()
+        return self._last[1]
+
+    def _repr_mimebundle_(self, **settings: Any) -> Any:
+        """The widget; and a picture of it, for places that show no widgets, such as saved notebooks."""
+        made = super()._repr_mimebundle_(**settings)
+        if made is None:
+            return None
+        data, *rest = made
+        return ({**data, "image/png": card.png(self._picture())}, *rest)
+
+    def _picture(self) -> Any:
+        """What the camera shows: of a bundle the map of ring 0, which needs little to be read."""
+        shown = self._shown.at(0) if isinstance(self._shown, Bundle) else self._shown
+        return shown.render(self.camera, samples=4, channels=("color",)).to_image()
+
+    def __repr__(self) -> str:
+        return f"Widget({self._shown!r}, position={tuple(self.position)}, yaw={self.yaw:g}, pitch={self.pitch:g})"
+
+
+def _check_strategy(shown: Bundle | ReducedScene, strategy: str) -> None:
+    """Raise ValueError for a strategy that what is shown has no files for."""
+    by_footprint = check.choice("strategy", strategy, STRATEGIES).startswith("vis")
+    if by_footprint and not (isinstance(shown, Bundle) and shown._region["by_footprint"] is not None):
+        raise ValueError(
+            f"strategy: expected 'clovr' or 'clovrd' for what export(by_footprint=True) did not write, got {strategy!r}"
+        )
+
+
+def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:
+    if isinstance(shown, Bundle):
+        # It keeps what it reads: a cell may remove the folder before a browser asks for files.
+        return _content.of_bundle(shown, shown.read)
+    return _content.of_reduced(shown)
+
+
+def _number(shown: Bundle | ReducedScene) -> int:
+    return shown.number if isinstance(shown, Bundle) else 0

@@ -1,0 +1,110 @@
+"""The page on a clock that the test steps: frames for given poses and times, whatever the browser's own rate."""
+
+from __future__ import annotations
+
+import base64
+import time
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tests.support.reader_cases import SECONDS
+
+STOP = "() => window.nearfar.viewer.renderer.setAnimationLoop(null)"
+
+FRAME = """([pose, seconds, isRead]) => {
+  const { viewer } = window.nearfar;
+  viewer.frame(pose, seconds);
+  const { renderer, facts } = viewer;
+  const { regions, region, leaving, goal, isLoading, arrived, shown, kept, shared } = facts;
+  const told = { regions, region, leaving, goal, isLoading, arrived, shown, kept, shared };
+  if (!isRead) return [told, null];
+  const gl = renderer.getContext();
+  const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+  const pixels = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  let text = '';
+  for (let n = 0; n < pixels.length; n += 32768) text += String.fromCharCode(...pixels.subarray(n, n + 32768));
+  return [told, btoa(text)];
+}"""
+
+
+class SteppedPage:
+    """A page whose frames are drawn when the test asks for them."""
+
+    def __init__(self, page: Any) -> None:
+        self.page = page
+        deadline = time.monotonic() + SECONDS
+        while not page.evaluate("() => Boolean(window.nearfar)"):
+            assert time.monotonic() < deadline, page.printed
+            time.sleep(0.05)
+        page.evaluate(STOP)
+
+    def frame(self, pose: dict[str, Any], seconds: float) -> dict[str, Any]:
+        """Draw a frame some seconds after the one before; what the page tells of it."""
+        return dict(self.page.evaluate(FRAME, [pose, seconds, False])[0])
+
+    def picture(self, pose: dict[str, Any], seconds: float) -> tuple[dict[str, Any], NDArray[np.uint8]]:
+        """The same, and its pixels (H, W, 3), sRGB."""
+        told, data = self.page.evaluate(FRAME, [pose, seconds, True])
+        size = self.page.viewport_size
+        pixels = np.frombuffer(base64.b64decode(data), np.uint8).reshape(size["height"], size["width"], 4)
+        return told, pixels[::-1, :, :3].copy()
+
+    def load(self, pose: dict[str, Any], seconds: float) -> dict[str, Any]:
+        """Draw frames that stand for some seconds each until nothing loads; what the page tells then."""
+        deadline = time.monotonic() + SECONDS
+        while time.monotonic() < deadline:
+            told = self.frame(pose, seconds)
+            if not told["isLoading"]:
+                assert self.page.evaluate("() => document.querySelector('#message').textContent") == ""
+                return told
+            time.sleep(0.01)
+        raise AssertionError(f"loading does not end: {self.page.printed}")
+
+
+COUNT = """() => {
+  const live = {};
+  const kinds = WebGL2RenderingContext.prototype;
+  for (const kind of ['Texture', 'Buffer', 'VertexArray', 'Program', 'Framebuffer']) {
+    const [make, drop] = [kinds[`create${kind}`], kinds[`delete${kind}`]];
+    live[kind] = 0;
+    kinds[`create${kind}`] = function (...more) {
+      live[kind] += 1;
+      return make.apply(this, more);
+    };
+    kinds[`delete${kind}`] = function (object) {
+      if (object) live[kind] -= 1;
+      return drop.call(this, object);
+    };
+  }
+  window.liveObjects = live;
+}"""
+
+
+def count_objects(page: Any) -> None:
+    """Count what the page has of WebGL's objects; to be called before it is opened."""
+    page.add_init_script(f"({COUNT})()")
+
+
+def objects(page: Any) -> dict[str, int]:
+    """WebGL's objects that are not deleted, and what three.js says that it holds."""
+    return dict(
+        page.evaluate("""() => {
+          const { memory, programs } = window.nearfar.viewer.renderer.info;
+          return { ...window.liveObjects, ...memory, programs: programs.length };
+        }""")
+    )
+
+
+def heap(page: Any) -> int:
+    """Bytes of the page's own objects and arrays after a collection."""
+    session = page.context.new_cdp_session(page)
+    try:
+        for _ in range(3):
+            session.send("HeapProfiler.collectGarbage")
+        usage = session.send("Runtime.getHeapUsage")
+    finally:
+        session.detach()
+    return int(usage["usedSize"] + usage.get("backingStorageSize", 0))

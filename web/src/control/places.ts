@@ -1,0 +1,33 @@
+/** Where a user is put who wants to go to what the picture shows. */
+import type { Pose } from './pose';
+import { ahead, moved, rightOf, upOf, type Vector } from './vector';
+
+/** Metres from the eye down to the ground, and above the ground up to which something is stood on. */
+const [EYE_HEIGHT, STEP] = [1.7, 0.5] as const;
+/** Metres that the user stays away from what cannot be stood on. */
+const BEFORE = 1;
+/** Metres to go towards something far. */
+const LEAP = 15;
+
+/**
+ * The unit vector along which a pose sees a part of the picture, x and y from the upper left; `height` is the tangent
+ * of half the vertical field of view, `ratio` that of width to height.
+ */
+export function directionTo(pose: Pose, [x, y]: readonly [number, number], height: number, ratio: number): Vector {
+  const across = moved(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * ratio);
+  const [dx, dy, dz] = moved(across, upOf(pose), (1 - 2 * y) * height);
+  const size = Math.hypot(dx, dy, dz);
+  return [dx / size, dy / size, dz / size];
+}
+
+/** The place, at the eye's own height, for a direction in which `hit` is seen, or nothing near. */
+export function placeFor(eye: Vector, direction: Vector, hit: Vector | null): Vector {
+  const ground = eye[1] - EYE_HEIGHT;
+  if (hit && hit[1] <= ground + STEP) return [hit[0], eye[1], hit[2]];
+  const level = Math.hypot(direction[0], direction[2]);
+  if (level === 0) return eye;
+  const free = hit ? Math.hypot(hit[0] - eye[0], hit[2] - eye[2]) - BEFORE : LEAP;
+  const toGround = direction[1] < 0 ? (EYE_HEIGHT * level) / -direction[1] : Number.POSITIVE_INFINITY;
+  const away = Math.max(Math.min(free, toGround), 0);
+  return [eye[0] + (away * direction[0]) / level, eye[1], eye[2] + (away * direction[2]) / level];
+}

@@ -1,0 +1,85 @@
+/** Finds the point of near geometry that a pixel shows. */
+import {
+  DepthTexture,
+  GLSL3,
+  Mesh,
+  NoBlending,
+  type PerspectiveCamera,
+  RawShaderMaterial,
+  Scene,
+  UnsignedIntType,
+  Vector3,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import { covering } from './veil';
+
+const VERTEX = /* glsl */ `
+in vec3 position;
+
+void main() {
+  gl_Position = vec4(position.xy, 0.0, 1.0);
+}
+`;
+
+/** WebGL reads no depth: it goes as three bytes of a colour. */
+const FRAGMENT = /* glsl */ `
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D depth;
+out vec4 digits;
+
+void main() {
+  float value = texelFetch(depth, ivec2(0), 0).r;
+  vec3 scaled = fract(value * vec3(1.0, 255.0, 65025.0));
+  digits = vec4(scaled - vec3(scaled.yz / 255.0, 0.0), value < 1.0 ? 1.0 : 0.0);
+}
+`;
+
+/**
+ * The point, in the frame that `draw` draws in, of what a pixel of the camera's picture shows; x and y are parts of its
+ * width and height, from the upper left. Null where nothing is drawn.
+ */
+export function pick(
+  renderer: WebGLRenderer,
+  camera: PerspectiveCamera,
+  [x, y]: readonly [number, number],
+  draw: () => void,
+): Vector3 | null {
+  const target = new WebGLRenderTarget(1, 1, { depthTexture: new DepthTexture(1, 1, UnsignedIntType) });
+  const result = new WebGLRenderTarget(1, 1);
+  const material = new RawShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    glslVersion: GLSL3,
+    blending: NoBlending,
+    depthTest: false,
+    uniforms: { depth: { value: target.depthTexture } },
+  });
+  const mesh = new Mesh(covering(), material);
+  mesh.frustumCulled = false;
+  const scene = new Scene();
+  scene.add(mesh);
+  const before = renderer.getRenderTarget();
+  const [width, height] = [renderer.domElement.width, renderer.domElement.height];
+  camera.setViewOffset(width, height, Math.floor(x * width), Math.floor(y * height), 1, 1);
+  try {
+    renderer.setRenderTarget(target);
+    draw();
+    renderer.setRenderTarget(result);
+    renderer.render(scene, camera);
+    const digits = new Uint8Array(4);
+    renderer.readRenderTargetPixels(result, 0, 0, 1, 1, digits);
+    if (digits[3] === 0) return null;
+    const depth = ((digits[2] ?? 0) / 65025 + (digits[1] ?? 0) / 255 + (digits[0] ?? 0)) / 255;
+    return new Vector3(0, 0, 2 * depth - 1).unproject(camera);
+  } finally {
+    camera.clearViewOffset();
+    renderer.setRenderTarget(before);
+    mesh.geometry.dispose();
+    material.dispose();
+    target.depthTexture?.dispose();
+    target.dispose();
+    result.dispose();
+  }
+}

@@ -1,0 +1,108 @@
+/** Files of what is shown, from Python: it may run on another machine, which no address of this page leads to. */
+import { BundleError } from '../bundle/error';
+import { parseManifest } from '../bundle/parse';
+import { createShared } from '../bundle/share';
+import { createSlots } from '../bundle/slots';
+import type { Received, Source } from '../bundle/source';
+import type { Model } from './model';
+
+/** Files that are asked for at the same time: Python answers one after the other. */
+const AT_ONCE = 2;
+const MANIFEST = 'manifest.json';
+
+/** Python's answer: a piece of a file and the bytes of all of it, or why it has none. */
+type Answer = { readonly id: string; readonly bytes: number } | { readonly id: string; readonly problem: string };
+
+interface Piece {
+  readonly data: Uint8Array<ArrayBuffer>;
+  /** Of the whole file. */
+  readonly bytes: number;
+}
+
+interface Asked {
+  readonly done: (piece: Piece) => void;
+  readonly failed: (reason: Error) => void;
+}
+
+export interface KernelSource extends Source {
+  dispose(): void;
+}
+
+/** Open what a model shows; `received` is told of the bytes of all files. */
+export async function openKernel(model: Model, received: Received, signal: AbortSignal): Promise<KernelSource> {
+  const waiting = new Map<string, Asked>();
+  // Answers reach every view of the model.
+  const own = Math.random().toString(36).slice(2);
+  let last = 0;
+
+  const answered = (answer: Answer, buffers: readonly DataView[]): void => {
+    const asked = waiting.get(answer?.id);
+    if (!asked) return;
+    waiting.delete(answer.id);
+    const [buffer] = buffers;
+    if ('problem' in answer) asked.failed(new BundleError(answer.problem));
+    else if (!buffer) asked.failed(new BundleError('the kernel answers without a file'));
+    else asked.done({ data: bytesOf(buffer), bytes: answer.bytes });
+  };
+  model.on('msg:custom', answered);
+
+  /** A piece of a file. A kernel that is busy answers later, so that there is no time by which it has to. */
+  function ask(name: string, start: number, stop: AbortSignal): Promise<Piece> {
+    stop.throwIfAborted();
+    const id = `${own}-${++last}`;
+    return new Promise((done, failed) => {
+      const leave = (): void => {
+        waiting.delete(id);
+        failed(stop.reason as Error);
+      };
+      stop.addEventListener('abort', leave, { once: true });
+      const free = (): void => stop.removeEventListener('abort', leave);
+      waiting.set(id, {
+        done: (piece) => (free(), done(piece)),
+        failed: (reason) => (free(), failed(reason)),
+      });
+      model.send({ kind: 'read', id, name, start });
+    });
+  }
+
+  async function load(name: string, bytes: number | null, stop: AbortSignal, told: Received): Promise<ArrayBuffer> {
+    const parts: Uint8Array<ArrayBuffer>[] = [];
+    let size = 0;
+    for (;;) {
+      const piece = await ask(name, size, stop);
+      parts.push(piece.data);
+      size += piece.data.length;
+      received(piece.data.length);
+      told(piece.data.length);
+      if (bytes !== null && piece.bytes !== bytes) {
+        throw new BundleError(`${name}: expected ${bytes} bytes, as the manifest lists it, got ${piece.bytes}`);
+      }
+      if (size === piece.bytes) return await new Blob(parts).arrayBuffer();
+      if (piece.data.length === 0 || size > piece.bytes) throw new BundleError(`${name}: expected ${piece.bytes} bytes`);
+    }
+  }
+
+  const text = await load(MANIFEST, null, signal, () => undefined);
+  const manifest = parseManifest(new TextDecoder().decode(text));
+  const slots = createSlots(AT_ONCE);
+  const shared = createShared((name: string, stop, told) => {
+    const bytes = manifest.files[name]?.bytes;
+    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
+    return slots(stop, () => load(name, bytes, stop, told));
+  });
+  return {
+    manifest,
+    fetch: (name, stop, told = () => undefined) => shared(name, stop, told),
+    // Nothing lies in between that keeps copies.
+    distrust: () => undefined,
+    dispose() {
+      model.off('msg:custom', answered);
+      waiting.clear();
+    },
+  };
+}
+
+/** A copy, so that a worker can be given all of it. */
+function bytesOf(view: DataView): Uint8Array<ArrayBuffer> {
+  return new Uint8Array(view.buffer, view.byteOffset, view.byteLength).slice() as Uint8Array<ArrayBuffer>;
+}

@@ -1,0 +1,56 @@
+/** Keeps Python's copy of some values near those of the view, without a message for each frame. */
+import type { Model } from './model';
+
+/** Least milliseconds between two messages to Python. */
+export const EVERY = 100;
+
+export interface Mirror {
+  /** Values that Python is to have; those that it has already are not sent. Call it once a frame. */
+  tell(values: Readonly<Record<string, unknown>>, now: number): void;
+  /** Be told, once for all that changed together, when Python or another view has set one of some values. */
+  hear(names: readonly string[], changed: () => void): void;
+  dispose(): void;
+}
+
+export function createMirror(model: Model): Mirror {
+  const listeners: [event: string, callback: () => void][] = [];
+  let last = Number.NEGATIVE_INFINITY;
+  let isOwn = false;
+
+  return {
+    tell(values, now) {
+      const changed = Object.entries(values).filter(([name, value]) => !isSame(model.get(name), value));
+      if (changed.length === 0 || now - last < EVERY) return;
+      last = now;
+      isOwn = true;
+      for (const [name, value] of changed) model.set(name, value);
+      isOwn = false;
+      model.save_changes();
+    },
+    hear(names, changed) {
+      let isTold = false;
+      const callback = (): void => {
+        if (isOwn || isTold) return;
+        isTold = true;
+        queueMicrotask(() => {
+          isTold = false;
+          changed();
+        });
+      };
+      for (const name of names) {
+        listeners.push([`change:${name}`, callback]);
+        model.on(`change:${name}`, callback);
+      }
+    },
+    dispose() {
+      for (const [event, callback] of listeners) model.off(event, callback);
+      listeners.length = 0;
+    },
+  };
+}
+
+/** Numbers, texts and lists of them. */
+function isSame(a: unknown, b: unknown): boolean {
+  if (!Array.isArray(a) || !Array.isArray(b)) return Object.is(a, b);
+  return a.length === b.length && a.every((item, place) => isSame(item, b[place]));
+}

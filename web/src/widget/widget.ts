@@ -1,0 +1,143 @@
+/** The view in a notebook, as anywidget mounts it: a canvas and a line of text for each view of a model. */
+import WORKER from 'worker-text';
+import { createControls } from '../control/controls';
+import type { Pose } from '../control/pose';
+import { nearestOf } from '../show/journey';
+import { strategyOf } from '../show/strategy';
+import { createViewer, type Viewer } from '../show/viewer';
+import { type KernelSource, openKernel } from './kernel';
+import { createMirror } from './mirror';
+import type { Model } from './model';
+
+/** Seconds that a frame may stand for, as in the page. */
+const LONGEST_FRAME = 0.1;
+const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
+const POSE = ['position', 'yaw', 'pitch'] as const;
+
+/** The element of a view; the viewer is there for scripts and tests. */
+interface Host extends HTMLElement {
+  nearfar?: { readonly viewer: Viewer };
+}
+
+interface View {
+  readonly host: Host;
+  readonly canvas: HTMLCanvasElement;
+  /** Say something below the picture, or a problem instead of it until that is empty. */
+  say(text: string): void;
+  complain(problem: string): void;
+}
+
+function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
+  const view = createView(model, el);
+  const stop = new AbortController();
+  let source: KernelSource | null = null;
+  let end = (): void => undefined;
+  const failed = (reason: unknown): void => {
+    if (stop.signal.aborted) return;
+    const problem = reason instanceof Error ? reason.message : String(reason);
+    view.complain(problem);
+    model.set('problem', problem);
+    model.save_changes();
+  };
+  openKernel(model, () => undefined, stop.signal)
+    .then((opened) => {
+      source = opened;
+      if (stop.signal.aborted) opened.dispose();
+      else end = show(model, view, opened, failed);
+    })
+    .catch(failed);
+  return () => {
+    stop.abort(new Error('the view is gone'));
+    source?.dispose();
+    end();
+    view.host.remove();
+  };
+}
+
+function createView(model: Model, el: HTMLElement): View {
+  const host: Host = document.createElement('div');
+  const [canvas, text] = [document.createElement('canvas'), document.createElement('p')];
+  host.className = 'nearfar-view';
+  // Keys are for walking here, not shortcuts of JupyterLab.
+  host.dataset['lmSuppressShortcuts'] = 'true';
+  canvas.tabIndex = 0;
+  canvas.setAttribute('aria-label', '3D view: drag to look, W A S D and arrows to walk');
+  canvas.style.width = `${model.get('width')}px`;
+  canvas.style.aspectRatio = `${model.get('width')} / ${model.get('height')}`;
+  text.setAttribute('role', 'status');
+  text.textContent = 'Loading…';
+  host.append(canvas, text);
+  el.append(host);
+  let problem = '';
+  const say = (said: string): void => {
+    if (text.textContent !== (problem || said)) text.textContent = problem || said;
+  };
+  return { host, canvas, say, complain: (told) => say((problem = told)) };
+}
+
+/** Draw frames until the function that is returned is called. */
+function show(model: Model, view: View, source: KernelSource, failed: (reason: Error) => void): () => void {
+  const { canvas, host } = view;
+  const { arrange, isSmooth, isWhole } = strategyOf(String(model.get('strategy')));
+  const manifest = arrange(source.manifest);
+  const script = URL.createObjectURL(new Blob([WORKER], { type: 'text/javascript' }));
+  const asked = (): Pose => Object.fromEntries(POSE.map((name) => [name, model.get(name)])) as unknown as Pose;
+  const controls = createControls(canvas, { start: asked(), keys: canvas });
+  const viewer = createViewer(canvas, {
+    manifest,
+    fetch: source.fetch,
+    last: Number.POSITIVE_INFINITY,
+    worker: new URL(script),
+    angle: Number(model.get('angle')),
+    antialias: true,
+    isSmooth,
+    isWhole,
+    failed,
+    lost: (isLost) => view.complain(isLost ? LOST : ''),
+    moved: controls.setPose,
+  });
+  host.nearfar = { viewer };
+  const mirror = createMirror(model);
+  mirror.hear(POSE, () => {
+    const target = asked();
+    if ((nearestOf(manifest.regions, target.position) ?? 0) === viewer.facts.region) controls.setPose(target);
+    else viewer.go(target);
+  });
+  mirror.hear(['angle'], () => {
+    viewer.camera.fov = Number(model.get('angle'));
+    viewer.camera.updateProjectionMatrix();
+  });
+  viewer.open(nearestOf(manifest.regions, asked().position) ?? 0);
+  let isSeen = true;
+  // Of all notebooks that are open only what is on the screen is drawn.
+  const watch = new IntersectionObserver((entries) => {
+    isSeen = entries.at(-1)?.isIntersecting ?? true;
+  });
+  watch.observe(canvas);
+  let last = performance.now();
+  viewer.renderer.setAnimationLoop((now: number) => {
+    const seconds = Math.max(now - last, 0) / 1000;
+    last = now;
+    if (!isSeen) return;
+    const pose = controls.update(seconds);
+    viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
+    const { bounds, shown, region, goal, arrived } = viewer.facts;
+    controls.setBounds(bounds);
+    const rings = (manifest.regions[region]?.rings.length ?? 1) - 1;
+    if (arrived >= 0) view.say(arrived < rings ? `Ring ${arrived} of ${rings}` : '');
+    const { radius, strength } = shown?.grown ?? { radius: 0, strength: 0 };
+    const state = { region, ring: shown?.ring ?? -1, radius, strength };
+    // On the way to another place Python has that already.
+    mirror.tell(goal === null ? { ...pose, ...state } : state, now);
+  });
+  return () => {
+    viewer.renderer.setAnimationLoop(null);
+    watch.disconnect();
+    mirror.dispose();
+    controls.dispose();
+    viewer.dispose();
+    URL.revokeObjectURL(script);
+  };
+}
+
+export default { render };

@@ -1,0 +1,57 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { directionTo, placeFor } from '../src/control/places';
+import { createTaps } from '../src/control/taps';
+import type { Vector } from '../src/control/vector';
+
+const EYE: Vector = [1, 1.7, 2];
+const near = (a: Vector, b: Vector): void =>
+  a.forEach((value, axis) => assert.ok(Math.abs(value - (b[axis] ?? 0)) < 1e-9, `${a} is not ${b}`));
+
+test('a direction is that of the picture', () => {
+  const pose = { position: EYE, yaw: 0, pitch: 0 };
+  near(directionTo(pose, [0.5, 0.5], 1, 1.5), [0, 0, -1]);
+  near(directionTo(pose, [1, 0.5], 1, 1), [Math.SQRT1_2, 0, -Math.SQRT1_2]);
+  near(directionTo(pose, [0.5, 0], 1, 1.5), [0, Math.SQRT1_2, -Math.SQRT1_2]);
+  near(directionTo({ ...pose, yaw: Math.PI / 2 }, [0, 0.5], 1, 1), [-Math.SQRT1_2, 0, Math.SQRT1_2]);
+  near(directionTo({ ...pose, pitch: 0.3 }, [0.5, 0.5], 1, 1), [0, Math.sin(0.3), -Math.cos(0.3)]);
+});
+
+test('the ground is stood on, and other things are stood before', () => {
+  near(placeFor(EYE, [0, -0.5, -Math.sqrt(0.75)], [1, 0.1, -3]), [1, 1.7, -3]);
+  near(placeFor(EYE, [0, 0, -1], [1, 1.7, -6]), [1, 1.7, -5]);
+  // What is nearer than that moves nobody.
+  near(placeFor(EYE, [0, 0, -1], [1, 1.7, 1.5]), EYE);
+});
+
+test('where nothing near is seen the ground is guessed; above it a leap leads there', () => {
+  const down = Math.SQRT1_2;
+  near(placeFor(EYE, [0, -down, -down], null), [1, 1.7, 0.3]);
+  near(placeFor(EYE, [1, 0, 0], null), [16, 1.7, 2]);
+  near(placeFor(EYE, [0, 1, 0], null), EYE);
+});
+
+function tapped(events: readonly (readonly ['down' | 'up', number, number, number, number?])[]): number {
+  let count = 0;
+  const taps = createTaps(() => (count += 1));
+  for (const [name, timeStamp, clientX, clientY, pointerId = 1] of events) {
+    taps[name]({ timeStamp, clientX, clientY, pointerId });
+  }
+  return count;
+}
+
+test('two taps at one place are told of, once', () => {
+  const two = [['down', 0, 50, 50], ['up', 90, 52, 50], ['down', 250, 55, 52], ['up', 330, 55, 52]] as const;
+  assert.equal(tapped(two), 1);
+  assert.equal(tapped([...two, ['down', 450, 55, 52], ['up', 500, 55, 52]]), 1);
+});
+
+test('drags, slow taps, taps elsewhere and two fingers are no taps', () => {
+  const [first, second] = [[['down', 0, 50, 50], ['up', 90, 50, 50]], [['down', 200, 50, 50], ['up', 280, 50, 50]]] as const;
+  assert.equal(tapped([...first, ...second]), 1);
+  assert.equal(tapped([['down', 0, 50, 50], ['up', 90, 90, 50], ...second]), 0);
+  assert.equal(tapped([['down', 0, 50, 50], ['up', 400, 50, 50], ['down', 450, 50, 50], ['up', 500, 50, 50]]), 0);
+  assert.equal(tapped([...first, ['down', 600, 50, 50], ['up', 650, 50, 50]]), 0);
+  assert.equal(tapped([...first, ['down', 200, 90, 50], ['up', 250, 90, 50]]), 0);
+  assert.equal(tapped([...first, ['down', 200, 50, 50], ['down', 210, 300, 50, 2], ['up', 280, 50, 50]]), 0);
+});

@@ -1,0 +1,19 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { whyNoHeadset } from '../src/xr/support';
+
+function system(answer: () => Promise<boolean>): XRSystem {
+  return { isSessionSupported: answer } as unknown as XRSystem;
+}
+
+test('a sentence says why no headset can be entered', async () => {
+  const missing = system(async () => false);
+  const forbidden = system(async () => {
+    throw new DOMException('no', 'SecurityError');
+  });
+  assert.match((await whyNoHeadset(undefined, false)) ?? '', /https/);
+  assert.match((await whyNoHeadset(undefined, true)) ?? '', /This browser/);
+  assert.match((await whyNoHeadset(missing, true)) ?? '', /connected/);
+  assert.match((await whyNoHeadset(forbidden, true)) ?? '', /from here/);
+  assert.equal(await whyNoHeadset(system(async () => true), true), null);
+});
