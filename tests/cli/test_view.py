@@ -47,6 +47,17 @@ def test_the_page_is_written_beside_a_bundle(bundle: Path, capsys: pytest.Captur
     assert (bundle / "page.js").is_file()
 
 
+def test_the_page_is_written_beside_a_reduced_scene(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    reduced = nf.reduce(nf.datasets.room(), center=(0.3, 1.6, 0.2), r1=1.2, r2=2.0, face_size=64)
+    reduced.save(tmp_path / "light")
+    assert command(capsys, "view", tmp_path / "light", "--write")[0] == 0
+    assert {"index.html", "manifest.json", "reduced.json"} <= {path.name for path in (tmp_path / "light").iterdir()}
+    reduced.with_morph("none").save(tmp_path / "torn")
+    status, _, err = command(capsys, "view", tmp_path / "torn", "--write")
+    assert status == 1
+    assert "with_morph" in err
+
+
 def test_what_is_no_bundle_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for more in ([], ["--write"]):
         status, _, err = command(capsys, "view", tmp_path / "nothing", *more)

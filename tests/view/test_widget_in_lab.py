@@ -35,6 +35,7 @@ view
     "view.camera = nf.Camera.look_at((3.5, 1.7, -2.5), (0, 2, -9), fov=nf.Fov.symmetric(90, 1.6), size=(320, 200))",
     "print(json.dumps([view.position, view.yaw, view.pitch, view.angle, view.ring, view.radius, view.problem]))",
     "nf.ReducedScene.load('light').show(size=(160, 100))",
+    "view",
 )
 
 
@@ -124,6 +125,26 @@ def test_a_reduced_scene_is_shown_beside_it(notebook: Any) -> None:
     notebook.until(f"() => {second}?.facts.arrived === 1")
     assert len(np.unique(notebook.photo(1).reshape(-1, 3), axis=0)) > 100
     assert notebook.page.evaluate(f"() => {VIEWER}.renderer.getContext().isContextLost()") is False
+
+
+def test_all_views_of_a_widget_show_the_same_user(notebook: Any) -> None:
+    notebook.run(4)
+    third = "document.querySelectorAll('.nearfar-view')[2]?.nearfar?.viewer"
+    notebook.until(f"() => {third}?.facts.arrived === 2")
+    page = notebook.page
+    canvas = page.locator(CANVAS).nth(2)
+    canvas.scroll_into_view_if_needed()
+    box = canvas.bounding_box()
+    x, y = box["x"] + 150, box["y"] + 100
+    before = page.evaluate(f"() => {third}.camera.rotation.y")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x - 50, y, steps=5)
+    page.mouse.up()
+    notebook.until(f"() => {third}.camera.rotation.y < {before} - 0.39")
+    page.locator(CANVAS).first.scroll_into_view_if_needed()
+    notebook.until(f"() => Math.abs({VIEWER}.camera.rotation.y - {third}.camera.rotation.y) < 1e-9")
+    page.evaluate("() => { window.jupyterapp.shell.currentWidget.content.widgets[4].model.clearExecution(); }")
 
 
 def test_views_that_are_replaced_leave_nothing(notebook: Any) -> None:

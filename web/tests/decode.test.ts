@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { parseManifest } from '../src/bundle/parse';
 import type { Buffers } from '../src/decode/geometry';
 import { decodeGeometry } from '../src/decode/geometry';
+import { NOTHING_GROWS } from '../src/decode/split/rule';
 import type { FileData } from '../src/decode/messages';
 
 const folder = process.env['NEARFAR_BUNDLE'];
@@ -44,6 +45,7 @@ test('geometry of a bundle', { skip: folder === undefined }, async () => {
       parts: await Promise.all(buffers.map(fileOf)),
       known: entry.parts.filter((name) => name.endsWith('.webp')),
       center: region.center,
+      growth: NOTHING_GROWS,
       isDynamic: entry === dynamic,
     };
     const { pieces, triangles } = await decodeGeometry(request, kept);

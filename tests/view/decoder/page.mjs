@@ -89,7 +89,7 @@ async function decoded(name) {
   };
   const ring = region.rings.find(({ geometry }) => geometry);
   const geometry = (glb, parts, isDynamic) => ({
-    kind: 'geometry', glb, parts, known: [], center: region.center, isDynamic,
+    kind: 'geometry', glb, parts, known: [], center: region.center, growth: { radii: [], nearShare: 0.7, reach: 1 }, isDynamic,
   });
   // Damage comes first: what follows shows that the worker goes on.
   const [glb, picture] = [await file(ring.geometry), (await files(region.rings[0].map.color))[0]];

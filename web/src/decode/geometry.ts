@@ -6,10 +6,15 @@ import { pictureOf } from './images';
 import type { FileData, Geometry, GeometryRequest, Piece } from './messages';
 import { chopped, shared } from './pieces';
 import { isIdentity, placementsOf, rounded } from './placements';
-import { FOLDER, pictureName, primitiveOf, sameOf } from './surfaces';
+import { splitPlaced } from './split/placed';
+import { createRule, NOTHING_GROWS, type Rule, TOLERANCE } from './split/rule';
+import { type Budget, splitArrays } from './split/triangles';
+import { type Arrays, FOLDER, pictureName, primitiveOf, sameOf } from './surfaces';
 
 /** Pieces of a file, at most: each is drawn for itself. */
 const MOST_PIECES = 2 ** 18;
+/** Triangles that splitting may add to a file: some tens of megabytes. */
+const MOST_MADE = 2 ** 19;
 
 /** Buffers of the bundle by their URIs in its files. */
 export type Buffers = Map<string, Uint8Array>;
@@ -21,7 +26,7 @@ export async function decodeGeometry(request: GeometryRequest, kept: Buffers): P
   const content = await contentOf(request.glb);
   try {
     const glb = openGlb(content, kept);
-    const pieces = await piecesOf(glb, request);
+    const pieces = splitPieces(...(await surfacesOf(glb, request)), request);
     return {
       pieces,
       images: await imagesOf(glb, parts, request.known),
@@ -77,7 +82,14 @@ interface Placed {
   readonly rows: Float64Array[];
 }
 
-async function piecesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRequest): Promise<Piece[]> {
+/** A primitive and where it is shown; without placements it lies in the frame of the nodes. */
+interface Surface {
+  readonly arrays: Arrays;
+  readonly same: string;
+  readonly placed: readonly { readonly name: string; readonly placements: Float32Array | null }[];
+}
+
+async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRequest): Promise<[Surface[], Point]> {
   const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
   const offset = offsetOf(root?.translation, center);
   const byMesh = new Map<number, Placed[]>();
@@ -90,19 +102,43 @@ async function piecesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRequ
     if (last && !isDynamic) last.rows.push(rows);
     else groups.push({ name: typeof node.name === 'string' ? node.name : '', rows: [rows] });
   }
-  const pieces: Piece[] = [];
+  const surfaces: Surface[] = [];
   for (const [mesh, groups] of byMesh) {
     const placed = groups.map(({ name, rows }) => {
       const isPlain = !isDynamic && rows.length === 1 && rows.every(isIdentity);
       return { name, placements: isPlain ? null : rounded(rows, offset) };
     });
     for (const primitive of entries(at(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
-      for (const [part, arrays] of chopped(await primitiveOf(glb, primitive)).entries()) {
-        // Without placements positions are those of this region.
-        const same = `${sameOf(glb, primitive, file.name)} ${part}`;
-        for (const { name, placements } of placed) {
-          if (placements) for (const own of shared(placements)) pieces.push({ ...arrays, name, placements: own, same });
-          else pieces.push({ ...arrays, name, placements, same: null, positions: moved(arrays.positions, offset) });
+      surfaces.push({ arrays: await primitiveOf(glb, primitive), same: sameOf(glb, primitive, file.name), placed });
+    }
+  }
+  return [surfaces, offset];
+}
+
+/** Pieces whose large triangles are split as finely as their number allows. */
+function splitPieces(surfaces: readonly Surface[], offset: Point, { growth, isDynamic }: GeometryRequest): Piece[] {
+  for (let tolerance = TOLERANCE; ; tolerance *= 2) {
+    const budget = { left: MOST_MADE };
+    // Dynamic objects may be posed, which changes where they are large.
+    const pieces = piecesOf(surfaces, offset, createRule(isDynamic ? NOTHING_GROWS : growth, tolerance), budget);
+    if (budget.left >= 0) return pieces;
+  }
+}
+
+function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budget: Budget): Piece[] {
+  const pieces: Piece[] = [];
+  for (const { arrays, same, placed } of surfaces) {
+    for (const { name, placements } of placed) {
+      const lying = (): Arrays => ({ ...arrays, positions: moved(arrays.positions, offset) });
+      const parts = placements
+        ? splitPlaced(arrays, placements, rule, budget)
+        : [{ arrays: splitArrays(lying(), rule, budget), placements }];
+      for (const part of parts) {
+        for (const [number, piece] of chopped(part.arrays).entries()) {
+          // Split triangles, and positions without placements, are those of this region.
+          const own = { ...piece, name, same: part.arrays === arrays ? `${same} ${number}` : null };
+          if (!part.placements) pieces.push({ ...own, placements: null });
+          else for (const some of shared(part.placements)) pieces.push({ ...own, placements: some });
           if (pieces.length > MOST_PIECES) throw new Error(`expected at most ${MOST_PIECES} pieces of geometry`);
         }
       }

@@ -50,6 +50,16 @@ export interface FileData {
   readonly sha256: string;
 }
 
+/** How R grows, and for whom: large triangles are split for it. */
+export interface Growth {
+  /** Radii at which R rests, metres, ascending: those of the rings from the first on. */
+  readonly radii: readonly number[];
+  /** n: nothing moves within n R. */
+  readonly nearShare: number;
+  /** Distance from O of the users for whom the error is bounded while R grows, metres. */
+  readonly reach: number;
+}
+
 /** Decode the geometry of a ring, or of the dynamic objects. */
 export interface GeometryRequest {
   readonly kind: 'geometry';
@@ -59,6 +69,7 @@ export interface GeometryRequest {
   /** URIs of pictures that the page has. */
   readonly known: readonly string[];
   readonly center: Point;
+  readonly growth: Growth;
   /** Each node is an object of its own, which can be posed. */
   readonly isDynamic: boolean;
 }

@@ -20,33 +20,40 @@ export function chopped(whole: Arrays): Arrays[] {
   const corners = 3 * MOST_TRIANGLES;
   if (whole.indices.length === 0) return [];
   if (whole.indices.length <= corners) return [whole];
-  const parts: Arrays[] = [];
   const renamed = new Int32Array(whole.positions.length / 3).fill(-1);
-  for (let start = 0; start < whole.indices.length; start += corners) {
-    const part = whole.indices.subarray(start, start + corners);
-    const indices = new Uint32Array(part.length);
-    const used = new Uint32Array(part.length);
-    let count = 0;
-    for (let n = 0; n < part.length; n++) {
-      const vertex = part[n] as number;
-      if (renamed[vertex] === -1) {
-        renamed[vertex] = count;
-        used[count++] = vertex;
-      }
-      indices[n] = renamed[vertex] as number;
+  const count = Math.ceil(whole.indices.length / corners);
+  return Array.from({ length: count }, (_, n) => {
+    return chosenRows(whole, whole.indices.subarray(n * corners, (n + 1) * corners), renamed);
+  });
+}
+
+/** Triangles by their corners, with the vertices that they use. `renamed` has −1 for each vertex, before and after. */
+export function chosenRows(
+  whole: Arrays,
+  corners: Uint16Array | Uint32Array,
+  renamed = new Int32Array(whole.positions.length / 3).fill(-1),
+): Arrays {
+  const indices = new Uint32Array(corners.length);
+  const used = new Uint32Array(corners.length);
+  let count = 0;
+  for (let n = 0; n < corners.length; n++) {
+    const vertex = corners[n] as number;
+    if (renamed[vertex] === -1) {
+      renamed[vertex] = count;
+      used[count++] = vertex;
     }
-    const chosen = used.subarray(0, count);
-    parts.push({
-      ...whole,
-      indices: count <= SHORT ? Uint16Array.from(indices) : indices,
-      positions: rowsOf(whole.positions, chosen, 3),
-      normals: whole.normals && rowsOf(whole.normals, chosen, 3),
-      uvs: whole.uvs && rowsOf(whole.uvs, chosen, 2),
-      colors: whole.colors && rowsOf(whole.colors, chosen, 4),
-    });
-    for (const vertex of chosen) renamed[vertex] = -1;
+    indices[n] = renamed[vertex] as number;
   }
-  return parts;
+  const chosen = used.subarray(0, count);
+  for (const vertex of chosen) renamed[vertex] = -1;
+  return {
+    ...whole,
+    indices: count <= SHORT ? Uint16Array.from(indices) : indices,
+    positions: rowsOf(whole.positions, chosen, 3),
+    normals: whole.normals && rowsOf(whole.normals, chosen, 3),
+    uvs: whole.uvs && rowsOf(whole.uvs, chosen, 2),
+    colors: whole.colors && rowsOf(whole.colors, chosen, 4),
+  };
 }
 
 function rowsOf<T extends Float32Array | Uint16Array>(rows: T, chosen: Uint32Array, width: number): T {

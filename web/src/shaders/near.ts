@@ -26,7 +26,8 @@ in vec4 row_z;
 #else
 uniform mat4 placement;
 #endif
-// From the centre, where it is; from the eye, where it is shown.
+// From the centre, where it is; from the eye, where it is shown. A picture shows directions, which are the same for both
+// kinds of the morph; at the distance of the blend, what is flat beyond R stays flat, however large its triangles are.
 out vec3 v_point;
 out vec3 v_shown;
 
@@ -37,7 +38,7 @@ vec3 shown(vec3 p) {
     return from_user;
   }
   float w = radii.w * user_weight(rho, radii.y, radii.z);
-  vec4 to = keeps_rho ? on_cylinder(user_place(), from_user, p, w, rho) : blended(from_user, p, w);
+  vec4 to = blended(from_user, p, w);
   return to.w * to.xyz;
 }
 
@@ -121,11 +122,9 @@ bool is_hidden() {
   if (coding.w == 0.0 || length(v_point.xz) <= radii.y) {
     return false;
   }
-  float range = length(v_shown);
-  vec3 direction = v_shown / range;
-  float limit = farthest_range(direction) * (1.0 + BIAS);
-  // Blended points keep the distance at which the centre sees them.
-  return range > (is_morphed() && keeps_rho ? range_on_cylinder(user_place(), direction, limit) : limit);
+  // Beyond R the morph shows things in the direction in which the centre sees them, so its ranges can be compared.
+  float range = length(is_morphed() ? v_point : v_shown);
+  return range > farthest_range(normalize(v_shown)) * (1.0 + BIAS);
 }
 
 const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);

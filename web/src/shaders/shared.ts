@@ -15,15 +15,8 @@ uniform vec3 cameraPosition;
 // r1, r2, 1 / (r2 - r1), and the strength of the morph; a strength below 0 stands for no morph at all.
 uniform vec4 radii;
 
-// Points keep their distance from the axis (the cylinder); else they are blended.
-uniform bool keeps_rho;
-
 bool is_morphed() {
   return radii.w >= 0.0;
-}
-
-Place user_place() {
-  return ground_place(cameraPosition);
 }
 `;
 

@@ -104,6 +104,11 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
     parts,
     known: [...store.textures.keys()],
     center: region.entry.center,
+    growth: {
+      radii: region.entry.rings.slice(1).map(({ radius }) => radius),
+      nearShare: manifest.morph.near_share,
+      reach: manifest.growth.reach,
+    },
     isDynamic: ring === 0,
   });
   for (const part of wanted) {

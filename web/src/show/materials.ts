@@ -24,7 +24,6 @@ export interface Shared extends Record<string, IUniform> {
   readonly map: IUniform<CubeTexture>;
   readonly codes: IUniform<CubeTexture>;
   readonly coding: IUniform<Vector4>;
-  readonly keeps_rho: IUniform<boolean>;
 }
 
 /** Uniforms for a picture of one cube, until a picture sets others. */
@@ -35,7 +34,6 @@ export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
     map: { value: map },
     codes: { value: codes },
     coding: { value: new Vector4() },
-    keeps_rho: { value: true },
   };
 }
 

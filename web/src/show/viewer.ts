@@ -115,7 +115,6 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
   let blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
-  shared.keeps_rho.value = manifest.morph.kind === 'cylinder';
   const uploads = createUploads();
   const workers: Worked[] = [startDecoder(settings.worker), startDecoder(settings.worker)];
   const feet = { x: 0, y: 0, z: 0 };

@@ -1,0 +1,190 @@
+/**
+ * Where edges of large triangles are cut. A vertex shader morphs corners and keeps sides straight, so long sides are
+ * shown in the wrong place. The rule depends on the two ends of an edge alone: all triangles at an edge cut it alike,
+ * and no crack opens.
+ *
+ * All positions are relative to the centre O. With v = U−O, |v| ≤ u, A = |P−U|, B = |P−O|, the weight w of the user's
+ * view, κ = w(1−w) and d the direction in which P is shown,
+ *
+ *   Q − U = (P−O) − w v + κ(A−B)(d_O − d_U) + a part along d and of higher order in u/D,
+ *
+ * of which P−O is linear. Seen from D = B − u, the second derivatives of the other terms are at most those of `formAt`
+ * (rust/core/src/tessellate/bound.rs derives them, with greater factors, which were never reached); a side of length ℓ
+ * is off by a sixth of them times ℓ². The weight falls from 1 at nR to 0 at R, so its slope W = 1/((1−n)R) changes
+ * there: a side whose distances from the axis differ by c is off by W c/4 times u/D, wherever R lies as it grows. So
+ * sides are cut at circles about the axis, of which c is the distance; the radii at which R rests are among them.
+ */
+import type { Growth } from '../messages';
+
+export interface Rule {
+  /** Share of the way from a to b at which their edge is cut, 0 for nowhere. Callers order the ends consistently. */
+  share(a: Vector, b: Vector): number;
+  /** Whether no edge up to a length is cut, by the distances of its points from the axis and the least one from O. */
+  isHarmless(longest: number, rho: readonly [nearest: number, farthest: number], distance: number): boolean;
+  /** Radius beyond which no edge is cut: there all is shown as O sees it, and flat things stay flat. */
+  readonly outer: number;
+}
+
+/** Of what no triangle is large. */
+export const NOTHING_GROWS: Growth = { radii: [], nearShare: 0.5, reach: 0 };
+
+export type Vector = readonly [number, number, number];
+
+/** Error where R rests, radians: half a pixel of a picture of 75° that is 1,080 pixels high. */
+export const TOLERANCE = 7e-4;
+/** Share of the error for edges along the radius; the rest is for their lengths. */
+const RANGE_SHARE = 0.3;
+/** Users for whom the error is bounded where R rests, as a share of a point's distance from the axis. */
+const AT_REST = 0.1;
+/** Greatest share of the first radius for which `reach` counts. */
+const MOST_REACH = 0.35;
+/** Least D as a share of B: what is nearer to the user than to the centre is not cut more finely. */
+const CLEAREST = 0.75;
+/** Shares of ρ for which c is not too great, whatever the user: while R grows, and where it rests. */
+const [WIDEST, WIDEST_AT_REST] = [0.03, 0.004] as const;
+/** Shortest edge that is cut, and how far it may reach beyond a circle, as shares of its distance from the axis. */
+const [SHORTEST, MISSED] = [0.002, 5e-4] as const;
+/** Part of the first radius at which distances from the axis count at least. */
+const CORE = 1 / 8;
+/** Points of a triangle may be nearer to the axis and to O than its edge by this factor. */
+const SPREAD = 1.1;
+
+export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLERANCE): Rule {
+  const first = radii[0] ?? 0;
+  const coarser = tolerance / TOLERANCE;
+  const outer = radii.at(-1) ?? 0;
+  const inner = nearShare * first;
+  const least = Math.min(reach, MOST_REACH * first);
+  const kinks = [...new Set(radii.flatMap((radius) => [nearShare * radius, radius]))]
+    .filter((radius) => radius > CORE * first)
+    .sort((a, b) => a - b);
+  const atRest = (rho: number, distance: number, u: number): number =>
+    Math.max(rangeAt(rho, distance, u), coarser * WIDEST_AT_REST * rho);
+  const growing = (rho: number, distance: number): number =>
+    Math.max(rangeAt(rho, distance, least), coarser * WIDEST * rho);
+  const bands = bandsOf(kinks, (rho) => growing(rho, rho));
+
+  /** Greatest slope of the weight for points from a distance from the axis on, for all R. */
+  function slopeAt(rho: number): number {
+    return rho < outer ? 1 / ((1 - nearShare) * Math.max(first, rho)) : 0;
+  }
+
+  /** Greatest c of an edge across which the slope changes, for users at a distance u. */
+  function rangeAt(rho: number, distance: number, u: number): number {
+    const q = u / clear(distance, u);
+    return (4 * RANGE_SHARE * tolerance) / (q * (1 + q / 2) * (slopeAt(rho) || 1e-9));
+  }
+
+  /** Second derivatives, radians by the squares of c, of the horizontal length, and of the length. */
+  function formAt(rho: number, distance: number, u: number, isFlat: boolean): Vector {
+    const away = clear(distance, u);
+    const q = u / away;
+    const slope = isFlat ? 0 : slopeAt(rho);
+    const mixed = ((8 / 3) * q * q * slope) / away;
+    const along = q * q * slope * slope + 0.75 * mixed;
+    const across = (q * (1 + q / 2) * slope) / Math.max(rho, CORE * first);
+    const any = (0.3 * q * q) / (away * away) + mixed / 3;
+    return [along, across, any];
+  }
+
+  const forLengths = 6 * tolerance * (1 - RANGE_SHARE);
+  const usersAt = (rho: number): number => Math.max(least, AT_REST * rho);
+  const shortestAt = (rho: number): number => SHORTEST * Math.max(rho, CORE * first);
+
+  return {
+    outer,
+    isHarmless(longest, [inward, farthest], distance) {
+      if (inward >= outer || longest <= shortestAt(inward)) return true;
+      const [nearest, away] = [inward / SPREAD, distance / SPREAD];
+      const isFlat = farthest <= inner;
+      const u = usersAt(farthest);
+      const [along, across, any] = formAt(nearest, away, u, isFlat);
+      if ((along + across + any) * longest * longest > forLengths) return false;
+      if (isFlat || longest <= atRest(nearest, away, u)) return true;
+      const isAtKink = countBelow(kinks, nearest) < countBelow(kinks, farthest);
+      return !isAtKink && longest <= growing(nearest, away);
+    },
+    share(a, b) {
+      const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+      const [level, length] = [Math.hypot(dx, dz), Math.hypot(dx, dy, dz)];
+      const nearest = segmentDistance([a[0], 0, a[2]], [dx, 0, dz]);
+      const shortest = shortestAt(nearest);
+      if (nearest >= outer * (1 - MISSED) || length <= shortest) return 0;
+      const farthest = Math.max(Math.hypot(a[0], a[2]), Math.hypot(b[0], b[2]));
+      const isFlat = farthest <= inner * (1 + MISSED);
+      const range = farthest - nearest;
+      const [rho, distance] = [nearest / SPREAD, segmentDistance(a, [dx, dy, dz]) / SPREAD];
+      const u = usersAt(nearest);
+      if (!isFlat && range > atRest(rho, distance, u)) {
+        const circles = range > growing(rho, distance) ? bands : kinks;
+        const at = cutAt(circles, [a[0], a[2]], [dx, dz], [nearest, farthest]);
+        // What passes the outermost circle by so little is all but beyond it.
+        if (at > 0 || farthest > outer * (1 + MISSED)) return at;
+      }
+      const [along, across, any] = formAt(rho, distance, u, isFlat);
+      const bent = along * range * range + across * level * level + any * length * length;
+      const parts = Math.min(Math.ceil(Math.sqrt(bent / forLengths) - 1e-9), Math.floor(length / shortest));
+      return parts >= 2 ? Math.floor(parts / 2) / parts : 0;
+    },
+  };
+}
+
+/** D, for users at a distance u. */
+function clear(distance: number, u: number): number {
+  return Math.max(distance - u, CLEAREST * distance, 1e-9);
+}
+
+/** All of some ascending radii, and others between them, so that neighbours are at most so far apart. */
+function bandsOf(radii: readonly number[], apart: (rho: number) => number): number[] {
+  return radii.flatMap((start, number) => {
+    const end = radii[number + 1] ?? start;
+    const steps = [0];
+    for (let rho = start; rho < end; ) {
+      rho += apart(rho);
+      steps.push(rho - start);
+    }
+    // The last step would pass the end: all are made smaller, because a narrow band would need narrow triangles.
+    const share = (end - start) / (steps.at(-1) || 1);
+    return steps.slice(0, Math.max(steps.length - 1, 1)).map((step) => start + share * step);
+  });
+}
+
+/** Distance of the origin from a segment from `from` along `by`. */
+function segmentDistance([x, y, z]: Vector, [dx, dy, dz]: Vector): number {
+  const squared = dx * dx + dy * dy + dz * dz;
+  const share = squared > 0 ? Math.min(Math.max(-(x * dx + y * dy + z * dz) / squared, 0), 1) : 0;
+  return Math.hypot(x + share * dx, y + share * dy, z + share * dz);
+}
+
+/**
+ * Where a segment in the ground plane crosses one of the circles that it passes: the one whose number has the most
+ * factors of two, so that edges of a triangle are cut at the same circle. 0 if it passes none.
+ */
+function cutAt(
+  circles: readonly number[],
+  [x, z]: readonly [number, number],
+  [dx, dz]: readonly [number, number],
+  [nearest, farthest]: readonly [number, number],
+): number {
+  const low = countBelow(circles, nearest * (1 + MISSED));
+  const high = countBelow(circles, farthest * (1 - MISSED));
+  if (high <= low) return 0;
+  const power = 31 - Math.clz32(low ^ high);
+  const radius = circles[((high >> power) << power) - 1] as number;
+  const squared = dx * dx + dz * dz;
+  const along = x * dx + z * dz;
+  const root = Math.sqrt(along * along - squared * (x * x + z * z - radius * radius));
+  const shares = [(-along - root) / squared, (-along + root) / squared].filter((share) => share > 0 && share < 1);
+  return shares.sort((a, b) => Math.abs(a - 0.5) - Math.abs(b - 0.5))[0] ?? 0;
+}
+
+/** How many of some ascending numbers are below another one. */
+function countBelow(numbers: readonly number[], value: number): number {
+  let [low, high] = [0, numbers.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((numbers[middle] as number) < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
