@@ -24,11 +24,11 @@ TARGET = Path(__file__).resolve().parents[1] / "docs" / "view_load.gif"
 SIZE = (400, 250)
 CENTER = (-10.5, 1.7, -14.0)
 YAW, PITCH = -0.03, 0.05
-RADII, SPEED = (6.0, 12.0, 30.0), 2.0
+RADII, SPEED = (10.0, 20.0, 40.0), 2.0
 """Metres; degrees a second at which the picture turns while the morph grows."""
 STEP, SHOWN = 1 / 3, 0.1
 """Seconds of the page between two pictures, and for which each is shown."""
-SWAY, PERIOD = 0.9, 6.0
+SWAY, PERIOD = 0.7, 6.0
 """Metres to either side, and seconds of the page there and back."""
 
 # A frame of the page's own, without its clock.
