@@ -65,8 +65,13 @@ def options() -> list[tuple[str, str]]:
 
 
 def without(arguments: tuple[str, ...], names: list[str]) -> list[str]:
-    pairs = zip(arguments[::2], arguments[1::2], strict=True)
-    return [part for pair in pairs if pair[0] not in names for part in pair]
+    """Arguments without some options and their values; flags have none."""
+    options: list[list[str]] = []
+    for part in arguments:
+        if part.startswith("-") or not options:
+            options.append([])
+        options[-1].append(part)
+    return [part for option in options if option[0] not in names for part in option]
 
 
 def flaw(status: int, printed: str, option: str) -> str | None:
