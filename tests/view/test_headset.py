@@ -19,14 +19,19 @@ from tests.support.headset import (
     Quaternion,
     Vector,
     about,
+    alike,
     capture,
     empty_hands,
     expected,
     eyes,
+    floor_of,
     floor_under,
     folder_of,
+    frames,
     look,
+    point,
     share_alike,
+    squeeze,
     times,
     worn,
 )
@@ -150,6 +155,40 @@ def test_no_layer_shows_the_map_where_something_moves(chromium: Any, server: str
     with worn(chromium, address(server, "rings=1&strategy=clovrd"), "quest3", SIZE, 1, layers=True) as page:
         capture(page, "shown.ring === 1")
         assert page.evaluate("() => window.emulated.layers.cube") is None
+
+
+def test_walking_on_leads_to_the_next_region(chromium: Any, tmp_path: Path) -> None:
+    """Jumps lead over the border between two centres, where the next one's picture takes over for both eyes."""
+    centers = [CENTER, (CENTER[0], CENTER[1], CENTER[2] - 8.0)]
+    settings: dict[str, Any] = {"face_size": 256, "quality": None, "pixels_per_degree": None}
+    scene = nf.datasets.city(blocks=2, detail=1)
+    bundle = nf.stream.export(scene, tmp_path / "regions", center=centers, radii=(10.0,), **settings)
+    head: Vector = FIRST
+    level: Quaternion = (0.0, 0.0, 0.0, 1.0)
+    place = ",".join(map(str, CENTER))
+    with (
+        Server(folder_of(bundle)) as running,
+        worn(chromium, f"{running.url}?aa=0&strategy=clovrd#p={place}&yaw=0", "quest3", SIZE, 1) as page,
+    ):
+        look(page, head, level)
+        # Level from a height of 1.5 m: four metres ahead.
+        point(page, "right", (0.0, 1.5, 0.0), level)
+        point(page, "left", (0.0, -90.0, 0.0), level)
+        for _ in range(3):
+            frames(page, 3)
+            squeeze(page, "right", 1)
+            frames(page, 3)
+            squeeze(page, "right", 0)
+            page.wait_for_timeout(1000)
+        page.wait_for_function("() => window.nearfar.viewer.facts.region === 1")
+        empty_hands(page)
+        page.wait_for_function("() => window.nearfar.viewer.facts.leaving === null")
+        found = capture(page, "shown.ring === 1 && window.nearfar.viewer.facts.region === 1")
+        floor = floor_of(page, centers[1])
+        assert np.hypot(*(floor.position - centers[1])[[0, 2]]) < 7
+        region, grown = bundle.region(1), found.shown["grown"]
+        cameras = eyes(floor, (head, level), HEADSETS["quest3"], SIZE)
+        assert alike(region, {"ring": 1, **grown}, found, cameras) >= 0.98
 
 
 def test_a_browser_without_a_headset_says_so(chromium: Any, server: str) -> None:

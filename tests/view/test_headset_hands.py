@@ -283,4 +283,11 @@ def test_leaving_goes_on_where_the_head_was(page: Any) -> None:
     found = floor_of(page, CENTER)
     assert np.allclose(found.position, (place[0], floor.position[1] + 1.7, place[2]), atol=1e-4)
     assert found.yaw == 0
-    assert page.get_by_role("button", name="Enter VR").is_visible()
+    # And the headset begins where the screen has stopped.
+    look(page, FIRST, STRAIGHT)
+    page.get_by_role("button", name="Enter VR").click()
+    page.wait_for_function("() => window.nearfar.viewer.renderer.xr.isPresenting")
+    frames(page, 3)
+    again = floor_of(page, CENTER)
+    assert np.allclose(again.position, (place[0], floor.position[1], place[2]), atol=1e-4)
+    assert again.yaw == pytest.approx(floor.yaw)

@@ -248,3 +248,21 @@ def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None
         shown.wait_for_function("() => window.nearfar.viewer.facts.region === 1", timeout=60e3)
         assert shown.evaluate("() => document.querySelector('.note').textContent") == f"Place 2 of {PLACES}"
         assert shown.printed == []
+
+
+def test_a_region_that_does_not_come_leaves_the_old_picture(chromium: Any, hall: Path) -> None:
+    manifest = json.loads((hall / "manifest.json").read_text())
+    name = manifest["regions"][1]["rings"][1]["geometry"]
+    with Server(hall) as server, opened(chromium, *SIZE) as shown:
+        shown.route(f"**/{name}", lambda route: route.fulfill(status=404))
+        shown.goto(f"{server.url}?aa=0&strategy=clovrd")
+        shown.wait_for_function("() => window.nearfar?.viewer.facts.shown?.ring === 2", timeout=60e3)
+        beyond = {"position": [0.9 * gallery.STEP, gallery.EYE, 0.0], "yaw": 0.3, "pitch": PITCH}
+        shown.evaluate("(pose) => window.nearfar.setPose(pose)", beyond)
+        shown.wait_for_function("() => document.querySelector('#message').textContent !== ''", timeout=60e3)
+        assert name in shown.evaluate("() => document.querySelector('#message').textContent")
+        assert shown.evaluate("() => window.nearfar.viewer.facts.region") == 0
+        assert shown.evaluate("() => window.nearfar.viewer.facts.shown.grown.radius") == gallery.RADII[-1]
+        shown.unroute(f"**/{name}")
+        shown.keyboard.press("r")
+        shown.wait_for_function("() => window.nearfar.viewer.facts.region === 1", timeout=60e3)

@@ -15,8 +15,8 @@ import { clearMessage, FATAL, showFatal } from './ui/messages';
 import { createPanel } from './ui/panel';
 import type { Commands } from './ui/status';
 import { createThumbMark } from './ui/thumb';
-import { createHeadset, type Headset } from './xr/session';
-import { whyNoHeadset } from './xr/support';
+import { offerHeadset } from './xr/offer';
+import type { Headset } from './xr/session';
 
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
@@ -120,17 +120,19 @@ async function main(): Promise<void> {
     };
   }
   const panel = createPanel(root, commands);
-  void whyNoHeadset(navigator.xr, window.isSecureContext).then((reason) => {
-    if (reason === null && navigator.xr) {
-      headset = createHeadset(viewer, navigator.xr, {
-        pose: () => pose,
-        bounds: () => viewer.facts.bounds,
-        left: controls.setPose,
-        isStatic: manifest.dynamic === null,
-      });
-    }
-    commands.headset = headset ?? reason ?? '';
-  });
+  offerHeadset(
+    viewer,
+    {
+      pose: () => pose,
+      bounds: () => viewer.facts.bounds,
+      left: controls.setPose,
+      isStatic: manifest.dynamic === null,
+    },
+    (found) => {
+      headset = typeof found === 'string' ? null : found;
+      commands.headset = found;
+    },
+  );
   viewer.open(nearestOf(manifest.regions, start.position) ?? 0);
   let last = performance.now();
   let sincePanel = PANEL_EVERY;

@@ -161,7 +161,9 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       open.shown = null;
     },
     leave(region) {
-      opens.get(region)?.stage.leave();
+      const open = opens.get(region);
+      open?.stage.leave();
+      if (open) open.shown = null;
     },
     grown: (region): Grown | null => opens.get(region)?.shown?.grown ?? null,
     advance(region, seconds, least) {
