@@ -109,8 +109,8 @@ def scenes_by_tolerance(quick: bool) -> str:
                 nf._core.tessellate_scene,
                 scene._core,
                 center=tuple(center),
-                r1=R1,
-                r2=R2,
+                radii=(R1, R2),
+                stages=None,
                 reach=REACH,
                 tolerance=pixels * PIXEL,
             )

@@ -27,14 +27,17 @@ def tessellate(
     user_region: ArrayLike,
     tolerance_px: float,
     camera: Camera,
+    kind: str = "blend",
+    radius: float | None = None,
+    strength: float = 1.0,
 ) -> Mesh:
     """Split triangles until a vertex shader that morphs corners shows every point where `morph` does.
 
-    The error has a proven bound: for kind "blend", every user position in the region and every point of the surface,
-    the picture differs from the exact morph by at most the tolerance. Whether an edge is split depends on that edge
-    alone, so neighbours stay joined, within a mesh and between meshes and objects. Triangles within r1 or beyond r2
-    stay unchanged, bit for bit. So do moving objects, whose poses change: `ReducedScene.render` splits them in each
-    frame.
+    The error has a proven bound: for every user position in the region and every point of the surface, the picture
+    differs from the exact morph by at most the tolerance; for kind "cylinder" at every stage of its growth. Whether an
+    edge is split depends on that edge alone, so neighbours stay joined, within a mesh and between meshes and objects.
+    Triangles within r1, and those of a blend beyond r2, stay unchanged, bit for bit. So do moving objects, whose poses
+    change: `ReducedScene.render` splits them in each frame.
 
     Parameters
     ----------
@@ -50,12 +53,21 @@ def tessellate(
     user_region
         Possible positions of users' eyes: a radius in metres about the centre, or a box (2, 3) of least and greatest
         corner in the frame of `center`. A box stands for the ball about the centre that encloses it. The radius is at
-        most 0.6 r1.
+        most 0.6 r1, for "cylinder" half of the least r1.
     tolerance_px
         Greatest error in pixels, above 0.
     camera
         A perspective view or cube face with the users' resolution. The tolerance is measured in its finest pixel, at
         the image's corner; its position and direction do not matter.
+    kind
+        Kind of the morph, "blend" or "cylinder".
+    radius
+        For "cylinder": the least radius of a morph that grows to r2, in metres, above 0 and up to r2, the default; r1
+        shrinks in proportion. The result serves all radii between.
+    strength
+        For "cylinder": the least strength, 0 to 1. Below 1 the result serves all strengths. Then points within r1 move,
+        too; next to the axis, within 2.6 times the region's radius, no bound is known, and edges are not split below a
+        64th of r2.
 
     Returns
     -------
@@ -65,8 +77,9 @@ def tessellate(
     Raises
     ------
     ValueError
-        For radii out of order, regions beyond 0.6 r1 (no bound is known there), tolerances that need triangles smaller
-        than (r2 − r1)/4096, and cameras with parallel rays.
+        For radii out of order, regions beyond 0.6 r1, or half of r1 (no bound is known there), tolerances that need
+        triangles smaller than (r2 − r1)/4096 or than the coordinates' digits, a growth of a "blend", and cameras with
+        parallel rays.
     TypeError
         For meshes of another type.
     MemoryError
@@ -80,8 +93,8 @@ def tessellate(
     near, far = check.radii(r1, r2)
     settings: dict[str, Any] = {
         "center": middle,
-        "r1": near,
-        "r2": far,
+        "radii": (near, far),
+        "stages": _stages(kind, far, radius, strength),
         "reach": _reach(user_region, middle),
         "tolerance": check.positive("tolerance_px", tolerance_px) * _pixel_angle(camera),
     }
@@ -90,6 +103,19 @@ def tessellate(
             core, _counts = _core.tessellate_scene(mesh._core, **settings, report=report)
         return mesh._derived(core, mesh._rest)
     return _tessellate_trimesh(mesh, settings)
+
+
+def _stages(kind: str, far: float, radius: float | None, strength: float) -> tuple[float, bool] | None:
+    """Least radius of a growth and whether its strength is full; None for a blend, which has no growth."""
+    check.choice("kind", kind, ("blend", "cylinder"))
+    share = check.within("strength", strength, 0.0, 1.0)
+    least = far if radius is None else check.within("radius", check.positive("radius", radius), 0.0, far)
+    if kind == "cylinder":
+        return least, share == 1.0
+    if radius is not None or share < 1.0:
+        name = "strength" if radius is None else "radius"
+        raise ValueError(f"{name}: expected none for kind 'blend', whose radii and strength are fixed")
+    return None
 
 
 def _pixel_angle(camera: Camera) -> float:

@@ -28,7 +28,7 @@ VALID = {
     "lod": ("-i", "ball.glb", "-o", "model.json", "--views", "4", "--distances", "1", "--ratios", "1", "--method",
             "meshopt", "--backend", "cpu"),
     "export": ("-i", "ball.glb", "-o", "bundle", "--center", "0,1.7,0", "--radii", "3,8", "--samples", "1",
-               "--face-size", "64", "--by-footprint"),
+               "--face-size", "64", "--split", "50", "--by-footprint"),
     # It would serve until Ctrl-C without the second one.
     "view": ("seen", "--write"),
     "stereo": ("-i", "ball.glb", "-o", "stereo", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
@@ -65,8 +65,9 @@ def options() -> list[tuple[str, str]]:
 
 
 def without(arguments: tuple[str, ...], names: list[str]) -> list[str]:
-    pairs = zip(arguments[::2], arguments[1::2], strict=True)
-    return [part for pair in pairs if pair[0] not in names for part in pair]
+    """Arguments without some options and their values; flags have none."""
+    dropped = {place + step for place, part in enumerate(arguments) if part in names for step in (0, 1)}
+    return [part for place, part in enumerate(arguments) if place not in dropped]
 
 
 def flaw(status: int, printed: str, option: str) -> str | None:

@@ -40,6 +40,16 @@ def test_dynamic_objects_are_counted(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert "dynamic objects" in printed
 
 
+def test_large_triangles_are_split(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    def triangles(*more: str) -> int:
+        given: tuple[str | Path, ...] = ("-i", city, "-o", tmp_path / "bundle", "--radii", "10,22", *FAST, *more)
+        status, printed, err = command(capsys, "export", *given, "--json")
+        assert status == 0, err
+        return sum(int(row["triangles"]) for row in document(printed, "export")["regions"][0]["rings"])
+
+    assert triangles("--split", "20") > 2 * triangles()
+
+
 def test_a_url_takes_a_bundle_too(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
     need("fsspec")
     url = "memory://cli/city"
@@ -81,6 +91,7 @@ def test_several_centres_move_to_a_grid(city: Path, tmp_path: Path, capsys: pyte
         (("-o", "web"), "path: holds a manifest.json of another program"),
         (("--grid", "0"), "grid: expected"),
         (("--pixels-per-degree", "600"), "pixels_per_degree: expected"),
+        (("--split", "0"), "split_px: expected a number"),
         (("--center", "0,1.7"), "--center: expected x,y,z"),
         (("--center", "0,1.7,0"), "center: expected centres at least 0.001 m apart"),
     ],

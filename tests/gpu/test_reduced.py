@@ -92,7 +92,8 @@ def test_split_frames_show_the_same_within_the_tolerance(
     # The CPU splits for this user, the device for several users; edges may differ by a small part of half a pixel.
     check_ids(cpu.require("object_id"), gpu.require("object_id"))
     check_color(cpu, gpu)
-    assert gpu.stats["tolerance_held"] == cpu.stats["tolerance_held"] == (morph == "blend")
+    assert gpu.stats["tolerance_held"]
+    assert cpu.stats["tolerance_held"]
 
 
 def test_a_large_mover_is_split_where_it_stands() -> None:

@@ -348,7 +348,7 @@ def _streams(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stream.bake_maps": {"rings": valid.ring_maps.rings, "face_size": 4},
         "nearfar.stream.export": {
             "scene": scene, "path": valid.folder / "exported", "center": center, "radii": [2.0], "face_size": 64,
-            "samples": 1, "pixels_per_degree": 20.0, "by_footprint": True,
+            "samples": 1, "pixels_per_degree": 20.0, "split_px": 50.0, "by_footprint": True,
         },
         "nearfar.stream.export @regions": {
             "scene": scene, "path": valid.folder / "exported", "center": valid.regions, "grid": 0.5, "radii": [2.0],
@@ -395,6 +395,10 @@ def _arrays(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.morph": {"points": valid.vertices, **users},
         "nearfar.tessellate": {
             "mesh": valid.scene, **ZONES, "user_region": 0.1, "tolerance_px": 100.0, "camera": valid.camera,
+        },
+        "nearfar.tessellate @cylinder": {
+            "mesh": valid.scene, **ZONES, "user_region": 0.1, "tolerance_px": 100.0, "camera": valid.camera,
+            "kind": "cylinder", "radius": ZONES["r2"] / 2, "strength": 0.5,
         },
         "nearfar.tessellate @trimesh": {
             "mesh": valid.mesh, **ZONES, "user_region": 0.1, "tolerance_px": 100.0, "camera": valid.camera,

@@ -240,15 +240,23 @@ def fold_margin(user: _Point, *, center: _Point, r1: float, r2: float, kind: str
 
 # tessellate ---------------------------------------------------------------------------------------------------------
 def tessellate_scene(
-    scene: Scene, *, center: _Point, r1: float, r2: float, reach: float, tolerance: float, report: _Report | None = None
+    scene: Scene,
+    *,
+    center: _Point,
+    radii: tuple[float, float],
+    stages: tuple[float, bool] | None,
+    reach: float,
+    tolerance: float,
+    chosen: NDArray[np.bool_] | None = None,
+    report: _Report | None = None,
 ) -> tuple[Scene, dict[str, int]]: ...
 def tessellate_arrays(
     vertices: _F64,
     faces: _U32,
     *,
     center: _Point,
-    r1: float,
-    r2: float,
+    radii: tuple[float, float],
+    stages: tuple[float, bool] | None,
     reach: float,
     tolerance: float,
     report: _Report | None = None,

@@ -65,10 +65,11 @@ class Frame:
     stats: Mapping[str, Any] = field(default_factory=dict, repr=False)
     """Counts of a frame of a reduced scene, read-only: `frame_triangles`, the number that was drawn after splitting (0
     if the scene's own trees were traced); `dynamic_triangles`, moving ones in a separate pass (0 without such a pass);
-    `tolerance_held`, whether `tolerance_px` was a proven bound, which needs "vertex", "blend" and a user at the camera,
-    within 0.6 r1 of the centre, or a picture without a morph; and `opposed_directions`, the number of vertices that
-    user and centre see in opposite directions, which happens only with the user outside the near cylinder. Empty for
-    other frames. Pictures of a walk have more, see `Walk.render`. Not saved to files."""
+    `tolerance_held`, whether `tolerance_px` was a proven bound, which needs "vertex", full strength and a user at the
+    camera, within 0.6 r1 of the centre for "blend" and half of r1 for "cylinder", or a picture without a morph; and
+    `opposed_directions`, the number of vertices that user and centre see in opposite directions, which happens only
+    with the user outside the near cylinder. Empty for other frames. Pictures of a walk have more, see `Walk.render`.
+    Not saved to files."""
 
     def __post_init__(self) -> None:
         check.instance("camera", self.camera, Camera)

@@ -60,6 +60,14 @@ def export(
             "Of the client's display: textures are halved while texels suffice for its pixels; 0 keeps them whole.",
         ),
     ] = 25.0,
+    split: Annotated[
+        float | None,
+        option(
+            "--split",
+            "PIXELS",
+            "Split large triangles for clients that move vertices, to this error of their display; by default none.",
+        ),
+    ] = None,
     by_footprint: Annotated[
         bool,
         typer.Option(
@@ -86,6 +94,7 @@ def export(
         samples=samples,
         quality=None if lossless else quality,
         pixels_per_degree=pixels_per_degree or None,
+        split_px=split,
         by_footprint=by_footprint,
     )
     seconds = time.perf_counter() - started

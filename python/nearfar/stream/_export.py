@@ -25,6 +25,7 @@ from nearfar.stream._maps import TILE
 from nearfar.stream._radii import REACH, rings as choose
 from nearfar.stream._region import Writer
 from nearfar.stream._settings import Settings
+from nearfar.stream._split import Splitting
 
 
 def export(
@@ -42,6 +43,7 @@ def export(
     compression: str | None = "meshopt",
     pixels_per_degree: SupportsFloat | None = 25.0,
     lod: Lod | None = None,
+    split_px: SupportsFloat | None = None,
     speed: float = 0.7,
     by_footprint: bool = False,
 ) -> Bundle:
@@ -91,6 +93,11 @@ def export(
         object gets the level for the user who is nearest to it, as for textures; selectors and functions are given it
         straight ahead, at that distance. None writes the scene as it is. Maps are baked from the scene as it is;
         dynamic objects get level 0.
+    split_px
+        Greatest error in pixels of the client's display (see `pixels_per_degree`; 60 a degree if that is None) of a
+        client that moves vertices and splits nothing itself: large triangles of rings are split as `nearfar.tessellate`
+        does, for the growth of their ring, all later radii, and the users named above, 0.001 to 1000. A mesh that is
+        placed several times stays shared between the placements that need no split. None writes triangles whole.
     speed
         Degrees a second at which pictures turn while rings grow, for a user 1 m beside the centre, as in `Growth`.
     by_footprint
@@ -106,8 +113,8 @@ def export(
     ------
     ValueError
         For numbers out of range, radii that fall or repeat, a centre that is not finite, the same centre twice, a
-        centre with nothing around it if radii are to be chosen, and a URL whose file system is not known or only reads;
-        before any work.
+        centre with nothing around it if radii are to be chosen, triangles that are to be split for users farther than
+        0.35 of the first radius from a centre, and a URL whose file system is not known or only reads; before any work.
     TypeError
         For arguments of another type.
     OSError
@@ -130,12 +137,16 @@ def export(
     detail = Detail.of(scene, lod, settings.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
     bounds = _chosen_radii(scene, centers) if given is None else [given] * len(centers)
+    splitting = Splitting.of(split_px, detail)
+    if splitting is not None:
+        for place, own in zip(centers, bounds, strict=True):
+            splitting.check(tuple(place.tolist()), own)
     growth = Growth(bounds[0], speed=speed)
     divided = [assign(scene, center=place, radii=own) for place, own in zip(centers, bounds, strict=True)]
     writer = Writer(settings, encode_textures(scene, settings.quality, detail.halvings(divided)))
     files, regions, dynamic = writer.files, list[dict[str, Any]](), None
     for rings, beside in zip(divided, near, strict=True):
-        shown = detail.shown(rings)
+        shown = detail.shown(rings) if splitting is None else splitting.split(detail.shown(rings))
         geometry = writer.geometry(shown)
         if not regions:
             dynamic = geometry.moving()

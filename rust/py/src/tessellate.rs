@@ -1,9 +1,8 @@
 //! Bindings of `tessellate`.
 
 use glam::DVec3;
-use nearfar_core::morph::Kind;
-use nearfar_core::tessellate::{self, Precision, Rule, Settings};
-use numpy::{IntoPyArray, PyReadonlyArray2};
+use nearfar_core::tessellate::{self, Precision, Rule, Settings, Stages};
+use numpy::{IntoPyArray, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -11,28 +10,42 @@ use crate::convert::arrays::array_of_rows;
 use crate::convert::run;
 use crate::scene::Scene;
 
-fn settings(center: [f64; 3], r1: f64, r2: f64, reach: f64, tolerance: f64) -> Settings {
-    Settings { center: DVec3::from_array(center), r1, r2, drawn: r2, reach, tolerance, kind: Kind::Blend }
+/// Settings by their public names; `stages` has the least radius of a cylinder's growth, and whether its strength is full.
+fn settings(center: [f64; 3], [r1, r2]: [f64; 2], stages: Option<(f64, bool)>, reach: f64, tolerance: f64) -> Settings {
+    let stages = match stages {
+        Some((least, is_full)) => Stages::Cylinder { least, is_full },
+        None => Stages::Blend,
+    };
+    // What a cylinder shows beyond r₂ moves along the ray.
+    let drawn = if stages == Stages::Blend { r2 } else { f64::INFINITY };
+    Settings { center: DVec3::from_array(center), r1, r2, drawn, reach, tolerance, stages }
 }
 
-/// A scene with its static triangles split, and counts of the work by name.
+/// A scene with its static triangles split, and counts of the work by name; `chosen` tells for each object, and last for
+/// faces without one, whether they are split.
 #[pyfunction]
-#[pyo3(signature = (scene, *, center, r1, r2, reach, tolerance, report=None))]
+#[pyo3(signature = (scene, *, center, radii, stages, reach, tolerance, chosen=None, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn tessellate_scene<'py>(
     py: Python<'py>,
     scene: &Scene,
     center: [f64; 3],
-    r1: f64,
-    r2: f64,
+    radii: [f64; 2],
+    stages: Option<(f64, bool)>,
     reach: f64,
     tolerance: f64,
+    chosen: Option<PyReadonlyArray1<'py, bool>>,
     report: Option<Py<PyAny>>,
 ) -> PyResult<(Scene, Bound<'py, PyDict>)> {
-    let world = settings(center, r1, r2, reach, tolerance);
+    let world = settings(center, radii, stages, reach, tolerance);
+    let chosen = chosen.as_ref().map(|chosen| chosen.as_slice()).transpose()?;
+    // −1, for no object, is the last place.
+    let is_chosen = |object: i32| {
+        chosen.is_none_or(|chosen| chosen.get(object as usize).or(chosen.last()).copied().unwrap_or(false))
+    };
     let (split, counts) = run::long(py, report, |progress| {
         let local = Settings { center: world.center - scene.0.origin, ..world };
-        tessellate::tessellate_scene(&scene.0, &Rule::new(&local, Precision::Single)?, progress)
+        tessellate::tessellate_scene(&scene.0, &Rule::new(&local, Precision::Single)?, is_chosen, progress)
     })?;
     let named = PyDict::new(py);
     for (name, count) in
@@ -45,21 +58,21 @@ pub(crate) fn tessellate_scene<'py>(
 
 /// New vertices with the faces on which they lie and their weights there; all faces, and the source face of each.
 #[pyfunction]
-#[pyo3(signature = (vertices, faces, *, center, r1, r2, reach, tolerance, report=None))]
+#[pyo3(signature = (vertices, faces, *, center, radii, stages, reach, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn tessellate_arrays<'py>(
     py: Python<'py>,
     vertices: PyReadonlyArray2<'py, f64>,
     faces: PyReadonlyArray2<'py, u32>,
     center: [f64; 3],
-    r1: f64,
-    r2: f64,
+    radii: [f64; 2],
+    stages: Option<(f64, bool)>,
     reach: f64,
     tolerance: f64,
     report: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (rows, triples) = (vertices.as_slice()?.as_chunks::<3>().0, faces.as_slice()?.as_chunks::<3>().0);
-    let settings = settings(center, r1, r2, reach, tolerance);
+    let settings = settings(center, radii, stages, reach, tolerance);
     let made = run::long(py, report, |progress| {
         tessellate::tessellate_arrays(rows, triples, &Rule::new(&settings, Precision::Double)?, progress)
     })?;

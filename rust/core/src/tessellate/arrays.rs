@@ -4,7 +4,8 @@ use glam::DVec3;
 
 use super::assemble::{Budget, assemble};
 use super::counts::SplitCounts;
-use super::rule::{Precision, Rule};
+use super::rule::Rule;
+use super::settings::Precision;
 use crate::base::{Progress, Result};
 
 /// A split mesh: the source's vertices, followed by new ones.
@@ -33,7 +34,7 @@ pub fn tessellate_arrays(
 ) -> Result<Arrays> {
     rule.demand()?;
     let mut counts = SplitCounts { before: faces.len() as u64, ..SplitCounts::default() };
-    let corners = |face: u32| faces[face as usize].map(|vertex| DVec3::from_array(vertices[vertex as usize]));
+    let corners = |face: u32| Some(faces[face as usize].map(|vertex| DVec3::from_array(vertices[vertex as usize])));
     progress.expect(faces.len() as u64);
     let how = (rule, Precision::Double);
     let made = assemble(faces, vertices.len(), corners, how, (&Budget::default(), &mut counts), progress)?;

@@ -7,7 +7,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::counts::SplitCounts;
-use super::rule::{Precision, Rule};
+use super::rule::Rule;
+use super::settings::Precision;
 use super::split::Piece;
 use crate::base::{Error, Progress, Result, memory::room_for};
 
@@ -57,11 +58,11 @@ impl Budget {
     }
 }
 
-/// Splits the faces of a mesh; `corners` gives the corners of a face. `None` if no face is split.
+/// Splits the faces of a mesh; `corners` gives the corners of a face that may be split. `None` if no face is split.
 pub(super) fn assemble(
     source: &[[u32; 3]],
     vertex_count: usize,
-    corners: impl Fn(u32) -> [DVec3; 3] + Sync,
+    corners: impl Fn(u32) -> Option<[DVec3; 3]> + Sync,
     (rule, precision): (&Rule, Precision),
     (budget, counts): (&Budget, &mut SplitCounts),
     progress: &Progress,
@@ -69,10 +70,9 @@ pub(super) fn assemble(
     let tiles = source.par_chunks(TILE).enumerate().map(|(tile, faces)| {
         let (mut examined, mut split) = (0, Vec::new());
         for face in (tile * TILE) as u32..(tile * TILE + faces.len()) as u32 {
-            let corners = corners(face);
-            if rule.leaves_alone(&corners) {
+            let Some(corners) = corners(face).filter(|corners| !rule.leaves_alone(corners)) else {
                 continue;
-            }
+            };
             examined += 1;
             let made = |pieces| budget.made(pieces, progress);
             let pieces = Piece::whole(corners).split(rule, precision, |_| false, made)?;

@@ -21,8 +21,6 @@
 //! With D = ρ − R, dividing an error by D (1 − (R/D)²/8) bounds its angle for every user. The first part is the angle
 //! between the user's and the centre's view, at most RB/(B²−R²).
 
-use crate::morph::Kind;
-
 /// A quadratic form of edges. Its value divided by 6 is the greatest error of a triangle, in radians as a user sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Form {
@@ -52,8 +50,6 @@ pub(super) struct RadialZone {
     pub reach: f64,
     /// r₂ − r₁, metres.
     pub width: f64,
-    /// Kind of the morph.
-    pub kind: Kind,
 }
 
 impl RadialZone {
@@ -118,12 +114,6 @@ impl RadialZone {
             / divisor;
         along += (2.0 * tau_change.1 * blend.1 / least_n + tau * 2.0 * blend.1 * n.1 / least_n.powi(2)) / divisor;
         across += tau * q / (rho * width * least_n) / divisor;
-        if self.kind == Kind::Cylinder {
-            // To first order in R: the distance changes by R/(r₂−r₁) along the radius and 2R/D across it, the direction
-            // by 1/D.
-            let (first, second) = (q / width / divisor, 2.0 * q / d / divisor);
-            (across, along) = (across + first + 2.0 * second, along + first);
-        }
         along += mixed * RADIAL_SHARE / 2.0;
         any += mixed / (2.0 * RADIAL_SHARE);
         let turned = (across - along).abs() * spread.min(1.0);
@@ -134,7 +124,7 @@ impl RadialZone {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::morph::Morph;
+    use crate::morph::{Kind, Morph};
     use glam::DVec3;
     use proptest::prelude::*;
 
@@ -161,7 +151,7 @@ mod tests {
             let (away, side) = (DVec3::new(x, 0.0, z), DVec3::new(-z, 0.0, x));
             let step = DVec3::from(step).normalize_or_zero() * 1e-3 * width.min(r1) * depth.min(1.0 - depth);
             let point = away * rho + DVec3::Y * height;
-            let zone = RadialZone { reach: reach * r1, width, kind: Kind::Blend };
+            let zone = RadialZone { reach: reach * r1, width };
             let nearest = rho - step.length();
             let form = zone.form(nearest, step.length() / nearest);
             let bound = form.across * step.dot(side).powi(2) + form.along * step.dot(away).powi(2)

@@ -1,17 +1,24 @@
 //! Splits triangles until the interpolated morph of their vertices is within a tolerance of the morph of every point,
 //! for every user of a region.
 //!
-//! Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bound is nearfar's own (`bound.rs`). Edges are cut where
-//! they cross r₁ and r₂, because the morph has kinks there, and between the radii until the bound holds. The cut of an
-//! edge depends on the edge alone, so there are no cracks between triangles, meshes or objects. Edges without points
-//! between the radii are never cut, so geometry within r₁ or beyond r₂ stays as it is, bit for bit.
+//! Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bounds are nearfar's own (`bound.rs` for blends,
+//! `grown_bound.rs` for cylinders while they grow). Edges are cut where they cross r₁ and r₂, because the morph has kinks
+//! there, and between the radii until the bound holds. The cut of an edge depends on the edge alone, so there are no
+//! cracks between triangles, meshes or objects. What stays where it is, within r₁, is never cut, nor is what a blend
+//! moves as a whole, beyond r₂: it keeps its bits.
 
-mod bound;
 mod arrays;
 mod assemble;
+mod blend;
+mod bound;
 mod counts;
+mod cut;
+mod grown;
+mod grown_bound;
 mod rule;
 mod scene;
+mod segment;
+mod settings;
 mod split;
 mod steps;
 #[cfg(test)]
@@ -19,7 +26,8 @@ mod tests;
 
 pub use arrays::{Arrays, tessellate_arrays};
 pub use counts::SplitCounts;
-pub use rule::{Precision, Rule, Settings, bent_from};
+pub use rule::Rule;
 pub use scene::{needs_split, split_scene, tessellate_scene};
+pub use settings::{Precision, Settings, Stages, bent_from};
 pub use split::Piece;
 pub use steps::Steps;

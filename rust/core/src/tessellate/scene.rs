@@ -7,30 +7,49 @@ use rayon::prelude::*;
 
 use super::assemble::{Assembled, Budget, NewVertex, assemble};
 use super::counts::SplitCounts;
-use super::rule::{Precision, Rule};
+use super::rule::Rule;
+use super::settings::Precision;
 use crate::base::{Buffer, Progress, Result};
 use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};
 use crate::scene::{Instance, InstanceSet, Mesh, Scene, facing_normals};
 
-/// The scene with its static triangles split; fails unless the rule's tolerance is a bound.
-pub fn tessellate_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, SplitCounts)> {
+/// The scene with the static triangles of chosen objects split; fails unless the rule's tolerance is a bound. Faces without
+/// an object have the number −1.
+pub fn tessellate_scene(
+    scene: &Scene,
+    rule: &Rule,
+    is_chosen: impl Fn(i32) -> bool + Sync,
+    progress: &Progress,
+) -> Result<(Scene, SplitCounts)> {
     rule.demand()?;
-    split_scene(scene, rule, progress)
+    split_chosen(scene, rule, is_chosen, progress)
 }
 
 /// The scene with its static triangles split by a rule, whether its tolerance is a bound or not. Meshes that need no
 /// split are shared with the source. The rule's centre is relative to the scene's origin.
 pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, SplitCounts)> {
+    split_chosen(scene, rule, |_| true, progress)
+}
+
+fn split_chosen(
+    scene: &Scene,
+    rule: &Rule,
+    is_chosen: impl Fn(i32) -> bool + Sync,
+    progress: &Progress,
+) -> Result<(Scene, SplitCounts)> {
     let mut counts = SplitCounts { before: scene.triangle_count() as u64, ..SplitCounts::default() };
     let standing = scene.standing.instances();
-    let touched = |instance: &&Instance| touches(instance, rule);
+    let touches = |instance: &Instance| instance.object.is_none_or(&is_chosen) && touches(instance, rule);
+    let touched = |instance: &&Instance| touches(instance);
     progress.expect(standing.iter().filter(touched).map(|instance| instance.mesh.faces.len() as u64).sum());
     let budget = Budget::default();
     let mut changed = false;
     let mut instances = Vec::with_capacity(standing.len());
     for instance in standing {
-        let made = if touches(instance, rule) {
-            let corners = |face| instance.corners(face).map(|corner| corner.as_dvec3());
+        let made = if touches(instance) {
+            let corners = |face| {
+                is_chosen(instance.object_of(face)).then(|| instance.corners(face).map(|corner| corner.as_dvec3()))
+            };
             let (faces, vertices) = (&instance.mesh.faces, instance.mesh.positions.len());
             assemble(faces, vertices, corners, (rule, Precision::Single), (&budget, &mut counts), progress)?
         } else {

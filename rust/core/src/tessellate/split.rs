@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 
-use super::rule::{Precision, Rule};
+use super::cut::Cut;
+use super::rule::Rule;
+use super::settings::Precision;
 use crate::base::Result;
 
 /// A triangle or a piece of one, with the weights of its corners on the whole triangle.
@@ -68,10 +70,9 @@ impl Piece {
         let corner = |i: usize| (self.corners[i], self.weights[i]);
         let [a, b, c] = [corner(0), corner(1), corner(2)];
         let edges = [[a, b, c], [b, c, a], [c, a, b]];
-        let length = |[a, b, _]: &[Corner; 3]| (b.0 - a.0).length_squared();
         let cuts = edges.into_iter().filter_map(|edge| cut(rule, precision, edge[0], edge[1]).map(|m| (edge, m)));
-        let longest = cuts.max_by(|(edge, _), (other, _)| length(edge).total_cmp(&length(other)));
-        let parts = if let Some(([a, b, c], m)) = longest {
+        let longest = cuts.max_by(|(_, (_, size)), (_, (_, other))| size.total_cmp(other));
+        let parts = if let Some(([a, b, c], (m, _))) = longest {
             vec![[a, m, c], [m, b, c]]
         } else {
             let [s, t, u] = rule.inside(&self.corners)?;
@@ -96,11 +97,12 @@ impl Piece {
     }
 }
 
-/// The new vertex on an edge. The ends are ordered, so both triangles at the edge get the same bits.
-fn cut(rule: &Rule, precision: Precision, a: Corner, b: Corner) -> Option<Corner> {
+/// The new vertex on an edge, and the size of the edge. The ends are ordered, so both triangles at the edge get the same bits.
+fn cut(rule: &Rule, precision: Precision, a: Corner, b: Corner) -> Option<(Corner, f64)> {
     let (a, b) = if (a.0.x, a.0.y, a.0.z) > (b.0.x, b.0.y, b.0.z) { (b, a) } else { (a, b) };
-    let share = rule.share(a.0, b.0)?;
+    let Cut { share, size } = rule.cut(a.0, b.0)?;
     let point = precision.round(a.0.lerp(b.0, share));
     // A point that rounds to an end would cause endless splits.
-    (point != a.0 && point != b.0).then(|| (point, std::array::from_fn(|i| a.1[i] + (b.1[i] - a.1[i]) * share)))
+    let weights = std::array::from_fn(|i| a.1[i] + (b.1[i] - a.1[i]) * share);
+    (point != a.0 && point != b.0).then_some(((point, weights), size))
 }

@@ -1,9 +1,11 @@
 //! Steps of reach and tolerance, so that a split serves all users at about the same distance from the centre.
 
-use super::rule::Settings;
+use super::settings::{Settings, Stages};
 
-/// Share of r₁ within which the error of a user's picture has a bound: 0.6, less how far triangles may pass r₁.
-const MAX_BOUNDED_REACH: f64 = 0.59;
+/// Shares of r₁ within which the error of a user's picture has a bound, less how far triangles may pass r₁: 0.6 for a
+/// blend, a half for a cylinder.
+const MOST_BLEND_REACH: f64 = 0.59;
+const MOST_CYLINDER_REACH: f64 = 0.498;
 
 /// Steps of √2 of a reach and of a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +23,8 @@ impl Settings {
         let outwards = (2.0 * (reach / unit).log2()).ceil().clamp(-40.0, 40.0);
         let finer = (2.0 * tolerance.log2()).floor().clamp(-80.0, 80.0);
         let farther = unit * (outwards / 2.0).exp2();
-        let bounded = MAX_BOUNDED_REACH * r1;
+        let most = if self.stages == Stages::Blend { MOST_BLEND_REACH } else { MOST_CYLINDER_REACH };
+        let bounded = most * r1;
         let reach = if reach <= bounded { farther.min(bounded) } else { farther.max(reach) };
         let tolerance = (finer / 2.0).exp2().min(tolerance);
         (Steps { reach: outwards as i32, tolerance: finer as i32 }, Self { reach, tolerance, ..self })

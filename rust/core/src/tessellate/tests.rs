@@ -1,7 +1,10 @@
+mod grown;
+
 use glam::DVec3;
 use proptest::prelude::*;
 
-use super::rule::{Precision, Rule, Settings};
+use super::rule::Rule;
+use super::settings::{Precision, Settings, Stages};
 use super::split::Piece;
 use super::{SplitCounts, tessellate_arrays};
 use crate::base::{Progress, random};
@@ -9,7 +12,7 @@ use crate::morph::{Kind, Morph};
 
 fn settings(reach: f64, tolerance: f64) -> Settings {
     let center = DVec3::new(1.0, 1.7, -2.0);
-    Settings { center, r1: 30.0, r2: 50.0, drawn: 50.0, reach, tolerance, kind: Kind::Blend }
+    Settings { center, r1: 30.0, r2: 50.0, drawn: 50.0, reach, tolerance, stages: Stages::Blend }
 }
 
 fn pieces(corners: [DVec3; 3], rule: &Rule) -> Vec<Piece> {
@@ -41,7 +44,7 @@ fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, users: usize,
     for _ in 0..users {
         let aim = DVec3::new(next() - 0.5, (next() - 0.5) * next(), next() - 0.5).normalize_or_zero();
         let user = settings.center + aim * settings.reach * next().powf(0.1);
-        let morph = Morph::new(user, settings.center, settings.r1, settings.r2, settings.kind).unwrap();
+        let morph = Morph::new(user, settings.center, settings.r1, settings.r2, Kind::Blend).unwrap();
         for piece in pieces {
             for point in 0..points {
                 // Middles of edges, the centroid, and random points.
@@ -165,14 +168,18 @@ fn two_triangles_of_ground_are_bounded_tightly() {
 #[test]
 fn radii_below_what_coordinates_tell_apart_end_too() {
     let corners = [(-4e3, -4e3), (-4e3, 8e3), (8e3, -4e3)].map(|(x, z)| DVec3::new(x, 0.0, z));
-    for kind in [Kind::Blend, Kind::Cylinder] {
+    for is_blend in [true, false] {
         for (r1, r2) in [(0.0, 1e-9), (0.0, 1e-13), (0.0, 1e-300), (0.0, 50.0), (30.0, 30.0 + 1e-12), (30.0, 50.0)] {
-            for reach in [1e-3, 10.0, 40.0] {
-                let settings = Settings { r1, r2, drawn: r2, kind, ..settings(reach, 5e-4) };
+            let reaches: &[f64] = if r2 == 50.0 { &[1e-3, 10.0, 40.0] } else { &[10.0] };
+            for &reach in reaches {
+                let cylinder = Stages::Cylinder { least: r2, is_full: true };
+                let stages = if is_blend { Stages::Blend } else { cylinder };
+                let tolerance = if is_blend { 5e-4 } else { 5e-2 };
+                let settings = Settings { r1, r2, drawn: r2, stages, ..settings(reach, tolerance) };
                 let rule = Rule::new(&settings, Precision::Double).unwrap();
                 let count = pieces(corners, &rule).len();
-                assert!(count < 200_000, "{r1} {r2} {reach} {count}");
-                assert_eq!(rule.holds(), kind == Kind::Blend && reach < 18.0 && r2 == 50.0 && r1 == 30.0);
+                assert!(count < 300_000, "{r1} {r2} {reach} {count}");
+                assert_eq!(rule.holds(), reach < 18.0 && r2 == 50.0 && r1 == 30.0);
             }
         }
     }

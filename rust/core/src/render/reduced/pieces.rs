@@ -16,6 +16,8 @@ use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// Greatest number of pieces that a split may add, which take about a gigabyte.
 const MOST_PIECES: u64 = 1 << 22;
+/// Tolerance in radians from which on triangles are left whole.
+const COARSEST: f64 = 0.5;
 /// Number of vertices that are moved between two checks whether the caller has cancelled.
 const TILE: usize = 1 << 14;
 
@@ -142,7 +144,8 @@ impl Split {
                 break triangles;
             }
             bounded = false;
-            settings.iter_mut().for_each(|settings| settings.tolerance *= 2.0);
+            let coarser = |settings: Settings| Settings { tolerance: 2.0 * settings.tolerance, ..settings };
+            settings = settings.map(coarser).filter(|settings| settings.tolerance < COARSEST);
         };
         progress.check()?;
         let (mut pieces, mut faces, mut vertices) = (vec![], vec![], vec![]);

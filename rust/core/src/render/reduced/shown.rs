@@ -98,7 +98,7 @@ impl NearGeometry {
         let standing = self.split(standing, None, scene, morph, tolerance, progress)?;
         let moving = self.split(moving, Some(poses), scene, morph, tolerance, progress)?;
         let (standing, moving) = (self.seen(&standing, morph, progress)?, self.seen(&moving, morph, progress)?);
-        let (opposed, bounded) = (standing.opposed + moving.opposed, standing.bounded);
+        let (opposed, bounded) = (standing.opposed + moving.opposed, standing.bounded && moving.bounded);
         let parts = [fixed, standing, moving];
         let instances = parts.iter().map(|part| part.instance.clone()).collect();
         let scene = Scene::new(scene.origin, instances, Vec::new(), Arc::default(), Arc::default())?;
@@ -136,7 +136,9 @@ impl NearGeometry {
         }
         let (moves, radius) = (cause.poses.is_some(), self.radii[1]);
         let is_within = |point: DVec3| on_ground(point - morph.center).length() <= radius;
-        let settings = settings.map(|(_, settings)| settings);
+        // What moves is drawn beyond the near part, too.
+        let drawn = |settings: Settings| if moves { f64::INFINITY } else { settings.drawn };
+        let settings = settings.map(|(_, settings)| Settings { drawn: drawn(settings), ..settings });
         let split = Arc::new(Split::new(&sources(), scene, settings, moves, is_within, progress)?);
         let mut splits = self.splits();
         if splits.len() >= 2 * MAX_SPLITS {

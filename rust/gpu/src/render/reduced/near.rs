@@ -5,10 +5,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::DAffine3;
 use nearfar_core::base::{Progress, Result};
-use nearfar_core::morph::{Kind, Morph};
+use nearfar_core::morph::Morph;
 use nearfar_core::partition::Partition;
 use nearfar_core::scene::{Instance, InstanceSet, Scene};
-use nearfar_core::tessellate::{Precision, Rule, Settings, Steps, needs_split, split_scene};
+use nearfar_core::tessellate::{Precision, Rule, Settings, Stages, Steps, bent_from, needs_split, split_scene};
 
 use crate::draw::Sources;
 
@@ -45,7 +45,7 @@ pub(super) struct Bent {
     pub geometry: Geometry,
     /// The triangles that it leaves where they are.
     pub fixed: Option<Geometry>,
-    /// The rule that split them.
+    /// The rule for what moves, which is drawn everywhere.
     pub rule: Option<Arc<Rule>>,
 }
 
@@ -64,11 +64,11 @@ struct Moved {
 }
 
 /// The causes of a split: steps of reach and tolerance, so that it stays while users move their heads; the kind and the
-/// radii of the morph.
+/// radii of the morph, and its strength if that matters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Cause {
     steps: Steps,
-    kind: Kind,
+    stages: Stages,
     radii: [f64; 2],
 }
 
@@ -100,15 +100,16 @@ impl Near {
     pub fn split(&self, morph: &Morph, tolerance: f64, progress: &Progress) -> Result<Bent> {
         let reach = (morph.user - morph.center).length();
         let (steps, settings) = Settings::of(morph, self.radii[1], reach, tolerance).stepped();
-        let cause = Cause { steps, kind: morph.kind, radii: [settings.r1, settings.r2] };
+        let cause = Cause { steps, stages: settings.stages, radii: [settings.r1, settings.r2] };
         if let Some(bent) = self.known_split(&cause) {
             return Ok(bent);
         }
         let rule = Rule::new(&settings, Precision::Single)?;
-        let whole = self.unsplit(settings.r1, progress)?;
+        let everywhere = Rule::new(&Settings { drawn: f64::INFINITY, ..settings }, Precision::Single)?;
+        let whole = self.unsplit(bent_from(morph), progress)?;
         let (scene, _) = split_scene(&whole.geometry.scene, &rule, progress)?;
         let geometry = Geometry { scene, sources: whole.geometry.sources };
-        let bent = Bent { geometry, fixed: whole.fixed, rule: Some(Arc::new(rule)) };
+        let bent = Bent { geometry, fixed: whole.fixed, rule: Some(Arc::new(everywhere)) };
         let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
         if known.len() == MAX_SPLITS {
             known.remove(0);

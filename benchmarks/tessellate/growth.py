@@ -1,0 +1,97 @@
+"""Surfaces split for the growth of a cylinder morph: triangles, and the greatest error as a share of the bound.
+
+python -m benchmarks.tessellate.growth
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.timing import best, machine, table
+from benchmarks.tessellate.tessellate import PIXEL, VIEW, plane
+
+NEAR, REACH, TOLERANCE = 0.7, 1.0, 4.0
+"""r₁ as a share of R; metres of the users from the centre; pixels, of the view that the other benchmark has."""
+CENTER = np.array([0.3, 1.7, 0.2])
+STAGES = {"10 m, all strengths": (10.0, 10.0, 0.0), "10 to 14 m": (10.0, 14.0, 1.0), "22 to 32 m": (22.0, 32.0, 1.0)}
+"""Least and greatest R, least strength."""
+EXEMPT = 2.6 * REACH
+"""Radius within which there is no bound below full strength, metres."""
+
+Array = NDArray[Any]
+
+
+def sheet(*corners: tuple[float, float, float]) -> trimesh.Trimesh:
+    return trimesh.Trimesh(CENTER + corners, [[0, 1, 2], [0, 2, 3]], process=False)
+
+
+def surfaces() -> dict[str, trimesh.Trimesh]:
+    """Return what is split, each of two triangles."""
+    walls = {
+        f"wall {x:g} m off, {height:g} m high": sheet((x, -2, -40), (x, -2, 40), (x, height, 40), (x, height, -40))
+        for x, height in ((4.0, 30.0), (9.0, 30.0), (20.0, 300.0))
+    }
+    roof = sheet((-40, 4, -40), (40, 4, -40), (40, 12, 40), (-40, 12, 40))
+    return {"ground, 200 m wide": plane(100.0), **walls, "roof 4 to 12 m above the eye": roof}
+
+
+def worst(triangles: Array, stages: tuple[float, float, float]) -> float:
+    """Greatest error in pixels at ten points of each triangle, for 40 users and stages, most of them at the borders."""
+    least, greatest, weakest = stages
+    random = np.random.default_rng(1)
+    weights = np.concatenate([(1 - np.eye(3)) / 2, np.full((1, 3), 1 / 3), random.dirichlet(np.ones(3), 6)])
+    points = np.einsum("wk,tkc->twc", weights, triangles)
+    error = 0.0
+    for number in range(40):
+        aim = random.normal(size=3) * [1, random.random(), 1]
+        user = CENTER + REACH * random.random() ** 0.1 * aim / np.linalg.norm(aim)
+        radius = least + (greatest - least) * (number % 8) / 7
+        strength = 1.0 if weakest == 1.0 or number % 3 == 0 else random.random()
+        how: dict[str, Any] = {"user": user, "center": CENTER, "kind": "cylinder", "strength": strength}
+        corners, exact = (
+            nf.morph(where.reshape(-1, 3), r1=NEAR * radius, r2=radius, **how).reshape(where.shape) - user
+            for where in (triangles, points)
+        )
+        shown = np.einsum("wk,tkc->twc", weights, corners)
+        cross = np.linalg.norm(np.cross(shown, exact), axis=2)
+        error = max(error, float(np.arctan2(cross, (shown * exact).sum(axis=2)).max()))
+    return error / PIXEL
+
+
+def rows_of(stages: tuple[float, float, float]) -> list[list[str]]:
+    least, greatest, weakest = stages
+    rows = []
+    for name, mesh in surfaces().items():
+        settings: dict[str, Any] = {"center": CENTER, "r1": NEAR * greatest, "r2": greatest, "user_region": REACH}
+        settings |= {"kind": "cylinder", "radius": least, "strength": weakest}
+
+        def job(mesh: trimesh.Trimesh = mesh, settings: dict[str, Any] = settings) -> trimesh.Trimesh:
+            return nf.tessellate(mesh, **settings, tolerance_px=TOLERANCE, camera=VIEW)
+
+        triangles = np.asarray(job().triangles)
+        if weakest < 1.0:
+            rho = np.hypot(*np.moveaxis((triangles - CENTER)[..., [0, 2]], -1, 0))
+            bound = triangles[(rho > EXEMPT).all(axis=1)]
+        else:
+            bound = triangles
+        error = worst(bound, stages)
+        seconds = best(job, repeat=1).wall
+        rows.append([name, f"{len(triangles):,}", f"{error:.2f}", f"{error / TOLERANCE:.2f}", f"{seconds:.2f}"])
+    return rows
+
+
+def main() -> None:
+    print(machine())
+    header = ["surface", "triangles", "greatest error, px", "of the bound", "s"]
+    for name, stages in STAGES.items():
+        title = f"Two triangles split for R of {name}, users within {REACH:g} m, to {TOLERANCE:g} px"
+        print(table(title, header, rows_of(stages)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,74 @@
+"""Large triangles of rings are split, so that clients which move vertices show what those show that bend each ray."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar.stream._assign import Rings
+from nearfar.stream._detail import SHARPEST, Detail
+from nearfar.stream._manifest import NEAR_SHARE
+
+MOST_REACH = 0.348
+"""Distance of users from a centre, as a share of the first radius, up to which the error has a bound."""
+
+
+@dataclass(frozen=True)
+class Splitting:
+    """Which error the vertex morph may have, and for whom."""
+
+    tolerance: float
+    """Greatest error, radians."""
+    reach: float
+    """Greatest distance of a user from a centre, metres."""
+
+    @classmethod
+    def of(cls, split_px: Any, detail: Detail) -> Splitting | None:
+        """Take pixels of the client's display; None if nothing is to be split."""
+        if split_px is None:
+            return None
+        pixels = check.within("split_px", split_px, 1e-3, 1e3)
+        sharp = SHARPEST if detail.pixels_per_degree is None else detail.pixels_per_degree
+        return cls(pixels * math.radians(1.0 / sharp), detail.reach)
+
+    def check(self, center: tuple[float, float, float], radii: tuple[float, ...]) -> None:
+        """ValueError if the rings about a centre cannot be split within the tolerance."""
+        if self.reach > MOST_REACH * radii[0]:
+            raise ValueError(
+                f"radii: expected a first radius of at least {self.reach / MOST_REACH:.3f} m with split_px, for users "
+                f"up to {self.reach:g} m from a centre, got {radii[0]:g} m"
+            )
+        nothing: Any = {"vertices": np.zeros((0, 3)), "faces": np.zeros((0, 3), np.uint32)}
+        try:
+            for ring in range(1, len(radii) + 1):
+                _core.tessellate_arrays(**nothing, **self._settings(center, radii, ring))
+        except ValueError as error:
+            raise ValueError(f"split_px: {error}") from None
+
+    def split(self, rings: Rings) -> Rings:
+        """The rings with the static triangles of each split for its own growth and for all later radii."""
+        core, codes = rings.scene._core, rings.codes()
+        with progress.bar("splitting") as report:
+            for ring in range(1, rings.count + 1):
+                chosen = codes == ring
+                if chosen.any():
+                    settings = self._settings(rings.center, rings.radii, ring)
+                    core, _counts = _core.tessellate_scene(core, **settings, chosen=chosen, report=report)
+        return replace(rings, scene=rings.scene._derived(core, rings.scene._rest))
+
+    def _settings(self, center: tuple[float, float, float], radii: tuple[float, ...], ring: int) -> dict[str, Any]:
+        return {"center": center, **stages(radii, ring), "reach": self.reach, "tolerance": self.tolerance}
+
+
+def stages(radii: tuple[float, ...], ring: int) -> dict[str, Any]:
+    """Radii of the last morph and stages at which a ring's objects are shown: all of them from its arrival on.
+
+    Ring 1 grows by strength at its own radius, others from the radius before.
+    """
+    last = radii[-1]
+    return {"radii": (NEAR_SHARE * last, last), "stages": (radii[max(ring - 2, 0)], ring > 1)}

@@ -1,0 +1,123 @@
+//! For which morphs and users surfaces are split.
+
+use glam::{DVec2, DVec3};
+
+use crate::base::{Error, Result};
+use crate::morph::{Kind, Morph};
+
+/// The cylinders and the region of users for which surfaces are split.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// The centre O, in the frame of the points.
+    pub center: DVec3,
+    /// r₁, metres: at full strength points inside are not moved.
+    pub r1: f64,
+    /// r₂, metres: for points outside, the weight w of the user's view is 0.
+    pub r2: f64,
+    /// Radius up to which surfaces are drawn, metres; at least r₂.
+    pub drawn: f64,
+    /// Greatest distance of a user from the centre, metres.
+    pub reach: f64,
+    /// Greatest error in radians as the user sees it.
+    pub tolerance: f64,
+    /// The kind of the morph, and which of its stages.
+    pub stages: Stages,
+}
+
+/// The kind of a morph, and the stages that a split serves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stages {
+    /// `Kind::Blend` with these radii and full strength.
+    Blend,
+    /// `Kind::Cylinder` while it grows.
+    Cylinder {
+        /// Least radius R, metres. The split serves all radii from it to r₂, with r₁ in proportion.
+        least: f64,
+        /// Whether it serves full strength only, else all strengths.
+        is_full: bool,
+    },
+}
+
+/// Radius from which on a morph bends triangles: r₁, or 0 if points within r₁ move too.
+pub fn bent_from(morph: &Morph) -> f64 {
+    if morph.strength < 1.0 { 0.0 } else { morph.r1 }
+}
+
+impl Settings {
+    /// For one morph. Where a blend bends triangles from the axis on, w falls over r₂ − r₁ nonetheless, and the tolerance
+    /// is smaller in proportion.
+    pub fn of(morph: &Morph, drawn: f64, reach: f64, tolerance: f64) -> Self {
+        let Morph { center, r1, r2, strength, .. } = *morph;
+        match morph.kind {
+            Kind::Cylinder => {
+                let stages = Stages::Cylinder { least: r2, is_full: strength == 1.0 };
+                Self { center, r1, r2, drawn, reach, tolerance, stages }
+            }
+            Kind::Blend => {
+                let from = bent_from(morph);
+                let share = if r2 > from { (r2 - r1) / (r2 - from) } else { 1.0 };
+                Self { center, r1: from, r2, drawn, reach, tolerance: tolerance * share, stages: Stages::Blend }
+            }
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<()> {
+        let Self { center, r1, r2, reach, tolerance, .. } = *self;
+        if !center.is_finite() {
+            return Err(Error::value("center", "three finite numbers", center));
+        }
+        if !(r1.is_finite() && r1 >= 0.0) {
+            return Err(Error::value("r1", "a finite radius of at least 0", r1));
+        }
+        if !(r2.is_finite() && r2 >= r1) {
+            return Err(Error::value("r2", format!("a finite radius of at least r1 = {r1}"), r2));
+        }
+        if !(reach.is_finite() && reach >= 0.0) {
+            return Err(Error::value("user_region", "a finite distance from the centre", reach));
+        }
+        if !(tolerance.is_finite() && tolerance > 0.0) {
+            return Err(Error::value("tolerance_px", "a number above 0", tolerance));
+        }
+        if let Stages::Cylinder { least, .. } = self.stages
+            && !(least <= r2 && (least > 0.0 || r2 == 0.0))
+        {
+            return Err(Error::value("radius", format!("a radius above 0 and up to r2 = {r2}"), least));
+        }
+        Ok(())
+    }
+
+    pub(super) fn on_ground(&self, p: DVec3) -> DVec2 {
+        DVec2::new(p.x - self.center.x, p.z - self.center.z)
+    }
+
+    /// Metres by which a vertex that is placed on a radius may miss it.
+    pub(super) fn rounding(&self, precision: Precision) -> f64 {
+        (self.center.abs().max_element() + self.r2) * precision.step() * 2.0
+    }
+}
+
+/// Floating-point type to which the coordinates of new vertices are rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// float32.
+    Single,
+    /// float64.
+    Double,
+}
+
+impl Precision {
+    /// A point rounded to this type.
+    pub fn round(self, p: DVec3) -> DVec3 {
+        match self {
+            Self::Single => p.as_vec3().as_dvec3(),
+            Self::Double => p,
+        }
+    }
+
+    fn step(self) -> f64 {
+        match self {
+            Self::Single => f64::from(f32::EPSILON),
+            Self::Double => f64::EPSILON,
+        }
+    }
+}
