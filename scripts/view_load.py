@@ -22,11 +22,13 @@ from tests.support.browser import opened, started, wait_for_ring
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "view_load.gif"
 SIZE = (400, 250)
-CENTER = (0.0, 1.7, 0.0)
-YAW, PITCH = 0.05, 0.02
+CENTER = (-10.5, 1.7, -14.0)
+YAW, PITCH = -0.03, 0.05
+RADII, SPEED = (10.0, 20.0, 40.0), 2.0
+"""Metres; degrees a second at which the picture turns while the morph grows."""
 STEP, SHOWN = 1 / 3, 0.1
 """Seconds of the page between two pictures, and for which each is shown."""
-SWAY, PERIOD = 0.9, 6.0
+SWAY, PERIOD = 0.7, 6.0
 """Metres to either side, and seconds of the page there and back."""
 
 # A frame of the page's own, without its clock.
@@ -44,7 +46,7 @@ def main() -> None:
     """Export the city, load it in the page on a stepped clock, and write the pictures."""
     scene = nf.datasets.city(blocks=3, detail=1)
     with tempfile.TemporaryDirectory() as folder, started() as chromium:
-        bundle = nf.stream.export(scene, Path(folder) / "city", center=CENTER)
+        bundle = nf.stream.export(scene, Path(folder) / "city", center=CENTER, radii=RADII, speed=SPEED)
         with Server(bundle._reader.place) as server, opened(chromium, *SIZE) as page:
             page.goto(server.url)
             assert wait_for_ring(page, 0) == ""
@@ -64,7 +66,7 @@ def shown_while_it_loads(page: Any, bundle: nf.stream.Bundle) -> list[Image.Imag
         position = [CENTER[0] + SWAY * math.sin(angle), CENTER[1], CENTER[2]]
         state = page.evaluate(FRAME, [{"position": position, "yaw": YAW, "pitch": PITCH}, STEP])
         ring, grown = state["ring"], state["grown"]
-        text = "a map and cars" if ring == 0 else f"{ring} of {bundle.count} rings"
+        text = "a map and cars" if ring == 0 else f"{ring} of {bundle.count} rings, R = {grown['radius']:.0f} m"
         frames.append(captioned(state["url"], text))
         is_over = ring == bundle.count and grown["radius"] == bundle.radii[-1] and grown["strength"] == 1
         rest -= is_over

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
 from tests.support.browser import opened, wait_for_ring
-from tests.support.web_cases import WEB, run
+from tests.support.web_cases import run
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
@@ -35,9 +36,18 @@ HEADSETS = {"quest2": 0.063, "quest3": 0.068}
 @cache
 def script() -> str:
     """The emulator with its controls, bundled."""
-    out = WEB / "build" / "xr" / "device.js"
-    run("npx", "esbuild", "tests/xr/device.ts", "--bundle", "--format=iife", "--log-level=warning", f"--outfile={out}")
-    return out.read_text()
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "device.js"
+        run(
+            "npx",
+            "esbuild",
+            "tests/xr/device.ts",
+            "--bundle",
+            "--format=iife",
+            "--log-level=warning",
+            f"--outfile={out}",
+        )
+        return out.read_text()
 
 
 def tangents() -> dict[str, dict[str, float]]:
@@ -47,6 +57,27 @@ def tangents() -> dict[str, dict[str, float]]:
         "left": {"left": -OUTWARDS, "right": INWARDS, **sides},
         "right": {"left": -INWARDS, "right": OUTWARDS, **sides},
     }
+
+
+class _Gate:
+    """Holds requests back until it is opened."""
+
+    def __init__(self) -> None:
+        self._held: list[Any] = []
+        self._is_open = False
+
+    def take(self, route: Any) -> None:
+        """Let a request through, or hold it."""
+        if self._is_open:
+            route.continue_()
+        else:
+            self._held.append(route)
+
+    def open(self) -> None:
+        """Let all requests through, also those that come later."""
+        self._is_open = True
+        for route in self._held:
+            route.continue_()
 
 
 @contextmanager
@@ -60,10 +91,10 @@ def worn(
     with opened(program, 2 * size[0], size[1]) as page:
         wanted = {"headset": kind, "eyes": tangents(), "ipd": HEADSETS[kind], "layers": layers}
         page.add_init_script(f"window.wanted = {json.dumps(wanted)};\n{script()}")
-        routes: list[Any] = []
+        gate = _Gate()
+        page.let_go = gate.open
         if held:
-            page.route(f"**/{held}", lambda route: routes.append(route))
-        page.let_go = lambda: [route.continue_() for route in routes]
+            page.route(f"**/{held}", gate.take)
         page.goto(url)
         assert wait_for_ring(page, ring) == ""
         page.get_by_role("button", name="Enter VR").click()

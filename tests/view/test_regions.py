@@ -266,3 +266,23 @@ def test_a_region_that_does_not_come_leaves_the_old_picture(chromium: Any, hall:
         shown.unroute(f"**/{name}")
         shown.keyboard.press("r")
         shown.wait_for_function("() => window.nearfar.viewer.facts.region === 1", timeout=60e3)
+
+
+def test_files_of_the_next_ring_come_while_a_ring_is_made(chromium: Any, two: Path) -> None:
+    rings = json.loads((two / "manifest.json").read_text())["regions"][0]["rings"]
+    names = [Path(ring["geometry"] or "none").name for ring in rings]
+    asked: list[str] = []
+    with Server(two) as server, opened(chromium, 160, 120) as shown:
+        shown.on("request", lambda request: asked.append(request.url.rsplit("/", 1)[-1]))
+        shown.goto(f"{server.url}?aa=0")
+        stepped = SteppedPage(shown)
+        for _ in range(2000):
+            if names[1] in asked:
+                break
+            stepped.frame(pose(CENTERS[0][0], 0.3), 0.0)
+            shown.wait_for_timeout(10)
+        # Without frames nothing is uploaded, so ring 1 cannot be there.
+        shown.wait_for_timeout(2000)
+        assert shown.evaluate("() => window.nearfar.viewer.facts.arrived") == 0
+        assert names[2] in asked
+        assert names[3] not in asked

@@ -106,7 +106,7 @@ function read(): Captured {
 }
 
 /** Frames after which nobody waits any longer. */
-const MOST = 500;
+const MOST = 2000;
 
 window.emulated = {
   device,
