@@ -128,11 +128,11 @@ def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
     }
 
 
-def page_times(chromium: Any, url: str) -> dict[str, float]:
+def page_times(chromium: Any, url: str, strategy: str) -> dict[str, float]:
     """Seconds from navigation until the script was there, ring 0, and the last ring were shown."""
     with shaped(chromium) as page:
         page.add_init_script(f"({WATCH})()")
-        page.goto(url + "bundle/")
+        page.goto(f"{url}bundle/?strategy={strategy}")
         rings = page.evaluate("async () => (await (await fetch('manifest.json')).json()).regions[0].rings.length")
         deadline = time.monotonic() + SECONDS
         while page.evaluate("() => window.shownRings.length") < rings:
@@ -167,7 +167,8 @@ def main() -> None:
         sizes = prepare(scene, folder)
         with served(folder) as url:
             jobs = {
-                "nearfar": ("page", partial(page_times, chromium, url)),
+                "nearfar": ("page", partial(page_times, chromium, url, "clovr")),
+                "nearfar, rings at once": ("page", partial(page_times, chromium, url, "clovrd")),
                 "one GLB in three.js": ("glb", partial(peer_times, chromium, url + "?glb")),
                 "3d-tiles-renderer, near part": ("tiles", partial(peer_times, chromium, url + "?tiles")),
             }

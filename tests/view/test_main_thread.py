@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import nearfar as nf
@@ -33,3 +34,58 @@ def test_no_call_sends_much_to_the_gpu(tmp_path: Path) -> None:
     sent = [frame["bytes"] for frame in counts["frames"]]
     assert sum(sent) > 6 * 1024**2 * 4
     assert 0 < counts["mostBytes"] <= MOST_BYTES
+
+
+LINKS = """
+  const gl = WebGL2RenderingContext.prototype;
+  const { linkProgram, useProgram, fenceSync, getSyncParameter } = gl;
+  const linked = new Map();
+  const made = new Map();
+  let now = 0;
+  let done = 0;
+  window.uses = [];
+  gl.linkProgram = function (program) {
+    linked.set(program, (now += 1));
+    return linkProgram.call(this, program);
+  };
+  gl.fenceSync = function (...given) {
+    const sync = fenceSync.apply(this, given);
+    made.set(sync, (now += 1));
+    return sync;
+  };
+  gl.getSyncParameter = function (sync, name) {
+    const status = getSyncParameter.call(this, sync, name);
+    if (status === this.SIGNALED) done = Math.max(done, made.get(sync));
+    return status;
+  };
+  gl.useProgram = function (program) {
+    if (linked.has(program)) {
+      const kind = this.getAttribLocation(program, 'normal') >= 0 ? 'smooth' : 'other';
+      window.uses.push([kind, linked.get(program) < done]);
+      linked.delete(program);
+    }
+    return useProgram.call(this, program);
+  };
+"""
+"""Notes for each program, when it is first used, whether the GPU was known to have done all until its linking."""
+
+
+def test_no_frame_waits_for_the_compilation_of_a_program(tmp_path: Path) -> None:
+    need("browser")
+    builder = nf.SceneBuilder()
+    corners, faces = [[-3, 0, -3], [3, 0, -3], [0, 0, 3]], [[0, 2, 1]]
+    for number, normals in enumerate((None, [[0.0, 1, 0]] * 3)):
+        mesh = builder.mesh(np.add(corners, (0, number, 0)), faces, normals=normals)
+        builder.instance(mesh, name=f"floor {number}")
+    nf.stream.export(builder.build(), tmp_path / "b", center=(0, 1.7, 0), radii=(5.0,), face_size=64, samples=1)
+    with started() as program, Server(tmp_path / "b") as server, opened(program, 96, 60) as page:
+        page.add_init_script(LINKS)
+        page.goto(f"{server.url}?aa=0")
+        assert wait_for_ring(page, 1) == ""
+        page.wait_for_timeout(300)
+        uses = page.evaluate("() => window.uses")
+        assert page.printed == []
+    assert [is_done for kind, is_done in uses if kind == "smooth"] == [True]
+    # All but that of the map, which the first picture needs.
+    assert [is_done for _, is_done in uses].count(False) <= 1
+    assert len(uses) >= 3

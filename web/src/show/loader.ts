@@ -9,6 +9,7 @@ import { cubeSteps } from './cubes';
 import type { Decoder } from './decoder';
 import type { Shared } from './materials';
 import type { PieceMesh } from './pieces';
+import type { Programs } from './programs';
 import { geometrySteps, type Region } from './region';
 import type { Store } from './store';
 import type { Uploads } from './uploads';
@@ -28,6 +29,7 @@ export interface Loading {
   readonly fetch: Fetch;
   /** Number of the last ring that is loaded. */
   readonly last: number;
+  readonly programs: Programs;
   readonly warm: (mesh: PieceMesh) => void;
 }
 
@@ -114,6 +116,8 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
   for (const part of wanted) {
     if (part.endsWith('.bin')) store.buffers.add(part);
   }
+  signal.throwIfAborted();
+  await job.programs.ready(geometry.pieces);
   await job.uploads.add(geometrySteps(job.renderer, region, ring, geometry, job.shared, store, job.warm), signal);
 }
 

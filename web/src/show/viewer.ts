@@ -14,6 +14,7 @@ import { watchLoss } from './loss';
 import { createShared } from './materials';
 import { pick } from './pick';
 import { createPainter, type Picture } from './picture';
+import { createPrograms } from './programs';
 import { cubeOf, trianglesShown } from './region';
 import type { Manner, Shown } from './stage';
 import { createStore } from './store';
@@ -127,6 +128,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
 
   const painter = createPainter(renderer, shared, nearShare, faceSize, () => blank, place);
   painter.prepare(camera);
+  const programs = createPrograms(renderer, camera, shared);
   const warming = new Scene();
   const store = createStore();
   const loading: Loading = {
@@ -139,6 +141,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     maps: (workers[1] as Worked).decode,
     fetch: settings.fetch,
     last: settings.last,
+    programs,
     warm(mesh) {
       // Rendering nothing of it uploads it.
       const { count } = mesh.geometry.drawRange;
@@ -171,6 +174,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       wasIn = journey?.region ?? null;
       close();
       blank.dispose();
+      programs.forget();
       settings.lost(true);
     },
     () => {
