@@ -347,7 +347,7 @@ def _streams(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stream.assign": {"scene": scene, "center": center, "radii": [2.0, 4.0]},
         "nearfar.stream.bake_maps": {"rings": valid.ring_maps.rings, "face_size": 4},
         "nearfar.stream.export": {
-            "scene": scene, "path": valid.folder / "exported", "center": center, "radii": [2.0], "face_size": 64,
+            "scene": scene, "path": valid.folder / "exported", "center": center, "radii": [3.0], "face_size": 64,
             "samples": 1, "pixels_per_degree": 20.0, "split_px": 50.0, "by_footprint": True,
         },
         "nearfar.stream.export @regions": {

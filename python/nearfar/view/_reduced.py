@@ -19,7 +19,7 @@ from nearfar._cubemap.layouts import envmap_directions
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._scene.scene import Scene
-from nearfar.stream import _store, _tileset
+from nearfar.stream import _store
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._encode import ACROSS, Files, Geometry, encode_maps, encode_textures, scale_of
 from nearfar.stream._growth import Growth
@@ -44,6 +44,8 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
 
     ValueError for the conventional method, which has no morph.
     """
+    from nearfar.stream import _tileset
+
     if reduced.morph == "none":
         raise ValueError("morph: expected 'blend' or 'cylinder' to show, got 'none'; see ReducedScene.with_morph")
     near = reduced._near_part
