@@ -118,3 +118,18 @@ def test_damage_is_refused(bundle: nf.stream.Bundle, change: dict[str, Any], tol
 def test_the_flag_is_checked(scene: nf.Scene, tmp_path: Path) -> None:
     with pytest.raises(TypeError, match="by_footprint"):
         nf.stream.export(scene, tmp_path / "b", center=CENTER, radii=RADII, by_footprint="yes")  # type: ignore[arg-type]
+
+
+def test_split_rings_leave_it_whole(bundle: nf.stream.Bundle, scene: nf.Scene, tmp_path: Path) -> None:
+    settings: dict[str, Any] = {"face_size": 64, "quality": None, "by_footprint": True, "split_px": 20.0}
+    split = nf.stream.export(scene, tmp_path / "b", center=CENTER, radii=RADII, **settings)
+    regions = [each._manifest["regions"][0] for each in (bundle, split)]
+    assert regions[0]["by_footprint"]["portions"] == regions[1]["by_footprint"]["portions"]
+    assert split.summary()[1]["geometry"] > bundle.summary()[1]["geometry"]
+
+
+def test_a_split_that_is_too_fine_is_named(tmp_path: Path) -> None:
+    scene = nf.datasets.city(blocks=2, detail=0)
+    with pytest.raises(ValueError, match="split_px: too small for ring 1"):
+        nf.stream.export(scene, tmp_path / "b", center=(0, 1.7, 0), radii=(10, 14), face_size=64, split_px=0.001)
+    assert not (tmp_path / "b").exists()

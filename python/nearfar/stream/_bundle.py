@@ -86,7 +86,7 @@ class Bundle(InRegions):
             For each ring from 0 on `radius` in metres, its static `objects` and their `triangles`, and the bytes of its
             `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Those come with ring
             0, because every picture shows them. A file that an earlier ring or column has counts there only, so that
-            the bytes of a bundle with one region add up to `nbytes`.
+            the bytes of a bundle with one region add up to `nbytes`, unless it also has its objects by footprint.
         """
         seen: set[str] = set()
         rows = []

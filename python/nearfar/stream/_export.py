@@ -114,7 +114,8 @@ def export(
     ValueError
         For numbers out of range, radii that fall or repeat, a centre that is not finite, the same centre twice, a
         centre with nothing around it if radii are to be chosen, triangles that are to be split for users farther than
-        0.35 of the first radius from a centre, and a URL whose file system is not known or only reads; before any work.
+        0.348 of the first radius from a centre, and a URL whose file system is not known or only reads; before any
+        work. During it, if triangles cannot be split as finely as `split_px` asks.
     TypeError
         For arguments of another type.
     OSError
@@ -146,8 +147,8 @@ def export(
     writer = Writer(settings, encode_textures(scene, settings.quality, detail.halvings(divided)))
     files, regions, dynamic = writer.files, list[dict[str, Any]](), None
     for rings, beside in zip(divided, near, strict=True):
-        shown = detail.shown(rings) if splitting is None else splitting.split(detail.shown(rings))
-        geometry = writer.geometry(shown)
+        shown = detail.shown(rings)
+        geometry = writer.geometry(shown if splitting is None else splitting.split(shown))
         if not regions:
             dynamic = geometry.moving()
         regions.append({**writer.region(rings, shown, geometry), "neighbours": beside})

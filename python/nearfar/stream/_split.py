@@ -58,7 +58,10 @@ class Splitting:
                 chosen = codes == ring
                 if chosen.any():
                     settings = self._settings(rings.center, rings.radii, ring)
-                    core, _counts = _core.tessellate_scene(core, **settings, chosen=chosen, report=report)
+                    try:
+                        core, _counts = _core.tessellate_scene(core, **settings, chosen=chosen, report=report)
+                    except ValueError as error:
+                        raise ValueError(f"split_px: too small for ring {ring} of this scene: {error}") from None
         return replace(rings, scene=rings.scene._derived(core, rings.scene._rest))
 
     def _settings(self, center: tuple[float, float, float], radii: tuple[float, ...], ring: int) -> dict[str, Any]:
