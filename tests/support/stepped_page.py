@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tests.support.browser import wait_until
 from tests.support.reader_cases import SECONDS
 
 STOP = "() => window.nearfar.viewer.renderer.setAnimationLoop(null)"
@@ -35,10 +36,7 @@ class SteppedPage:
 
     def __init__(self, page: Any) -> None:
         self.page = page
-        deadline = time.monotonic() + SECONDS
-        while not page.evaluate("() => Boolean(window.nearfar)"):
-            assert time.monotonic() < deadline, page.printed
-            time.sleep(0.05)
+        wait_until(page, lambda: page.evaluate("() => Boolean(window.nearfar)"))
         page.evaluate(STOP)
 
     def frame(self, pose: dict[str, Any], seconds: float) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What is split in tests of tessellation, by whom it is seen, and whether it cracks."""
+"""Shapes that tests of tessellation split, their users, and a check for cracks."""
 
 from __future__ import annotations
 

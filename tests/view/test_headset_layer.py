@@ -78,7 +78,7 @@ def address(server: str, query: str) -> str:
 
 
 def counts(page: Any) -> dict[str, Any]:
-    """What the stand-in for layers has counted."""
+    """Counts of the stand-in for layers."""
     return dict(page.evaluate("() => window.emulated.layers"))
 
 
@@ -101,7 +101,7 @@ def test_a_layer_of_the_browser_shows_the_map(chromium: Any, server: str, bundle
         found = capture(page, "window.emulated.layers.clear > 0.1")
         assert alike(bundle, PICTURE, found, cameras(turned)) >= 0.99
         assert counts(page)["writes"] == 1
-        # What the browser loses is copied again, and drawn by the page in the meantime.
+        # A map that the browser loses is copied again, and drawn by the page in the meantime.
         page.evaluate("() => { window.emulated.layers.cube.needsRedraw = true; }")
         frames(page, 3)
         assert counts(page)["writes"] == 2

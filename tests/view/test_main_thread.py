@@ -1,4 +1,4 @@
-"""What a page does at once on its main thread for rings that arrive."""
+"""Work that a page does at once on its main thread for rings that arrive."""
 
 from __future__ import annotations
 

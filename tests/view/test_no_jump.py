@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar.view._server import Server
 from tests.support import need
-from tests.support.browser import opened, started
+from tests.support.browser import opened, started, wait_until
 from tests.support.held_rings import HeldRings
 from tests.support.stepped_page import SteppedPage
 
@@ -86,10 +85,7 @@ def pairs(page: SteppedPage, pose: dict[str, Any], seconds: float) -> NDArray[np
 
 def wait_for(page: SteppedPage, pose: dict[str, Any], ring: int) -> None:
     """Frames without time, until a ring is there."""
-    deadline = time.monotonic() + 120
-    while page.frame(pose, 0.0)["arrived"] < ring:
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
+    wait_until(page.page, lambda: page.frame(pose, 0.0)["arrived"] >= ring)
 
 
 def test_a_load_is_smooth_and_clovrd_jumps(chromium: Any, bundle: nf.stream.Bundle, pose: dict[str, Any]) -> None:

@@ -67,5 +67,5 @@ def test_damage_is_told(chromium: Any, bundle: nf.stream.Bundle, damage: str) ->
         told = wait_for_ring(shown, len(RADII))
         assert ("newer nearfar" if damage == "newer" else name) in told
         if damage != "newer":
-            # What came before stays on the screen.
+            # The picture before stays on the screen.
             assert shown.evaluate("() => window.nearfar.viewer.facts.arrived") == 1

@@ -183,7 +183,7 @@ def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None
             for step in range(1, 11) if place else ():
                 stepped.frame(stand(gallery.center(place - 1)[0] + gallery.STEP * step / 10), 0.2)
             walked.append(arrive(place))
-        # What regions share is here; faces of maps that are equal by chance come again.
+        # Files that regions share are here; faces of maps that are equal by chance come again.
         asked = Counter(requests)
         parts = {name for region in manifest["regions"] for ring in region["rings"] for name in ring["parts"]}
         parts |= {manifest["dynamic"]["geometry"], *manifest["dynamic"]["parts"]}

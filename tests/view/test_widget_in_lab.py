@@ -13,9 +13,8 @@ import pytest
 
 import nearfar as nf
 from tests.support import need
-from tests.support.browser import opened, started
+from tests.support.browser import LOOKS, opened, started
 from tests.support.page_pictures import of_one_face, off
-from tests.support.reader_cases import SECONDS
 
 pytestmark = pytest.mark.slow
 
@@ -63,17 +62,17 @@ def notebook(folder: Path) -> Iterator[Any]:
 
 
 def state(notebook: Any) -> tuple[tuple[float, ...], float, float, float, int, float, str]:
-    """What Python has of the view."""
+    """The state of the view as Python has it."""
     position, *others = json.loads(notebook.run(2))
     return (tuple(position), *others)
 
 
 def until_python_has(notebook: Any, condition: Any) -> Any:
-    deadline = time.monotonic() + SECONDS
-    while not condition(found := state(notebook)):
-        assert time.monotonic() < deadline, found
+    for _ in range(LOOKS):
+        if condition(found := state(notebook)):
+            return found
         time.sleep(0.2)
-    return found
+    raise AssertionError(f"Python does not have it: {found}")
 
 
 def test_the_picture_is_that_of_the_camera_that_python_sets(notebook: Any, folder: Path) -> None:

@@ -90,7 +90,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
     return leg;
   }
 
-  /** What is shown of a region does not fold at a place. */
+  /** Whether the picture of a region does not fold at a place. */
   function check(region: number, place: Vector): void {
     const grown = regions.grown(region);
     if (!grown || grown.strength === 0) return;

@@ -107,7 +107,7 @@ test('Python hears of changes only, and not in every frame', () => {
   assert.equal(saved.length, 0);
   for (let now = 0; now <= 10 * EVERY; now += 16) mirror.tell({ yaw: now }, now);
   assert.ok(saved.length > 5 && saved.length <= 11, `${saved.length}`);
-  // What is left is sent when its time has come.
+  // The rest is sent when its time has come.
   mirror.tell({ yaw: -1 }, 20 * EVERY);
   assert.equal(saved.at(-1)?.['yaw'], -1);
 });

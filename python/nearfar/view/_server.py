@@ -76,7 +76,7 @@ class Server:
 
 
 def _served(path: str | os.PathLike[str]) -> Mapping[str, Read]:
-    """What is served: how to read each file by its path."""
+    """Readers of the files that are served, by their paths."""
 
     def constant(content: bytes) -> Read:
         return lambda: content

@@ -136,7 +136,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         return ({**data, "image/png": card.png(self._picture())}, *rest)
 
     def _picture(self) -> Any:
-        """What the camera shows: of a bundle the map of ring 0, which needs little to be read."""
+        """The picture of the camera: of a bundle the map of ring 0, which needs little to be read."""
         shown = self._shown.at(0) if isinstance(self._shown, Bundle) else self._shown
         return shown.render(self.camera, samples=4, channels=("color",)).to_image()
 

@@ -1,4 +1,4 @@
-/** What the strategies vis0 and vis1 load of a bundle, as rings whose map comes last. */
+/** The bundle as the strategies vis0 and vis1 load it: rings whose map comes last. */
 import { BundleError } from './error';
 import type { Manifest, RegionEntry, RingEntry } from './manifest';
 

@@ -1,7 +1,7 @@
 /** Why nothing can be shown: the bundle, a newer one, the network, what the address asks for, or the browser's graphics. */
 export type Kind = 'damaged' | 'newer' | 'network' | 'other' | 'webgl';
 
-/** What cannot be shown, in a sentence. */
+/** An error that says in a sentence why something cannot be shown. */
 export class BundleError extends Error {
   override readonly name = 'BundleError';
 

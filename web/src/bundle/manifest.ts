@@ -32,7 +32,7 @@ export interface RingEntry extends GroupEntry {
   readonly map: MapEntry | null;
 }
 
-/** What the strategies vis0 and vis1 send instead of rings: objects by their footprints, and the map of the last ring. */
+/** Files that the strategies vis0 and vis1 load instead of rings: objects by their footprints, and the map of the last ring. */
 export interface FootprintEntry {
   readonly portions: readonly GroupEntry[];
   readonly map: MapEntry;

@@ -23,7 +23,7 @@ export interface ControlSettings {
   readonly onThumb?: (thumb: Thumb | null) => void;
   /** Two taps or clicks ask for a place, in parts of the picture's width and height from its upper left. */
   readonly onGo?: (x: number, y: number) => void;
-  /** What hears keys: the window by default; in a notebook the element, so that the notebook keeps its own keys. */
+  /** The target that hears keys: the window by default; in a notebook the element, so that the notebook keeps its own keys. */
   readonly keys?: EventTarget;
   /** Gamepads, by default those of the browser. */
   readonly pads?: () => readonly (Pad | null)[];

@@ -106,7 +106,7 @@ export interface ForgetRequest {
   readonly region: number;
 }
 
-/** What a worker keeps after it has forgotten. */
+/** Buffers and maps that a worker keeps after it has forgotten others. */
 export interface Kept {
   readonly buffers: number;
   readonly bytes: number;

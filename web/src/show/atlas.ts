@@ -22,7 +22,7 @@ export interface Open {
   readonly stop: AbortController;
   /** Last ring that is there; −1 before ring 0. */
   arrived: number;
-  /** What is shown of it, or was last. */
+  /** Its picture now, or the last one. */
   shown: Shown | null;
   /** Bytes of its files that are here, and of all of them. */
   received: number;
@@ -34,7 +34,7 @@ export interface Holding {
   /** Numbers of the regions that are open. */
   readonly regions: readonly number[];
   readonly isLoading: boolean;
-  /** What the workers kept when the last region was closed. */
+  /** Buffers and maps of the workers when the last region was closed. */
   readonly kept: readonly Kept[];
 }
 

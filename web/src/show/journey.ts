@@ -11,7 +11,7 @@ import { type Grown, NOTHING_NEAR } from './growth';
 
 /** A region is loaded ahead when the border is nearer than this part of the way from the centre to it, or metres. */
 const [AHEAD_SHARE, AHEAD_METRES, AHEAD_MOST] = [0.5, 4, 0.9] as const;
-/** What is loaded ahead is kept until the border is farther than that by this part of the way. */
+/** A region that is loaded ahead is kept until the border is farther than that by this part of the way. */
 const KEPT_SHARE = 0.25;
 /** How much nearer another centre must be before it takes over: a part of their distance, metres at most. */
 const [GAP_SHARE, GAP_MOST] = [0.1, 2] as const;
@@ -24,14 +24,14 @@ const ROUNDED = 1 - 1e-9;
 /** Part of the limit within which a place to go to is put, and within which it needs no other region. */
 const [LANDING, HERE_SHARE] = [0.9, 0.5] as const;
 
-/** What the journey asks of regions, and what it is told of them. */
+/** The regions of a journey: its questions to them, and their answers. */
 export interface Regions {
   /** Load a region, unless that was begun. */
   open(region: number): void;
   close(region: number): void;
   /** Load regions in this order; others wait. */
   prefer(order: readonly number[]): void;
-  /** What it would show first after a state of another region; null before its ring 0 is there. */
+  /** The first state that it would show after one of another region; null before its ring 0 is there. */
   offer(region: number, from: Grown): Grown | null;
   /** All rings are there. */
   isComplete(region: number): boolean;
@@ -39,7 +39,7 @@ export interface Regions {
   enter(region: number, from: Grown): void;
   /** Show it no more. */
   leave(region: number): void;
-  /** What it shows of its rings; null while nothing of it can be shown. */
+  /** Radius and strength that it shows; null while nothing of it can be shown. */
   grown(region: number): Grown | null;
 }
 
@@ -53,7 +53,7 @@ export interface JourneySettings {
   readonly moved: (pose: Pose) => void;
 }
 
-/** What is shown of a journey. */
+/** The picture of a journey now. */
 export interface Leg {
   readonly region: number;
   /** The picture that goes out below that of the region, which has a share; a pose of its own if the user was moved. */
@@ -132,7 +132,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     return border < lead ? other : null;
   }
 
-  /** What the region ahead would show now; null if it cannot take over from what is shown. */
+  /** The state that the region ahead would show now; null if it cannot take over. */
   function offered(region: number): Grown | null {
     const from = regions.grown(current);
     const offer = from && regions.offer(region, from);

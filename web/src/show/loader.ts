@@ -170,7 +170,7 @@ async function fileOf({ ahead, manifest, received, signal, store }: Job, name: s
   const kept = store.moving.get(name);
   if (kept) received(described.bytes);
   const data = kept ?? (await ahead.fetch(name, signal));
-  // What is sent to a worker is gone here.
+  // Buffers that are sent to a worker are gone here.
   if (name === manifest.dynamic?.geometry) store.moving.set(name, data.slice(0));
   return { name, data, bytes: described.bytes, sha256: described.sha256 };
 }

@@ -4,7 +4,7 @@
  */
 import { grow, type Grown, type GrowthSettings, NOTHING_NEAR } from './growth';
 
-/** What is on the screen when. */
+/** The order in which pictures come to the screen. */
 export interface Manner {
   /** Rings that arrive fade in, and the morph grows; else both happen at once. */
   readonly isSmooth: boolean;
@@ -23,7 +23,7 @@ export interface Shown {
 export interface Stage {
   /** A ring is there; rings come in order. Until the stage is entered, each takes the place of the one before. */
   arrive(ring: number): void;
-  /** What would be shown first if the picture of another region went over into this one; null before ring 0. */
+  /** The first state after the picture of another region goes over into this one; null before ring 0. */
   offer(from: Grown): Grown | null;
   /** Show the region from now on, as much like the other region's picture as the rings that are there allow. */
   enter(from: Grown): void;

@@ -1,4 +1,4 @@
-/** What regions share on the GPU and in the worker: textures, buffers, and the arrays of meshes. */
+/** Things that regions share on the GPU and in the worker: textures, buffers, and the arrays of meshes. */
 import type { BufferAttribute, Texture } from 'three';
 
 /** The arrays of a mesh without its placements. */

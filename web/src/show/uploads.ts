@@ -33,7 +33,7 @@ export function createUploads(now: () => number = () => performance.now()): Uplo
       }
       job.done();
     } catch (error) {
-      // What the steps have made until now is of no use.
+      // Meshes that the steps have made until now are of no use.
       job.steps.return?.();
       job.failed(error);
     }

@@ -26,7 +26,7 @@ export interface Panel {
 }
 
 export interface PanelSettings {
-  /** What hears keys: the window by default; in a notebook the element around the page. */
+  /** The target that hears keys: the window by default; in a notebook the element around the page. */
   readonly keys?: EventTarget;
   readonly isOpen?: boolean;
 }

@@ -1,4 +1,4 @@
-/** What the hands do in a frame: where they point, their sticks, and their joints where they are tracked. */
+/** The hands in a frame: where they point, their sticks, and their joints where they are tracked. */
 import type { Vector } from '../control/vector';
 import type { Stick } from './steer';
 import type { Ray } from './teleport';

@@ -54,7 +54,7 @@ export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLa
   return {
     show(cube, yaw) {
       const isNew = [hold(cube), orient(yaw), !session.renderState.layers?.includes(layer)];
-      // What changes in a frame may be shown from the next one on only.
+      // Changes of a frame may be shown from the next one on only.
       return !isNew.includes(true);
     },
   };

@@ -1,4 +1,4 @@
-/** What a headset shows beside the scene: controllers or joints of hands, the arc and the ring of a jump. */
+/** Shapes that a headset shows beside the scene: controllers or joints of hands, the arc and the ring of a jump. */
 import {
   CapsuleGeometry,
   Color,

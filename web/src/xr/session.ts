@@ -46,7 +46,7 @@ export interface HeadsetSettings {
   readonly isStatic: boolean;
 }
 
-/** What lasts as long as a session. */
+/** State that lasts as long as a session. */
 interface Visit {
   readonly look: Look;
   readonly aiming: Aiming;

@@ -22,7 +22,7 @@ const REST_SHARE = 0.18;
 const [TURNS, REARMS] = [0.7, 0.35] as const;
 
 export interface Steering {
-  /** What the sticks of the left and the right hand ask for; a hand without a stick leaves its part to the other. */
+  /** The wishes of the sticks of the left and the right hand; a hand without a stick leaves its part to the other. */
   read(left: Stick | null, right: Stick | null): Wish;
 }
 

@@ -3,7 +3,7 @@ import { metaQuest2, metaQuest3, XRDevice } from 'iwer';
 import type { Facts } from '../../src/show/viewer';
 import { installLayers, type LayersFound } from './layers';
 
-/** What a test asks for: a headset, and the tangents of the angles to the sides of each eye's picture. */
+/** The wishes of a test: a headset, and the tangents of the angles to the sides of each eye's picture. */
 interface Wanted {
   readonly headset: 'quest2' | 'quest3';
   readonly eyes: Readonly<Record<'left' | 'right', Tangents>>;
@@ -62,7 +62,7 @@ Object.defineProperty(XRView.prototype, 'projectionMatrix', {
   },
 });
 
-/** What the shaders are told of the eyes. */
+/** Values that the shaders get of the eyes. */
 const told = new Map<string, readonly number[]>();
 const names = new WeakMap<WebGLUniformLocation, string>();
 const { getUniformLocation, uniform3f, uniform3fv } = WebGL2RenderingContext.prototype;

@@ -118,7 +118,7 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
       if (!isFlat && range > atRest(rho, distance, u)) {
         const circles = range > growing(rho, distance) ? bands : kinks;
         const at = cutAt(circles, [a[0], a[2]], [dx, dz], [nearest, farthest]);
-        // What passes the outermost circle by so little is all but beyond it.
+        // An edge that passes the outermost circle by so little is all but beyond it.
         if (at > 0 || farthest > outer * (1 + MISSED)) return at;
       }
       const [along, across, any] = formAt(rho, distance, u, isFlat);
