@@ -110,13 +110,13 @@ clean:
 	$(PYTHON) -m venv .venv
 	touch $@
 
-# What the package and its demo need.
+# Packages for nearfar and its demo.
 .venv/base: .venv/made pyproject.toml scripts/requirements.py
 	$(bin)/python scripts/requirements.py lod plot > .venv/base.txt
 	$(pip) -r .venv/base.txt
 	touch $@
 
-# What the tests and notebooks need. pyrender pins a PyOpenGL that cannot be loaded: it comes without its requirements.
+# Tools of the tests and notebooks. pyrender pins a PyOpenGL that cannot be loaded: it comes without its requirements.
 .venv/test: .venv/base
 	$(bin)/python scripts/requirements.py lod stream cluster plot notebook test crosscheck > .venv/test.txt
 	$(pip) -r .venv/test.txt
@@ -129,7 +129,7 @@ clean:
 		npm ci --prefix tests/readers --ignore-scripts --no-audit --no-fund --loglevel=error && touch $@; \
 	else echo "readers: skipped; they need npm (scripts/system-packages.sh)"; fi
 
-# What builds and checks the page; the package holds the built page, so that nobody else needs it.
+# Tools that build and check the page; the package holds the built page, so that nobody else needs it.
 .venv/web: .venv/made web/package.json web/package-lock.json
 	@if command -v npm > /dev/null; then \
 		npm ci --prefix web --ignore-scripts --no-audit --no-fund --loglevel=error && touch $@; \
@@ -139,7 +139,7 @@ clean:
 page: .venv/web
 	cd web && npx tsc --noEmit && node build.mjs
 
-# What only the benchmarks compare with.
+# Peers that only the benchmarks compare with.
 .venv/bench: .venv/test
 	$(bin)/python scripts/requirements.py bench > .venv/bench.txt
 	$(pip) -r .venv/bench.txt

@@ -1,4 +1,4 @@
-"""What tear reads on pictures whose tear is known: widths, directions, shear, curvature, overlap.
+"""Readings of tear on pictures whose tear is known: widths, directions, shear, curvature, overlap.
 
 python -m benchmarks.metrics.tear [--quick] [--plots out/bench]
 """

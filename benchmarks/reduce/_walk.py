@@ -1,4 +1,4 @@
-"""What the benchmark of walks needs: ways through cities, the jump of far points at a change, and drawings."""
+"""Parts of the benchmark of walks: ways through cities, the jump of far points at a change, and drawings."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ class Case:
 
 @dataclass
 class Walked:
-    """What happened on a walk."""
+    """Events of a walk."""
 
     frames: int = 0
     folded: int = 0

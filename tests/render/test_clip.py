@@ -86,7 +86,7 @@ def test_reduced_scenes_are_cut_where_they_are_shown(name: str, kind: str) -> No
     hit = np.isfinite(frame.require("range"))
     kept = is_kept(clip, np.where(hit[..., None], shown, 0.0), 0.02)
     assert kept[hit].all()
-    # What is kept and not behind something that is cut off is there.
+    # Kept geometry that is not behind something cut off is there.
     whole = reduced.render(eye, channels=ALL[:4], method="vertex")
     at = whole.require("range")[..., None] * eye.rays()[1] + np.array(eye.position)
     near = whole.require("face_id") >= 0

@@ -227,7 +227,7 @@ def test_surfaces_across_the_plane_leave_no_gap() -> None:
             frame = hybrid.render(room, head, way, channels=("coverage", "color"), near=0.0)
             plain = [nf.render(room, camera, channels=("coverage",)) for camera in hybrid.cameras(head, way)[:2]]
             for got, expected in zip((frame.left, frame.right), plain, strict=True):
-                # What a window shows of the sky differs by the error of the shared picture.
+                # The sky in a window differs by the error of the shared picture.
                 missing = (got.require("coverage") == 0.0) & (expected.require("coverage") > 0.0)
                 assert missing.mean() <= 0.01
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -62,13 +61,15 @@ def opened(program: Any, width: int, height: int) -> Iterator[Any]:
 
 def wait_for_ring(page: Any, ring: int) -> str:
     """Wait until a ring is there or the page tells of a problem; returns what it tells."""
-    deadline = time.monotonic() + SECONDS
-    while time.monotonic() < deadline:
+    problems: list[str] = []
+
+    def has_come() -> bool:
         state = page.evaluate(STATE)
-        if state["problem"] or state["arrived"] >= ring:
-            return str(state["problem"])
-        time.sleep(0.1)
-    raise AssertionError(f"ring {ring} does not come: {page.printed}")
+        problems.append(str(state["problem"]))
+        return bool(state["problem"]) or state["arrived"] >= ring
+
+    wait_until(page, has_come)
+    return problems[-1]
 
 
 def still(page: Any, picture: dict[str, Any], pose: dict[str, Any]) -> NDArray[np.uint8]:

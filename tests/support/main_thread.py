@@ -20,7 +20,7 @@ COUNT = """() => {
       set.call(this, (event) => {
         const start = performance.now();
         work.call(this, event);
-        // What waits for the answer goes on in microtasks, which this outlasts.
+        // Code that waits for the answer goes on in microtasks, which this outlasts.
         let left = 20;
         const last = () => (left-- > 0 ? queueMicrotask(last) : (counts.messages += performance.now() - start));
         last();

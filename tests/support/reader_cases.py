@@ -138,7 +138,7 @@ def answer_of(
     folders: Mapping[str, Path] | None = None,
     pages: Path = FOLDER,
 ) -> dict[str, Any]:
-    """What a module that page.html loads posts to /result after it has read its job from /job.json.
+    """The post to /result of a module that page.html loads and that has read its job from /job.json.
 
     Parameters
     ----------

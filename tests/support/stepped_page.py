@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import base64
-import time
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.support.browser import wait_until
-from tests.support.reader_cases import SECONDS
+from tests.support.browser import LOOKS, wait_until
 
 STOP = "() => window.nearfar.viewer.renderer.setAnimationLoop(null)"
 
@@ -52,13 +50,12 @@ class SteppedPage:
 
     def load(self, pose: dict[str, Any], seconds: float) -> dict[str, Any]:
         """Draw frames that stand for some seconds each until nothing loads; what the page tells then."""
-        deadline = time.monotonic() + SECONDS
-        while time.monotonic() < deadline:
+        for _ in range(LOOKS):
             told = self.frame(pose, seconds)
             if not told["isLoading"]:
                 assert self.page.evaluate("() => document.querySelector('#message').textContent") == ""
                 return told
-            time.sleep(0.01)
+            self.page.wait_for_timeout(10)
         raise AssertionError(f"loading does not end: {self.page.printed}")
 
 

@@ -1,4 +1,4 @@
-"""What the page decodes from bundles, in Node, beside what nearfar's own readers do."""
+"""The page's decoding of bundles, in Node, beside nearfar's own readers."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ READ_ONLY = {"http", "https"}
 """File systems of fsspec that only read."""
 
 HTTP_PACKAGES = "'fsspec[http]'"
-"""What pip installs for them."""
+"""Packages that pip installs for them."""
 
 
 def named(data: bytes, kind: str) -> str:

@@ -16,7 +16,7 @@ fn settings(center: [f64; 3], [r1, r2]: [f64; 2], stages: Option<(f64, bool)>, r
         Some((least, is_full)) => Stages::Cylinder { least, is_full },
         None => Stages::Blend,
     };
-    // What a cylinder shows beyond r₂ moves along the ray.
+    // Points beyond r₂ move along the ray with a cylinder.
     let drawn = if stages == Stages::Blend { r2 } else { f64::INFINITY };
     Settings { center: DVec3::from_array(center), r1, r2, drawn, reach, tolerance, stages }
 }

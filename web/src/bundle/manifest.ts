@@ -11,7 +11,7 @@ export interface Described {
   readonly sha256: string;
 }
 
-/** What a ring changes of the map before it; whole maps, such as that of ring 0, have six pictures and no tiles. */
+/** Changes of a ring to the map before it; whole maps, such as that of ring 0, have six pictures and no tiles. */
 export interface MapEntry {
   readonly tiles: readonly number[];
   readonly color: string | readonly string[] | null;

@@ -72,7 +72,7 @@ async function withTrials<T>(
     try {
       return await trial(number > 0);
     } catch (error) {
-      // What the server says for certain does not change by asking again.
+      // A server's definite answer does not change by asking again.
       if (signal.aborted || error instanceof BundleError) throw error;
       const pause = PAUSES[number];
       const reason = error instanceof Error ? error.message : String(error);

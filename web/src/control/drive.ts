@@ -1,4 +1,4 @@
-/** What keys, thumbs and sticks ask for at the moment, as parts of full speed from −1 to 1. */
+/** Present requests of keys, thumbs and sticks, as parts of full speed from −1 to 1. */
 export interface Drive {
   /** Steps to the right and ahead. */
   readonly right: number;

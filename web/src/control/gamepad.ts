@@ -14,7 +14,7 @@ export interface Pad {
   readonly buttons: readonly { readonly pressed: boolean }[];
 }
 
-/** What all gamepads ask for. Those whose layout is unknown are left alone. */
+/** Requests of all gamepads. Those whose layout is unknown are left alone. */
 export function readPads(pads: readonly (Pad | null)[]): Drive {
   const known = pads.filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
   return known.length === 0 ? REST : together(...known.map((pad) => (pad ? wishOf(pad) : REST)));

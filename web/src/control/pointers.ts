@@ -37,7 +37,7 @@ export interface PointerActions {
 }
 
 export interface Pointers {
-  /** What the left thumb asks for. */
+  /** Request of the left thumb. */
   readonly drive: Drive;
   /** Look around with the mouse without a button, until Escape. */
   lock(): void;

@@ -1,7 +1,7 @@
 /** Decompression of arrays by meshoptimizer, whose decoder trusts what it is told: all of it is checked before. */
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 
-/** What `EXT_meshopt_compression` says of an array. Every number may be wrong in a damaged file. */
+/** An array's description in `EXT_meshopt_compression`. Every number may be wrong in a damaged file. */
 export interface Compression {
   readonly buffer: number;
   readonly byteOffset?: number;
@@ -19,7 +19,7 @@ const MOST_BYTES = 2 ** 28;
  * a column, those of corners spend a byte on a triangle, or on a corner.
  */
 const MOST_GROWTH = 64;
-/** What a short array may take in any case: its last block may be filled up, bytes. */
+/** Bytes that a short array may take in any case, because its last block may be filled up. */
 const LEAST_BYTES = 2 ** 16;
 const MOST_STRIDE = 256;
 

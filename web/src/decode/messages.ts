@@ -1,4 +1,4 @@
-/** What the page and its workers send each other. Arrays are transferred, not copied. */
+/** Messages between the page and its workers. Arrays are transferred, not copied. */
 import type { Point } from '../bundle/manifest';
 
 /** How faces are drawn. */
@@ -116,7 +116,7 @@ export interface Kept {
 
 export type Request = GeometryRequest | FirstMapRequest | NextMapRequest | ForgetRequest;
 
-/** What to upload, so that a texture holds a ring's map. */
+/** Uploads that make a texture hold a ring's map. */
 export type MapUpdate =
   | {
       readonly whole: true;

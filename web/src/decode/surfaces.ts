@@ -5,7 +5,7 @@ import type { Material, Piece } from './messages';
 /** Folder of the files of a bundle; files refer to each other within it. */
 export const FOLDER = 'files/';
 
-/** What a piece is without its place. */
+/** A piece without its place. */
 export type Arrays = Omit<Piece, 'name' | 'placements' | 'same'>;
 
 export async function primitiveOf(glb: Glb, { attributes = {}, indices, material }: Primitive): Promise<Arrays> {

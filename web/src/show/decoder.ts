@@ -50,7 +50,7 @@ export function startDecoder(script: URL): Worked {
   return { decode: decode as Decoder, dispose: () => worker.terminate() };
 }
 
-/** What is transferred with a request: the contents of its files. */
+/** Buffers that are transferred with a request: the contents of its files. */
 function buffersOf(request: Request): ArrayBuffer[] {
   switch (request.kind) {
     case 'geometry':

@@ -13,7 +13,7 @@ export interface GrowthSettings {
   readonly nearShare: number;
 }
 
-/** What is shown of the rings that are there. */
+/** The part of the arrived rings that is shown. */
 export interface Grown {
   /** R, metres. */
   readonly radius: number;

@@ -177,7 +177,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const isHere = region === current;
     const offer = isHere ? from : regions.offer(region, from ?? NOTHING_NEAR);
     if (!offer) return;
-    // What it is shown like must leave the user room; else it begins with nothing near.
+    // Its picture must leave the user room; else it begins with nothing near.
     const fits = isHere || room(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
     const place = landing(region, fits ? offer : NOTHING_NEAR, target);
     going = null;

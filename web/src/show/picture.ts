@@ -6,7 +6,7 @@ import { farMaterial, type Shared } from './materials';
 import { cubeOf, meshesOf, type Region } from './region';
 import { covering } from './veil';
 
-/** What a picture shows. */
+/** The state that a picture shows. */
 export interface Picture {
   readonly region: Region;
   /** Last ring whose geometry is shown; its map shows what lies beyond. */

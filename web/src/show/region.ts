@@ -1,4 +1,4 @@
-/** What is on the GPU of one region: the geometry of its rings, and the maps of the last two of them. */
+/** A region on the GPU: the geometry of its rings, and the maps of the last two of them. */
 import { Group, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Geometry } from '../decode/messages';

@@ -12,7 +12,7 @@ export interface Manner {
   readonly isWhole: boolean;
 }
 
-/** What is drawn now: one picture, or two while one fades in over the other. */
+/** The present picture, or two while one fades in over the other. */
 export interface Shown {
   readonly ring: number;
   readonly grown: Grown;

@@ -79,7 +79,7 @@ export interface Viewer {
   dispose(): void;
 }
 
-/** What the panel shows of the picture. */
+/** The panel's facts of the picture. */
 export interface Facts extends Holding {
   readonly region: number;
   /** Region of the place that the user is about to go to; null for none. */

@@ -1,4 +1,4 @@
-/** What the page says when something fails: over the whole page, or in a banner above the last good picture. */
+/** Messages of failures: over the whole page, or in a banner above the last good picture. */
 import { icon, make } from './dom';
 import { ICONS } from './icons';
 
@@ -6,7 +6,7 @@ import { ICONS } from './icons';
 const MOST = 3;
 
 export interface FatalOptions {
-  /** What exactly failed, for those who can mend it. */
+  /** The exact failure, for those who can mend it. */
   readonly detail?: string | undefined;
   /** There is something to try again. */
   readonly retry?: (() => void) | undefined;
@@ -54,7 +54,7 @@ export function showFatal(title: string, text: string, { detail, retry }: FatalO
   const place = message();
   place.replaceChildren(card);
   place.dataset['kind'] = 'fatal';
-  // What lies behind the message is out of reach, also for keys.
+  // The page behind the message is out of reach, also for keys.
   for (const other of document.querySelectorAll('canvas, [data-behind]')) other.setAttribute('inert', '');
   heading.focus({ preventScroll: true });
 }

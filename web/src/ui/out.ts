@@ -1,4 +1,4 @@
-/** What leaves the page: files to save, and texts to copy. */
+/** Files to save and texts to copy from the page. */
 import { make } from './dom';
 
 /** Let the browser save a file. */

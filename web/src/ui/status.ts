@@ -1,4 +1,4 @@
-/** What the panel shows; the viewer makes one a few times a second. */
+/** The panel's content; the viewer makes one a few times a second. */
 export interface Status {
   /** Last ring that is shown, and the number of rings; ring 0 is the map alone. */
   readonly ring: number;
@@ -26,7 +26,7 @@ export interface Status {
   readonly problems: readonly string[];
 }
 
-/** What the panel and the keys can ask for. */
+/** Commands of the panel and the keys. */
 export interface Commands {
   /** Where the picture is divided into conventional (left) and continuous (right), 0 to 1; null for continuous alone. */
   setDivider(share: number | null): void;

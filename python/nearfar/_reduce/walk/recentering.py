@@ -61,7 +61,7 @@ class Recentering(Generic[Made]):
 
 
 class Recenters:
-    """What moves a reduced scene to another centre; a base of `ReducedScene`."""
+    """Moves of a reduced scene to another centre; a base of `ReducedScene`."""
 
     def recentered(self: Source, center: ArrayLike) -> Recentering[Source]:
         """Begin to reduce the same scene about another centre, in the background.

@@ -104,7 +104,7 @@ mod tests {
     fn rays_are_cut_where_they_pass_planes() {
         let planes = [[0.0, 0.0, -1.0, -2.0], [0.0, 0.0, 2.0, 16.0]];
         let limits = Limits::new(Segment { t_min: 0.5, t_max: 7.0 }, &planes).unwrap();
-        // What lies between z = −2 and z = −8 is seen.
+        // Points between z = −2 and z = −8 are seen.
         assert_eq!(limits.of(DVec3::ZERO, DVec3::NEG_Z), Segment { t_min: 2.0, t_max: 7.0 });
         assert_eq!(limits.of(DVec3::new(0.0, 0.0, -10.0), DVec3::Z), Segment { t_min: 2.0, t_max: 7.0 });
         assert_eq!(limits.of(DVec3::new(0.0, 0.0, -10.0), DVec3::NEG_Z), Segment::EMPTY);

@@ -76,7 +76,7 @@ fn points_before_the_plane_stay() {
     assert!((rig.shown(Side::Left, at, 8.0 + 1e-9) - at).length() < 1e-9);
 }
 
-/// What `shown` and `homography` say, step by step through points in space.
+/// The oracle of `shown` and `homography`, step by step through points in space.
 #[test]
 fn shown_and_homography_agree_with_points_in_space() {
     for (degrees, m) in [(0.0, 2.0), (5.0, 8.0), (-10.0, 1.0), (20.0, 30.0)] {

@@ -44,7 +44,7 @@ pub(super) struct Bound<'a> {
     resolve: Vec<BindGroup>,
     /// Bind group and block of the batch without records.
     empty: (BindGroup, u32),
-    /// What is visible in each view, with one sample and with several.
+    /// The visible instances of each view, with one sample and with several.
     targets: [Vec<BindGroup>; 2],
     /// Bits of the pixels that are drawn.
     mask: Option<BindGroup>,

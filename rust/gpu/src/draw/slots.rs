@@ -47,7 +47,7 @@ impl Shape {
 pub(super) struct Target {
     pub visible: TextureView,
     pub depth: TextureView,
-    /// What is visible in each view.
+    /// The visible instances of each view.
     pub views: Vec<TextureView>,
 }
 

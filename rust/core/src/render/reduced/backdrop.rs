@@ -36,7 +36,7 @@ pub(super) struct Backdrop<'a> {
     pub center: DVec3,
     /// The morph, which gives the displayed distance of far points. Without one it is their distance from O.
     pub morph: Option<Morph>,
-    /// What is seen of the map.
+    /// The part of the map that is seen.
     pub seen: Seen,
 }
 

@@ -15,7 +15,7 @@ use crate::tessellate::{Settings, Steps, bent_from};
 /// Splits that are kept: a user who walks to and fro across a step finds both.
 const MAX_SPLITS: usize = 3;
 
-/// What a split depends on: the steps of reach and tolerance, the radii of the morph, and the poses of what moves; none
+/// Inputs of a split: the steps of reach and tolerance, the radii of the morph, and the poses of what moves; none
 /// for what stands.
 #[derive(Clone, Debug, PartialEq)]
 struct Cause {
@@ -136,7 +136,7 @@ impl NearGeometry {
         }
         let (moves, radius) = (cause.poses.is_some(), self.radii[1]);
         let is_within = |point: DVec3| on_ground(point - morph.center).length() <= radius;
-        // What moves is drawn beyond the near part, too.
+        // Moving objects are drawn beyond the near part, too.
         let drawn = |settings: Settings| if moves { f64::INFINITY } else { settings.drawn };
         let settings = settings.map(|(_, settings)| Settings { drawn: drawn(settings), ..settings });
         let split = Arc::new(Split::new(&sources(), scene, settings, moves, is_within, progress)?);
