@@ -77,7 +77,7 @@ class Near:
     def of(cls, rings: nf.stream.Rings, *, compressed: bool, quality: int | None = 90) -> Near:
         start = time.perf_counter()
         files, textures = Files(), whole_textures(rings.scene, quality)
-        entries = Geometry(rings, files, textures, step=STEP, compressed=compressed).groups("ring")
+        entries = list(Geometry(rings, files, textures, step=STEP, compressed=compressed).groups("ring"))
         return cls(rings, files, entries, time.perf_counter() - start)
 
     def names(self, ring: int, *, images: bool) -> set[str]:

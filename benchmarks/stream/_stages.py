@@ -63,11 +63,11 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
     watch("findings", lambda: findings_of(rings))
     maps = watch("bake", lambda: nf.stream.bake_maps(rings, face_size=FACE_SIZE, samples=samples))
     files = Files()
-    watch("encode maps", lambda: encode_maps(maps, files, quality=90, scale=scale_of(maps, 2.0**-11)))
+    watch("encode maps", lambda: list(encode_maps(maps, files, quality=90, scale=scale_of(maps, 2.0**-11))))
 
     def geometry() -> None:
         encoder = Geometry(rings, files, whole_textures(scene, 90), step=STEP, compressed=True)
-        encoder.groups("ring"), encoder.moving()
+        list(encoder.groups("ring")), encoder.moving()
 
     watch("encode geometry", geometry)
     watch("write", lambda: _store.write(folder / "bundle", {**files.content, _store.MANIFEST: b"{}"}))

@@ -40,7 +40,7 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
     maps = nf.stream.bake_maps(rings, face_size=size, samples=samples)
     every = time.perf_counter() - start
     scale, files = scale_of(maps, ERROR), Files()
-    listed = encode_maps(maps, files, quality=QUALITY, scale=scale)
+    listed = list(encode_maps(maps, files, quality=QUALITY, scale=scale))
     layout = Layout(size, TILE, ACROSS, scale)
     rows, totals = [], np.zeros(5)
     for ring, described in enumerate(listed):
@@ -83,7 +83,7 @@ def codec_table(maps: nf.stream.RingMaps) -> str:
     env = maps.map(1)
     assert env.range is not None
     codes = scale.codes(env.range)
-    seconds, listed = timed(lambda: encode_maps(maps, files, quality=QUALITY, scale=scale))
+    seconds, listed = timed(lambda: list(encode_maps(maps, files, quality=QUALITY, scale=scale)))
     rows = [["all maps, encoded", f"{seconds:.2f}", ""]]
     layout = Layout(size, TILE, ACROSS, scale)
     rows.append(["all maps, decoded", f"{timed(lambda: decode_map(listed, layout, decoded_from(files)))[0]:.2f}", ""])

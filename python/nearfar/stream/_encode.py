@@ -55,25 +55,38 @@ def scale_of(maps: RingMaps, error: float) -> RangeScale:
     return RangeScale.of(np.concatenate([np.ravel(values) for values in ranges]), error)
 
 
-def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: RangeScale) -> list[dict[str, Any]]:
-    """Encode the map of each ring: colour of ring 0 whole, then changed texels; range whole from ring 1 on."""
-    named: list[dict[str, list[str]]] = [{"webp": [], "range": []} for _ in range(1 + len(maps.changes))]
+def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: RangeScale) -> Iterator[dict[str, Any]]:
+    """Encode the map of each ring, one after the other, from that of ring 0 on; their entries in a manifest.
+
+    Colour of ring 0 is whole, then come changed texels; range is whole from ring 1 on.
+    """
+    named: dict[str, list[str]] = {"webp": [], "range": []}
     for ring, kind, data in side_by_side.results(_jobs(maps, quality, scale)):
-        named[ring][kind].append(files.add(data, kind))
-    listed: list[dict[str, Any]] = [{"color": named[0]["webp"]}]
-    for ring, of_kind in enumerate(named[1:], 1):
-        tiles = np.flatnonzero(maps.changed_tiles(ring)).tolist()
-        color, ranges = (names[0] if names else None for names in of_kind.values())
-        listed.append({"tiles": tiles, "color": color, "range": of_kind["range"] if ring == 1 else ranges})
-    return listed
+        if kind:
+            named[kind].append(files.add(data, kind))
+            continue
+        yield _map_entry(maps, ring, named)
+        named = {"webp": [], "range": []}
+
+
+def _map_entry(maps: RingMaps, ring: int, named: dict[str, list[str]]) -> dict[str, Any]:
+    if not ring:
+        return {"color": named["webp"]}
+    color, ranges = (names[0] if names else None for names in named.values())
+    tiles = np.flatnonzero(maps.changed_tiles(ring)).tolist()
+    return {"tiles": tiles, "color": color, "range": named["range"] if ring == 1 else ranges}
 
 
 def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Callable[[], tuple[int, str, bytes]]]:
-    """Jobs that make the files of the maps: ring, kind and content of each."""
+    """Jobs that make the files of the maps: ring, kind and content of each; after those of a ring one without a kind.
+
+    Jobs end in their order, so the last one tells that the ring's files are there.
+    """
     first = maps.first
     assert first.range is not None
     for face in first.color:
         yield partial(_file, 0, "webp", codec.encode_color, face, quality)
+    yield partial(_file, 0, "", bytes)
     better = None if quality is None else min(quality + BETTER, 100)
     encode_ranges = partial(codec.encode_ranges, tile=TILE, step=scale.step)
     color, codes, size = first.color.copy(), scale.codes(first.range), first.face_size
@@ -93,6 +106,7 @@ def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Ca
                 yield partial(_file, ring, "range", encode_ranges, codes[face], None, changed[face], own)
         elif len(tiles):
             yield partial(_file, ring, "range", encode_ranges, codes, before, changed, tiles)
+        yield partial(_file, ring, "", bytes)
 
 
 def _file(ring: int, kind: str, encode: Callable[..., bytes], *given: Any) -> tuple[int, str, bytes]:
@@ -153,13 +167,11 @@ class Geometry:
             is_file = users > 1 or (users == 1 and len(data) >= LEAST_SHARED)
             self._uris.append(_beside(files.add(data, "bin")) if is_file else None)
 
-    def groups(self, kind: str) -> list[dict[str, Any]]:
-        """Encode each group from 1 on; their entries in a manifest, those of rings without maps."""
-        listed = []
+    def groups(self, kind: str) -> Iterator[dict[str, Any]]:
+        """Encode group after group from 1 on; their entries in a manifest, those of rings without maps."""
         for number, row in enumerate(self._groups.summary()[: self._groups.count], 1):
             found = self._encoded(number, f"{kind} {number}") if row["triangles"] else None
-            listed.append({**row, **({"geometry": None, "parts": []} if found is None else found[1])})
-        return listed
+            yield {**row, **({"geometry": None, "parts": []} if found is None else found[1])}
 
     def moving(self) -> dict[str, Any] | None:
         """Encode the dynamic objects; their entry in a manifest, None if nothing moves."""

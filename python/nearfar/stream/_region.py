@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -9,9 +10,31 @@ from nearfar.stream._assign import Rings
 from nearfar.stream._by_footprint import Portions, encode_whole
 from nearfar.stream._encode import Files, Geometry, Groups, Textures, encode_maps, scale_of
 from nearfar.stream._manifest import NEAR_SHARE
-from nearfar.stream._maps import bake_maps
+from nearfar.stream._map_files import RangeScale
+from nearfar.stream._maps import RingMaps, bake_maps
 from nearfar.stream._notes import findings_of
 from nearfar.stream._settings import Settings
+
+NOTHING: dict[str, Any] = {"radius": 0.0, "objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
+"""The geometry of ring 0."""
+
+
+@dataclass(frozen=True)
+class Baked:
+    """The maps of a region, and the codes of their ranges."""
+
+    maps: RingMaps
+    scale: RangeScale
+
+    def head(self, findings: list[str]) -> dict[str, Any]:
+        """A region's entry without its rings."""
+        rings = self.maps.rings
+        return {
+            "center": list(rings.center),
+            "fold_margin": NEAR_SHARE * rings.radii[-1],
+            "findings": findings,
+            "range": {"least": self.scale.least, "step": self.scale.step, "error": self.scale.error},
+        }
 
 
 @dataclass(frozen=True)
@@ -27,27 +50,28 @@ class Writer:
         step, compressed = self.settings.step, self.settings.compressed
         return Geometry(groups, self.files, self.textures, step=step, compressed=compressed)
 
+    def bake(self, rings: Rings) -> Baked:
+        """Bake the maps of rings."""
+        maps = bake_maps(rings, face_size=self.settings.face_size, samples=self.settings.samples)
+        return Baked(maps, scale_of(maps, self.settings.range_error))
+
+    def rings(self, baked: Baked, near: Iterable[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+        """Encode ring after ring, from ring 0 on; `near` has the entries of the geometry of the others."""
+        pictures = encode_maps(baked.maps, self.files, quality=self.settings.quality, scale=baked.scale)
+        yield {**NOTHING, "map": next(pictures)}
+        for ring, picture in zip(near, pictures, strict=True):
+            yield {**ring, "map": picture}
+
     def region(self, rings: Rings, shown: Rings, geometry: Geometry) -> dict[str, Any]:
         """Bake and encode the maps and the geometry of rings; the region's entry without its neighbours.
 
         `shown` has the rings as they are sent, and `geometry` encodes those.
         """
-        settings = self.settings
-        maps = bake_maps(rings, face_size=settings.face_size, samples=settings.samples)
-        scale = scale_of(maps, settings.range_error)
-        pictures = encode_maps(maps, self.files, quality=settings.quality, scale=scale)
-        counts = dict.fromkeys(("objects", "triangles", "stored"), 0)
-        listed = [{"radius": 0.0, **counts, "geometry": None, "parts": []}, *geometry.groups("ring")]
+        baked = self.bake(rings)
+        listed = list(self.rings(baked, geometry.groups("ring")))
         by_footprint = None
-        if settings.by_footprint:
-            portions = self.geometry(Portions.of(rings, scene=shown.scene)).groups("portion")
-            last = encode_whole(maps.map(rings.count), self.files, settings.quality, scale)
+        if self.settings.by_footprint:
+            portions = list(self.geometry(Portions.of(rings, scene=shown.scene)).groups("portion"))
+            last = encode_whole(baked.maps.map(rings.count), self.files, self.settings.quality, baked.scale)
             by_footprint = {"portions": portions, "map": last}
-        return {
-            "center": list(rings.center),
-            "fold_margin": NEAR_SHARE * rings.radii[-1],
-            "findings": findings_of(rings),
-            "range": {"least": scale.least, "step": scale.step, "error": scale.error},
-            "rings": [{**ring, "map": picture} for ring, picture in zip(listed, pictures, strict=True)],
-            "by_footprint": by_footprint,
-        }
+        return {**baked.head(findings_of(rings)), "rings": listed, "by_footprint": by_footprint}

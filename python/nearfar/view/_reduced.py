@@ -26,6 +26,7 @@ from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, ORIENTATION, VERSION
 from nearfar.stream._map_files import with_neighbours
 from nearfar.stream._maps import TILE, RingMaps
+from nearfar.stream._region import NOTHING
 from nearfar.stream._settings import MOST_FACE_SIZE
 
 SAMPLES = 4
@@ -57,7 +58,6 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
     dynamic = geometry.moving()
     scale = scale_of(maps, RANGE_ERROR)
     pictures = encode_maps(maps, files, quality=None, scale=scale)
-    nothing: dict[str, Any] = {"radius": 0.0, "objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
     region: dict[str, Any] = {
         "center": list(reduced.center),
         "fold_margin": max(reduced._core.fold_margin(reduced.center, None, 1.0), 0.0),
@@ -65,7 +65,8 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
         "findings": [],
         "range": {"least": scale.least, "step": scale.step, "error": scale.error},
         "rings": [
-            {**ring, "map": map_} for ring, map_ in zip([nothing, *geometry.groups("ring")], pictures, strict=True)
+            {**ring, "map": picture}
+            for ring, picture in zip([NOTHING, *geometry.groups("ring")], pictures, strict=True)
         ],
         "by_footprint": None,
     }
