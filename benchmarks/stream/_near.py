@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 import nearfar as nf
 from nearfar import _core
 from nearfar.stream._decode import joined, ring_scene
-from nearfar.stream._encode import Files, Geometry, Textures, encode_textures
+from nearfar.stream._encode import Files, Geometry, TextureFiles, Textures
 from nearfar.stream._radii import PUBLISHED
 
 STEP = 2.0**-10
@@ -59,7 +59,7 @@ def places(quick: bool) -> list[Place]:
 
 def whole_textures(scene: nf.Scene, quality: int | None) -> Textures:
     """Textures in their own size, whatever a client sees of them."""
-    return encode_textures(scene, quality, np.zeros(scene._core.texture_count, np.uint32))
+    return TextureFiles(scene, quality).halved(np.zeros(scene._core.texture_count, np.uint32))
 
 
 @dataclass(frozen=True)

@@ -33,6 +33,8 @@ _shown: _Bar | None = None
 """The visible bar. Only one is shown at a time, so a nested one stays invisible."""
 _hidden = contextvars.ContextVar("_hidden", default=False)
 """Whether progress is hidden; other threads have a value of their own."""
+_look: contextvars.ContextVar[Callable[[], None] | None] = contextvars.ContextVar("_look", default=None)
+"""Is called with each report; other threads have a value of their own."""
 
 
 @contextmanager
@@ -77,6 +79,16 @@ def hidden() -> Iterator[None]:
         _hidden.reset(token)
 
 
+@contextmanager
+def watched(look: Callable[[], None]) -> Iterator[None]:
+    """Call a function several times a second of work within the block; what it raises ends the work."""
+    token = _look.set(look)
+    try:
+        yield
+    finally:
+        _look.reset(token)
+
+
 class _Bar:
     def __init__(self, label: str) -> None:
         self._label = label
@@ -88,6 +100,9 @@ class _Bar:
         self._next = 0.0
 
     def report(self, done: int, total: int) -> None:
+        look = _look.get()
+        if look is not None:
+            look()
         if self._silent:
             return
         if _writes_lines and not _visible():

@@ -121,17 +121,27 @@ def encode_changes(
     return codec.encode_color(codec.sheet_of(codec.filled(shown, known), ACROSS), quality)
 
 
-def encode_textures(scene: Scene, quality: int | None, halvings: NDArray[np.uint32]) -> Textures:
-    """Encode the textures of a scene, which all regions share, their sides halved so many times each."""
-    parts = _core.scene_parts(scene._core)
-    links, cutoffs = parts["material_textures"], parts["material_cutoffs"]
-    cut_out = set(links[np.isfinite(cutoffs)].tolist())
-    encoded = []
-    for number, (texels, times) in enumerate(zip(parts["textures"], halvings.tolist(), strict=True)):
-        shown = _core.halved_texture(texels, times=times, cutout=number in cut_out) if times else texels
-        data = codec.encode_texture(shown, quality)
-        encoded.append((named(data, "webp"), data))
-    return encoded
+class TextureFiles:
+    """Encodes the textures of a scene, which all regions share; each size of each is encoded once."""
+
+    def __init__(self, scene: Scene, quality: int | None) -> None:
+        parts = _core.scene_parts(scene._core)
+        links, cutoffs = parts["material_textures"], parts["material_cutoffs"]
+        self._texels, self._quality = parts["textures"], quality
+        self._cut_out = set(links[np.isfinite(cutoffs)].tolist())
+        self._known: dict[tuple[int, int], tuple[str, bytes]] = {}
+
+    def halved(self, halvings: NDArray[np.uint32]) -> Textures:
+        """Return the textures with their sides halved so many times each."""
+        return [self._encoded(*key) for key in enumerate(halvings.tolist())]
+
+    def _encoded(self, number: int, times: int) -> tuple[str, bytes]:
+        if (number, times) not in self._known:
+            texels, is_cut_out = self._texels[number], number in self._cut_out
+            shown = _core.halved_texture(texels, times=times, cutout=is_cut_out) if times else texels
+            data = codec.encode_texture(shown, self._quality)
+            self._known[number, times] = named(data, "webp"), data
+        return self._known[number, times]
 
 
 class Groups(Protocol):

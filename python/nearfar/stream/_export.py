@@ -18,7 +18,7 @@ from nearfar.stream._assign import ascending, assign
 from nearfar.stream._bundle import Bundle, open as open_bundle
 from nearfar.stream._centers import Floats, centers_of, halfway, neighbours
 from nearfar.stream._detail import Detail
-from nearfar.stream._encode import ACROSS, Files, encode_textures
+from nearfar.stream._encode import ACROSS, Files, TextureFiles
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._maps import TILE
@@ -144,7 +144,7 @@ def export(
             splitting.check(tuple(place.tolist()), own)
     growth = Growth(bounds[0], speed=speed)
     divided = [assign(scene, center=place, radii=own) for place, own in zip(centers, bounds, strict=True)]
-    writer = Writer(settings, encode_textures(scene, settings.quality, detail.halvings(divided)))
+    writer = Writer(settings, TextureFiles(scene, settings.quality).halved(detail.halvings(divided)))
     files, regions, dynamic = writer.files, list[dict[str, Any]](), None
     for rings, beside in zip(divided, near, strict=True):
         shown = detail.shown(rings)

@@ -21,7 +21,7 @@ from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._scene.scene import Scene
 from nearfar.stream import _store
 from nearfar.stream._assign import Rings, assign
-from nearfar.stream._encode import ACROSS, Files, Geometry, encode_maps, encode_textures, scale_of
+from nearfar.stream._encode import ACROSS, Files, Geometry, TextureFiles, encode_maps, scale_of
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME, ORIENTATION, VERSION
 from nearfar.stream._map_files import with_neighbours
@@ -53,7 +53,7 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
     rings = _rings(near, reduced)
     maps = _maps(near, reduced, rings)
     files = Files()
-    textures = encode_textures(near, None, np.zeros(near._core.texture_count, np.uint32))
+    textures = TextureFiles(near, None).halved(np.zeros(near._core.texture_count, np.uint32))
     geometry = Geometry(rings, files, textures, step=STEP, compressed=True)
     dynamic = geometry.moving()
     scale = scale_of(maps, RANGE_ERROR)

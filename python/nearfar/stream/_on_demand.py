@@ -1,0 +1,211 @@
+"""Regions of a scene, made when somebody asks for them: parts of a bundle, each as soon as it is ready."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any, SupportsFloat, SupportsIndex
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nearfar._base import check, formats, progress
+from nearfar._render.level_choice import Lod
+from nearfar._scene.scene import Scene, core_of
+from nearfar.stream import _store, _tileset
+from nearfar.stream._assign import Rings, ascending, assign
+from nearfar.stream._centers import Point, snap
+from nearfar.stream._detail import Detail
+from nearfar.stream._encode import Files, Geometry, TextureFiles
+from nearfar.stream._export import _chosen_radii, _manifest
+from nearfar.stream._growth import Growth
+from nearfar.stream._notes import findings_of
+from nearfar.stream._region import NOTHING, Writer
+from nearfar.stream._settings import Settings
+
+COARSE = 512
+"""Texels along a face of the maps that are shown until those of full size are there; they have one sample each."""
+
+NO_TILESET = b""
+"""Of a region that is not complete."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a region that is ready."""
+
+    stage: int
+    """0 for coarse maps, 1 for those of full size."""
+    line: bytes
+    """JSON that tells of it, for a client that waits."""
+    files: dict[str, bytes]
+    """Content of the files that it names and that no earlier part had; the last part also has the manifest."""
+
+
+class OnDemand:
+    """Makes the region of a bundle for any centre, ring 0 first.
+
+    A region comes in two stages: with maps of 512² texels of one sample, which take a small part of the time, and with
+    maps of full size. Geometry is the same in both.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    grid
+        Spacing in metres of the horizontal grid to which centres move (`snap`).
+    radii
+        Radii of the rings in metres, ascending; by default those of `nearfar.stream.rings` for each centre.
+    face_size, samples, quality, range_error, step, compression, pixels_per_degree, lod, speed
+        As for `nearfar.stream.export`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `nearfar.stream.export` does.
+
+    References
+    ----------
+    CloVR (2024): a client gets the rings of its own centre at the start and after a teleport. Coarse maps first are
+    ours.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        *,
+        grid: SupportsFloat = 2.0,
+        radii: Iterable[float] | None = None,
+        face_size: SupportsIndex = 1024,
+        samples: SupportsIndex = 4,
+        quality: SupportsIndex | None = 90,
+        range_error: SupportsFloat = 2.0**-11,
+        step: SupportsFloat = 2.0**-10,
+        compression: str | None = "meshopt",
+        pixels_per_degree: SupportsFloat | None = 25.0,
+        lod: Lod | None = None,
+        speed: SupportsFloat = 0.7,
+    ) -> None:
+        core_of(scene)
+        self.scene = scene
+        self.grid = check.within("grid", grid, 1e-3, 1e6)
+        self._radii = None if radii is None else ascending("radii", radii)
+        fine = Settings.checked(face_size, samples, quality, range_error, step, compression, pixels_per_degree, False)
+        coarse = replace(fine, face_size=min(COARSE, fine.face_size), samples=1)
+        self._stages = (coarse, fine)
+        reach = Growth.reach + math.sqrt(0.5) * self.grid
+        self._detail = Detail.of(scene, lod, fine.pixels_per_degree, reach)
+        self._speed = check.positive("speed", speed)
+        self._textures = TextureFiles(scene, fine.quality)
+        self._moving = Files()
+        self._dynamic = self._encoded_moving()
+
+    def snapped(self, center: ArrayLike) -> Point:
+        """Return the centre of the region that serves a place."""
+        return snap(center, self.grid)
+
+    def parts(self, center: ArrayLike) -> Iterator[Part]:
+        """Make the region of a place, part by part.
+
+        Parameters
+        ----------
+        center
+            World position in metres; `snapped` moves it.
+
+        Yields
+        ------
+        Part
+            For each stage one that begins it, then one for each ring from 0 on. The last part of all has the
+            `manifest.json` and the `tileset.json` of a bundle with this one region.
+
+        Raises
+        ------
+        ValueError
+            For a centre that is not finite, and one with nothing around it if radii are to be chosen.
+        """
+        place = self.snapped(center)
+        radii = _chosen_radii(self.scene, np.array([place]))[0] if self._radii is None else self._radii
+        rings = assign(self.scene, center=place, radii=radii)
+        geometry, sent = Files(dict(self._moving.content)), set[str]()
+        near: Iterable[dict[str, Any]] = self._near(rings, geometry)
+        for stage, settings in enumerate(self._stages):
+            maps = Files()
+            writer = Writer(settings, [], maps)
+            baked = writer.bake(rings)
+            # Findings take a tenth of a second more.
+            head = baked.head(findings_of(rings) if stage else [])
+            outline = _region(head, _outline(rings))
+            manifest = self._manifest(settings, radii, outline, self._moving, NO_TILESET)
+            yield _part(stage, {"event": "begin", "manifest": manifest}, self._moving, sent=sent)
+            entries = []
+            for ring, entry in enumerate(writer.rings(baked, near)):
+                entries.append(entry)
+                yield _part(stage, {"event": "ring", "ring": ring, "entry": entry}, geometry, maps, sent=sent)
+            near = [{name: value for name, value in entry.items() if name != "map"} for entry in entries[1:]]
+        whole = Files({**geometry.content, **maps.content})
+        tileset = _tileset.encode(place, entries, self._dynamic, whole.content)
+        manifest = self._manifest(settings, radii, _region(head, entries), whole, tileset)
+        text = formats.to_json(manifest, compact=True).encode()
+        line = {"event": "end", "stage": stage}
+        yield Part(stage, _line(line), {_store.TILESET: tileset, _store.MANIFEST: text})
+
+    def _near(self, rings: Rings, files: Files) -> Iterator[dict[str, Any]]:
+        """Encode the geometry of ring after ring."""
+        textures = self._textures.halved(self._detail.halvings([rings]))
+        step, compressed = self._stages[0].step, self._stages[0].compressed
+        yield from Geometry(self._detail.shown(rings), files, textures, step=step, compressed=compressed).groups("ring")
+
+    def _manifest(
+        self, settings: Settings, radii: tuple[float, ...], region: dict[str, Any], files: Files, tileset: bytes
+    ) -> dict[str, Any]:
+        return _manifest(
+            self.scene,
+            settings,
+            growth=Growth(radii, speed=self._speed),
+            regions=[region],
+            dynamic=self._dynamic,
+            tileset=_store.described(tileset),
+            files=files,
+        )
+
+    def _encoded_moving(self) -> dict[str, Any] | None:
+        """Encode the dynamic objects, which are the same in all regions."""
+        rings = assign(self.scene, center=(0.0, 0.0, 0.0), radii=[1.0])
+        alone = replace(rings, ring=np.where(rings.ring > 0, 2, 0).astype(np.int32), rest=2)
+        textures = self._textures.halved(self._detail.halvings([alone]))
+        step, compressed = self._stages[0].step, self._stages[0].compressed
+        return Geometry(alone, self._moving, textures, step=step, compressed=compressed).moving()
+
+
+def next_part(parts: Iterator[Part], look: Callable[[], None]) -> Part | None:
+    """Make the next part of a region; None after the last one.
+
+    `look` is called several times a second meanwhile: what it raises ends the work and is raised here. Parts must not
+    be asked for any more then.
+    """
+    with progress.hidden(), progress.watched(look):
+        return next(parts, None)
+
+
+def _region(head: dict[str, Any], rings: list[dict[str, Any]]) -> dict[str, Any]:
+    """Entry of the only region of a bundle."""
+    return {**head, "rings": rings, "by_footprint": None, "neighbours": []}
+
+
+def _outline(rings: Rings) -> list[dict[str, Any]]:
+    """Entries of rings of which nothing is ready."""
+    rows = rings.summary()[: rings.count]
+    return [{**NOTHING, "map": None}, *({**row, "geometry": None, "parts": [], "map": None} for row in rows)]
+
+
+def _part(stage: int, told: dict[str, Any], *files: Files, sent: set[str]) -> Part:
+    """A part with the files that were not sent yet, which it describes."""
+    new = {name: data for each in files for name, data in each.content.items() if name not in sent}
+    sent.update(new)
+    described = {name: _store.described(data) for name, data in new.items()}
+    return Part(stage, _line({**told, "stage": stage, "files": described}), new)
+
+
+def _line(told: dict[str, Any]) -> bytes:
+    return formats.to_json(told, compact=True).encode()

@@ -1,0 +1,134 @@
+"""Regions made on demand: parts come in order, and together they are the bundle that an export writes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.stream import _store
+from nearfar.stream._on_demand import COARSE, OnDemand, Part, next_part
+
+PLACE = (3.3, 1.7, -2.2)
+SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0, 63.0), "face_size": 640, "samples": 2}
+
+
+def made(maker: OnDemand, place: tuple[float, float, float] = PLACE) -> list[Part]:
+    parts, found = maker.parts(place), []
+    while (part := next_part(parts, lambda: None)) is not None:
+        found.append(part)
+    return found
+
+
+def written(folder: Path, parts: list[Part]) -> nf.stream.Bundle:
+    (folder / _store.FOLDER).mkdir(parents=True)
+    for part in parts:
+        for name, data in part.files.items():
+            (folder / name).write_bytes(data)
+    return nf.stream.open(folder)
+
+
+@pytest.fixture(scope="module")
+def city() -> nf.Scene:
+    return nf.datasets.city(blocks=3, detail=0)
+
+
+@pytest.fixture(scope="module")
+def parts(city: nf.Scene) -> list[Part]:
+    return made(OnDemand(city, **SETTINGS))
+
+
+def test_the_whole_is_what_an_export_writes(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
+    still = city.subset(objects=[name for name in city.object_names if name not in city.poses])
+    found = written(tmp_path / "found", made(OnDemand(still, **SETTINGS)))
+    nf.stream.export(still, tmp_path / "expected", center=PLACE, **SETTINGS)
+    for name in (_store.MANIFEST, _store.TILESET):
+        assert (tmp_path / "found" / name).read_bytes() == (tmp_path / "expected" / name).read_bytes()
+    found.verify()
+
+
+def test_dynamic_objects_are_those_of_an_export(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
+    assert city.poses
+    found = written(tmp_path / "found", parts)
+    expected = nf.stream.export(city, tmp_path / "expected", center=PLACE, **SETTINGS)
+    view = nf.Camera.look_at((2.6, 1.5, -1.4), (30, 3, -20), fov=nf.Fov.symmetric(90, 1.6), size=(160, 100))
+    pictures = [bundle.at(3).render(view, samples=1, method="vertex").to_image() for bundle in (found, expected)]
+    np.testing.assert_array_equal(pictures[0], pictures[1])
+    found.verify()
+
+
+def test_rings_come_in_order_with_their_files(parts: list[Part]) -> None:
+    told = [json.loads(part.line) for part in parts]
+    rings = [("begin", None), *(("ring", ring) for ring in range(4))]
+    assert [(line["event"], line.get("ring")) for line in told] == [*rings, *rings, ("end", None)]
+    assert [part.stage for part in parts] == [0] * 5 + [1] * 6
+    have: set[str] = set()
+    for line, part in zip(told[:-1], parts, strict=False):
+        assert line["files"] == {name: _store.described(data) for name, data in part.files.items()}
+        assert not have & part.files.keys()
+        have |= part.files.keys()
+        if line["event"] == "ring":
+            entry = line["entry"]
+            needed = [*entry["parts"], entry["geometry"], entry["map"]["color"], entry["map"].get("range")]
+            flat = [name for item in needed if item for name in ([item] if isinstance(item, str) else item)]
+            assert have.issuperset(flat)
+
+
+def test_coarse_maps_come_first_and_are_not_part_of_the_whole(parts: list[Part]) -> None:
+    begins = [json.loads(part.line)["manifest"] for part in parts if b'"begin"' in part.line]
+    assert [manifest["map"]["face_size"] for manifest in begins] == [COARSE, 640]
+    # All that a client needs to begin; entries of rings tell the rest.
+    for manifest in begins:
+        (region,) = manifest["regions"]
+        assert [ring["radius"] for ring in region["rings"]] == [0.0, *SETTINGS["radii"]]
+        assert all(ring["map"] is None and ring["geometry"] is None for ring in region["rings"])
+    whole = json.loads(parts[-1].files[_store.MANIFEST])["files"]
+    coarse = {name for part in parts if part.stage == 0 for name in part.files if name.endswith((".webp", ".range"))}
+    assert not coarse & whole.keys()
+    # Geometry is sent once.
+    assert not any(name.endswith((".glb", ".bin")) for part in parts if part.stage == 1 for name in part.files)
+
+
+def test_nearby_places_share_a_region(city: nf.Scene) -> None:
+    maker = OnDemand(city, **SETTINGS)
+    assert maker.snapped((3.3, 1.7, -2.2)) == maker.snapped((4.4, 1.7, -1.7)) == (4.0, 1.7, -2.0)
+
+
+def test_work_ends_when_nobody_waits(city: nf.Scene) -> None:
+    class GoneError(Exception):
+        pass
+
+    def leave() -> None:
+        raise GoneError
+
+    parts = OnDemand(city, **{**SETTINGS, "face_size": 4096, "samples": 1024}).parts(PLACE)
+    assert next_part(parts, lambda: None) is not None
+    with pytest.raises(GoneError):
+        while next_part(parts, leave) is not None:
+            pass
+    # It cannot go on, and the next request is served as if nothing had been.
+    assert next_part(parts, lambda: None) is None
+
+
+def test_places_with_nothing_around_them_are_refused(city: nf.Scene) -> None:
+    with pytest.raises(ValueError, match="center: expected one with objects around it"):
+        made(OnDemand(city), (90_000.0, 1.7, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"grid": 0.0}, "grid: expected"),
+        ({"radii": (10.0, 5.0)}, "radii: expected"),
+        ({"face_size": 100}, "face_size: expected a multiple of 64"),
+        ({"speed": 0.0}, "speed: expected"),
+        ({"lod": "depth"}, "lod: expected a scene whose objects have levels"),
+    ],
+)
+def test_arguments_are_checked_before_anything_is_made(city: nf.Scene, change: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        OnDemand(city, **{**SETTINGS, **change})
