@@ -16,14 +16,13 @@ from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _store
 from nearfar.stream._assign import ascending, assign
 from nearfar.stream._bundle import Bundle, open as open_bundle
-from nearfar.stream._centers import Floats, centers_of, halfway, neighbours
+from nearfar.stream._centers import centers_of, halfway, neighbours
 from nearfar.stream._detail import Detail
-from nearfar.stream._encode import ACROSS, Files, TextureFiles
+from nearfar.stream._encode import TextureFiles
 from nearfar.stream._growth import Growth
-from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
-from nearfar.stream._maps import TILE
-from nearfar.stream._radii import REACH, rings as choose
-from nearfar.stream._region import Writer
+from nearfar.stream._manifest import NAME
+from nearfar.stream._radii import chosen
+from nearfar.stream._region import Writer, manifest_of
 from nearfar.stream._settings import Settings
 from nearfar.stream._split import Splitting
 
@@ -137,7 +136,7 @@ def export(
     reach = max(Growth.reach, halfway(centers, near)) + moved
     detail = Detail.of(scene, lod, settings.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
-    bounds = _chosen_radii(scene, centers) if given is None else [given] * len(centers)
+    bounds = chosen(scene, centers) if given is None else [given] * len(centers)
     splitting = Splitting.of(split_px, detail)
     if splitting is not None:
         for place, own in zip(centers, bounds, strict=True):
@@ -154,40 +153,9 @@ def export(
         regions.append({**writer.region(rings, shown, geometry), "neighbours": beside})
     tileset = _tileset.encode(regions[0]["center"], regions[0]["rings"], dynamic, files.content)
     described = _store.described(tileset)
-    manifest = _manifest(
+    manifest = manifest_of(
         scene, settings, growth=growth, regions=regions, dynamic=dynamic, tileset=described, files=files
     )
     text = formats.to_json(manifest, compact=True).encode()
     _store.write(path, {**files.content, _store.TILESET: tileset, _store.MANIFEST: text})
     return open_bundle(path)
-
-
-def _chosen_radii(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
-    """Radii about each centre, before anything is baked; ValueError that names a centre without objects around it."""
-    chosen = []
-    for place in centers:
-        try:
-            chosen.append(choose(scene, center=place))
-        except ValueError:
-            x, y, z = place
-            raise ValueError(
-                f"center: expected one with objects around it, got ({x:g}, {y:g}, {z:g}), where none reaches within "
-                f"{REACH:g} m; export takes any centre if it is given radii"
-            ) from None
-    return chosen
-
-
-def _manifest(scene: Scene, settings: Settings, *, growth: Growth, files: Files, **parts: Any) -> dict[str, Any]:
-    return formats.header(
-        NAME,
-        VERSION,
-        color_space="sRGB",
-        morph={"kind": "cylinder", "near_share": NEAR_SHARE},
-        growth=growth.described(),
-        triangles=scene.triangle_count,
-        bounds=scene.bounds.tolist(),
-        map={"face_size": settings.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
-        **parts,
-        notes=list(scene.report.notes),
-        files=files.listed(),
-    )

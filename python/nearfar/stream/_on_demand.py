@@ -18,10 +18,10 @@ from nearfar.stream._assign import Rings, ascending, assign
 from nearfar.stream._centers import Point, snap
 from nearfar.stream._detail import Detail
 from nearfar.stream._encode import Files, Geometry, TextureFiles
-from nearfar.stream._export import _chosen_radii, _manifest
 from nearfar.stream._growth import Growth
 from nearfar.stream._notes import findings_of
-from nearfar.stream._region import NOTHING, Writer
+from nearfar.stream._radii import chosen
+from nearfar.stream._region import NOTHING, Writer, manifest_of
 from nearfar.stream._settings import Settings
 
 COARSE = 512
@@ -125,7 +125,7 @@ class OnDemand:
             For a centre that is not finite, and one with nothing around it if radii are to be chosen.
         """
         place = self.snapped(center)
-        radii = _chosen_radii(self.scene, np.array([place]))[0] if self._radii is None else self._radii
+        radii = chosen(self.scene, np.array([place]))[0] if self._radii is None else self._radii
         rings = assign(self.scene, center=place, radii=radii)
         geometry, sent = Files(dict(self._moving.content)), set[str]()
         near: Iterable[dict[str, Any]] = self._near(rings, geometry)
@@ -159,7 +159,7 @@ class OnDemand:
     def _manifest(
         self, settings: Settings, radii: tuple[float, ...], region: dict[str, Any], files: Files, tileset: bytes
     ) -> dict[str, Any]:
-        return _manifest(
+        return manifest_of(
             self.scene,
             settings,
             growth=Growth(radii, speed=self._speed),

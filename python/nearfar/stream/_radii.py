@@ -11,6 +11,7 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream._assign import MOST_RINGS, object_radii
+from nearfar.stream._centers import Floats
 from nearfar.stream._footprints import footprints
 
 POLICIES = ("cost", "published", "equal_area")
@@ -170,3 +171,18 @@ def merged(
         ends.append(end - 1)
         end = int(previous[end])
     return ends[::-1]
+
+
+def chosen(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
+    """Radii about each centre, before anything is baked; ValueError that names a centre without objects around it."""
+    found = []
+    for place in centers:
+        try:
+            found.append(rings(scene, center=place))
+        except ValueError:
+            x, y, z = place
+            raise ValueError(
+                f"center: expected one with objects around it, got ({x:g}, {y:g}, {z:g}), where none reaches within "
+                f"{REACH:g} m; with radii that are given any centre can be taken"
+            ) from None
+    return found

@@ -1,4 +1,4 @@
-"""One region of a bundle: the rings about a centre and their maps, as files and as an entry of the manifest."""
+"""Regions of a bundle: the rings about a centre and their maps, as files and as entries of a manifest."""
 
 from __future__ import annotations
 
@@ -6,12 +6,15 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+from nearfar._base import formats
+from nearfar._scene.scene import Scene
 from nearfar.stream._assign import Rings
 from nearfar.stream._by_footprint import Portions, encode_whole
-from nearfar.stream._encode import Files, Geometry, Groups, Textures, encode_maps, scale_of
-from nearfar.stream._manifest import NEAR_SHARE
+from nearfar.stream._encode import ACROSS, Files, Geometry, Groups, Textures, encode_maps, scale_of
+from nearfar.stream._growth import Growth
+from nearfar.stream._manifest import NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._map_files import RangeScale
-from nearfar.stream._maps import RingMaps, bake_maps
+from nearfar.stream._maps import TILE, RingMaps, bake_maps
 from nearfar.stream._notes import findings_of
 from nearfar.stream._settings import Settings
 
@@ -75,3 +78,20 @@ class Writer:
             last = encode_whole(baked.maps.map(rings.count), self.files, self.settings.quality, baked.scale)
             by_footprint = {"portions": portions, "map": last}
         return {**baked.head(findings_of(rings)), "rings": listed, "by_footprint": by_footprint}
+
+
+def manifest_of(scene: Scene, settings: Settings, *, growth: Growth, files: Files, **parts: Any) -> dict[str, Any]:
+    """The manifest of a bundle of regions."""
+    return formats.header(
+        NAME,
+        VERSION,
+        color_space="sRGB",
+        morph={"kind": "cylinder", "near_share": NEAR_SHARE},
+        growth=growth.described(),
+        triangles=scene.triangle_count,
+        bounds=scene.bounds.tolist(),
+        map={"face_size": settings.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
+        **parts,
+        notes=list(scene.report.notes),
+        files=files.listed(),
+    )
