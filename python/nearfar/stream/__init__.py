@@ -9,20 +9,27 @@ from nearfar.stream._centers import snap
 from nearfar.stream._export import export
 from nearfar.stream._footprints import footprints
 from nearfar.stream._growth import Growth
+from nearfar.stream._link import Link
 from nearfar.stream._maps import RingMaps, bake_maps
 from nearfar.stream._radii import rings
+from nearfar.stream._simulate import radius_for, simulate
+from nearfar.stream._timeline import Timeline
 
 __all__ = [
     "Bundle",
     "Growth",
+    "Link",
     "RingMaps",
     "Rings",
+    "Timeline",
     "assign",
     "bake_maps",
     "blend",
     "export",
     "footprints",
     "open",
+    "radius_for",
     "rings",
+    "simulate",
     "snap",
 ]

@@ -1,0 +1,135 @@
+"""Which picture of a region the page shows as time passes: the mirror of `web/src/show/stage.ts` and `growth.ts`."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from nearfar.stream._manifest import NEAR_SHARE
+
+SLACK = 0.5
+"""Metres beyond the user's place at which a radius that is chosen for it would fold."""
+_ROUNDED = 1.0 - 1e-9
+"""The last radius counts as great enough whatever its product with the near share is rounded to."""
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What a frame shows."""
+
+    ring: int = -1
+    """Number of the ring; −1 for a blank picture."""
+    radius: float = 0.0
+    """Radius R of the morph, metres."""
+    strength: float = 0.0
+    """Strength of the morph, 0 to 1."""
+    share: float = 0.0
+    """Share of the next ring's picture, which fades in over it, 0 to 1."""
+
+
+BLANK = Shown()
+
+
+@dataclass(frozen=True)
+class Rates:
+    """How fast the morph grows."""
+
+    radii: tuple[float, ...]
+    turn: float
+    """Radians a second for each metre of |U−O|."""
+    fade: float
+    """Seconds of a cross-fade."""
+
+
+def least_radius(away: float, fold_margin: float) -> float:
+    """The least radius whose picture does not fold for a user so many metres from the axis."""
+    return _ROUNDED * min(away + SLACK, fold_margin) / NEAR_SHARE
+
+
+def grow(now: Shown, seconds: float, rates: Rates, least: float) -> Shown:
+    """What is shown some seconds later: first the strength grows, then 1/R falls at a constant speed."""
+    if not 1 <= now.ring <= len(rates.radii):
+        return replace(now, radius=0.0, strength=0.0)
+    goal = rates.radii[now.ring - 1]
+    strength = 0.0 if now.radius == 0.0 else now.strength
+    begins = next((radius for radius in rates.radii if radius >= least), math.inf)
+    if strength == 0.0 and begins > goal:
+        return replace(now, radius=goal, strength=0.0)
+    radius = begins if strength == 0.0 else now.radius
+    left = seconds
+    if strength < 1.0:
+        whole = 1.0 / (NEAR_SHARE * radius * rates.turn)
+        needed = (1.0 - strength) * whole
+        strength = 1.0 if left >= needed else strength + left / whole
+        left = max(0.0, left - needed)
+    if strength < 1.0 or radius >= goal:
+        return replace(now, radius=min(radius, goal), strength=strength)
+    inverse = 1.0 / radius - (1.0 - NEAR_SHARE) * rates.turn * left
+    return replace(now, radius=goal if inverse <= 1.0 / goal else 1.0 / inverse, strength=strength)
+
+
+class Stage:
+    """The picture of a region while its rings arrive."""
+
+    def __init__(self, rates: Rates, *, is_smooth: bool, is_whole: bool) -> None:
+        self._rates, self._is_smooth = rates, is_smooth
+        self._first = len(rates.radii) if is_whole else 0
+        self._arrived, self._since, self._is_fading = -1, 0.0, False
+        self._now = self._last = BLANK
+
+    def arrive(self, ring: int) -> None:
+        """A ring is there."""
+        self._arrived = ring
+        if not self._is_smooth or self._now.ring < 0:
+            self._now = replace(self._now, ring=ring)
+
+    def may_replace(self, ring: int) -> bool:
+        """Whether the map of a ring may take the place of that of the ring before the last."""
+        return self._now.ring >= ring - 1 or self._arrived < 1
+
+    def is_still(self, *, moves: bool) -> bool:
+        """Whether more time changes nothing, as long as nothing arrives; `moves` tells whether the user does."""
+        now = self._now
+        if now.ring < max(self._first, 0):
+            return True
+        if now != self._last or self._is_fading or self._arrived != now.ring:
+            return False
+        # A picture that would fold waits for the user to come nearer.
+        return now.ring < 1 or (
+            now.radius == self._goal and (now.strength == 1.0 or (now.strength == 0.0 and not moves))
+        )
+
+    def advance(self, seconds: float, least: float) -> Shown:
+        """Go on by some seconds; smaller radii than `least` would fold."""
+        self._last = self._next(seconds, least)
+        return self._last
+
+    def _next(self, seconds: float, least: float) -> Shown:
+        if self._now.ring < max(self._first, 0):
+            return BLANK
+        if self._is_smooth:
+            self._now = grow(self._now, 0.0 if self._is_fading else seconds, self._rates, least)
+        else:
+            self._now = self._at_once(least)
+        if not self._is_fading:
+            if self._arrived > self._now.ring:
+                self._is_fading, self._since = True, 0.0
+            return self._now
+        self._since += seconds
+        share = min(self._since / self._rates.fade, 1.0) if self._rates.fade > 0.0 else 1.0
+        if share < 1.0:
+            return replace(self._now, share=share)
+        self._now = replace(self._now, ring=self._now.ring + 1)
+        self._is_fading = False
+        return self._now
+
+    @property
+    def _goal(self) -> float:
+        """Radius of the ring that is shown."""
+        return self._rates.radii[self._now.ring - 1]
+
+    def _at_once(self, least: float) -> Shown:
+        if not 1 <= self._now.ring <= len(self._rates.radii):
+            return replace(self._now, radius=0.0, strength=0.0)
+        strength = 1.0 if self._now.strength == 1.0 or self._goal >= least else 0.0
+        return replace(self._now, radius=self._goal, strength=strength)

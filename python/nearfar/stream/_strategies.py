@@ -1,0 +1,94 @@
+"""The four strategies that CloVR (2024) compares: which files a client asks for in which order, and when it shows them.
+
+It is the order of `web/src/show/loader.ts`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from nearfar.stream._manifest import names_of
+
+STRATEGIES = ("vis0", "vis1", "clovr", "clovrd")
+
+
+@dataclass(frozen=True)
+class Step:
+    """What is asked for together; the next step begins when it is decoded."""
+
+    ring: int | None
+    """The ring that is there after it; None for dynamic objects."""
+    map: tuple[str, ...] | None
+    """Files of the map; None if there is no new one."""
+    geometry: tuple[str, ...]
+    """Files of the geometry."""
+    triangles: int = 0
+    """That it adds to the picture."""
+    is_ahead: bool = False
+    """Whether its files are asked for when the step before begins."""
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """Files as they are asked for ahead."""
+        return self.geometry + (self.map or ())
+
+    @property
+    def asked(self) -> tuple[str, ...]:
+        """Files as the step itself asks for them."""
+        return (self.map or ()) + self.geometry
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A strategy with a bundle's region."""
+
+    steps: tuple[Step, ...]
+    radii: tuple[float, ...]
+    """Radii of the rings 1 to n as the strategy has them; portions of vis0 and vis1 all have the last one."""
+    is_smooth: bool
+    is_whole: bool
+    """Whether nothing is shown before the last ring."""
+
+    @property
+    def triangles(self) -> int:
+        """Of static objects, in all rings."""
+        return sum(step.triangles for step in self.steps if step.ring is not None)
+
+
+def plan_of(strategy: str, region: Mapping[str, Any], number: int, dynamic: Mapping[str, Any] | None) -> Plan:
+    """Arrange the files of a region, as a manifest describes it."""
+    rings = list(region["rings"])
+    if strategy in ("vis0", "vis1"):
+        rings = _by_footprint(region, number)
+    moving = [] if dynamic is None else [Step(None, None, _geometry(dynamic), dynamic["triangles"])]
+    first = Step(0, _map(rings[0]["map"]), ())
+    rest = [
+        Step(place, _map(ring["map"]), _geometry(ring), ring["triangles"], is_ahead=place > 1)
+        for place, ring in enumerate(rings[1:], 1)
+    ]
+    radii = tuple(float(ring["radius"]) for ring in rings[1:])
+    return Plan((first, *moving, *rest), radii, strategy == "clovr", strategy == "vis0")
+
+
+def _by_footprint(region: Mapping[str, Any], number: int) -> list[dict[str, Any]]:
+    """Portions as rings; the last ring has the map and nothing else."""
+    other = region["by_footprint"]
+    if other is None:
+        place = f"regions[{number}].by_footprint"
+        raise ValueError(
+            f"bundle: {place}: expected objects by footprint, got none: export the scene with by_footprint=True"
+        )
+    radius = region["rings"][-1]["radius"]
+    none: dict[str, Any] = {"triangles": 0, "geometry": None, "parts": [], "map": None}
+    portions = [{**portion, "radius": radius, "map": None} for portion in other["portions"]]
+    return [{**none, "radius": 0.0}, *portions, {**none, "radius": radius, "map": other["map"]}]
+
+
+def _geometry(entry: Mapping[str, Any]) -> tuple[str, ...]:
+    return () if entry["geometry"] is None else (entry["geometry"], *entry["parts"])
+
+
+def _map(entry: Mapping[str, Any] | None) -> tuple[str, ...] | None:
+    return None if entry is None else tuple(names_of(entry.get("color")) + names_of(entry.get("range")))

@@ -1,0 +1,160 @@
+"""What a simulated client had, showed and drew, and when."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check, files
+from nearfar.stream._loading import Course
+from nearfar.stream._strategies import Plan
+
+FRAME_COLUMNS = ("time", "ring", "radius", "strength", "share", "triangles", "seconds")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Timeline:
+    """A client that loads a region by a strategy, on a virtual clock that begins when it asks for the manifest.
+
+    Arrays of frames have an entry for each frame whose state differs from that of the frame before. Times are seconds.
+    """
+
+    strategy: str
+    """Name of the strategy."""
+    radii: tuple[float, ...]
+    """Radii in metres of the rings 1 to n that are loaded. For vis0 and vis1 these are portions of objects, and the map
+    as the last one, all with the radius of the last ring."""
+    files: tuple[str, ...]
+    """Names of the files in the order of their arrival."""
+    file_times: NDArray[np.float64]
+    """(F,) when each of them was complete."""
+    ring_times: NDArray[np.float64]
+    """(n + 1,) when each ring could be shown; infinite for those that were not there in time."""
+    ring_triangles: NDArray[np.int64]
+    """(n + 1,) triangles of static objects that each ring adds."""
+    received: NDArray[np.float64]
+    """(M, 2) times and bytes that had come until then; linear between them."""
+    frames: dict[str, NDArray[Any]] = field(default_factory=dict)
+    """By name, an entry for each frame: `time`; `ring` that is shown (−1 for blank); `radius` in metres and `strength`
+    of the morph; `share` of the next ring's picture that fades in; `triangles` drawn, and the `seconds` of drawing."""
+
+    @classmethod
+    def _of(
+        cls,
+        strategy: str,
+        plan: Plan,
+        course: Course,
+        received: list[tuple[float, int]],
+        *,
+        frame_seconds: float,
+        triangle_seconds: float,
+    ) -> Timeline:
+        """Gather the arrays; a frame takes some seconds, and more for each triangle."""
+        rings = np.full(len(plan.radii) + 1, math.inf)
+        for ring, time in course.rings:
+            rings[ring] = time
+        added = [step.triangles for step in plan.steps if step.ring is not None]
+        rows = [(f.time, f.shown.ring, f.shown.radius, f.shown.strength, f.shown.share) for f in course.frames]
+        columns = dict(zip(FRAME_COLUMNS, np.array(rows, np.float64).T, strict=False))
+        columns["ring"] = columns["ring"].astype(np.int64)
+        columns["triangles"] = np.array([frame.triangles for frame in course.frames], np.int64)
+        columns["seconds"] = frame_seconds + triangle_seconds * columns["triangles"]
+        return cls(
+            strategy,
+            plan.radii,
+            tuple(name for name, _ in course.files),
+            np.array([time for _, time in course.files], np.float64),
+            rings,
+            np.array(added, np.int64),
+            np.array(received, np.float64),
+            columns,
+        )
+
+    @property
+    def picture(self) -> float:
+        """When the picture became complete: of clovr and clovrd with ring 0, of the others with the last map."""
+        return float(self.ring_times[0 if self.strategy.startswith("clovr") else -1])
+
+    @property
+    def first_ring(self) -> float:
+        """When the first near geometry could be shown: ring 1 or the first portion, and of vis0 all of it."""
+        return float(self.ring_times[-1 if self.strategy == "vis0" else 1])
+
+    @property
+    def total(self) -> float:
+        """When all was there."""
+        return float(self.ring_times.max())
+
+    @property
+    def grown(self) -> float:
+        """When the last frame changed."""
+        return float(self.frames["time"][-1])
+
+    def bytes_at(self, time: ArrayLike) -> Any:
+        """Return how many bytes had come at one time or several.
+
+        Parameters
+        ----------
+        time
+            Seconds, at least 0.
+        """
+        times = check.array("time", time, columns=None, dtype=np.float64, finite=True)
+        if (times < 0.0).any():
+            raise ValueError(f"time: expected times of at least 0, got {times.min():g}")
+        found = np.interp(times, *self.received.T)
+        return float(found) if found.ndim == 0 else found
+
+    @property
+    def geometry_share(self) -> NDArray[np.float64]:
+        """For each frame the share of the triangles of all rings that had arrived, 0 to 1."""
+        there = self.ring_times[None, :] <= self.frames["time"][:, None]
+        shares: NDArray[np.float64] = there @ self.ring_triangles / max(int(self.ring_triangles.sum()), 1)
+        return shares
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all of it as numbers, texts and lists; times that never come are None."""
+        return {
+            "strategy": self.strategy,
+            "radii": list(self.radii),
+            "picture": _number(self.picture),
+            "first_ring": _number(self.first_ring),
+            "total": _number(self.total),
+            "files": [
+                {"name": name, "time": time} for name, time in zip(self.files, self.file_times.tolist(), strict=True)
+            ],
+            "rings": [
+                {"time": _number(time), "triangles": count}
+                for time, count in zip(self.ring_times.tolist(), self.ring_triangles.tolist(), strict=True)
+            ],
+            "received": self.received.tolist(),
+            "frames": {name: [_number(value) for value in values.tolist()] for name, values in self.frames.items()},
+        }
+
+    def to_json(self, path: str | os.PathLike[str]) -> None:
+        """Write `to_dict` as a JSON file, whole or not at all.
+
+        Parameters
+        ----------
+        path
+            The file.
+        """
+        place = check.path("path", path)
+        with files.atomic_file(place) as temporary:
+            temporary.write_text(json.dumps(self.to_dict(), allow_nan=False) + "\n", encoding="utf-8")
+
+    def __repr__(self) -> str:
+        return (
+            f"Timeline({self.strategy}: picture {self.picture:.2f} s, first ring {self.first_ring:.2f} s, "
+            f"all {self.total:.2f} s, {self.received[-1, 1]:,.0f} bytes)"
+        )
+
+
+def _number(value: Any) -> Any:
+    """A number as JSON can hold it."""
+    return value if not isinstance(value, float) or math.isfinite(value) else None

@@ -1,0 +1,174 @@
+"""The four strategies on a virtual clock: order of files, times, growth, bytes, and bad input."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.stream._strategies import STRATEGIES, plan_of
+from tests.support.bundle_cases import write
+
+LINK = nf.stream.Link(8.0)
+
+
+@pytest.fixture(scope="module")
+def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
+    return write(tmp_path_factory.mktemp("simulate") / "b", by_footprint=True)
+
+
+def size_of(bundle: nf.stream.Bundle, names: Any) -> int:
+    return sum(bundle._manifest["files"][name]["bytes"] for name in set(names))
+
+
+def manifest_size(bundle: nf.stream.Bundle) -> int:
+    return len((Path(bundle._reader.place) / "manifest.json").read_bytes())
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_without_delay_each_ring_comes_when_its_bytes_have_come(bundle: nf.stream.Bundle, strategy: str) -> None:
+    line = nf.stream.simulate(bundle, link=LINK, strategy=strategy)
+    plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
+    names: list[str] = []
+    for step in plan.steps:
+        names += step.files
+        if step.ring is None or (strategy == "clovr" and step.ring > 1):
+            continue
+        least = (manifest_size(bundle) + size_of(bundle, names)) / 1e6
+        if strategy == "clovrd" and step.ring >= 1:
+            # Files of the next ring come between.
+            assert line.ring_times[step.ring] >= least - 1e-9
+        else:
+            assert line.ring_times[step.ring] == pytest.approx(least, rel=1e-9) or step.ring == 1
+    assert line.total == pytest.approx(line.ring_times[-1])
+    assert line.bytes_at(line.total) == manifest_size(bundle) + size_of(bundle, names)
+    assert len(line.files) == len(set(names)) + 1
+
+
+def test_a_ring_waits_until_the_one_before_it_has_faded_in(bundle: nf.stream.Bundle) -> None:
+    smooth, hard = (nf.stream.simulate(bundle, link=LINK, strategy=name) for name in ("clovr", "clovrd"))
+    assert hard.ring_times[2] < smooth.ring_times[1] + 0.1
+    waited = smooth.ring_times[2] - smooth.ring_times[1]
+    assert bundle.growth.fade <= waited < bundle.growth.fade + 3 / 72
+    assert smooth.ring_times[:2] == pytest.approx(hard.ring_times[:2])
+
+
+def test_frames_grow_as_the_growth_says(bundle: nf.stream.Bundle) -> None:
+    line, growth = nf.stream.simulate(bundle, link=LINK), bundle.growth
+    frames = line.frames
+    assert (np.diff(frames["time"]) > 0).all()
+    assert (frames["ring"][0], frames["ring"][-1]) == (-1, 2)
+    assert (frames["radius"][-1], frames["strength"][-1]) == (12.0, 1.0)
+    # Ring 1 grows until ring 2 fades in, which stops it meanwhile.
+    grows = (frames["ring"] == 1) & (frames["share"] == 0)
+    first = frames["time"][grows][1]
+    shown = [growth.strength(1, growth.fade + time - first) for time in frames["time"][grows][1:]]
+    np.testing.assert_allclose(frames["strength"][grows][1:] - frames["strength"][grows][1], shown, atol=1e-9)
+    # All of both rings' growth, and both fades.
+    whole = growth.seconds(1) + growth.seconds(2)
+    assert line.grown - line.ring_times[1] == pytest.approx(whole, abs=6 / 72)
+
+
+def test_hard_switches_show_each_ring_at_once(bundle: nf.stream.Bundle) -> None:
+    frames = nf.stream.simulate(bundle, link=nf.stream.Link(0.5), strategy="clovrd").frames
+    assert frames["ring"].tolist() == [-1, 0, 1, 2]
+    assert frames["radius"].tolist() == [0.0, 0.0, 5.0, 12.0]
+    assert frames["strength"].tolist() == [0.0, 0.0, 1.0, 1.0]
+    assert not frames["share"].any()
+
+
+def test_vis0_is_blank_until_all_is_there_and_vis1_shows_portions(bundle: nf.stream.Bundle) -> None:
+    link = nf.stream.Link(0.5)
+    whole, parts = (nf.stream.simulate(bundle, link=link, strategy=name) for name in ("vis0", "vis1"))
+    assert whole.frames["ring"].tolist() == [-1, len(whole.radii)]
+    assert parts.frames["ring"].tolist() == list(range(-1, len(parts.radii) + 1))
+    assert whole.picture == parts.picture == whole.first_ring == whole.total
+    assert parts.first_ring < whole.first_ring
+    assert whole.frames["time"][1] - whole.picture == pytest.approx(0.0, abs=1.01 / 72)
+
+
+def test_a_user_too_far_out_waits_for_a_radius_that_does_not_fold(bundle: nf.stream.Bundle) -> None:
+    x, y, z = bundle.center
+    # 0.7 · 5 m is the margin of ring 1.
+    for strategy, shown in (("clovrd", [0.0, 1.0]), ("clovr", [0.0])):
+        line = nf.stream.simulate(bundle, link=nf.stream.Link(0.5), strategy=strategy, head_path=(x + 4.0, y, z))
+        of_ring = line.frames["strength"][(line.frames["ring"] == 1) & (line.frames["share"] == 0)]
+        assert of_ring.tolist() == shown[: len(of_ring)] or not of_ring.any()
+        assert line.frames["strength"][-1] == 1.0
+
+
+def test_an_hour_with_a_user_who_walks(bundle: nf.stream.Bundle) -> None:
+    x, y, z = bundle.center
+    path = [[0.0, x, y, z], [1800.0, x + 3.0, y, z], [3600.0, x, y, z]]
+    line = nf.stream.simulate(bundle, link=nf.stream.Link(0.0001), head_path=path, duration=3600.0)
+    assert line.received[-1, 0] <= 3600.0
+    assert line.bytes_at(3600.0) == pytest.approx(3600.0 * 12.5, rel=0.01) or math.isfinite(line.total)
+
+
+def test_decoding_takes_time_in_two_workers(bundle: nf.stream.Bundle) -> None:
+    plain = nf.stream.simulate(bundle, link=LINK, strategy="clovrd")
+    slow = nf.stream.simulate(bundle, link=LINK, strategy="clovrd", decode_mbs=0.1)
+    first = bundle._region["rings"][0]["map"]["color"]
+    assert slow.picture - plain.picture == pytest.approx(size_of(bundle, first) / 1e5, rel=0.2)
+
+
+def test_frames_cost_what_their_triangles_cost(bundle: nf.stream.Bundle) -> None:
+    line = nf.stream.simulate(bundle, link=LINK, frame_ms=2.0, triangles_per_second=1e6)
+    np.testing.assert_allclose(line.frames["seconds"], 0.002 + line.frames["triangles"] / 1e6)
+    moving = bundle._manifest["dynamic"]["triangles"]
+    rows = [row["triangles"] for row in bundle.summary()]
+    assert line.frames["triangles"][0] == 0
+    assert line.frames["triangles"][-1] == moving + sum(rows)
+    # Two pictures while a ring fades in.
+    assert line.frames["triangles"].max() == 2 * moving + 2 * rows[1] + rows[2]
+    assert line.geometry_share[0] == 0.0
+    assert line.geometry_share[-1] == 1.0
+
+
+def test_the_greatest_radius_that_a_link_has_in_time(bundle: nf.stream.Bundle) -> None:
+    times = nf.stream.simulate(bundle, link=LINK, strategy="clovrd").ring_times
+    for seconds, radius in ((times[1] * 0.99, 0.0), (times[1] * 1.01, 5.0), (times[2] * 1.01, 12.0)):
+        assert nf.stream.radius_for(bundle, link=LINK, seconds=seconds) == radius
+
+
+def test_a_timeline_is_written(bundle: nf.stream.Bundle, tmp_path: Path) -> None:
+    line = nf.stream.simulate(bundle, link=LINK, strategy="clovrd", duration=0.02)
+    line.to_json(tmp_path / "line.json")
+    found = json.loads((tmp_path / "line.json").read_text())
+    assert found == line.to_dict()
+    assert found["total"] is None
+    assert "clovrd" in repr(line)
+    with pytest.raises(ValueError, match="time: expected times of at least 0"):
+        line.bytes_at(-1.0)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"strategy": "vis2"}, "strategy"),
+        ({"head_path": [[1.0, 0, 0, 0], [1.0, 0, 0, 0]]}, "head_path: expected ascending times"),
+        ({"head_path": np.zeros((0, 4))}, "head_path: expected at least one row"),
+        ({"head_path": [[0, 0, 0]]}, "head_path"),
+        ({"head_path": (math.nan, 0, 0)}, "head_path"),
+        ({"duration": -1}, "duration"),
+        ({"rate": 0}, "rate"),
+        ({"decode_mbs": 0}, "decode_mbs"),
+        ({"frame_ms": -1}, "frame_ms"),
+        ({"triangles_per_second": 0}, "triangles_per_second"),
+        ({"seed": -1}, "seed"),
+    ],
+)
+def test_bad_arguments_are_named(bundle: nf.stream.Bundle, change: dict[str, Any], told: str) -> None:
+    with pytest.raises(ValueError, match=told):
+        nf.stream.simulate(bundle, **{"link": LINK, **change})
+
+
+def test_bundles_without_objects_by_footprint_are_refused(tmp_path: Path) -> None:
+    plain = write(tmp_path / "b")
+    with pytest.raises(ValueError, match="export the scene with by_footprint=True"):
+        nf.stream.simulate(plain, link=LINK, strategy="vis0")

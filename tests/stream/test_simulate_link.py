@@ -1,0 +1,134 @@
+"""Links: transfers against bytes over rate, a packet-by-packet oracle and the mean rate that losses leave."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.stream._transport import Transport
+from tests.support.transport_oracle import SEGMENT, Oracle
+
+SIZES = {
+    "one": [3_000_000],
+    "small": [8_000] * 30,
+    "mixed": np.random.default_rng(1).integers(2_000, 400_000, 40).tolist(),
+}
+
+
+def times(sizes: list[int], link: nf.stream.Link, seed: int = 0) -> list[float]:
+    """When each of the files is there that are asked for at time 0."""
+    transport = Transport(link, seed=seed)
+    for number, size in enumerate(sizes):
+        transport.ask(str(number), size)
+    while transport.next_time() < math.inf:
+        transport.advance(transport.next_time())
+    assert transport.curve[-1] == (max(transport.arrived.values()), sum(sizes))
+    return [transport.arrived[str(number)] for number in range(len(sizes))]
+
+
+@pytest.mark.parametrize("http", [1, 2])
+@pytest.mark.parametrize("mbps", [0.1, 50.0, 10_000.0])
+def test_without_delay_and_loss_time_is_bytes_over_rate(http: int, mbps: float) -> None:
+    sizes = SIZES["mixed"]
+    assert max(times(sizes, nf.stream.Link(mbps, http=http))) == pytest.approx(sum(sizes) * 8 / (mbps * 1e6), rel=1e-12)
+
+
+def test_a_trace_is_followed() -> None:
+    link = nf.stream.Link(trace=([0.0, 1.0, 3.0], [8.0, 0.0, 16.0]))
+    # 1 MB in the first second, nothing for two, then 2 MB a second.
+    assert times([3_000_000], link) == pytest.approx([4.0])
+    assert times([1_000_000], link) == pytest.approx([1.0])
+    same = nf.stream.Link(trace=([0.0, 0.3, 0.5], [50.0, 50.0, 50.0]))
+    assert times(SIZES["mixed"], same) == pytest.approx(times(SIZES["mixed"], nf.stream.Link(50.0)), rel=1e-9)
+
+
+@pytest.mark.parametrize("name", SIZES)
+@pytest.mark.parametrize("http", [1, 2])
+@pytest.mark.parametrize(("mbps", "rtt"), [(5.0, 0.0), (5.0, 50.0), (50.0, 10.0), (50.0, 50.0), (300.0, 30.0)])
+def test_the_last_file_comes_when_packets_say(name: str, http: int, mbps: float, rtt: float) -> None:
+    found = max(times(SIZES[name], nf.stream.Link(mbps, rtt_ms=rtt, http=http)))
+    oracle = Oracle(SIZES[name], rate=mbps * 125e3, rtt=rtt / 1e3, loss=0.0, http=http)
+    # The oracle's answers take turns by packets, ours by frames of 16 KiB, which small files are shorter than.
+    assert found == pytest.approx(max(oracle.arrived.values()), rel=0.05 if name == "small" else 0.03)
+
+
+@pytest.mark.parametrize("loss", [0.003, 0.02])
+def test_losses_cost_what_they_cost_packets(loss: float) -> None:
+    settings: dict[str, Any] = {"loss": loss, "http": 2}
+    ours = [max(times(SIZES["mixed"], nf.stream.Link(50.0, rtt_ms=30.0, **settings), seed)) for seed in range(12)]
+    theirs = [
+        max(Oracle(SIZES["mixed"], rate=50 * 125e3, rtt=0.03, **settings, seed=seed).arrived.values())
+        for seed in range(12)
+    ]
+    assert np.mean(ours) == pytest.approx(np.mean(theirs), rel=0.2)
+    assert np.std(ours) > 0.0
+
+
+@pytest.mark.parametrize("loss", [0.004, 0.02])
+def test_a_long_transfer_has_the_rate_of_the_square_root_law(loss: float) -> None:
+    # Long enough that the window that slow start leaves counts for little.
+    size, rtt = 60_000_000, 0.02
+    found = np.mean([times([size], nf.stream.Link(1_000.0, rtt_ms=1e3 * rtt, loss=loss), seed) for seed in range(4)])
+    # Mathis et al. 1997.
+    assert size / found == pytest.approx(SEGMENT / rtt * math.sqrt(1.5 / loss), rel=0.25)
+
+
+def test_a_seed_decides_which_packets_are_lost() -> None:
+    link = nf.stream.Link(50.0, rtt_ms=30.0, loss=0.01)
+    assert times(SIZES["mixed"], link, 3) == times(SIZES["mixed"], link, 3)
+    assert times(SIZES["mixed"], link, 3) != times(SIZES["mixed"], link, 4)
+
+
+def test_a_handshake_comes_before_the_first_request() -> None:
+    for handshake in (0.0, 1.0, 2.0):
+        link = nf.stream.Link(80.0, rtt_ms=100.0, handshake=handshake)
+        # A window's worth: the request, the answer, and its bytes.
+        assert times([10_000], link) == pytest.approx([0.1 * (handshake + 1.0) + 0.001])
+
+
+def test_empty_files_come_with_the_answer() -> None:
+    assert times([0, 1000, 0], nf.stream.Link(8.0, rtt_ms=10.0, handshake=0.0)) == pytest.approx([0.01, 0.011, 0.01])
+
+
+def test_a_csv_file_is_a_trace(tmp_path: Path) -> None:
+    path = tmp_path / "trace.csv"
+    path.write_text("seconds,mbps\n0,8\n1,0\n3,16\n")
+    assert nf.stream.Link(trace=path) == nf.stream.Link(trace=([0, 1, 3], [8, 0, 16]))
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({}, "mbps: expected either it or a trace"),
+        ({"mbps": 1.0, "trace": ([0], [1])}, "either"),
+        ({"mbps": 0}, "nothing would ever arrive"),
+        ({"mbps": -3}, "mbps: expected a positive number"),
+        ({"mbps": math.inf}, "mbps"),
+        ({"mbps": 1, "rtt_ms": -1}, "rtt_ms"),
+        ({"mbps": 1, "loss": 0.6}, "loss"),
+        ({"mbps": 1, "http": 3}, "http"),
+        ({"mbps": 1, "handshake": -1}, "handshake"),
+        ({"trace": ([0, 2, 1], [1, 1, 1])}, "ascending times, got 1 after 2"),
+        ({"trace": ([1, 2], [1, 1])}, "times from 0 on"),
+        ({"trace": ([0, 2], [1, -1])}, "rates from 0"),
+        ({"trace": ([0, 2], [1, 0])}, "would never arrive"),
+        ({"trace": ([0, 2], [1])}, "as many times as rates"),
+        ({"trace": ([], [])}, "as many times as rates"),
+    ],
+)
+def test_links_that_cannot_be_are_refused(given: dict[str, Any], told: str) -> None:
+    with pytest.raises(ValueError, match=told):
+        nf.stream.Link(**given)
+
+
+@pytest.mark.parametrize("text", ["0,1\n1\n", "a,b\nc,d\n", "0,1,2\n"])
+def test_damaged_csv_files_are_named(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "trace.csv"
+    path.write_text(text)
+    with pytest.raises(nf.FormatError, match=r"trace\.csv.*row 1|trace\.csv.*row 2"):
+        nf.stream.Link(trace=path)
