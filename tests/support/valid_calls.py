@@ -9,7 +9,9 @@ import numpy as np
 
 import nearfar as nf
 from nearfar._scene.names import Names
+from tests.support.valid_fields import fields
 from tests.support.valid_objects import EYE, MATRIX, SIZE, ZONES, Valid
+from tests.support.valid_streams import streams
 
 NEEDS = {
     "nearfar.LoadCurve.plot": "matplotlib",
@@ -77,7 +79,7 @@ def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
 
     A name followed by " @" and a word is another call of the same callable, which reaches other checks.
     """
-    makers = (_scenes, _pictures, _arrays, _devices, _levels, _streams)
+    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams)
     return {name: arguments for make in makers for name, arguments in make(valid).items()}
 
 
@@ -141,7 +143,7 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.Partition.validate": {},
         "nearfar.load_curve": {"scene": scene, "center": ZONES["center"]},
         "nearfar.partition": {"scene": scene, **ZONES},
-        "nearfar.Radii": _fields(nf.choose_radii(scene, EYE, r2=60.0)),
+        "nearfar.Radii": fields(nf.choose_radii(scene, EYE, r2=60.0)),
         "nearfar.choose_radii": {"scene": scene, "center": EYE, "r2": 60.0},
         "nearfar.reduce": {"scene": scene, **ZONES, "face_size": 4, "samples": 1, "backend": "cpu"},
         "nearfar.ReducedScene": {
@@ -169,11 +171,11 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.ReducedScene.with_growth": {"radius": 1.0, "strength": 0.5},
         "nearfar.ReducedScene.with_r1": {"r1": 2.0},
         **_walks(valid),
-        "nearfar.datasets.CountTask": _fields(nf.datasets.count_task()[1]),
-        "nearfar.datasets.SphereTask": _fields(valid.task),
+        "nearfar.datasets.CountTask": fields(nf.datasets.count_task()[1]),
+        "nearfar.datasets.SphereTask": fields(valid.task),
         "nearfar.datasets.SphereTask.pose": {"t": 0.5},
         "nearfar.datasets.SphereTask.position": {"t": 0.5},
-        "nearfar.datasets.TapeTask": _fields(nf.datasets.tape_task()[1]),
+        "nearfar.datasets.TapeTask": fields(nf.datasets.tape_task()[1]),
         "nearfar.datasets.beams": {"count": 1},
         "nearfar.datasets.city": {"blocks": 1, "detail": 0},
         "nearfar.datasets.count_task": {},
@@ -212,10 +214,6 @@ def _walks(valid: Valid) -> dict[str, dict[str, Any]]:
     }
 
 
-def _fields(instance: Any) -> dict[str, Any]:
-    return {name: getattr(instance, name) for name in instance.__dataclass_fields__}
-
-
 def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
     scene, camera, frame, hmd = valid.scene, valid.camera, valid.frame, valid.hmd
     pair = {"reference": valid.picture, "test": valid.picture[::-1]}
@@ -238,9 +236,9 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.render_eyes": {"source": scene, "hmd": hmd, "position": EYE, "size": SIZE, "backend": "cpu"},
         "nearfar.render_path": {"source": scene, "cameras": [camera], "backend": "cpu"},
         "nearfar.render_path @levels": {"source": valid.leveled, "cameras": [camera], "lod": [0, 1], "backend": "cpu"},
-        "nearfar.Comparison": _fields(nf.compare(frame, frame, center=EYE, radius=4.0)),
+        "nearfar.Comparison": fields(nf.compare(frame, frame, center=EYE, radius=4.0)),
         "nearfar.boundary": {"frame": frame, "center": EYE, "radius": 4.0},
-        "nearfar.BoundaryTear": _fields(nf.boundary_tear(frame, center=EYE, radius=4.0)),
+        "nearfar.BoundaryTear": fields(nf.boundary_tear(frame, center=EYE, radius=4.0)),
         "nearfar.boundary_tear": {"frame": frame, "center": EYE, "radius": 4.0},
         "nearfar.compare": {"reference": frame, "test": frame, "center": EYE, "radius": 4.0},
         "nearfar.discontinuity": {"frame": frame},
@@ -267,18 +265,18 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.RadialLens.warp": warp,
         "nearfar.RadialLens.warp @frame": {"image": frame, "output_fov": camera.fov},
         "nearfar.RadialLens.warp_mesh": {"size": SIZE, "fov": "symmetric", "cells": (4, 4)},
-        "nearfar.WarpMesh": _fields(valid.lens.warp_mesh(SIZE, fov="symmetric", cells=(4, 4))),
+        "nearfar.WarpMesh": fields(valid.lens.warp_mesh(SIZE, fov="symmetric", cells=(4, 4))),
         "nearfar.corrected_solid_angle": {
             "centers": [[0.0, 1.0, 0.0]], "radii": 0.1, "camera": camera, "lens": valid.lens,
         },
-        "nearfar.Hmd": _fields(hmd),
+        "nearfar.Hmd": fields(hmd),
         "nearfar.Hmd.camera": {"eye": "left", "position": EYE},
         "nearfar.Hmd.load": {"path": valid.file("Hmd")},
         "nearfar.Hmd.save": {"path": valid.folder / "saved.json"},
         "nearfar.Hmd.with_ipd": {"ipd": 0.06},
         "nearfar.Hmd.with_lens": {"lens": valid.lens},
         "nearfar.StereoFrame": {
-            **_fields(valid.stereo), "center": valid.stereo.left,
+            **fields(valid.stereo), "center": valid.stereo.left,
         },
         "nearfar.StereoFrame.save": {"path": valid.folder / "stereo.png"},
         "nearfar.StereoFrame.warped": {"size": SIZE},
@@ -317,73 +315,13 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
     }  # fmt: skip
 
 
-def _streams(valid: Valid) -> dict[str, dict[str, Any]]:
-    scene, center = valid.scene, ZONES["center"]
-    return {
-        "nearfar.stream.Bundle": _fields(valid.bundle),
-        "nearfar.stream.Bundle.at": {"ring": 1, "radius": 1.0},
-        "nearfar.stream.blend": {"old": valid.frame, "new": valid.frame, "share": 0.5},
-        "nearfar.stream.Growth": {"radii": [2.0, 4.0], "speed": 1.0},
-        "nearfar.stream.Growth.pixels": {"focal": 300.0},
-        "nearfar.stream.Growth.radius": {"ring": 1, "time": 1.0},
-        "nearfar.stream.Growth.seconds": {"ring": 1},
-        "nearfar.stream.Growth.share": {"time": 1.0},
-        "nearfar.stream.Growth.strength": {"ring": 1, "time": 1.0},
-        "nearfar.stream.Growth.described": {},
-        "nearfar.stream.Bundle.map": {"ring": 1},
-        "nearfar.stream.Bundle.nearest": {"point": center},
-        "nearfar.stream.Bundle.neighbours": {"region": 0},
-        "nearfar.stream.Bundle.region": {"region": 0},
-        "nearfar.stream.Bundle.read": {"name": next(iter(valid.bundle.files))},
-        "nearfar.stream.Bundle.show": {"camera": valid.camera},
-        "nearfar.stream.Bundle.summary": {},
-        "nearfar.stream.Bundle.verify": {},
-        "nearfar.stream.RingMaps": _fields(valid.ring_maps),
-        "nearfar.stream.RingMaps.changed_tiles": {"ring": 1},
-        "nearfar.stream.RingMaps.map": {"ring": 1},
-        "nearfar.stream.Rings": _fields(valid.ring_maps.rings),
-        "nearfar.stream.Rings.codes": {},
-        "nearfar.stream.Rings.objects": {"ring": 1},
-        "nearfar.stream.Rings.summary": {},
-        "nearfar.stream.assign": {"scene": scene, "center": center, "radii": [2.0, 4.0]},
-        "nearfar.stream.bake_maps": {"rings": valid.ring_maps.rings, "face_size": 4},
-        "nearfar.stream.export": {
-            "scene": scene, "path": valid.folder / "exported", "center": center, "radii": [3.0], "face_size": 64,
-            "samples": 1, "pixels_per_degree": 20.0, "split_px": 50.0, "by_footprint": True,
-        },
-        "nearfar.stream.export @regions": {
-            "scene": scene, "path": valid.folder / "exported", "center": valid.regions, "grid": 0.5, "radii": [2.0],
-            "face_size": 64, "samples": 1,
-        },
-        "nearfar.stream.export @levels": {
-            "scene": valid.leveled, "path": valid.folder / "exported", "center": center, "radii": [20.0],
-            "face_size": 64, "samples": 1, "lod": "depth",
-        },
-        "nearfar.stream.footprints": {"scene": scene, "center": center, "face_size": 4},
-        "nearfar.stream.Link": {"mbps": 50.0, "rtt_ms": 20.0, "loss": 0.01, "http": 1},
-        "nearfar.stream.Link @trace": {"trace": ([0.0, 1.0], [50.0, 20.0])},
-        "nearfar.stream.Timeline": _fields(nf.stream.simulate(valid.bundle, link=nf.stream.Link(50.0))),
-        "nearfar.stream.Timeline.bytes_at": {"time": [0.0, 1.0]},
-        "nearfar.stream.Timeline.to_dict": {},
-        "nearfar.stream.Timeline.to_json": {"path": valid.folder / "timeline.json"},
-        "nearfar.stream.open": {"path": valid.folder / "bundle"},
-        "nearfar.stream.radius_for": {"bundle": valid.bundle, "link": nf.stream.Link(50.0), "seconds": 1.0},
-        "nearfar.stream.simulate": {
-            "bundle": valid.bundle, "link": nf.stream.Link(50.0, rtt_ms=20.0, loss=0.01), "head_path": center,
-        },
-        "nearfar.stream.rings": {"scene": scene, "center": center, "r_max": 20.0, "base_radius": 8.0},
-        "nearfar.stream.snap": {"center": center, "grid": 2.0},
-        "nearfar.view.write_page": {"path": valid.folder / "bundle"},
-    }  # fmt: skip
-
-
 def _arrays(valid: Valid) -> dict[str, dict[str, Any]]:
     depth = {"projection": valid.camera.fov, "near": 0.1}
     users = {"user": (0.5, 1.0, 0.0), **ZONES}
     hits = nf.cast_rays(valid.scene, [EYE], [(0.0, 0.0, -1.0)])
     return {
-        "nearfar.Hits": _fields(hits),
-        "nearfar.Nearest": _fields(nf.nearest_points(valid.scene, [EYE])),
+        "nearfar.Hits": fields(hits),
+        "nearfar.Nearest": fields(nf.nearest_points(valid.scene, [EYE])),
         "nearfar.cast_rays": {"scene": valid.scene, "origins": [EYE] * 2, "directions": valid.directions},
         "nearfar.nearest_points": {"scene": valid.scene, "points": [EYE]},
         "nearfar.triangle_radii": {"vertices": valid.vertices, "faces": valid.faces, "center": EYE},
@@ -452,7 +390,7 @@ def _devices(valid: Valid) -> dict[str, dict[str, Any]]:
     }
     if has_adapter():
         frame, device = valid.device_frame, valid.device
-        calls["nearfar.gpu.DeviceFrame"] = _fields(frame)
+        calls["nearfar.gpu.DeviceFrame"] = fields(frame)
         calls["nearfar.gpu.discontinuity"] = {"frame": frame}
         calls["nearfar.gpu.ssim"] = {"reference": frame, "test": frame}
         for name in ("Scene", "ReducedScene"):
@@ -467,13 +405,13 @@ def _levels(valid: Valid) -> dict[str, dict[str, Any]]:
     chosen = _selection(valid)
     select = {"models": [model], "model_index": [0], "centers": [[0.0, 0.0, 0.0]], "radii": [1.0], "camera": camera}
     return {
-        "nearfar.lod.Curve4PL": _fields(model.curves),
+        "nearfar.lod.Curve4PL": fields(model.curves),
         "nearfar.lod.Curve4PL.__call__": {"x": [0.1]},
         "nearfar.lod.Curve4PL.__getitem__": {"index": 0},
         "nearfar.lod.Level": {"scene": valid.scene},
         "nearfar.lod.Levels": {"levels": list(valid.levels)},
         "nearfar.lod.Levels.__getitem__": {"index": 0},
-        "nearfar.lod.LodModel": _fields(model),
+        "nearfar.lod.LodModel": fields(model),
         "nearfar.lod.LodModel.export": {"path": valid.folder / "model.glb", "view": camera},
         "nearfar.lod.LodModel.load": {"path": valid.file("LodModel")},
         "nearfar.lod.LodModel.of_levels": {"numbers": np.array([0])},
@@ -488,7 +426,7 @@ def _levels(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.lod.Selection": {"level": chosen.level, "counts": chosen.counts, "columns": {}},
         "nearfar.lod.Selector": {},
         "nearfar.lod.Selector.select": select,
-        "nearfar.lod.Switches": _fields(nf.lod.switches(model, view=camera)),
+        "nearfar.lod.Switches": fields(nf.lod.switches(model, view=camera)),
         "nearfar.lod.Switches.coverages": {},
         "nearfar.lod.Switches.of_levels": {"numbers": np.array([0])},
         "nearfar.lod.Switches.remarks": {"level": 0},
