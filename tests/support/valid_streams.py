@@ -64,6 +64,10 @@ def streams(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stream.simulate": {
             "bundle": valid.bundle, "link": nf.stream.Link(50.0, rtt_ms=20.0, loss=0.01), "head_path": center,
         },
+        "nearfar.stream.simulate @seen": {
+            "bundle": valid.bundle, "link": nf.stream.Link(50.0), "strategy": "clovrd", "scene": scene, "size": 16,
+            "camera": valid.camera,
+        },
         "nearfar.stream.rings": {"scene": scene, "center": center, "r_max": 20.0, "base_radius": 8.0},
         "nearfar.stream.snap": {"center": center, "grid": 2.0},
         "nearfar.view.write_page": {"path": valid.folder / "bundle"},

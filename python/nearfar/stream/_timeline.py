@@ -43,6 +43,12 @@ class Timeline:
     frames: dict[str, NDArray[Any]] = field(default_factory=dict)
     """By name, an entry for each frame: `time`; `ring` that is shown (−1 for blank); `radius` in metres and `strength`
     of the morph; `share` of the next ring's picture that fades in; `triangles` drawn, and the `seconds` of drawing."""
+    pictures: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    """With a scene, by name, an entry for each frame that was looked at: `time`; `ovc` and `ofc`, as
+    `nearfar.object_completion` measures them against the truth for the user; `continuity`, the similarity with the
+    frame before."""
+    renders: int = 0
+    """How many pictures were rendered for that, of all views at once."""
 
     @classmethod
     def _of(
@@ -133,6 +139,8 @@ class Timeline:
                 for time, count in zip(self.ring_times.tolist(), self.ring_triangles.tolist(), strict=True)
             ],
             "received": self.received.tolist(),
+            "pictures": {name: [_number(value) for value in values.tolist()] for name, values in self.pictures.items()},
+            "renders": self.renders,
             "frames": {name: [_number(value) for value in values.tolist()] for name, values in self.frames.items()},
         }
 
