@@ -55,7 +55,7 @@ def streams(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stream.footprints": {"scene": scene, "center": center, "face_size": 4},
         "nearfar.stream.Link": {"mbps": 50.0, "rtt_ms": 20.0, "loss": 0.01, "http": 1},
         "nearfar.stream.Link @trace": {"trace": ([0.0, 1.0], [50.0, 20.0])},
-        "nearfar.stream.Timeline": fields(nf.stream.simulate(valid.bundle, link=nf.stream.Link(50.0))),
+        "nearfar.stream.Timeline": fields(valid.timeline),
         "nearfar.stream.Timeline.bytes_at": {"time": [0.0, 1.0]},
         "nearfar.stream.Timeline.to_dict": {},
         "nearfar.stream.Timeline.to_json": {"path": valid.folder / "timeline.json"},
