@@ -20,6 +20,7 @@ NEEDS = {
     "nearfar.lod.LodModel.plot": "matplotlib",
     "nearfar.lod.simplify": "fast_simplification",
     "nearfar.stream.Bundle.show": "anywidget",
+    "nearfar.stream.Timeline.plot": "matplotlib",
 }
 """Parts of `tests.support.PARTS` that callables need."""
 

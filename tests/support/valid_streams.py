@@ -57,6 +57,7 @@ def streams(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stream.Link @trace": {"trace": ([0.0, 1.0], [50.0, 20.0])},
         "nearfar.stream.Timeline": fields(valid.timeline),
         "nearfar.stream.Timeline.bytes_at": {"time": [0.0, 1.0]},
+        "nearfar.stream.Timeline.plot": {"value": "radius"},
         "nearfar.stream.Timeline.to_dict": {},
         "nearfar.stream.Timeline.to_json": {"path": valid.folder / "timeline.json"},
         "nearfar.stream.open": {"path": valid.folder / "bundle"},

@@ -6,14 +6,17 @@ import json
 import math
 import os
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar._base import check, files
+from nearfar._base import check, files, plot
 from nearfar.stream._loading import Course
 from nearfar.stream._strategies import Plan
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 FRAME_COLUMNS = ("time", "ring", "radius", "strength", "share", "triangles", "seconds")
 
@@ -155,6 +158,30 @@ class Timeline:
         place = check.path("path", path)
         with files.atomic_file(place) as temporary:
             temporary.write_text(json.dumps(self.to_dict(), allow_nan=False) + "\n", encoding="utf-8")
+
+    def plot(self, ax: Axes | None = None, *, value: str = "bytes") -> Axes:
+        """Plot one value over time with matplotlib.
+
+        Parameters
+        ----------
+        ax
+            Axes of matplotlib; new ones by default.
+        value
+            "bytes" that have come, or the name of an array of `frames` or `pictures`, such as "radius" or "ovc".
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is not installed.
+        ValueError, TypeError
+            For other names, and for what is not axes.
+        """
+        arrays = {**self.frames, **self.pictures}
+        check.choice("value", value, ["bytes", *(name for name in arrays if name != "time")])
+        if value == "bytes":
+            return plot.over_time(ax, self.received[:, 0], self.received[:, 1], value, steps=False)
+        rows = self.pictures if value in self.pictures else self.frames
+        return plot.over_time(ax, rows["time"], rows[value], value, steps=True)
 
     def __repr__(self) -> str:
         return (
