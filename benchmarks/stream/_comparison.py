@@ -22,6 +22,9 @@ USERS, AWAY = 20, 2.0
 ALPHA = 0.05 / 6
 """Level of each of six comparisons, so that all of them together err with 5 % at most (Bonferroni)."""
 
+ALL_STATES = 64
+"""States of clients, more than there are: all users see the same ones."""
+
 Point = tuple[float, float, float]
 
 
@@ -45,7 +48,7 @@ def quality(
     end = max(lines[name].total for name in ("vis0", "vis1", "clovrd"))
     found: dict[str, list[list[float]]] = {"ovc": [], "ofc": []}
     for eye, look in users(bundle.center):
-        own = replace(parts, cameras=(camera_of(eye, look, size),))
+        own = replace(parts, cameras=(camera_of(eye, look, size),), most=ALL_STATES)
         path = HeadPath.of(eye, bundle.center)
         rows = []
         for name in STRATEGIES:

@@ -17,7 +17,7 @@ from benchmarks.harness.timing import machine, table
 from benchmarks.stream import _comparison, _strategy_plots as plots
 from benchmarks.stream._comparison import STRATEGIES
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
-from nearfar.stream._client_pictures import SceneParts
+from nearfar.stream._client_pictures import Pictures, SceneParts
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._radii import PUBLISHED
 
@@ -99,6 +99,9 @@ def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, ever
             name: replace(line, pictures=_comparison.seen(line, parts, HeadPath.of(eye, (x, y, z)), every=every))
             for name, line in lines[case.place.name].items()
         }
+        pictures = Pictures(parts, by_footprint=False)
+        limit = nf.object_completion(pictures.truth(eye).objects, pictures.truth((x, y, z)).objects)
+        rows.append([case.place.name, "truth at the centre", *(f"{share:.3f}" for share in limit), "", "", ""])
         for name, line in own.items():
             seen = line.pictures
             # From the first picture on.

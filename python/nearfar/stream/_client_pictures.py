@@ -27,7 +27,7 @@ from nearfar.stream._stage import Shown
 TEXELS = 3
 """Texels of maps along a pixel of a face, an odd number, so that the middle of a pixel is that of a texel."""
 KEPT = 4
-"""Pictures that are kept, because the next one may be the same."""
+"""Pictures, and states of a client, that are kept, because the next ones may be the same."""
 CHANNELS = ("color", "object_id")
 
 Eye = tuple[float, float, float]
@@ -49,8 +49,10 @@ class SceneParts:
     maps: RingMaps
     cameras: tuple[Camera, ...]
     """Views, which are moved to the user's eye."""
-    reduced: dict[tuple[bool, int], ReducedScene] = field(default_factory=dict)
-    """What was made: by whether it is by footprint, and the number of the ring or portion."""
+    most: int = KEPT
+    """How many states are kept, of those that were used last."""
+    reduced: OrderedDict[tuple[bool, int], ReducedScene] = field(default_factory=OrderedDict)
+    """These: by whether it is by footprint, and the number of the ring or portion."""
     portions: Portions | None = None
 
     @classmethod
@@ -66,26 +68,29 @@ class SceneParts:
         maps = bake_maps(rings, face_size=int(bundle._manifest["map"]["face_size"]), object_id=True)
         return cls(rings, maps, (camera,))
 
-    def ring(self, number: int) -> ReducedScene:
-        """What a client shows that has all rings up to one."""
-        key = (False, number)
+    def state(self, number: int, *, by_footprint: bool) -> ReducedScene:
+        """What a client shows that has all rings, or portions by footprint, up to one."""
+        key = (by_footprint, number)
         if key not in self.reduced:
-            names = [name for ring in range(number + 1) for name in self.rings.objects(ring)]
-            self.reduced[key] = self._before(names, number, self.rings.radii[max(number, 1) - 1])
+            self.reduced[key] = self._portion(number) if by_footprint else self._ring(number)
+            if len(self.reduced) > self.most:
+                self.reduced.popitem(last=False)
+        self.reduced.move_to_end(key)
         return self.reduced[key]
 
-    def portion(self, number: int) -> ReducedScene:
-        """What a client shows that has all objects by footprint up to a portion; beyond the last one also the map."""
-        key = (True, number)
-        if key not in self.reduced:
-            scene, rings = self.rings.scene, self.rings
-            if self.portions is None:
-                self.portions = Portions.of(rings, scene=scene)
-            there = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
-            names = [scene.object_names[place] for place in there]
-            ring = rings.count if number > self.portions.count else None
-            self.reduced[key] = self._before(names, ring, rings.radii[-1])
-        return self.reduced[key]
+    def _ring(self, number: int) -> ReducedScene:
+        names = [name for ring in range(number + 1) for name in self.rings.objects(ring)]
+        return self._before(names, number, self.rings.radii[max(number, 1) - 1])
+
+    def _portion(self, number: int) -> ReducedScene:
+        """All objects up to a portion; beyond the last one also the map."""
+        scene, rings = self.rings.scene, self.rings
+        if self.portions is None:
+            self.portions = Portions.of(rings, scene=scene)
+        there = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
+        names = [scene.object_names[place] for place in there]
+        ring = rings.count if number > self.portions.count else None
+        return self._before(names, ring, rings.radii[-1])
 
     def _before(self, names: list[str], ring: int | None, radius: float) -> ReducedScene:
         """Whole objects before the map of a ring, or before nothing."""
@@ -148,7 +153,7 @@ class Pictures:
         return both if shown.share >= 0.5 else replace(both, object_id=frame.object_id)
 
     def _of_ring(self, shown: Shown, ring: int, view: Camera) -> Frame:
-        reduced = self.parts.portion(ring) if self.by_footprint else self.parts.ring(ring)
+        reduced = self.parts.state(ring, by_footprint=self.by_footprint)
         frame = reduced.with_growth(shown.radius, shown.strength).render(view, channels=CHANNELS)
         if reduced.env is not None:
             return frame
