@@ -17,6 +17,7 @@ import pytest
 from referencing import Registry, Resource
 
 import nearfar as nf
+from benchmarks.harness.link import no_link
 from nearfar._base import data as data_files, formats
 from tests.support.reader_cases import no_browser, no_node, no_web
 
@@ -94,6 +95,7 @@ PARTS: dict[str, Callable[[], str]] = {
     ),
     "ipywidgets": _module("ipywidgets"),
     "jupyterlab": _module("jupyterlab"),
+    "link": no_link,
     "linux": lambda: "" if sys.platform == "linux" else "only Linux tells and limits a process's memory",
     "matplotlib": _module("matplotlib"),
     "miniball": _module("miniball"),

@@ -1,0 +1,139 @@
+"""A real link with a rate, a delay and losses: two network namespaces and a process between them.
+
+with shaped(nf.stream.Link(50, rtt_ms=20, loss=0.01)) as link:
+    link.command("server", ["python", "-m", "http.server"])  # for subprocess: runs at the server's side
+    with link.side("server"):                                # sockets made here are at the server's side
+        ...
+
+TCP, UDP and QUIC cross it alike. It needs root, `ip` and `nsenter`; `no_link` says what is missing. The machine's own
+network stays as it is, and nothing is left behind, however the process ends: a namespace without a name ends with what
+holds it.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import nearfar as nf
+from benchmarks.harness.link.namespace import ADDRESSES, inside, new_namespace, no_link
+
+SERVER, CLIENT = ADDRESSES
+SIDES = ("server", "client")
+CHECKOUT = Path(__file__).resolve().parents[3]
+QUEUE_SECONDS = 0.1
+"""How long a full queue before the bottleneck takes, at the link's first rate."""
+
+__all__ = ["CLIENT", "SERVER", "Shaped", "no_link", "shaped"]
+
+
+class Shaped:
+    """A link that is up; made by `shaped`."""
+
+    def __init__(self, namespaces: Sequence[int], process: subprocess.Popen[str], folder: Path) -> None:
+        self._namespaces = dict(zip(SIDES, namespaces, strict=True))
+        self._process, self._folder = process, folder
+
+    def side(self, name: str) -> AbstractContextManager[None]:
+        """Put this thread at one side, "server" or "client"; the sockets that it makes stay there."""
+        return inside(self._namespaces[name])
+
+    def command(self, name: str, arguments: Sequence[str]) -> list[str]:
+        """The command that runs a program at one side, while this process lives."""
+        return ["nsenter", f"--net=/proc/{os.getpid()}/fd/{self._namespaces[name]}", *arguments]
+
+    def program(self, name: str, path: str) -> str:
+        """The path of a program that runs another one at one side, with the arguments that it is given."""
+        script = self._folder / f"{name}-{Path(path).name}"
+        script.write_text(f'#!/bin/sh\nexec {" ".join(self.command(name, [path]))} "$@"\n')
+        script.chmod(0o700)
+        return str(script)
+
+    def counts(self) -> dict[str, Any]:
+        """Packets that went `down` to the client and `up`; the `latest` delivery in seconds after its time; `cpu`."""
+        assert self._process.stdin
+        self._process.stdin.write("\n")
+        self._process.stdin.flush()
+        return _answer(self._process)
+
+
+@contextmanager
+def shaped(
+    link: nf.stream.Link, *, queue: int | None = None, congestion: str = "cubic", seed: int = 0
+) -> Iterator[Shaped]:
+    """Bring up a link between two sides; both directions have its rate, half its delay, and its losses.
+
+    Parameters
+    ----------
+    link
+        Rate or trace, which counts all bytes from IP headers on and begins with the first packet; delay and loss.
+    queue
+        Bytes that wait before the bottleneck; what finds it full is dropped. By default those of a tenth of a second.
+    congestion
+        TCP's congestion control on both sides, one of those that the kernel has.
+    seed
+        Of the losses.
+
+    Raises
+    ------
+    OSError
+        Where no link can be had, with what is missing; for a congestion control that the kernel does not have.
+    """
+    reason = no_link()
+    if reason:
+        raise OSError(reason)
+    namespaces = [new_namespace(), new_namespace()]
+    try:
+        given = {
+            "link": asdict(link),
+            "queue": _queue(link) if queue is None else queue,
+            "congestion": congestion,
+            "seed": seed,
+            "namespaces": namespaces,
+        }
+        with TemporaryDirectory() as folder, _forwarder(given) as process:
+            yield Shaped(namespaces, process, Path(folder))
+    finally:
+        for namespace in namespaces:
+            os.close(namespace)
+
+
+def _queue(link: nf.stream.Link) -> int:
+    clock = link._clock()
+    return max(int(QUEUE_SECONDS * float(clock._rates[0])), 16 * 1500)
+
+
+@contextmanager
+def _forwarder(given: dict[str, Any]) -> Iterator[subprocess.Popen[str]]:
+    """The process between the sides; it lives until this ends."""
+    # An interrupt is for whoever uses the link, who then closes it. The process ends when its input is closed.
+    with subprocess.Popen(
+        [sys.executable, "-m", "benchmarks.harness.link.forward", json.dumps(given)],
+        cwd=CHECKOUT,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        pass_fds=given["namespaces"],
+        start_new_session=True,
+    ) as process:
+        _answer(process)
+        yield process
+
+
+def _answer(process: subprocess.Popen[str]) -> dict[str, Any]:
+    assert process.stdout
+    line = process.stdout.readline()
+    if not line:
+        raise OSError("the process that carries packets has ended")
+    answer: dict[str, Any] = json.loads(line)
+    if "problem" in answer:
+        raise OSError(answer["problem"])
+    return answer

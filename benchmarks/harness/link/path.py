@@ -1,0 +1,69 @@
+"""One direction of a link: a queue before a bottleneck, packets that are lost, and a delay."""
+
+from __future__ import annotations
+
+import random
+from collections import deque
+from dataclasses import dataclass
+
+from nearfar.stream._link import Clock
+
+
+@dataclass
+class Counts:
+    """Packets of one direction."""
+
+    taken: int = 0
+    """That a side sent."""
+    overflowed: int = 0
+    """That found the queue full."""
+    lost: int = 0
+    """That were lost behind the bottleneck."""
+    delivered: int = 0
+    delivered_bytes: int = 0
+    """With all headers from IP on."""
+
+
+class Path:
+    """Packets on their way, on a clock that the caller reads. Nothing overtakes."""
+
+    def __init__(self, clock: Clock, *, delay: float, loss: float, queue: int, seed: int) -> None:
+        """Take what tells how long bytes take, seconds of delay, the share lost, and bytes of the queue."""
+        self._clock, self._delay, self._loss, self._most = clock, delay, loss, queue
+        self._random = random.Random(seed).random
+        self._waiting = deque[tuple[float, int]]()
+        """When packets are through the bottleneck, and their bytes."""
+        self._queued = 0
+        self._through = 0.0
+        self._flying = deque[tuple[float, bytes]]()
+        self.counts = Counts()
+
+    def take(self, now: float, packet: bytes) -> None:
+        """A side sends a packet."""
+        counts, waiting, size = self.counts, self._waiting, len(packet)
+        counts.taken += 1
+        while waiting and waiting[0][0] <= now:
+            self._queued -= waiting.popleft()[1]
+        if self._queued + size > self._most:
+            counts.overflowed += 1
+            return
+        self._through = self._clock.after(max(now, self._through), size)
+        self._queued += size
+        waiting.append((self._through, size))
+        if self._random() < self._loss:
+            counts.lost += 1
+            return
+        self._flying.append((self._through + self._delay, packet))
+
+    def next(self) -> float | None:
+        """When the next packet arrives at the other side."""
+        return self._flying[0][0] if self._flying else None
+
+    def due(self, now: float) -> list[bytes]:
+        """Take the packets off the link that have arrived."""
+        flying, arrived = self._flying, list[bytes]()
+        while flying and flying[0][0] <= now:
+            arrived.append(flying.popleft()[1])
+        self.counts.delivered += len(arrived)
+        self.counts.delivered_bytes += sum(map(len, arrived))
+        return arrived
