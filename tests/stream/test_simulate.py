@@ -12,6 +12,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.stream._strategies import STRATEGIES, plan_of
+from tests.support import need
 from tests.support.bundle_cases import write
 
 LINK = nf.stream.Link(8.0)
@@ -145,6 +146,16 @@ def test_a_timeline_is_written(bundle: nf.stream.Bundle, tmp_path: Path) -> None
     assert "clovrd" in repr(line)
     with pytest.raises(ValueError, match="time: expected times of at least 0"):
         line.bytes_at(-1.0)
+
+
+def test_a_timeline_is_plotted(bundle: nf.stream.Bundle, monkeypatch: pytest.MonkeyPatch) -> None:
+    need("matplotlib")
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    line = nf.stream.simulate(bundle, link=LINK, strategy="clovrd")
+    for value, rows in (("bytes", line.received[:, 1]), ("radius", line.frames["radius"])):
+        np.testing.assert_array_equal(line.plot(value=value).lines[0].get_ydata(), rows)
+    with pytest.raises(ValueError, match="value"):
+        line.plot(value="ovc")
 
 
 @pytest.mark.parametrize(

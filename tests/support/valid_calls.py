@@ -20,6 +20,7 @@ NEEDS = {
     "nearfar.lod.LodModel.plot": "matplotlib",
     "nearfar.lod.simplify": "fast_simplification",
     "nearfar.stream.Bundle.show": "anywidget",
+    "nearfar.stream.Timeline.plot": "matplotlib",
 }
 """Parts of `tests.support.PARTS` that callables need."""
 
@@ -59,7 +60,7 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.stream.Bundle": lambda: valid.bundle,
         "nearfar.stream.Growth": lambda: nf.stream.Growth((2.0, 4.0)),
         "nearfar.stream.RingMaps": lambda: valid.ring_maps,
-        "nearfar.stream.Timeline": lambda: nf.stream.simulate(valid.bundle, link=nf.stream.Link(50.0)),
+        "nearfar.stream.Timeline": lambda: valid.timeline,
         "nearfar.stream.Rings": lambda: valid.ring_maps.rings,
         "nearfar.stereo.AdaptivePlane": lambda: nf.stereo.AdaptivePlane(valid.hmd),
         "nearfar.stereo.TemporalAntialiasing": nf.stereo.TemporalAntialiasing,

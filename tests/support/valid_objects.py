@@ -99,6 +99,11 @@ class Valid:
         return nf.stream.export(self.scene, self.folder / "bundle", **given)
 
     @functools.cached_property
+    def timeline(self) -> nf.stream.Timeline:
+        """A client that loads these files."""
+        return nf.stream.simulate(self.bundle, link=nf.stream.Link(50.0), strategy="clovrd")
+
+    @functools.cached_property
     def env(self) -> nf.EnvMap:
         """A map with all channels."""
         ranges = np.full((6, 4, 4), 9.0, np.float32)

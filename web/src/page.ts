@@ -1,6 +1,7 @@
 /** The page: opens the bundle that its address names, and draws it for whoever looks. */
 import { BundleError, damagedFile } from './bundle/error';
 import { openSource } from './bundle/source';
+import { upTo } from './bundle/up_to';
 import { createControls } from './control/controls';
 import { distance } from './control/limit';
 import { readLink, writeLink } from './control/link';
@@ -41,7 +42,7 @@ async function main(): Promise<void> {
   const strategy = strategyOf(query.get('strategy'));
   const source = await openSource(base, meter.receive, new AbortController().signal);
   meter.restart();
-  const manifest = strategy.arrange(source.manifest);
+  const manifest = upTo(query.get('rings'), strategy.arrange(source.manifest));
   const first = manifest.regions[0];
   if (!first) throw new BundleError('manifest.json: expected a region, got none');
   let headset: Headset | null = null;
@@ -56,7 +57,6 @@ async function main(): Promise<void> {
   const viewer = createViewer(canvas, {
     manifest,
     fetch: source.fetch,
-    last: Number.parseInt(query.get('rings') ?? '', 10) || first.rings.length,
     worker: new URL('worker.js', import.meta.url),
     angle: ANGLE,
     antialias: query.get('aa') !== '0',
@@ -71,6 +71,8 @@ async function main(): Promise<void> {
     },
     lost(isLost) {
       problems = isLost ? [LOST] : [];
+      // Its pictures are gone with the graphics, and what comes back is not the headset's.
+      if (isLost && headset?.isPresenting) void headset.toggle();
     },
     moved(pose) {
       controls.setPose(pose);

@@ -234,3 +234,12 @@ test('keys run commands once each, but not where they walk or where a shortcut i
   press(keys, 'KeyC', { key: 'c' });
   assert.deepEqual(ran, ['split', 'help', 'home', 'link']);
 });
+
+test('a press while the pointer is locked neither captures it nor stops the looking around', () => {
+  const { element, controls } = steered();
+  controls.lookAround();
+  point(element, 'pointerdown', 400, 300);
+  point(element, 'pointermove', 400, 300, { movementX: 60 });
+  close(controls.update(0.1).yaw, -60 * 1.6 / 600);
+  assert.equal(element.held.size, 0);
+});

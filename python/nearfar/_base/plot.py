@@ -63,6 +63,14 @@ def score_curves(
     return axes
 
 
+def over_time(ax: Axes | None, times: NDArray[Any], values: NDArray[Any], name: str, *, steps: bool) -> Axes:
+    """Plot values over seconds, which stay until the next one with `steps`; see `Timeline.plot`."""
+    axes = _axes(ax)
+    axes.plot(times, values, drawstyle="steps-post" if steps else "default")
+    axes.set(xlabel="seconds", ylabel=name)
+    return axes
+
+
 def _axes(ax: Axes | None) -> Axes:
     """Return the caller's axes, or new ones; TypeError for anything else."""
     if ax is None:

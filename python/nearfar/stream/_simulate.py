@@ -8,11 +8,15 @@ from typing import Any, SupportsFloat, SupportsIndex
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
+from nearfar._camera.camera import Camera
+from nearfar._scene.scene import Scene
 from nearfar.stream import _store
 from nearfar.stream._bundle import Bundle
+from nearfar.stream._client_pictures import SceneParts
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._link import Link
 from nearfar.stream._loading import MANIFEST, Course, Loader, follow
+from nearfar.stream._measures import measured
 from nearfar.stream._stage import Rates, least_radius
 from nearfar.stream._strategies import STRATEGIES, Plan, plan_of
 from nearfar.stream._timeline import Timeline
@@ -36,6 +40,10 @@ def simulate(
     frame_ms: SupportsFloat = 0.0,
     triangles_per_second: SupportsFloat | None = None,
     seed: SupportsIndex = 0,
+    scene: Scene | None = None,
+    camera: Camera | None = None,
+    size: SupportsIndex = 128,
+    every: SupportsFloat = 0.5,
 ) -> Timeline:
     """Load a region of a bundle over a link as the page does, on a virtual clock.
 
@@ -65,6 +73,15 @@ def simulate(
         What a frame takes: milliseconds, and more for its triangles; None for no time.
     seed
         Seed of the lost packets.
+    scene
+        The scene that was exported, to measure what the user sees of it: its rings before maps without the losses of
+        files. None measures nothing.
+    camera
+        The view in which it is measured, moved to the user's eye; by default all directions, as six faces of `size`².
+    size
+        Pixels along a face, 16 to 4096.
+    every
+        Seconds between the frames that are looked at, besides those in which a ring, or a cross-fade, begins.
 
     Returns
     -------
@@ -92,10 +109,19 @@ def simulate(
     frame = check.within("frame_ms", frame_ms, 0.0, 1e9) / 1e3
     pace = triangles_per_second
     each = 0.0 if pace is None else 1.0 / check.within("triangles_per_second", pace, 1.0, 1e15)
+    pixels, gap = check.integer("size", size, 16, 4096), check.within("every", every, 1e-3, MOST_SECONDS)
+    if scene is not None:
+        check.instance("scene", scene, Scene)
+    if camera is not None:
+        check.instance("camera", camera, Camera)
     plan = plan_of(strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
     transport = Transport(link, seed=check.integer("seed", seed, 0, 2**63 - 1))
     course = _course(bundle, plan, transport, path, rate=frames, duration=ends, seconds_per_byte=per_byte)
-    return Timeline._of(strategy, plan, course, transport.curve, frame_seconds=frame, triangle_seconds=each)
+    line = Timeline._of(strategy, plan, course, transport.curve, frame_seconds=frame, triangle_seconds=each)
+    if scene is None:
+        return line
+    parts = SceneParts.of(scene, bundle, camera, pixels)
+    return measured(line, parts, path, every=gap, rate=frames, duration=ends)
 
 
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat) -> float:
@@ -104,7 +130,8 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat) -> float:
     Parameters
     ----------
     bundle
-        The bundle; the region that it speaks of is loaded, as `simulate` does by "clovr".
+        The bundle; the region that it speaks of is loaded, as `simulate` does by "clovrd": no ring waits until another
+        one has faded in.
     link
         The client's link.
     seconds

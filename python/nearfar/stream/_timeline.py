@@ -6,14 +6,17 @@ import json
 import math
 import os
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar._base import check, files
+from nearfar._base import check, files, plot
 from nearfar.stream._loading import Course
 from nearfar.stream._strategies import Plan
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 FRAME_COLUMNS = ("time", "ring", "radius", "strength", "share", "triangles", "seconds")
 
@@ -43,6 +46,12 @@ class Timeline:
     frames: dict[str, NDArray[Any]] = field(default_factory=dict)
     """By name, an entry for each frame: `time`; `ring` that is shown (−1 for blank); `radius` in metres and `strength`
     of the morph; `share` of the next ring's picture that fades in; `triangles` drawn, and the `seconds` of drawing."""
+    pictures: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    """With a scene, by name, an entry for each frame that was looked at: `time`; `ovc` and `ofc`, as
+    `nearfar.object_completion` measures them against the truth for the user; `continuity`, the similarity with the
+    frame before."""
+    renders: int = 0
+    """How many pictures were rendered for that, of all views at once."""
 
     @classmethod
     def _of(
@@ -133,6 +142,8 @@ class Timeline:
                 for time, count in zip(self.ring_times.tolist(), self.ring_triangles.tolist(), strict=True)
             ],
             "received": self.received.tolist(),
+            "pictures": {name: [_number(value) for value in values.tolist()] for name, values in self.pictures.items()},
+            "renders": self.renders,
             "frames": {name: [_number(value) for value in values.tolist()] for name, values in self.frames.items()},
         }
 
@@ -147,6 +158,30 @@ class Timeline:
         place = check.path("path", path)
         with files.atomic_file(place) as temporary:
             temporary.write_text(json.dumps(self.to_dict(), allow_nan=False) + "\n", encoding="utf-8")
+
+    def plot(self, ax: Axes | None = None, *, value: str = "bytes") -> Axes:
+        """Plot one value over time with matplotlib.
+
+        Parameters
+        ----------
+        ax
+            Axes of matplotlib; new ones by default.
+        value
+            "bytes" that have come, or the name of an array of `frames` or `pictures`, such as "radius" or "ovc".
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is not installed.
+        ValueError, TypeError
+            For other names, and for what is not axes.
+        """
+        arrays = {**self.frames, **self.pictures}
+        check.choice("value", value, ["bytes", *(name for name in arrays if name != "time")])
+        if value == "bytes":
+            return plot.over_time(ax, self.received[:, 0], self.received[:, 1], value, steps=False)
+        rows = self.pictures if value in self.pictures else self.frames
+        return plot.over_time(ax, rows["time"], rows[value], value, steps=True)
 
     def __repr__(self) -> str:
         return (

@@ -81,14 +81,15 @@ class Transport:
         self._order = itertools.count()
         self._connections: list[_Connection] = []
         self._waiting: deque[_Flow] = deque()
-        self._asked: set[str] = set()
+        self.asked: dict[str, int] = {}
+        """Bytes of the files that were asked for, in that order."""
         self._open = 0
         self._is_busy = False
 
     def ask(self, name: str, count: int) -> None:
         """Ask for a file of so many bytes now, unless that was done."""
-        if name not in self._asked:
-            self._asked.add(name)
+        if name not in self.asked:
+            self.asked[name] = count
             self._waiting.append(_Flow(name, count))
             self._fill()
 

@@ -13,10 +13,10 @@ export function filesOfRing(ring: RingEntry): string[] {
   return [...filesOfGeometry(ring), ...filesOfMap(ring.map)];
 }
 
-/** All files of a region up to a ring, each once; those of what moves are among them. */
-export function filesOfRegion({ dynamic }: Manifest, { rings }: RegionEntry, last: number): Set<string> {
+/** All files of a region, each once; those of what moves are among them. */
+export function filesOfRegion({ dynamic }: Manifest, { rings }: RegionEntry): Set<string> {
   const moving = dynamic ? filesOfGeometry(dynamic) : [];
-  return new Set([...moving, ...rings.slice(0, last + 1).flatMap(filesOfRing)]);
+  return new Set([...moving, ...rings.flatMap(filesOfRing)]);
 }
 
 export function bytesOf({ files }: Manifest, names: Iterable<string>): number {

@@ -73,6 +73,8 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   }
 
   function down(event: PointerEvent): void {
+    // A locked pointer looks around by itself, and cannot be captured.
+    if (isLocked()) return;
     isTouch = event.pointerType === 'touch';
     const isMouse = event.pointerType === 'mouse';
     const isFirst = event.button === 0 && !event.shiftKey;

@@ -88,7 +88,7 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       arrived: -1,
       shown: null,
       received: 0,
-      expected: bytesOf(manifest, filesOfRegion(manifest, entry, loading.last)),
+      expected: bytesOf(manifest, filesOfRegion(manifest, entry)),
       state: 'loading',
     };
     opens.set(number, open);
@@ -125,7 +125,7 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
     open.stop.abort();
     open.region.dispose();
     waiting = waiting.filter(({ region }) => region !== open.number);
-    const needed = [...opens.values()].flatMap(({ region }) => [...filesOfRegion(manifest, region.entry, loading.last)]);
+    const needed = [...opens.values()].flatMap(({ region }) => [...filesOfRegion(manifest, region.entry)]);
     const request = { kind: 'forget', buffers: store.keep(new Set(needed)), region: open.number } as const;
     Promise.all([loading.geometry(request), loading.maps(request)]).then(
       (answers) => {

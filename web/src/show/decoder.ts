@@ -28,6 +28,7 @@ export function startDecoder(script: URL): Worked {
   const worker = new Worker(script, { type: 'module' });
   const waiting = new Map<number, { done: (value: never) => void; failed: (reason: Error) => void }>();
   let last = 0;
+  let stopped: BundleError | null = null;
 
   worker.onmessage = ({ data }: MessageEvent<Answer>) => {
     const asked = waiting.get(data.id);
@@ -36,13 +37,18 @@ export function startDecoder(script: URL): Worked {
     else asked?.done(data.result as never);
   };
   worker.onerror = (event) => {
-    const reason = new BundleError(`the decoder stopped: ${event.message || 'the browser gives no reason'}`, 'other');
-    for (const { failed } of waiting.values()) failed(reason);
+    stopped = new BundleError(`the decoder stopped: ${event.message || 'the browser gives no reason'}`, 'other');
+    for (const { failed } of waiting.values()) failed(stopped);
     waiting.clear();
   };
 
   const decode = (request: Request): Promise<never> =>
     new Promise((done, failed) => {
+      // Nobody would answer.
+      if (stopped) {
+        failed(stopped);
+        return;
+      }
       const id = ++last;
       waiting.set(id, { done, failed });
       worker.postMessage({ ...request, id }, buffersOf(request));

@@ -27,8 +27,6 @@ export interface Loading {
   readonly geometry: Decoder;
   readonly maps: Decoder;
   readonly fetch: Fetch;
-  /** Number of the last ring that is loaded. */
-  readonly last: number;
   readonly programs: Programs;
   readonly warm: (mesh: PieceMesh) => void;
 }
@@ -58,7 +56,7 @@ interface Job extends Loading, Course {
 /** Load all rings; while one is decoded and uploaded, files of the next one are fetched. */
 export async function loadRegion(loading: Loading, course: Course): Promise<void> {
   const { number, region, received, signal, turn } = course;
-  const { manifest, last } = loading;
+  const { manifest } = loading;
   const sizeOf = (name: string): number => manifest.files[name]?.bytes ?? 0;
   const fetch: Fetch = (name, own) => loading.fetch(name, own, received);
   const job: Job = { ...loading, ...course, ahead: createAhead(fetch, sizeOf), had: new Set() };
@@ -68,7 +66,7 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
   course.arrived(0);
   const { dynamic } = manifest;
   if (dynamic) await loadGeometry(job, 0, dynamic.geometry, dynamic.parts);
-  for (let ring = 1; ring < rings.length && ring <= last; ring++) {
+  for (let ring = 1; ring < rings.length; ring++) {
     const described = rings[ring];
     if (!described) throw new Error(`region ${number} has no ring ${ring}`);
     await turn(signal);
@@ -76,7 +74,7 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
     if (described.map) jobs.push(loadMap(job, ring, described.map));
     if (described.geometry !== null) jobs.push(loadGeometry(job, ring, described.geometry, described.parts));
     // After those of this ring.
-    const next = ring < last ? rings[ring + 1] : undefined;
+    const next = rings[ring + 1];
     const isNew = (name: string): boolean => !isHere(loading, name) && !job.had.has(name);
     if (next) job.ahead.want(filesOfRing(next).filter(isNew), signal);
     await Promise.all(jobs);

@@ -33,8 +33,6 @@ const FAR = 30_000;
 export interface Settings extends Manner {
   readonly manifest: Manifest;
   readonly fetch: Fetch;
-  /** Number of the last ring that is loaded. */
-  readonly last: number;
   readonly worker: URL;
   /** Vertical field of view, degrees. */
   readonly angle: number;
@@ -140,7 +138,6 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     geometry: (workers[0] as Worked).decode,
     maps: (workers[1] as Worked).decode,
     fetch: settings.fetch,
-    last: settings.last,
     programs,
     warm(mesh) {
       // Rendering nothing of it uploads it.
@@ -337,6 +334,9 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     },
     photo() {
       if (renderer.xr.isPresenting) return Promise.reject(new Error('Pictures are saved outside the headset'));
+      if (loss.isLost || !leg || !atlas.find(leg.region)?.shown) {
+        return Promise.reject(new Error('There is no picture yet'));
+      }
       // In the same task as the drawing: a canvas keeps its picture no longer.
       paintAll();
       return new Promise((done, failed) => {

@@ -112,7 +112,11 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       announce('Picture saved');
     } else if (name === 'link') {
       const link = commands.link();
-      announce((await copyText(link)) ? 'Link copied' : link);
+      if (await copyText(link)) announce('Link copied');
+      else {
+        history.replaceState(null, '', link);
+        announce('The link stands in the address bar');
+      }
     } else if (name === 'home') {
       commands.home();
     } else if (name === 'next') {

@@ -86,7 +86,6 @@ function show(model: Model, view: View, source: KernelSource, failed: (reason: E
   const viewer = createViewer(canvas, {
     manifest,
     fetch: source.fetch,
-    last: Number.POSITIVE_INFINITY,
     worker: new URL(script),
     angle: Number(model.get('angle')),
     antialias: true,

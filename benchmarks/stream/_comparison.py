@@ -1,0 +1,108 @@
+"""Experiment 1 of CloVR (2024): what twenty users see while each strategy loads, and how sure the differences are."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar.stream._client_pictures import SceneParts
+from nearfar.stream._head_path import HeadPath
+from nearfar.stream._measures import mean_over_time, measured
+
+STRATEGIES = ("vis0", "vis1", "clovr", "clovrd")
+USERS, AWAY = 20, 2.0
+"""Number of users, and metres between each of them and the centre."""
+ALPHA = 0.05 / 6
+"""Level of each of six comparisons, so that all of them together err with 5 % at most (Bonferroni)."""
+
+ALL_STATES = 64
+"""States of clients, more than there are: all users see the same ones."""
+
+Point = tuple[float, float, float]
+
+
+def users(center: Point, seed: int = 1) -> list[tuple[Point, float]]:
+    """Seeded places and directions (degrees about the vertical) of users."""
+    turns = np.random.default_rng(seed).uniform(0.0, 2.0 * np.pi, (USERS, 2))
+    return [((center[0] + AWAY * math.cos(at), center[1], center[2] + AWAY * math.sin(at)), look) for at, look in turns]
+
+
+def camera_of(eye: Point, look: float, size: tuple[int, int]) -> nf.Camera:
+    """A level view of 90°."""
+    target = (eye[0] + math.cos(look), eye[1], eye[2] + math.sin(look))
+    return nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(90.0, size[0] / size[1]), size=size)
+
+
+def quality(
+    bundle: nf.stream.Bundle, parts: SceneParts, link: nf.stream.Link, size: tuple[int, int]
+) -> dict[str, NDArray[np.float64]]:
+    """(users, strategies) means of OVC and OFC, from the request until the slowest strategy has all of its files."""
+    lines = {name: nf.stream.simulate(bundle, link=link, strategy=name) for name in STRATEGIES}
+    end = max(lines[name].total for name in ("vis0", "vis1", "clovrd"))
+    found: dict[str, list[list[float]]] = {"ovc": [], "ofc": []}
+    for eye, look in users(bundle.center):
+        own = replace(parts, cameras=(camera_of(eye, look, size),), most=ALL_STATES)
+        path = HeadPath.of(eye, bundle.center)
+        rows = []
+        for name in STRATEGIES:
+            line = nf.stream.simulate(bundle, link=link, strategy=name, head_path=eye, duration=end)
+            rows.append(filled(line, seen(thinned(line), own, path, every=end)))
+        for kind, values in found.items():
+            values.append([mean_over_time(row["time"], row[kind], end) for row in rows])
+    return {kind: np.array(values) for kind, values in found.items()}
+
+
+def thinned(line: nf.stream.Timeline) -> nf.stream.Timeline:
+    """Of vis1 every fourth portion, and the last two states: the last portion, and the map."""
+    if line.strategy != "vis1":
+        return line
+    count = len(line.frames["time"])
+    keep = sorted({0, 1, *range(4, count, 4), count - 2, count - 1})
+    return replace(line, frames={name: values[keep] for name, values in line.frames.items()})
+
+
+def filled(line: nf.stream.Timeline, found: dict[str, Any]) -> dict[str, Any]:
+    """The portions between, linear in their numbers."""
+    if line.strategy != "vis1":
+        return found
+    numbers = np.arange(len(line.frames["time"]))
+    known = np.searchsorted(line.frames["time"], found["time"])
+    return {name: np.interp(numbers, known, values) for name, values in found.items()} | {"time": line.frames["time"]}
+
+
+def seen(line: nf.stream.Timeline, parts: SceneParts, path: HeadPath, *, every: float) -> dict[str, Any]:
+    """Measures of a timeline."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "the picture folds")
+        return measured(line, parts, path, every=every, rate=72.0, duration=math.inf).pictures
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two strategies compared by Wilcoxon's test of signed ranks."""
+
+    names: tuple[str, str]
+    z: float
+    p: float
+
+
+def significance(values: NDArray[np.float64]) -> tuple[float, float, list[Pair]]:
+    """Friedman's χ² and p, and all pairs."""
+    from scipy import stats
+
+    chi, p = stats.friedmanchisquare(*values.T)
+    pairs = []
+    for one, two in combinations(range(len(STRATEGIES)), 2):
+        found = stats.wilcoxon(values[:, one], values[:, two], method="asymptotic")
+        # The statistic is symmetric; the sign is that of the difference.
+        sign = np.sign(np.median(values[:, one] - values[:, two]))
+        names = (STRATEGIES[one], STRATEGIES[two])
+        pairs.append(Pair(names, float(sign * abs(stats.norm.isf(found.pvalue / 2.0))), float(found.pvalue)))
+    return float(chi), float(p), pairs

@@ -1,0 +1,85 @@
+"""Plots in the form of CloVR's (2024) figures 4, 6, 7 and 8."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+
+COLORS = {"vis0": "C3", "vis1": "C1", "clovr": "C0", "clovrd": "C2"}
+Lines = dict[str, nf.stream.Timeline]
+
+
+def _pyplot() -> Any:
+    import matplotlib as mpl
+
+    mpl.use("agg")
+    from matplotlib import pyplot
+
+    return pyplot
+
+
+def _save(figure: Any, path: Path) -> None:
+    figure.savefig(path, dpi=70)
+    _pyplot().close(figure)
+
+
+def quality(path: Path, places: dict[str, Lines]) -> None:
+    """Fig. 4: OVC, OFC and continuity by the share of geometry that has been loaded."""
+    figure, grid = _pyplot().subplots(3, len(places), figsize=(3.6 * len(places), 7), layout="constrained",
+                                      sharex=True, sharey="row", squeeze=False)  # fmt: skip
+    for column, (place, lines) in zip(grid.T, places.items(), strict=True):
+        for name, line in lines.items():
+            seen = line.pictures
+            share = np.interp(seen["time"], line.frames["time"], line.geometry_share)
+            for axes, kind in zip(column, ("ovc", "ofc"), strict=False):
+                axes.plot(share, seen[kind], color=COLORS[name], marker=".", ms=4, lw=1, label=name,
+                          drawstyle="steps-post")  # fmt: skip
+            column[2].plot(share, 1.0 - seen["continuity"], color=COLORS[name], marker=".", ms=4, lw=0, label=name)
+        column[0].set(title=place)
+        column[2].set(xlabel="share of geometry loaded", yscale="log", ylim=(1e-6, 2.0))
+    for axes, label in zip(grid[:, 0], ("OVC", "OFC", "1 − continuity"), strict=True):
+        axes.set(ylabel=label)
+    grid[0, 0].legend(fontsize="small")
+    _save(figure, path)
+
+
+def times(path: Path, places: dict[str, Lines]) -> None:
+    """Fig. 6: seconds until the picture is complete and until all is there. Fig. 7: seconds until each radius."""
+    figure, (left, right) = _pyplot().subplots(1, 2, figsize=(11, 3.8), layout="constrained")
+    width = 0.8 / len(COLORS)
+    for number, name in enumerate(COLORS):
+        at = np.arange(len(places)) + (number - 1.5) * width
+        chosen = [lines[name] for lines in places.values()]
+        left.bar(at, [line.total for line in chosen], width, color=COLORS[name], alpha=0.45)
+        left.bar(at, [line.picture for line in chosen], width, color=COLORS[name], label=name)
+    left.set_xticks(range(len(places)), [place.replace(", ", ",\n") for place in places], fontsize="small")
+    left.set(ylabel="seconds: complete picture, and all (pale)")
+    left.legend(fontsize="small")
+    for number, (place, lines) in enumerate(places.items()):
+        for name, style in (("clovrd", "-"), ("clovr", "--")):
+            line = lines[name]
+            right.plot(line.radii, line.ring_times[1:], style, color=f"C{number}", marker=".",
+                       label=f"{place}, {name}")  # fmt: skip
+        right.plot(lines["vis0"].radii[-1:], [lines["vis0"].total], "x", color=f"C{number}")
+    right.set(xlabel="R in metres", ylabel="seconds until ring R is there; × vis0")
+    right.legend(fontsize="x-small")
+    _save(figure, path)
+
+
+def rates(path: Path, places: dict[str, Lines], limit: float) -> None:
+    """Fig. 8: estimated frames a second while loading."""
+    figure, grid = _pyplot().subplots(1, len(places), figsize=(3.4 * len(places), 3), layout="constrained",
+                                      sharey=True, squeeze=False)  # fmt: skip
+    for axes, (place, lines) in zip(grid[0], places.items(), strict=True):
+        end = max(lines[name].total for name in lines) + 1.0
+        for name, line in lines.items():
+            shown = np.minimum(limit, 1.0 / np.maximum(line.frames["seconds"], 1e-9))
+            axes.step([*line.frames["time"], end], [*shown, shown[-1]], where="post", color=COLORS[name], label=name)
+        axes.set(title=place, xlabel="seconds", xlim=(0.0, end))
+    grid[0, 0].set(ylabel="frames a second, estimated", ylim=(0.0, limit * 1.05))
+    grid[0, 0].legend(fontsize="small")
+    _save(figure, path)

@@ -1,0 +1,174 @@
+"""The four strategies of CloVR (2024) simulated: times, what users see, and tests of the differences.
+
+python -m benchmarks.stream.strategies [--quick] [--place NUMBER] [--part NAME] [--plots out/bench]
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import tempfile
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.stream import _comparison, _strategy_plots as plots
+from benchmarks.stream._comparison import STRATEGIES
+from benchmarks.stream._near import EYE_HEIGHT, Place, places
+from nearfar.stream._client_pictures import Pictures, SceneParts
+from nearfar.stream._head_path import HeadPath
+from nearfar.stream._radii import PUBLISHED
+
+MBPS, RTT = 50.0, 20.0
+"""Rate in megabits a second, as in CloVR, and round trip in milliseconds."""
+TRIANGLES_PER_SECOND, DISPLAY = 181e6, 72.0
+"""A device that draws 35.6 million triangles 5.09 times a second, as CloVR prints for its unreduced City, if it has as
+many; and frames a second of its display."""
+
+PARTS = ("times", "seen", "comparison")
+
+
+@dataclass
+class Case:
+    """A bundle about a centre of a scene."""
+
+    place: Place
+    scene: nf.Scene
+    bundle: nf.stream.Bundle
+
+
+def exported(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
+    """Four places, or one of them; the second centre of the factory is 30 m along the hall."""
+    listed = places(quick)
+    x, _, z = listed[-1].center
+    listed.append(replace(listed[-1], name="factory, 30 m on", center=(x + 30.0, EYE_HEIGHT, z)))
+    numbers = range(len(listed)) if chosen is None else [chosen]
+    return [export(listed[number], folder / str(number), quick) for number in numbers]
+
+
+def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -> Case:
+    """A place's bundle; without instances also without compression."""
+    scene = place.make(instanced=instanced)
+    bundle = nf.stream.export(
+        scene,
+        folder,
+        center=place.center,
+        radii=PUBLISHED,
+        face_size=128 if quick else 1024,
+        by_footprint=True,
+        compression="meshopt" if instanced else None,
+    )
+    name = place.name if instanced else f"{place.name}, copies, plain"
+    return Case(replace(place, name=name), scene, bundle)
+
+
+def lines_of(case: Case, link: nf.stream.Link) -> plots.Lines:
+    """All strategies over a link."""
+    return {
+        name: nf.stream.simulate(
+            case.bundle, link=link, strategy=name, frame_ms=0.0, triangles_per_second=TRIANGLES_PER_SECOND
+        )
+        for name in STRATEGIES
+    }
+
+
+def print_times(cases: list[Case], link: nf.stream.Link) -> None:
+    """Times of all strategies at all places."""
+    rows = []
+    for case in cases:
+        start = time.perf_counter()
+        lines = lines_of(case, link)
+        took = time.perf_counter() - start
+        for name, line in lines.items():
+            sent, ends = f"{line.received[-1, 1] / 1e6:.2f}", (line.picture, line.first_ring, line.total, line.grown)
+            rows.append([case.place.name, name, sent, *(f"{end:.2f}" for end in ends)])
+        rows[-1].append(f"{took:.2f}")
+    header = ["place", "strategy", "MB", "picture, s", "near geometry", "all", "grown", "real s of the four"]
+    print(table(f"{MBPS:g} Mb/s, {link.rtt_ms:g} ms, loss {link.loss:g}", header, [[*row, ""][:8] for row in rows]))
+
+
+def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, every: float) -> dict[str, plots.Lines]:
+    """OVC, OFC and continuity for a user 1 m to the left of the centre, in all directions."""
+    found, rows = {}, []
+    for case in cases:
+        x, y, z = case.bundle.center
+        eye = (x - 1.0, y, z)
+        parts = SceneParts.of(case.scene, case.bundle, None, size)
+        own = found[case.place.name] = {
+            name: replace(line, pictures=_comparison.seen(line, parts, HeadPath.of(eye, (x, y, z)), every=every))
+            for name, line in lines[case.place.name].items()
+        }
+        pictures = Pictures(parts, by_footprint=False)
+        limit = nf.object_completion(pictures.truth(eye).objects, pictures.truth((x, y, z)).objects)
+        rows.append([case.place.name, "truth at the centre", *(f"{share:.3f}" for share in limit), "", "", ""])
+        for name, line in own.items():
+            seen = line.pictures
+            # From the first picture on.
+            later = [
+                value for when, value in zip(seen["time"], seen["continuity"], strict=True) if when > line.picture + 0.1
+            ]
+            first = [f"{seen[kind][1]:.3f}" for kind in ("ovc", "ofc")]
+            last = [f"{seen[kind][-1]:.3f}" for kind in ("ovc", "ofc")]
+            rows.append([case.place.name, name, *first, *last, f"{min(later, default=math.nan):.5f}"])
+    header = ["place", "strategy", "first OVC", "OFC", "last OVC", "OFC", "least continuity after the picture"]
+    print(table("a user 1 m to the left of the centre", header, rows))
+    return found
+
+
+def print_comparison(cases: list[Case], link: nf.stream.Link, size: tuple[int, int]) -> None:
+    """Experiment 1."""
+    rows, tests = [], []
+    for case in cases:
+        parts = SceneParts.of(case.scene, case.bundle, _comparison.camera_of(case.bundle.center, 0.0, size), 16)
+        for kind, values in _comparison.quality(case.bundle, parts, link, size).items():
+            means = [
+                f"{mean:.3f} ± {spread:.3f}" for mean, spread in zip(values.mean(0), values.std(0, ddof=1), strict=True)
+            ]
+            chi, p, pairs = _comparison.significance(values)
+            rows.append([case.place.name, kind.upper(), *means, f"{chi:.1f}", f"{p:.1e}"])
+            for pair in pairs:
+                sure = "yes" if pair.p < _comparison.ALPHA else "no"
+                tests.append(
+                    [case.place.name, kind.upper(), " – ".join(pair.names), f"{pair.z:.2f}", f"{pair.p:.5f}", sure]
+                )
+    print(table("means while loading, 20 users 2 m off", ["place", "", *STRATEGIES, "Friedman χ²(3)", "p"], rows))
+    print(table("Wilcoxon", ["place", "", "pair", "Z", "p", f"p < {_comparison.ALPHA:.5f}"], tests))
+
+
+def main() -> None:
+    """Print the tables and draw the plots."""
+    parse = argparse.ArgumentParser(description=__doc__)
+    parse.add_argument("--quick", action="store_true", help="smaller scenes and pictures")
+    parse.add_argument("--place", type=int, choices=range(4), help="one of the four places")
+    parse.add_argument("--part", choices=PARTS, help="one part of the tables")
+    parse.add_argument("--plots", type=Path, help="folder for plots")
+    arguments = parse.parse_args()
+    quick, plots_to = arguments.quick, arguments.plots
+    parts = PARTS if arguments.part is None else (arguments.part,)
+    print(machine())
+    link = nf.stream.Link(MBPS, rtt_ms=RTT)
+    if plots_to:
+        plots_to.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        cases = exported(quick, arguments.place, Path(folder))
+        lines = {case.place.name: lines_of(case, link) for case in cases}
+        if "times" in parts:
+            for other in (nf.stream.Link(MBPS), link, nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):
+                print_times(cases, other)
+            if arguments.place in (None, 2):
+                print_times([export(places(quick)[2], Path(folder) / "plain", quick, instanced=False)], link)
+            if plots_to:
+                plots.times(plots_to / "strategies_times.png", lines)
+                plots.rates(plots_to / "strategies_rates.png", lines, DISPLAY)
+        if "seen" in parts:
+            seen = print_seen(cases, lines, 32 if quick else 96, 20.0 if quick else 10.0)
+            if plots_to:
+                plots.quality(plots_to / "strategies_seen.png", seen)
+        if "comparison" in parts:
+            print_comparison(cases, link, (80, 50) if quick else (160, 100))
+
+
+if __name__ == "__main__":
+    main()

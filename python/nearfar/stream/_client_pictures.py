@@ -1,0 +1,162 @@
+"""What a user sees of a scene while a client loads it, with object numbers: for measuring."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._camera.camera import Camera, CubeFace
+from nearfar._metrics import inputs
+from nearfar._partition.partition import partition
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._render import truth
+from nearfar._render.blend import blend
+from nearfar._render.frame import Frame
+from nearfar._scene.scene import Scene
+from nearfar.stream._assign import Rings, assign
+from nearfar.stream._bundle import Bundle
+from nearfar.stream._by_footprint import Portions
+from nearfar.stream._manifest import NEAR_SHARE
+from nearfar.stream._maps import RingMaps, bake_maps
+from nearfar.stream._stage import Shown
+
+TEXELS = 3
+"""Texels of maps along a pixel of a face, an odd number, so that the middle of a pixel is that of a texel."""
+KEPT = 4
+"""Pictures, and states of a client, that are kept, because the next ones may be the same."""
+CHANNELS = ("color", "object_id")
+
+Eye = tuple[float, float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """Luma, encoded as sRGB, and object numbers, (H, W); −1 for none."""
+
+    luma: NDArray[np.float64]
+    objects: NDArray[np.int32]
+
+
+@dataclass(eq=False)
+class SceneParts:
+    """A scene in rings, and their maps, for all strategies and users."""
+
+    rings: Rings
+    maps: RingMaps
+    cameras: tuple[Camera, ...]
+    """Views, which are moved to the user's eye."""
+    most: int = KEPT
+    """How many states are kept, of those that were used last."""
+    reduced: OrderedDict[tuple[bool, int], ReducedScene] = field(default_factory=OrderedDict)
+    """These: by whether it is by footprint, and the number of the ring or portion."""
+    portions: Portions | None = None
+
+    @classmethod
+    def of(cls, scene: Scene, bundle: Bundle, camera: Camera | None, size: int) -> SceneParts:
+        """Bake the maps of a bundle's region anew; without a camera for six faces of some pixels."""
+        rings = assign(scene, center=bundle.center, radii=bundle.radii)
+        if rings.rest <= rings.count:
+            raise ValueError("scene: expected faces that all belong to objects, which are counted; name the objects")
+        if camera is None:
+            faces = (Camera(bundle.center, fov=CubeFace(face), size=(size, size)) for face in range(6))
+            maps = bake_maps(rings, face_size=TEXELS * size, object_id=True)
+            return cls(rings, maps, tuple(faces))
+        maps = bake_maps(rings, face_size=int(bundle._manifest["map"]["face_size"]), object_id=True)
+        return cls(rings, maps, (camera,))
+
+    def state(self, number: int, *, by_footprint: bool) -> ReducedScene:
+        """What a client shows that has all rings, or portions by footprint, up to one."""
+        key = (by_footprint, number)
+        if key not in self.reduced:
+            self.reduced[key] = self._portion(number) if by_footprint else self._ring(number)
+            if len(self.reduced) > self.most:
+                self.reduced.popitem(last=False)
+        self.reduced.move_to_end(key)
+        return self.reduced[key]
+
+    def _ring(self, number: int) -> ReducedScene:
+        names = [name for ring in range(number + 1) for name in self.rings.objects(ring)]
+        return self._before(names, number, self.rings.radii[max(number, 1) - 1])
+
+    def _portion(self, number: int) -> ReducedScene:
+        """All objects up to a portion; beyond the last one also the map."""
+        scene, rings = self.rings.scene, self.rings
+        if self.portions is None:
+            self.portions = Portions.of(rings, scene=scene)
+        there = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
+        names = [scene.object_names[place] for place in there]
+        ring = rings.count if number > self.portions.count else None
+        return self._before(names, ring, rings.radii[-1])
+
+    def _before(self, names: list[str], ring: int | None, radius: float) -> ReducedScene:
+        """Whole objects before the map of a ring, or before nothing."""
+        zones = partition(
+            self.rings.scene.subset(objects=names),
+            center=self.rings.center,
+            r1=NEAR_SHARE * radius,
+            r2=radius,
+            unit="object",
+        )
+        env = None if ring is None else self.maps.map(ring)
+        kept: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "is_whole": False}
+        return ReducedScene(zones.scene, zones, env, counts={**zones.summary(), "rays": 0}, **kept)
+
+
+@dataclass(eq=False)
+class Pictures:
+    """Pictures of a strategy, and how many were rendered."""
+
+    parts: SceneParts
+    by_footprint: bool
+    renders: int = 0
+    _kept: OrderedDict[tuple[Shown | None, Eye], Picture] = field(default_factory=OrderedDict)
+
+    def shown(self, shown: Shown, eye: Eye) -> Picture:
+        """What a client shows in a state."""
+        return self._find(shown, eye)
+
+    def truth(self, eye: Eye) -> Picture:
+        """The scene itself."""
+        return self._find(None, eye)
+
+    def _find(self, shown: Shown | None, eye: Eye) -> Picture:
+        key = (shown, eye)
+        if key not in self._kept:
+            self._kept[key] = self._make(shown, eye)
+            if len(self._kept) > KEPT:
+                self._kept.popitem(last=False)
+        self._kept.move_to_end(key)
+        return self._kept[key]
+
+    def _make(self, shown: Shown | None, eye: Eye) -> Picture:
+        views = [replace(camera, position=eye) for camera in self.parts.cameras]
+        if shown is not None and shown.ring < 0:
+            blank = np.concatenate([np.zeros(view.size[::-1]) for view in views])
+            return Picture(blank, np.full(blank.shape, -1, np.int32))
+        frames = [self._frame(shown, view) for view in views]
+        self.renders += 1 if shown is None or shown.share == 0.0 else 2
+        objects = np.concatenate([frame.require("object_id") for frame in frames])
+        return Picture(np.concatenate([inputs.luma(frame) for frame in frames]), objects)
+
+    def _frame(self, shown: Shown | None, view: Camera) -> Frame:
+        if shown is None:
+            return truth.render(self.parts.rings.scene, view, channels=CHANNELS)
+        frame = self._of_ring(shown, shown.ring, view)
+        if shown.share == 0.0:
+            return frame
+        both = blend(frame, self._of_ring(shown, shown.ring + 1, view), shown.share)
+        # Of two pictures the one that has more of the colour tells the objects.
+        return both if shown.share >= 0.5 else replace(both, object_id=frame.object_id)
+
+    def _of_ring(self, shown: Shown, ring: int, view: Camera) -> Frame:
+        reduced = self.parts.state(ring, by_footprint=self.by_footprint)
+        frame = reduced.with_growth(shown.radius, shown.strength).render(view, channels=CHANNELS)
+        if reduced.env is not None:
+            return frame
+        # Before the map comes the page shows black.
+        is_near = frame.require("object_id") >= 0
+        return replace(frame, color=frame.require("color") * is_near[..., None])

@@ -1,0 +1,67 @@
+"""How much of the scene a simulated client shows, and how evenly its pictures follow one another."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import progress
+from nearfar._metrics.pixel_errors import object_completion
+from nearfar._metrics.similarity import visual_continuity
+from nearfar.stream._client_pictures import Pictures, SceneParts
+from nearfar.stream._head_path import HeadPath
+from nearfar.stream._stage import Shown
+from nearfar.stream._timeline import Timeline
+
+
+def measured(
+    line: Timeline, parts: SceneParts, path: HeadPath, *, every: float, rate: float, duration: float
+) -> Timeline:
+    """Add `pictures` to a timeline: at each change of the ring or of a cross-fade, and so many seconds apart."""
+    pictures = Pictures(parts, by_footprint=line.strategy in ("vis0", "vis1"))
+    moments = _moments(line, path, every, min(duration, max(line.grown, float(path.times[-1]))))
+    rows = []
+    with progress.bar("client pictures") as report:
+        for number, time in enumerate(moments, 1):
+            eye, shown = path.at(time), _shown_at(line, time)
+            now = pictures.shown(shown, eye)
+            ovc, ofc = object_completion(pictures.truth(eye).objects, now.objects)
+            before = pictures.shown(_shown_at(line, time - 1.0 / rate), path.at(time - 1.0 / rate))
+            rows.append((time, ovc, ofc, next(visual_continuity([before.luma, now.luma], data_range=1.0))))
+            report(number, len(moments))
+    columns = np.array(rows, np.float64).reshape(-1, 4).T
+    names = ("time", "ovc", "ofc", "continuity")
+    return replace(line, pictures=dict(zip(names, columns, strict=True)), renders=pictures.renders)
+
+
+def _moments(line: Timeline, path: HeadPath, every: float, end: float) -> list[float]:
+    """Times of frames to look at."""
+    frames = line.frames
+    is_jump = np.zeros(len(frames["time"]), bool)
+    is_jump[1:] = (np.diff(frames["ring"]) != 0) | (np.diff(frames["share"] > 0.0))
+    if line.strategy != "clovr":
+        is_jump[:] = True
+    is_jump[[0, -1]] = True
+    steps = np.arange(1, math.floor(end / every) + 1) * every
+    if len(path.times) == 1:
+        # Where nothing changes the picture is the last one.
+        steps = steps[steps < line.grown]
+    return sorted({*frames["time"][is_jump].tolist(), *steps.tolist()})
+
+
+def _shown_at(line: Timeline, time: float) -> Shown:
+    frames = line.frames
+    # Times of frames are rounded; half a frame of a fast display is far more.
+    place = max(int(np.searchsorted(frames["time"], time + 1e-6, side="right")) - 1, 0)
+    values: dict[str, Any] = {name: float(frames[name][place]) for name in ("radius", "strength", "share")}
+    return Shown(ring=int(frames["ring"][place]), **values)
+
+
+def mean_over_time(times: NDArray[np.float64], values: NDArray[np.float64], end: float) -> float:
+    """The mean from 0 to an end of values that stay until the next time."""
+    bounds = np.minimum(np.append(times, end), end)
+    return float(np.diff(bounds) @ values / end)

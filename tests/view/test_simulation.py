@@ -1,0 +1,113 @@
+"""Simulated clients do what the page does: they ask for the same files in the same order, and show the same states."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.stream._head_path import HeadPath
+from nearfar.stream._simulate import _course
+from nearfar.stream._stage import Rates, Shown, Stage
+from nearfar.stream._strategies import STRATEGIES, plan_of
+from nearfar.stream._transport import Transport
+from nearfar.view._server import Server
+from tests.support import need
+from tests.support.browser import opened, started, wait_for_ring
+from tests.support.bundled_scenes import bundled_scenes
+from tests.support.web_cases import run
+
+pytestmark = pytest.mark.slow
+
+RADII = (10.0, 22.0, 63.0)
+SPEED, FADE = 0.7, 0.5
+
+DRIVER = """
+import { readFileSync, writeFileSync } from 'node:fs';
+import { NOTHING_NEAR } from './growth.mjs';
+import { createStage } from './stage.mjs';
+const [, , input, output] = process.argv;
+const told = JSON.parse(readFileSync(input, 'utf8')).map(({ manner, settings, steps }) => {
+  const stage = createStage(settings, manner);
+  stage.enter(NOTHING_NEAR);
+  return steps.map(({ arrives, seconds, least }) => {
+    for (const ring of arrives) stage.arrive(ring);
+    const shown = stage.advance(seconds, least);
+    if (!shown) return [-1, 0, 0, 0];
+    return [shown.ring, shown.grown.radius, shown.grown.strength, shown.fading?.share ?? 0];
+  });
+});
+writeFileSync(output, JSON.stringify(told));
+"""
+
+
+def walks() -> list[dict[str, Any]]:
+    """Arrivals at random times, of frames that take random times, for users at random distances."""
+    dice = np.random.default_rng(3)
+    settings = {"radii": RADII, "speed": SPEED, "reach": 1.0, "nearShare": 0.7, "fade": FADE}
+    found = []
+    for number in range(60):
+        manner = {"isSmooth": number % 3 < 2, "isWhole": number % 5 == 0}
+        waiting, steps = [0, 1, 2, 3], []
+        for _ in range(200):
+            arrives = [waiting.pop(0) for _ in range(int(dice.integers(0, 3))) if waiting and dice.random() < 0.2]
+            least = float(dice.choice([0.0, 5.0, 15.0]))
+            steps.append({"arrives": arrives, "seconds": float(dice.choice([0.0, 1 / 72, 0.3, 2.0])), "least": least})
+        found.append({"manner": manner, "settings": settings, "steps": steps})
+    return found
+
+
+def states(walk: dict[str, Any]) -> list[list[float]]:
+    rates = Rates(RADII, math.radians(SPEED), FADE)
+    stage = Stage(rates, is_smooth=walk["manner"]["isSmooth"], is_whole=walk["manner"]["isWhole"])
+    found = []
+    for step in walk["steps"]:
+        for ring in step["arrives"]:
+            stage.arrive(ring)
+        shown: Shown = stage.advance(step["seconds"], step["least"])
+        found.append([shown.ring, shown.radius, shown.strength, shown.share])
+    return found
+
+
+def test_states_are_those_of_the_page(tmp_path: Path) -> None:
+    need("web")
+    for name in ("growth", "stage"):
+        run("npx", "esbuild", f"src/show/{name}.ts", "--bundle", "--format=esm", f"--outfile={tmp_path / name}.mjs")
+    (tmp_path / "driver.mjs").write_text(DRIVER)
+    given = walks()
+    (tmp_path / "in.json").write_text(json.dumps(given))
+    run("node", str(tmp_path / "driver.mjs"), str(tmp_path / "in.json"), str(tmp_path / "out.json"))
+    for walk, told in zip(given, json.loads((tmp_path / "out.json").read_text()), strict=True):
+        np.testing.assert_allclose(states(walk), told, rtol=0, atol=1e-9)
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[Any]:
+    need("browser")
+    with started() as program:
+        yield program
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_files_are_asked_for_in_the_order_of_the_page(strategy: str, chromium: Any, tmp_path: Path) -> None:
+    scene, center = bundled_scenes()["city"], (3.0, 1.7, -2.0)
+    bundle = nf.stream.export(
+        scene, tmp_path / "b", center=center, radii=(10.0, 14.0, 40.0), face_size=64, by_footprint=True
+    )
+    plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
+    transport = Transport(nf.stream.Link(50.0, rtt_ms=5.0))
+    path = HeadPath.of(None, center)
+    _course(bundle, plan, transport, path, rate=72.0, duration=math.inf, seconds_per_byte=0.0)
+    asked: dict[str, None] = {}
+    names = [*bundle.files, "manifest.json"]
+    with Server(bundle._reader.place) as server, opened(chromium, 200, 150) as page:
+        page.on("request", lambda request: asked.update(dict.fromkeys(n for n in names if request.url.endswith(n))))
+        page.goto(f"{server.url}?strategy={strategy}")
+        wait_for_ring(page, len(plan.radii))
+    assert list(asked) == list(transport.asked)
