@@ -1,6 +1,6 @@
 """The four strategies over a real link, by the page in Chromium, beside their simulation.
 
-python -m benchmarks.stream.real [--quick] [--repeat N] [--loss SHARE ...] [--link-only] [--json FILE]
+python -m benchmarks.stream.real [--quick] [--repeat N] [--loss SHARE ...] [--link-only] [--place WORD] [--json FILE]
 
 The city and the factory at two centres each, 50 Mbit/s, 20 ms. Of each load: when the complete picture, the first near
 geometry and everything had been received, were ready (decoded, on the GPU) and were shown, from the request of the
@@ -190,6 +190,7 @@ def main() -> None:
     parser.add_argument("--repeat", type=int, default=5, help="loads of each; the medians are printed")
     parser.add_argument("--loss", type=float, nargs="+", default=[0.0, 0.01], help="shares of packets that are lost")
     parser.add_argument("--link-only", action="store_true", help="requests without the page")
+    parser.add_argument("--place", default="", help="places whose names have this in them, such as factory")
     parser.add_argument("--json", type=Path, help="file for all figures")
     given = parser.parse_args()
     if reason := no_link():
@@ -197,6 +198,8 @@ def main() -> None:
     print(machine())
     alone, whole = list[Outcome](), list[Outcome]()
     for place in all_places(given.quick):
+        if given.place not in place.name:
+            continue
         with tempfile.TemporaryDirectory() as name:
             bundle = nf.stream.export(place.make(), Path(name) / "bundle", center=place.center, by_footprint=True)
             nf.view.write_page(Path(name) / "bundle")
