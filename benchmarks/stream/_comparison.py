@@ -53,10 +53,28 @@ def quality(
         rows = []
         for name in STRATEGIES:
             line = nf.stream.simulate(bundle, link=link, strategy=name, head_path=eye, duration=end)
-            rows.append(seen(line, own, path, every=end))
+            rows.append(filled(line, seen(thinned(line), own, path, every=end)))
         for kind, values in found.items():
             values.append([mean_over_time(row["time"], row[kind], end) for row in rows])
     return {kind: np.array(values) for kind, values in found.items()}
+
+
+def thinned(line: nf.stream.Timeline) -> nf.stream.Timeline:
+    """Of vis1 every fourth portion, and the last two states: the last portion, and the map."""
+    if line.strategy != "vis1":
+        return line
+    count = len(line.frames["time"])
+    keep = sorted({0, 1, *range(4, count, 4), count - 2, count - 1})
+    return replace(line, frames={name: values[keep] for name, values in line.frames.items()})
+
+
+def filled(line: nf.stream.Timeline, found: dict[str, Any]) -> dict[str, Any]:
+    """The portions between, linear in their numbers."""
+    if line.strategy != "vis1":
+        return found
+    numbers = np.arange(len(line.frames["time"]))
+    known = np.searchsorted(line.frames["time"], found["time"])
+    return {name: np.interp(numbers, known, values) for name, values in found.items()} | {"time": line.frames["time"]}
 
 
 def seen(line: nf.stream.Timeline, parts: SceneParts, path: HeadPath, *, every: float) -> dict[str, Any]:

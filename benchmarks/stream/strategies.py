@@ -1,6 +1,6 @@
 """The four strategies of CloVR (2024) simulated: times, what users see, and tests of the differences.
 
-python -m benchmarks.stream.strategies [--quick] [--place NUMBER] [--plots out/bench]
+python -m benchmarks.stream.strategies [--quick] [--place NUMBER] [--part NAME] [--plots out/bench]
 """
 
 from __future__ import annotations
@@ -26,6 +26,8 @@ MBPS, RTT = 50.0, 20.0
 TRIANGLES_PER_SECOND, DISPLAY = 181e6, 72.0
 """A device that draws 35.6 million triangles 5.09 times a second, as CloVR prints for its unreduced City, if it has as
 many; and frames a second of its display."""
+
+PARTS = ("times", "seen", "comparison")
 
 
 @dataclass
@@ -72,12 +74,12 @@ def lines_of(case: Case, link: nf.stream.Link) -> plots.Lines:
     }
 
 
-def print_times(cases: list[Case], link: nf.stream.Link) -> dict[str, plots.Lines]:
+def print_times(cases: list[Case], link: nf.stream.Link) -> None:
     """Times of all strategies at all places."""
-    found, rows = {}, []
+    rows = []
     for case in cases:
         start = time.perf_counter()
-        lines = found[case.place.name] = lines_of(case, link)
+        lines = lines_of(case, link)
         took = time.perf_counter() - start
         for name, line in lines.items():
             sent, ends = f"{line.received[-1, 1] / 1e6:.2f}", (line.picture, line.first_ring, line.total, line.grown)
@@ -85,7 +87,6 @@ def print_times(cases: list[Case], link: nf.stream.Link) -> dict[str, plots.Line
         rows[-1].append(f"{took:.2f}")
     header = ["place", "strategy", "MB", "picture, s", "near geometry", "all", "grown", "real s of the four"]
     print(table(f"{MBPS:g} Mb/s, {link.rtt_ms:g} ms, loss {link.loss:g}", header, [[*row, ""][:8] for row in rows]))
-    return found
 
 
 def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, every: float) -> dict[str, plots.Lines]:
@@ -141,27 +142,32 @@ def main() -> None:
     parse = argparse.ArgumentParser(description=__doc__)
     parse.add_argument("--quick", action="store_true", help="smaller scenes and pictures")
     parse.add_argument("--place", type=int, choices=range(4), help="one of the four places")
+    parse.add_argument("--part", choices=PARTS, help="one part of the tables")
     parse.add_argument("--plots", type=Path, help="folder for plots")
     arguments = parse.parse_args()
-    quick = arguments.quick
+    quick, plots_to = arguments.quick, arguments.plots
+    parts = PARTS if arguments.part is None else (arguments.part,)
     print(machine())
     link = nf.stream.Link(MBPS, rtt_ms=RTT)
+    if plots_to:
+        plots_to.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         cases = exported(quick, arguments.place, Path(folder))
-        for other in (nf.stream.Link(MBPS), nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):
-            print_times(cases, other)
-        lines = print_times(cases, link)
-        if arguments.place in (None, 2):
-            plain = export(places(quick)[2], Path(folder) / "plain", quick, instanced=False)
-            print_times([plain], link)
-        if arguments.plots:
-            arguments.plots.mkdir(parents=True, exist_ok=True)
-            plots.times(arguments.plots / "strategies_times.png", lines)
-            plots.rates(arguments.plots / "strategies_rates.png", lines, DISPLAY)
-        seen = print_seen(cases, lines, 32 if quick else 96, 20.0 if quick else 10.0)
-        if arguments.plots:
-            plots.quality(arguments.plots / "strategies_seen.png", seen)
-        print_comparison(cases, link, (80, 50) if quick else (160, 100))
+        lines = {case.place.name: lines_of(case, link) for case in cases}
+        if "times" in parts:
+            for other in (nf.stream.Link(MBPS), link, nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):
+                print_times(cases, other)
+            if arguments.place in (None, 2):
+                print_times([export(places(quick)[2], Path(folder) / "plain", quick, instanced=False)], link)
+            if plots_to:
+                plots.times(plots_to / "strategies_times.png", lines)
+                plots.rates(plots_to / "strategies_rates.png", lines, DISPLAY)
+        if "seen" in parts:
+            seen = print_seen(cases, lines, 32 if quick else 96, 20.0 if quick else 10.0)
+            if plots_to:
+                plots.quality(plots_to / "strategies_seen.png", seen)
+        if "comparison" in parts:
+            print_comparison(cases, link, (80, 50) if quick else (160, 100))
 
 
 if __name__ == "__main__":

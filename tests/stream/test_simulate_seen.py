@@ -109,3 +109,13 @@ def test_faces_without_objects_are_refused(bundle: nf.stream.Bundle) -> None:
 def test_bad_arguments_are_named(bundle: nf.stream.Bundle, scene: nf.Scene, change: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match=next(iter(change))):
         simulate(bundle, scene, "clovr", **change)
+
+
+def test_a_user_outside_the_region_sees_what_renders_say(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
+    x, y, z = bundle.center
+    far = (x + 10.0, y, z)
+    with pytest.warns(UserWarning, match="the picture folds") as told:
+        bundle.at(2).render(nf.Camera.look_at(far, (0, 1, 0), fov=nf.Fov.symmetric(90), size=(8, 8)))
+    with pytest.warns(UserWarning, match="the picture folds") as simulated:
+        simulate(bundle, scene, "clovrd", head_path=far)
+    assert str(simulated[-1].message) == str(told[-1].message)

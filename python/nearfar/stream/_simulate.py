@@ -130,7 +130,8 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat) -> float:
     Parameters
     ----------
     bundle
-        The bundle; the region that it speaks of is loaded, as `simulate` does by "clovr".
+        The bundle; the region that it speaks of is loaded, as `simulate` does by "clovrd": no ring waits until another
+        one has faded in.
     link
         The client's link.
     seconds
