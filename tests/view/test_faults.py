@@ -269,6 +269,26 @@ def test_a_damaged_file_comes_anew_when_the_user_tries_again(page: Any, url: str
     assert page.locator("#message").inner_text() == ""
 
 
+def test_a_lost_network_leaves_the_last_picture(page: Any, url: str, place: Path) -> None:
+    """All trials of a file fail; when the network is back the user goes on where the page was."""
+    name = f"**/{ring_file(place, 2)}"
+    page.route(name, lambda route: route.abort("internetdisconnected"))
+    page.goto(f"{url}&strategy=clovrd")
+    assert "does not come" in wait_for_ring(page, len(RADII))
+    assert (arrived(page), shown_ring(page)) == (1, 1)
+    assert canvas(page).std() > 10
+    page.unroute(name)
+    page.get_by_role("button", name="Try again").click()
+    wait_until(page, lambda: shown_ring(page) == len(RADII))
+    assert page.locator("#message").inner_text() == ""
+
+
+def test_a_server_that_does_not_answer_is_told(page: Any, url: str) -> None:
+    page.route("**/manifest.json", lambda route: route.abort("connectionrefused"))
+    page.goto(url)
+    assert "cannot be reached" in wait_for_ring(page, 0)
+
+
 def test_a_browser_without_webgl_is_told(page: Any, url: str) -> None:
     page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null;")
     page.goto(url)
