@@ -249,6 +249,19 @@ def test_lost_graphics_come_back_with_the_picture(page: Any, url: str) -> None:
     assert after.std() > 10
 
 
+def test_a_page_that_gets_no_graphics_back_begins_anew_where_the_user_was(page: Any, url: str) -> None:
+    page.goto(url)
+    assert wait_for_ring(page, 1) == ""
+    place = [CENTER[0] + 0.5, CENTER[1], CENTER[2] - 0.25]
+    page.evaluate("(position) => window.nearfar.setPose({ position, yaw: 0.5, pitch: 0 })", place)
+    wait_until(page, lambda: page.evaluate("() => window.nearfar.pose.yaw") == 0.5)
+    page.evaluate(LOSE)
+    page.get_by_role("button", name="Try again").click()
+    wait_until(page, lambda: page.evaluate("() => !('loss' in window) && window.nearfar !== undefined"))
+    assert wait_for_ring(page, 1) == ""
+    assert page.evaluate("() => window.nearfar.pose") == {"position": place, "yaw": 0.5, "pitch": 0}
+
+
 def test_a_damaged_file_comes_anew_when_the_user_tries_again(page: Any, url: str, place: Path) -> None:
     """The browser may keep the damaged copy, which the server calls good for ever."""
     name = ring_file(place, 1)
