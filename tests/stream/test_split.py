@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import glb
+from nearfar.stream import _split
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE
 from tests.support import leveled_cases
@@ -183,3 +184,18 @@ def test_what_has_no_bound_is_refused_before_the_work(
     with pytest.raises(ValueError, match=f"^{named}"):
         nf.stream.export(street, tmp_path / "none", **{**SETTINGS, **changed})
     assert not (tmp_path / "none").exists()
+
+
+def test_too_many_triangles_are_refused_before_they_are_made(
+    street: nf.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(_split, "MOST_ADDED", 500)
+    with pytest.raises(ValueError, match=r"^split_px: too small for ring 1 .* more than 500 triangles to the rings"):
+        nf.stream.export(street, tmp_path / "none", split_px=SPLIT_PX, **SETTINGS)
+    assert not (tmp_path / "none").exists()
+
+
+def test_the_manifest_keeps_what_the_files_suit(bundles: tuple[nf.stream.Bundle, nf.stream.Bundle]) -> None:
+    assert [bundle.split_px for bundle in bundles] == [None, SPLIT_PX]
+    assert [bundle.pixels_per_degree for bundle in bundles] == pytest.approx([8.0, 8.0])
+    assert ["split to 2 px" in repr(bundle) for bundle in bundles] == [False, True]

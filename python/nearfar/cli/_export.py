@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Annotated, Any
 
 import typer
@@ -84,19 +86,20 @@ def export(
     centers, chosen = _read_centers(center), _read_radii(radii)
     loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     started = time.perf_counter()
-    bundle = nf.stream.export(
-        loaded,
-        output,
-        center=centers or choose(loaded, scene).eye,
-        grid=grid,
-        radii=chosen,
-        face_size=options.faces(face_size),
-        samples=samples,
-        quality=None if lossless else quality,
-        pixels_per_degree=pixels_per_degree or None,
-        split_px=split,
-        by_footprint=by_footprint,
-    )
+    with _options_named():
+        bundle = nf.stream.export(
+            loaded,
+            output,
+            center=centers or choose(loaded, scene).eye,
+            grid=grid,
+            radii=chosen,
+            face_size=options.faces(face_size),
+            samples=samples,
+            quality=None if lossless else quality,
+            pixels_per_degree=pixels_per_degree or None,
+            split_px=split,
+            by_footprint=by_footprint,
+        )
     seconds = time.perf_counter() - started
     regions = [bundle.region(number) for number in range(len(bundle.centers))]
     document = formats.header("export", VERSION) | {
@@ -116,6 +119,18 @@ def export(
         *note_rows(document),
     ]
     show(document, rows, title=scene, as_json=as_json)
+
+
+@contextmanager
+def _options_named() -> Iterator[None]:
+    """Name options in errors as the user typed them."""
+    try:
+        yield
+    except ValueError as error:
+        text = str(error).replace("split_px", "--split").replace("pixels_per_degree", "--pixels-per-degree")
+        if text == str(error):
+            raise
+        raise ValueError(text) from None
 
 
 def _read_centers(texts: list[str] | None) -> list[options.Point]:

@@ -54,6 +54,22 @@ class Bundle(InRegions):
         return Growth(self.radii, **{name: described[name] for name in ("speed", "reach", "fade")})
 
     @property
+    def pixels_per_degree(self) -> float | None:
+        """Pixels a degree of the display for which textures were halved; None if they are whole."""
+        return self._display.get("pixels_per_degree")
+
+    @property
+    def split_px(self) -> float | None:
+        """Greatest error, in that display's pixels, to which large triangles were split; None if they are whole."""
+        return self._display.get("split_px")
+
+    @property
+    def _display(self) -> dict[str, float | None]:
+        """What files suit; a bundle that was written before this was kept does not say."""
+        display: dict[str, float | None] = self._manifest.get("display", {})
+        return display
+
+    @property
     def count(self) -> int:
         """Number of rings n, without ring 0."""
         return len(self._rings) - 1
@@ -262,6 +278,10 @@ class Bundle(InRegions):
     def _repr_html_(self) -> str:
         facts = [("region", f"{self.number} of {len(self.centers)}"), ("centre", card.point(self.center))]
         facts.append(("bytes of all", f"{self.nbytes:,}"))
+        if self.pixels_per_degree is not None:
+            facts.append(("textures for", f"{self.pixels_per_degree:g} pixels a degree"))
+        if self.split_px is not None:
+            facts.append(("triangles split to", f"{self.split_px:g} px"))
         for number, row in enumerate(self.summary()):
             if row["dynamic"]:
                 moving = self._manifest["dynamic"]["triangles"]
@@ -273,7 +293,8 @@ class Bundle(InRegions):
 
     def __repr__(self) -> str:
         region = f"region {self.number} of {len(self.centers)}, {count(self.count, 'ring')} to {self.radii[-1]:g} m"
-        return f"Bundle({self._reader.place!r}: {region}, {self.nbytes:,} bytes)"
+        split = "" if self.split_px is None else f", split to {self.split_px:g} px"
+        return f"Bundle({self._reader.place!r}: {region}{split}, {self.nbytes:,} bytes)"
 
 
 def _geometry_files(entry: Mapping[str, Any] | None) -> list[str]:

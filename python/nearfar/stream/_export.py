@@ -96,7 +96,8 @@ def export(
         Greatest error in pixels of the client's display (see `pixels_per_degree`; 60 a degree if that is None) of a
         client that moves vertices and splits nothing itself: large triangles of rings are split as `nearfar.tessellate`
         does, for the growth of their ring, all later radii, and the users named above, 0.001 to 1000. A mesh that is
-        placed several times stays shared between the placements that need no split. None writes triangles whole.
+        placed several times stays shared between the placements that need no split. At most 10 million triangles may
+        be added to a region. None writes triangles whole.
     speed
         Degrees a second at which pictures turn while rings grow, for a user 1 m beside the centre, as in `Growth`.
     by_footprint
@@ -114,7 +115,8 @@ def export(
         For numbers out of range, radii that fall or repeat, a centre that is not finite, the same centre twice, a
         centre with nothing around it if radii are to be chosen, triangles that are to be split for users farther than
         0.348 of the first radius from a centre, and a URL whose file system is not known or only reads; before any
-        work. During it, if triangles cannot be split as finely as `split_px` asks.
+        work. During it, if triangles cannot be split as finely as `split_px` asks, or that would add more than 10
+        million to a region.
     TypeError
         For arguments of another type.
     OSError
@@ -128,7 +130,7 @@ def export(
 
     core_of(scene)
     settings = Settings.checked(
-        face_size, samples, quality, range_error, step, compression, pixels_per_degree, by_footprint
+        face_size, samples, quality, range_error, step, compression, pixels_per_degree, by_footprint, split_px
     )
     centers, given = centers_of(center, grid), None if radii is None else ascending("radii", radii)
     near = neighbours(centers)
@@ -137,7 +139,7 @@ def export(
     detail = Detail.of(scene, lod, settings.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
     bounds = chosen(scene, centers) if given is None else [given] * len(centers)
-    splitting = Splitting.of(split_px, detail)
+    splitting = Splitting.of(settings.split_px, detail)
     if splitting is not None:
         for place, own in zip(centers, bounds, strict=True):
             splitting.check(tuple(place.tolist()), own)

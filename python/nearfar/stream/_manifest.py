@@ -72,6 +72,8 @@ def _check(manifest: dict[str, Any]) -> None:
     if check.positive("near_share", manifest["morph"]["near_share"]) != NEAR_SHARE:
         raise ValueError(f"near_share: expected {NEAR_SHARE}, got {manifest['morph']['near_share']}")
     _check_growth(manifest["growth"])
+    if "display" in manifest:
+        _check_display(manifest["display"])
     files = manifest["files"]
     for name, entry in files.items():
         _check_file(name, entry)
@@ -84,6 +86,12 @@ def _check(manifest: dict[str, Any]) -> None:
         _check_rings(region, layout_of(manifest, region), files)
     check.choice("orientation", manifest["map"]["orientation"], (ORIENTATION,))
     _check_dynamic(manifest["dynamic"], files)
+
+
+def _check_display(display: dict[str, Any]) -> None:
+    for name in ("pixels_per_degree", "split_px"):
+        if display[name] is not None:
+            check.positive(name, display[name])
 
 
 def _check_growth(growth: dict[str, Any]) -> None:

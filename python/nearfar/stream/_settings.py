@@ -23,6 +23,7 @@ class Settings:
     compressed: bool
     pixels_per_degree: float | None
     by_footprint: bool
+    split_px: float | None
 
     @classmethod
     def checked(
@@ -35,6 +36,7 @@ class Settings:
         compression: str | None,
         pixels_per_degree: SupportsFloat | None,
         by_footprint: bool,
+        split_px: SupportsFloat | None = None,
     ) -> Settings:
         """Check them; ValueError or TypeError for settings that cannot be."""
         size = check.integer("face_size", face_size, TILE, MOST_FACE_SIZE)
@@ -53,4 +55,5 @@ class Settings:
                 None if pixels_per_degree is None else check.within("pixels_per_degree", pixels_per_degree, 1.0, 500.0)
             ),
             by_footprint=check.flag("by_footprint", by_footprint),
+            split_px=None if split_px is None else check.within("split_px", split_px, 1e-3, 1e3),
         )

@@ -9,13 +9,19 @@ from typing import Any
 import numpy as np
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import progress
 from nearfar.stream._assign import Rings
 from nearfar.stream._detail import SHARPEST, Detail
 from nearfar.stream._manifest import NEAR_SHARE
 
 MOST_REACH = 0.348
 """Distance of users from a centre, as a share of the first radius, up to which the error has a bound."""
+
+MOST_ADDED = 10_000_000
+"""Triangles that splitting may add to a region: several times as many as the rings of the greatest scenes have."""
+
+COARSEST = 8
+"""Times the tolerance at which a ring is split first, only to count its triangles."""
 
 
 @dataclass(frozen=True)
@@ -28,13 +34,12 @@ class Splitting:
     """Greatest distance of a user from a centre, metres."""
 
     @classmethod
-    def of(cls, split_px: Any, detail: Detail) -> Splitting | None:
+    def of(cls, split_px: float | None, detail: Detail) -> Splitting | None:
         """Take pixels of the client's display; None if nothing is to be split."""
         if split_px is None:
             return None
-        pixels = check.within("split_px", split_px, 1e-3, 1e3)
         sharp = SHARPEST if detail.pixels_per_degree is None else detail.pixels_per_degree
-        return cls(pixels * math.radians(1.0 / sharp), detail.reach)
+        return cls(split_px * math.radians(1.0 / sharp), detail.reach)
 
     def check(self, center: tuple[float, float, float], radii: tuple[float, ...]) -> None:
         """ValueError if the rings about a centre cannot be split within the tolerance."""
@@ -51,7 +56,11 @@ class Splitting:
             raise ValueError(f"split_px: {error}") from None
 
     def split(self, rings: Rings) -> Rings:
-        """The rings with the static triangles of each split for its own growth and for all later radii."""
+        """The rings with the static triangles of each split for its own growth and for all later radii.
+
+        ValueError for a ring that cannot be split as finely, or that would add too many triangles.
+        """
+        room = MOST_ADDED
         core, codes = rings.scene._core, rings.codes()
         with progress.bar("splitting") as report:
             for ring in range(1, rings.count + 1):
@@ -59,13 +68,35 @@ class Splitting:
                 if chosen.any():
                     settings = self._settings(rings.center, rings.radii, ring)
                     try:
-                        core, _counts = _core.tessellate_scene(core, **settings, chosen=chosen, report=report)
+                        core, added = _split_within(room, core, {**settings, "chosen": chosen, "report": report})
                     except ValueError as error:
                         raise ValueError(f"split_px: too small for ring {ring} of this scene: {error}") from None
+                    room -= added
         return replace(rings, scene=rings.scene._derived(core, rings.scene._rest))
 
     def _settings(self, center: tuple[float, float, float], radii: tuple[float, ...], ring: int) -> dict[str, Any]:
         return {"center": center, **stages(radii, ring), "reach": self.reach, "tolerance": self.tolerance}
+
+
+def _split_within(room: int, core: Any, settings: dict[str, Any]) -> tuple[Any, int]:
+    """Split triangles if that adds at most `room`; return the scene and how many were added.
+
+    The number grows at most with the square of the fineness. Where it could pass the limit, coarser splits are counted
+    first, so that too fine a one ends long before memory does.
+    """
+    times = COARSEST
+    while True:
+        tolerance = times * settings["tolerance"]
+        split, counts = _core.tessellate_scene(core, **{**settings, "tolerance": tolerance})
+        added = counts["after"] - counts["before"]
+        if added > room:
+            raise ValueError(
+                f"it would add more than {MOST_ADDED:,} triangles to the rings; choose more pixels, fewer "
+                "pixels_per_degree or a greater first radius, or leave splitting to the client"
+            )
+        if times == 1:
+            return split, added
+        times = 1 if added * times**2 <= room else times // 2
 
 
 def stages(radii: tuple[float, ...], ring: int) -> dict[str, Any]:
