@@ -41,6 +41,8 @@ class Part:
     """JSON that tells of it, for a client that waits."""
     files: dict[str, bytes]
     """Content of the files that it names and that no earlier part had; the last part also has the manifest."""
+    next: int | None
+    """Stage of the part that comes next; None after the last one."""
 
 
 class OnDemand:

@@ -3,3 +3,12 @@
 //! Nothing here knows Python; a binding gives what makes regions.
 
 pub mod demand;
+mod ranges;
+mod regions;
+mod respond;
+mod router;
+mod server;
+pub mod site;
+
+pub use router::Router;
+pub use server::{Limits, Server, Settings};

@@ -16,6 +16,8 @@ pub use region::{News, Outcome, Region};
 pub use ticket::{Event, Ticket};
 pub use workers::{Answer, Demand, Limits, Refusal};
 
+use std::sync::Arc;
+
 use bytes::Bytes;
 
 /// A part of a region that is ready.
@@ -40,5 +42,8 @@ pub trait Maker: Send + Sync {
 /// A region in the making.
 pub trait Making: Send {
     /// Make the next part. `is_wanted` is asked several times a second; the work ends with an error when it says no.
-    fn next(&mut self, is_wanted: &(dyn Fn() -> bool + Sync)) -> Result<Part, String>;
+    fn next(&mut self, is_wanted: &Wanted) -> Result<Part, String>;
 }
+
+/// Tells whether somebody waits for a region.
+pub type Wanted = Arc<dyn Fn() -> bool + Send + Sync>;

@@ -12,7 +12,7 @@ use super::cache::{Cache, Kept};
 use super::queue::{Queue, Waiting};
 use super::region::{Outcome, Region};
 use super::ticket::Ticket;
-use super::{Maker, Making, Part, Place};
+use super::{Maker, Making, Part, Place, Wanted};
 
 /// Steps of heights, metres: eyes of many heights share regions.
 const HEIGHT_STEP: f64 = 0.125;
@@ -253,7 +253,7 @@ impl Shared {
     }
 
     /// Make part after part until the server ends.
-    fn work(&self, last_stage: u8) {
+    fn work(self: &Arc<Self>, last_stage: u8) {
         while let Some(Waiting { stage: _, number, clients, mut work }) = self.next(last_stage) {
             let started = Instant::now();
             let made = self.step(&mut work);
@@ -305,9 +305,10 @@ impl Shared {
         }
     }
 
-    fn step(&self, work: &mut Work) -> Result<Part, String> {
+    fn step(self: &Arc<Self>, work: &mut Work) -> Result<Part, String> {
         let region = Arc::clone(&work.region);
-        let is_wanted = || region.is_wanted() && !self.is_closing();
+        let (shared, waited) = (Arc::clone(self), Arc::clone(&region));
+        let is_wanted: Wanted = Arc::new(move || waited.is_wanted() && !shared.is_closing());
         let made = catch_unwind(AssertUnwindSafe(|| -> Result<_, String> {
             let mut making = match work.making.take() {
                 Some(making) => making,

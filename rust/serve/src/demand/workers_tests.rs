@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use bytes::Bytes;
 
-use super::super::Event;
+use super::super::{Event, Wanted};
 use super::*;
 
 const ANN: IpAddr = IpAddr::V4(std::net::Ipv4Addr::new(127, 0, 0, 1));
@@ -37,7 +37,7 @@ impl Maker for Stepped {
 }
 
 impl Making for Two {
-    fn next(&mut self, is_wanted: &(dyn Fn() -> bool + Sync)) -> Result<Part, String> {
+    fn next(&mut self, is_wanted: &Wanted) -> Result<Part, String> {
         let stage = self.stage;
         self.stage += 1;
         self.log.send((self.place, stage)).unwrap();
