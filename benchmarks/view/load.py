@@ -1,10 +1,10 @@
 """Seconds until a scene is on the screen over a link of 50 Mbit/s and 20 ms: the page, one GLB, and 3D Tiles.
 
-python -m benchmarks.view.load [--quick] [--repeat N]
+python -m benchmarks.view.load [--quick] [--repeat N] [--throttle]
 
-All three run in the same headless Chromium, which holds back what comes over the network. Files come from Python's own
-server as they are, without compression. The page shows all of the scene; one GLB holds all of it, with a
-node for each copy; the tileset holds the near part alone.
+All three run in the same headless Chromium, over a shaped link between two network namespaces where that can be had,
+else behind Chromium's own throttle. Files come from Python's own server as they are, without compression. The page
+shows all of the scene; one GLB holds all of it, with a node for each copy; the tileset holds the near part alone.
 """
 
 from __future__ import annotations
@@ -15,27 +15,22 @@ import os
 import shutil
 import subprocess
 import tempfile
-import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.loads import Network, network
 from benchmarks.harness.timing import machine, table
 from nearfar import _core
-from tests.support.browser import started
 from tests.support.reader_cases import SECONDS
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 READERS = CHECKOUT / "tests" / "readers" / "node_modules"
-RATE, DELAY = 50e6, 20.0
-"""Bits a second, and milliseconds of a round trip."""
+LINK = nf.stream.Link(50, rtt_ms=20)
 CENTER = (0.0, 1.3, 0.0)
 TARGET = (-2.0, 4.0, -40.0)
 SIZE, ANGLE = (640, 400), 75.0
@@ -53,40 +48,6 @@ WATCH = """() => {
 }"""
 
 SCRIPT = """() => performance.getEntriesByType('resource').find((entry) => /page\\.js/.test(entry.name)).responseEnd"""
-
-
-class _Handler(SimpleHTTPRequestHandler):
-    """Keeps connections open, as servers for the web do, and prints nothing."""
-
-    protocol_version = "HTTP/1.1"
-
-    def log_message(self, *_: Any) -> None:
-        pass
-
-
-@contextmanager
-def served(folder: Path) -> Iterator[str]:
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Handler, directory=str(folder))) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        try:
-            yield f"http://127.0.0.1:{server.server_port}/"
-        finally:
-            server.shutdown()
-
-
-@contextmanager
-def shaped(chromium: Any) -> Iterator[Any]:
-    """A page of a browser without a cache, behind the link."""
-    context = chromium.new_context(viewport={"width": SIZE[0], "height": SIZE[1]})
-    page = context.new_page()
-    network = context.new_cdp_session(page)
-    network.send("Network.enable")
-    limits = {"latency": DELAY, "downloadThroughput": RATE / 8, "uploadThroughput": RATE / 8}
-    network.send("Network.emulateNetworkConditions", {"offline": False, **limits})
-    try:
-        yield page
-    finally:
-        context.close()
 
 
 def one_glb(scene: nf.Scene) -> bytes:
@@ -128,9 +89,9 @@ def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
     }
 
 
-def page_times(chromium: Any, url: str, strategy: str) -> dict[str, float]:
+def page_times(way: Network, chromium: Any, url: str, strategy: str) -> dict[str, float]:
     """Seconds from navigation until the script was there, ring 0, and the last ring were shown."""
-    with shaped(chromium) as page:
+    with way.page(chromium, SIZE) as page:
         page.add_init_script(f"({WATCH})()")
         page.goto(f"{url}bundle/?strategy={strategy}")
         rings = page.evaluate("async () => (await (await fetch('manifest.json')).json()).regions[0].rings.length")
@@ -143,9 +104,9 @@ def page_times(chromium: Any, url: str, strategy: str) -> dict[str, float]:
         return {"script": page.evaluate(SCRIPT) / 1e3, "first": shown[0] / 1e3, "last": shown[-1] / 1e3}
 
 
-def peer_times(chromium: Any, url: str) -> dict[str, float]:
+def peer_times(way: Network, chromium: Any, url: str) -> dict[str, float]:
     """The same of another program's page."""
-    with shaped(chromium) as page:
+    with way.page(chromium, SIZE) as page:
         page.goto(url)
         page.wait_for_function("() => window.result", timeout=SECONDS * 1e3)
         result = page.evaluate("() => window.result")
@@ -157,20 +118,23 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="a small city")
     parser.add_argument("--repeat", type=int, default=3, help="loads of each; the medians are printed")
+    parser.add_argument("--throttle", action="store_true", help="Chromium's own throttle instead of a shaped link")
     given = parser.parse_args()
     if not (READERS.is_dir() and shutil.which("node")):
         parser.error("`npm ci --prefix tests/readers` has not run")
     scene = nf.datasets.city(blocks=3, detail=1 if given.quick else 2)
     print(machine())
-    with tempfile.TemporaryDirectory() as name, started() as chromium:
+    with tempfile.TemporaryDirectory() as name, network(LINK, real=False if given.throttle else None) as way:
         folder = Path(name)
         sizes = prepare(scene, folder)
-        with served(folder) as url:
+        print(way.name)
+        with way.served(folder) as url, way.browser(url) as chromium:
+            page, peer = partial(page_times, way, chromium, url), partial(peer_times, way, chromium)
             jobs = {
-                "nearfar": ("page", partial(page_times, chromium, url, "clovr")),
-                "nearfar, rings at once": ("page", partial(page_times, chromium, url, "clovrd")),
-                "one GLB in three.js": ("glb", partial(peer_times, chromium, url + "?glb")),
-                "3d-tiles-renderer, near part": ("tiles", partial(peer_times, chromium, url + "?tiles")),
+                "nearfar": ("page", partial(page, "clovr")),
+                "nearfar, rings at once": ("page", partial(page, "clovrd")),
+                "one GLB in three.js": ("glb", partial(peer, url + "?glb")),
+                "3d-tiles-renderer, near part": ("tiles", partial(peer, url + "?tiles")),
             }
             rows = []
             for label, (kind, job) in jobs.items():

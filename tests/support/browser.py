@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -34,12 +34,14 @@ LOOKS = 6000
 
 
 @contextmanager
-def started() -> Iterator[Any]:
-    """Chromium; Playwright allows one at a time."""
+def started(path: str | None = None, flags: Sequence[str] = ()) -> Iterator[Any]:
+    """Chromium, the one at a path if it is given, with further flags; Playwright allows one at a time."""
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as player:
-        program = player.chromium.launch(executable_path=browser(), args=list(BROWSER_FLAGS), timeout=SECONDS * 1e3)
+        program = player.chromium.launch(
+            executable_path=path or browser(), args=[*BROWSER_FLAGS, *flags], timeout=SECONDS * 1e3
+        )
         try:
             yield program
         finally:

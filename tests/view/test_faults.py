@@ -249,6 +249,19 @@ def test_lost_graphics_come_back_with_the_picture(page: Any, url: str) -> None:
     assert after.std() > 10
 
 
+def test_a_page_that_gets_no_graphics_back_begins_anew_where_the_user_was(page: Any, url: str) -> None:
+    page.goto(url)
+    assert wait_for_ring(page, 1) == ""
+    place = [CENTER[0] + 0.5, CENTER[1], CENTER[2] - 0.25]
+    page.evaluate("(position) => window.nearfar.setPose({ position, yaw: 0.5, pitch: 0 })", place)
+    wait_until(page, lambda: page.evaluate("() => window.nearfar.pose.yaw") == 0.5)
+    page.evaluate(LOSE)
+    page.get_by_role("button", name="Try again").click()
+    wait_until(page, lambda: page.evaluate("() => !('loss' in window) && window.nearfar !== undefined"))
+    assert wait_for_ring(page, 1) == ""
+    assert page.evaluate("() => window.nearfar.pose") == {"position": place, "yaw": 0.5, "pitch": 0}
+
+
 def test_a_damaged_file_comes_anew_when_the_user_tries_again(page: Any, url: str, place: Path) -> None:
     """The browser may keep the damaged copy, which the server calls good for ever."""
     name = ring_file(place, 1)
@@ -267,6 +280,26 @@ def test_a_damaged_file_comes_anew_when_the_user_tries_again(page: Any, url: str
     asked = [how for address, how in page.evaluate("() => window.asked") if name in address]
     assert asked == ["default", "reload"]
     assert page.locator("#message").inner_text() == ""
+
+
+def test_a_lost_network_leaves_the_last_picture(page: Any, url: str, place: Path) -> None:
+    """All trials of a file fail; when the network is back the user goes on where the page was."""
+    name = f"**/{ring_file(place, 2)}"
+    page.route(name, lambda route: route.abort("internetdisconnected"))
+    page.goto(f"{url}&strategy=clovrd")
+    assert "does not come" in wait_for_ring(page, len(RADII))
+    assert (arrived(page), shown_ring(page)) == (1, 1)
+    assert canvas(page).std() > 10
+    page.unroute(name)
+    page.get_by_role("button", name="Try again").click()
+    wait_until(page, lambda: shown_ring(page) == len(RADII))
+    assert page.locator("#message").inner_text() == ""
+
+
+def test_a_server_that_does_not_answer_is_told(page: Any, url: str) -> None:
+    page.route("**/manifest.json", lambda route: route.abort("connectionrefused"))
+    page.goto(url)
+    assert "cannot be reached" in wait_for_ring(page, 0)
 
 
 def test_a_browser_without_webgl_is_told(page: Any, url: str) -> None:

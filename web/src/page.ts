@@ -49,7 +49,11 @@ async function main(): Promise<void> {
   let problems: readonly string[] = [];
   const retry = (): void => {
     // Browsers that keep the graphics to themselves give them to a page that begins anew.
-    if (problems.includes(LOST)) location.reload();
+    if (problems.includes(LOST)) {
+      history.replaceState(null, '', writeLink(pose));
+      location.reload();
+      return;
+    }
     problems = [];
     clearMessage();
     viewer.retry();

@@ -89,7 +89,7 @@ def main() -> None:
     link = Link(**given["link"])
     # Where the machine is busy, packets are still on time.
     with suppress(OSError):
-        os.setpriority(os.PRIO_PROCESS, 0, -15)
+        os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(1))
     try:
         devices = [
             open_device(namespace, address, mtu=MTU, congestion=given["congestion"])

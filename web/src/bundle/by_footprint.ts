@@ -11,7 +11,7 @@ function inPortions(region: RegionEntry, number: number): RegionEntry {
   const { by_footprint: other, rings } = region;
   if (!other) {
     const place = `manifest.json: regions[${number}].by_footprint`;
-    throw new BundleError(`${place}: expected objects by footprint, got none: export the scene with by_footprint=True`, 'other');
+    throw new BundleError(`${place}: expected objects by footprint, got none: export the scene with by_footprint=True`, 'address');
   }
   // All of them are shown by the last morph.
   const radius = rings[rings.length - 1]?.radius ?? 0;

@@ -1,5 +1,5 @@
-/** Why nothing can be shown: the bundle, a newer one, the network, what the address asks for, or the browser's graphics. */
-export type Kind = 'damaged' | 'newer' | 'network' | 'other' | 'webgl';
+/** Why nothing can be shown: the bundle, a newer one, the network, what the address asks for, the browser's graphics. */
+export type Kind = 'damaged' | 'newer' | 'network' | 'address' | 'webgl' | 'other';
 
 /** An error that says in a sentence why something cannot be shown. */
 export class BundleError extends Error {

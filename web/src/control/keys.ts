@@ -27,7 +27,7 @@ export function isElsewhere(event: KeyboardEvent): boolean {
   return typeof Element !== 'undefined' && target instanceof Element && target.closest(TYPED) !== null;
 }
 
-const TYPED = 'input, textarea, select, [contenteditable], dialog';
+const TYPED = 'input, textarea, select, [contenteditable], dialog[open]';
 
 export interface Keys {
   readonly drive: Drive;

@@ -6,6 +6,7 @@ import type { Regions } from './journey';
 import { loadRegion, type Loading } from './loader';
 import { createRegion, type Region } from './region';
 import { createStage, type Manner, type Shown, type Stage } from './stage';
+import { tell } from './told';
 
 export interface AtlasSettings {
   readonly loading: Loading;
@@ -100,6 +101,7 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       number,
       arrived(ring) {
         open.arrived = ring;
+        tell('arrived', number, ring);
         stage.arrive(ring);
       },
       received: (bytes) => {
@@ -168,7 +170,10 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
     grown: (region): Grown | null => opens.get(region)?.shown?.grown ?? null,
     advance(region, seconds, least) {
       const open = found(region);
+      const before = lastOf(open.shown);
       open.shown = open.stage.advance(seconds, least);
+      const ring = lastOf(open.shown);
+      if (ring > before) tell('shown', region, ring);
       return open.shown;
     },
     retry() {
@@ -187,4 +192,9 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       for (const open of [...opens.values()]) end(open);
     },
   };
+}
+
+/** The last ring in a picture; −1 for none. */
+function lastOf(shown: Shown | null): number {
+  return shown?.fading?.ring ?? shown?.ring ?? -1;
 }

@@ -25,7 +25,7 @@ const STRATEGIES: Readonly<Record<string, Strategy>> = {
 export function strategyOf(name: string | null): Strategy {
   const found = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
   if (!found) {
-    throw new BundleError(`strategy: expected ${Object.keys(STRATEGIES).join(', ')}, got ${name ?? ''}`, 'other');
+    throw new BundleError(`strategy: expected ${Object.keys(STRATEGIES).join(', ')}, got ${name ?? ''}`, 'address');
   }
   return found;
 }

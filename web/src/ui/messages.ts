@@ -38,6 +38,10 @@ export const FATAL = {
     title: 'The scene cannot be reached',
     text: 'The server does not answer, or does not have it. Check the connection and the address, and try again.',
   },
+  address: {
+    title: 'The address asks for what is not there',
+    text: 'Mend or remove what stands behind the question mark in the address of this page.',
+  },
   other: {
     title: 'The scene cannot be shown',
     text: 'Reload the page. If that does not help, tell whoever sent you here what stands below.',

@@ -1,0 +1,88 @@
+"""Pages that load over a link: a real one where it can be had, else one that Chromium's developer tools pretend."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import nearfar as nf
+from benchmarks.harness.link import CHECKOUT, SERVER, Shaped, no_link, shaped
+from tests.support.browser import started
+from tests.support.reader_cases import browser
+
+LOCAL = "127.0.0.1"
+
+
+class Network:
+    """What lies between servers and pages; made by `network`."""
+
+    def __init__(self, link: nf.stream.Link, real: Shaped | None) -> None:
+        self.link, self.real = link, real
+
+    @property
+    def name(self) -> str:
+        """Which kind it is, and of which link."""
+        rate = "a trace" if self.link.mbps is None else f"{self.link.mbps:g} Mbit/s"
+        kind = "packets shaped between two namespaces" if self.real else "Chromium's own throttle"
+        return f"{rate}, {self.link.rtt_ms:g} ms, {self.link.loss:.0%} lost: {kind}"
+
+    @contextmanager
+    def served(self, folder: Path) -> Iterator[str]:
+        """Serve files as they are, without compression, from a process at the server's side; the address."""
+        address = LOCAL if self.real is None else SERVER
+        command = [sys.executable, "-m", "benchmarks.harness.files", str(folder), address]
+        if self.real is not None:
+            command = self.real.command("server", command)
+        with subprocess.Popen(
+            command, cwd=CHECKOUT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, start_new_session=True
+        ) as server:
+            assert server.stdout
+            yield f"http://{address}:{int(server.stdout.readline())}/"
+
+    @contextmanager
+    def browser(self, url: str) -> Iterator[Any]:
+        """Chromium at the client's side; pages from the address may do what a server with TLS allows them."""
+        origin = "{0.scheme}://{0.netloc}".format(urlsplit(url))
+        flags = (f"--unsafely-treat-insecure-origin-as-secure={origin}", "--ignore-certificate-errors")
+        path = browser()
+        if self.real is not None and path is not None:
+            path = self.real.program("client", path)
+        with started(path, flags) as chromium:
+            yield chromium
+
+    @contextmanager
+    def page(self, chromium: Any, size: tuple[int, int]) -> Iterator[Any]:
+        """A page of a browser without a cache and without connections."""
+        width, height = size
+        context = chromium.new_context(viewport={"width": width, "height": height})
+        page = context.new_page()
+        if self.real is None:
+            _throttle(context.new_cdp_session(page), self.link)
+        try:
+            yield page
+        finally:
+            context.close()
+
+
+def _throttle(session: Any, link: nf.stream.Link) -> None:
+    if link.mbps is None or link.loss:
+        raise ValueError("link: expected a rate and no loss: Chromium's own throttle has neither traces nor losses")
+    session.send("Network.enable")
+    rate = link.mbps * 1e6 / 8.0
+    limits = {"latency": link.rtt_ms, "downloadThroughput": rate, "uploadThroughput": rate}
+    session.send("Network.emulateNetworkConditions", {"offline": False, **limits})
+
+
+@contextmanager
+def network(link: nf.stream.Link, *, real: bool | None = None, seed: int = 0) -> Iterator[Network]:
+    """Bring up a link: a real one or Chromium's throttle; by default the former where it can be had."""
+    if real if real is not None else not no_link():
+        with shaped(link, seed=seed) as up:
+            yield Network(link, up)
+    else:
+        yield Network(link, None)

@@ -1,0 +1,70 @@
+"""The page's requests without its decoding and drawing: the same files in the same order, by the same browser."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import nearfar as nf
+from benchmarks.harness.loads import Network
+from benchmarks.stream._loaded import SIZE, files_until, plan, stages
+
+# Six at a time, those of the next step ahead, as web/src/show/loader.ts asks for them.
+REPLAY = """async (steps) => {
+  const begin = performance.now();
+  const times = {};
+  const waiting = [];
+  let open = 0;
+  const next = () => {
+    while (open < 6 && waiting.length) {
+      open++;
+      waiting.shift()();
+    }
+  };
+  const fetched = async (name) => {
+    await new Promise((done) => { waiting.push(done); next(); });
+    const answer = await fetch(name);
+    if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
+    await answer.arrayBuffer();
+    times[name] = (performance.now() - begin) / 1000;
+    open--;
+    next();
+  };
+  const asked = new Map();
+  const get = (name) => {
+    if (!asked.has(name)) asked.set(name, fetched(name));
+    return asked.get(name);
+  };
+  await get('manifest.json');
+  for (const [place, step] of steps.entries()) {
+    const own = step.asked.map(get);
+    const after = steps[place + 1];
+    if (after?.isAhead) after.files.forEach(get);
+    await Promise.all(own);
+  }
+  return times;
+}"""
+
+
+def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str) -> dict[str, float]:
+    """Seconds from the request of the manifest until the files of each stage were there."""
+    steps = plan(bundle, strategy)
+    given = [{"asked": step.asked, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
+    with way.page(chromium, SIZE) as page:
+        # An address of the server where no script runs; it closes the connection after its refusal.
+        page.goto(f"{url}NOTHING")
+        times = page.evaluate(REPLAY, given)
+    return {
+        name: max(times[file] for file in files_until(steps, ring))
+        for name, ring in stages(strategy, len(steps.radii)).items()
+    }
+
+
+def simulated_requests(bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int) -> dict[str, float]:
+    """The same of a simulated load without decoding."""
+    line = nf.stream.simulate(bundle, link=link, strategy=strategy, seed=seed)
+    times = dict(zip(line.files, line.file_times.tolist(), strict=True))
+    steps = plan(bundle, strategy)
+    return {
+        name: max(times[file] for file in files_until(steps, ring))
+        for name, ring in stages(strategy, len(steps.radii)).items()
+    }

@@ -1,0 +1,215 @@
+"""The four strategies over a real link, by the page in Chromium, beside their simulation.
+
+python -m benchmarks.stream.real [--quick] [--repeat N] [--loss SHARE ...] [--link-only] [--json FILE]
+
+The city and the factory at two centres each, 50 Mbit/s, 20 ms. Of each load: when the complete picture, the first near
+geometry and everything had been received, were ready (decoded, on the GPU) and were shown, from the request of the
+manifest on. Programs decode and draw here, and take longer than the link. So the link is also compared alone: the same
+requests in the same order by the same browser, without decoding. Needs what `benchmarks.harness.link.no_link` names.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.link import no_link
+from benchmarks.harness.loads import Network, network
+from benchmarks.harness.timing import machine, table
+from benchmarks.stream._loaded import Loaded, load
+from benchmarks.stream._near import EYE_HEIGHT, Place, places
+from benchmarks.stream._requests import requests, simulated_requests
+
+LINK = nf.stream.Link(50, rtt_ms=20, http=1, handshake=1)
+"""Files come from Python's server, by HTTP/1.1 without TLS."""
+FAST = nf.stream.Link(1000, http=1, handshake=1)
+"""On which decoding is measured."""
+CONTENT = 1448 / 1500
+"""Share of a full packet that is not headers; simulated links count content alone."""
+STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
+STAGES = ("picture", "first_ring", "total")
+KINDS = ("received", "ready", "shown")
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A strategy at a place over a link."""
+
+    place: str
+    loss: float
+    strategy: str
+    real: list[dict[str, dict[str, float]]]
+    """Of each load, by stage: seconds until it was received, ready and shown."""
+    simulated: dict[str, float]
+    """By stage: seconds until it was received, of requests alone, or else ready."""
+    megabytes: float = 0.0
+    """With headers; of loads."""
+
+    def median(self, stage: str, kind: str) -> float:
+        """Of the loads: when a stage was received, ready or shown."""
+        return float(np.median([one[stage][kind] for one in self.real]))
+
+
+def all_places(quick: bool) -> list[Place]:
+    """The city and the factory at two centres each."""
+    found = places(quick)
+    x, _, z = nf.datasets.factory_view(1)[0]
+    return [*found, replace(found[-1], name="factory, beside racks", center=(x, EYE_HEIGHT, z))]
+
+
+def content(link: nf.stream.Link) -> nf.stream.Link:
+    """The link of a simulation, whose rate counts content alone."""
+    assert link.mbps is not None
+    return replace(link, mbps=link.mbps * CONTENT)
+
+
+def simulated(
+    bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int, *, decode_mbs: float
+) -> dict[str, float]:
+    """When each stage is ready in a simulation, on a connection that is open."""
+    line = nf.stream.simulate(bundle, link=content(link), strategy=strategy, seed=seed, decode_mbs=decode_mbs)
+    return {name: float(getattr(line, name)) - link.handshake * link.rtt for name in STAGES}
+
+
+def decoding(bundle: nf.stream.Bundle, loads: list[Loaded]) -> float:
+    """Megabytes a second with which a simulation over the fast link takes as long as loads by clovrd did."""
+    goal = float(np.median([one.total["ready"] for one in loads]))
+    low, high = 0.01, 1e4
+    for _ in range(30):
+        middle = (low * high) ** 0.5
+        slow = simulated(bundle, FAST, "clovrd", 0, decode_mbs=middle)["total"] > goal
+        low, high = (middle, high) if slow else (low, middle)
+    return float((low * high) ** 0.5)
+
+
+def median_of_seeds(job: Callable[[int], dict[str, float]], loss: float) -> dict[str, float]:
+    """Medians of simulations with several seeds; one is sufficient without losses."""
+    runs = [job(seed) for seed in range(15 if loss else 1)]
+    return {name: float(np.median([run[name] for run in runs])) for name in runs[0]}
+
+
+def measured_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
+    """Megabytes a second of decoding, uploads and frames, from loads over the fast link."""
+    with opened(FAST, bundle) as (way, chromium, url):
+        # The first load of a browser also compiles its shaders.
+        loads = [load(way, chromium, url, bundle, "clovrd") for _ in range(repeat + 1)][1:]
+    return decoding(bundle, loads)
+
+
+@contextmanager
+def opened(link: nf.stream.Link, bundle: nf.stream.Bundle) -> Iterator[tuple[Network, Any, str]]:
+    """A link, a browser at its end, and the address of a bundle behind it."""
+    with network(link, real=True) as way, way.served(Path(bundle._reader.place)) as url, way.browser(url) as chromium:
+        yield way, chromium, url
+
+
+def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int) -> Iterator[Outcome]:
+    """The requests of all strategies over a link with a loss."""
+    link = replace(LINK, loss=loss)
+    with opened(link, bundle) as (way, chromium, url):
+        print(f"{place}: {way.name}")
+        for strategy in STRATEGIES:
+            # Those of clovr wait for cross-fades, which need frames; until the second ring they are those of clovrd.
+            if strategy == "clovr":
+                continue
+            alone = [requests(way, chromium, url, bundle, strategy) for _ in range(repeat)]
+            yield Outcome(
+                place,
+                loss,
+                strategy,
+                real=[{name: {"received": seconds} for name, seconds in one.items()} for one in alone],
+                simulated=median_of_seeds(partial(simulated_requests, bundle, content(link), strategy), loss),
+            )
+        print(way.real and way.real.counts())
+
+
+def loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, mbs: float) -> Iterator[Outcome]:
+    """Loads of the page by all strategies over a link with a loss."""
+    link = replace(LINK, loss=loss)
+    with opened(link, bundle) as (way, chromium, url):
+        print(f"{place}: {way.name}; decoding, uploads and frames like {mbs:.2f} MB/s")
+        load(way, chromium, url, bundle, "clovrd")
+        for strategy in STRATEGIES:
+            found = [load(way, chromium, url, bundle, strategy) for _ in range(repeat)]
+            yield Outcome(
+                place,
+                loss,
+                strategy,
+                real=[{name: getattr(one, name) for name in STAGES} for one in found],
+                simulated=median_of_seeds(partial(simulated, bundle, link, strategy, decode_mbs=mbs), loss),
+                megabytes=float(np.median([one.bytes for one in found])) / 1e6,
+            )
+
+
+def of_the_link(found: list[Outcome]) -> str:
+    """Table of the link alone."""
+    rows = []
+    for one in found:
+        row = [one.place, f"{one.loss:.0%}", one.strategy]
+        for name in STAGES:
+            real, ours = one.median(name, "received"), one.simulated[name]
+            row += [f"{real:.3f}", f"{ours:.3f}", f"{ours / real:.2f}"]
+        rows.append(row)
+    stages = [f"{name}{kind}" for name in ("picture", "first ring", "all") for kind in (", real", ", sim.", ", ratio")]
+    title = "Seconds until the files were there, requests alone"
+    return table(title, ["", "lost", "", *stages], rows)
+
+
+def of_the_page(found: list[Outcome]) -> str:
+    """Table of the page."""
+    rows = []
+    for one in found:
+        row = [one.place, f"{one.loss:.0%}", one.strategy, f"{one.megabytes:.2f}"]
+        for name in STAGES:
+            row.append(" / ".join(f"{one.median(name, kind):.2f}" for kind in KINDS))
+            row.append(f"{one.simulated[name]:.2f} ({one.simulated[name] / one.median(name, 'ready'):.2f})")
+        rows.append(row)
+    header = ["", "lost", "", "MB", "picture", "sim.", "first ring", "sim.", "all", "sim."]
+    title = "Seconds until received / ready / shown, and simulated until ready with its ratio to real"
+    return table(title, header, rows)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="small scenes")
+    parser.add_argument("--repeat", type=int, default=5, help="loads of each; the medians are printed")
+    parser.add_argument("--loss", type=float, nargs="+", default=[0.0, 0.01], help="shares of packets that are lost")
+    parser.add_argument("--link-only", action="store_true", help="requests without the page")
+    parser.add_argument("--json", type=Path, help="file for all figures")
+    given = parser.parse_args()
+    if reason := no_link():
+        parser.error(reason)
+    print(machine())
+    alone, whole = list[Outcome](), list[Outcome]()
+    for place in all_places(given.quick):
+        with tempfile.TemporaryDirectory() as name:
+            bundle = nf.stream.export(place.make(), Path(name) / "bundle", center=place.center, by_footprint=True)
+            nf.view.write_page(Path(name) / "bundle")
+            for loss in given.loss:
+                alone += requests_alone(place.name, bundle, loss, given.repeat)
+            if not given.link_only:
+                mbs = measured_decoding(bundle, given.repeat)
+                for loss in given.loss:
+                    whole += loads(place.name, bundle, loss, given.repeat, mbs)
+        print(f"1-minute load of the machine: {os.getloadavg()[0]:.1f}", flush=True)
+        if given.json:
+            figures = {"requests": [asdict(one) for one in alone], "page": [asdict(one) for one in whole]}
+            given.json.write_text(json.dumps(figures, indent=1) + "\n")
+    print(of_the_link(alone))
+    if whole:
+        print(of_the_page(whole))
+
+
+if __name__ == "__main__":
+    main()
