@@ -10,5 +10,6 @@ mod router;
 mod server;
 pub mod site;
 
+pub use axum::http::{HeaderName, HeaderValue};
 pub use router::Router;
 pub use server::{Limits, Server, Settings};
