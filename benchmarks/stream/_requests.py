@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 import nearfar as nf
 from benchmarks.harness.loads import Network
 from benchmarks.stream._loaded import SIZE, files_until, plan, stages
@@ -43,6 +45,27 @@ REPLAY = """async (steps) => {
   }
   return times;
 }"""
+
+
+# A file that fits into a packet, one after the other.
+TRIPS = """async (name) => {
+  const times = [];
+  for (let trip = 0; trip < 21; trip++) {
+    const begin = performance.now();
+    await (await fetch(name, { cache: 'no-store' })).arrayBuffer();
+    times.push(performance.now() - begin);
+  }
+  return times;
+}"""
+
+
+def round_trip(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle) -> float:
+    """Milliseconds from a request to its short answer on the idle link, with what browser and server add."""
+    files = bundle._manifest["files"]
+    least = min(files, key=lambda name: int(files[name]["bytes"]))
+    with way.page(chromium, SIZE) as page:
+        page.goto(f"{url}NOTHING")
+        return float(np.median(page.evaluate(TRIPS, least)))
 
 
 def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str) -> dict[str, float]:

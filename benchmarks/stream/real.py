@@ -1,11 +1,13 @@
 """The four strategies over a real link, by the page in Chromium, beside their simulation.
 
-python -m benchmarks.stream.real [--quick] [--repeat N] [--loss SHARE ...] [--link-only] [--json FILE]
+python -m benchmarks.stream.real [--quick] [--repeat N] [--loss SHARE ...] [--link-only] [--place WORD] [--json FILE]
 
 The city and the factory at two centres each, 50 Mbit/s, 20 ms. Of each load: when the complete picture, the first near
 geometry and everything had been received, were ready (decoded, on the GPU) and were shown, from the request of the
 manifest on. Programs decode and draw here, and take longer than the link. So the link is also compared alone: the same
-requests in the same order by the same browser, without decoding. Needs what `benchmarks.harness.link.no_link` names.
+requests in the same order by the same browser, without decoding; simulated with the round trip that a short request
+takes, which is longer than the link's own by what browser and server do. Needs what `benchmarks.harness.link.no_link`
+names.
 """
 
 from __future__ import annotations
@@ -25,11 +27,11 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.link import no_link
-from benchmarks.harness.loads import Network, network
+from benchmarks.harness.loads import Network, ahead_of_others, network
 from benchmarks.harness.timing import machine, table
 from benchmarks.stream._loaded import Loaded, load
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
-from benchmarks.stream._requests import requests, simulated_requests
+from benchmarks.stream._requests import requests, round_trip, simulated_requests
 
 LINK = nf.stream.Link(50, rtt_ms=20, http=1, handshake=1)
 """Files come from Python's server, by HTTP/1.1 without TLS."""
@@ -117,8 +119,10 @@ def opened(link: nf.stream.Link, bundle: nf.stream.Bundle) -> Iterator[tuple[Net
 def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int) -> Iterator[Outcome]:
     """The requests of all strategies over a link with a loss."""
     link = replace(LINK, loss=loss)
-    with opened(link, bundle) as (way, chromium, url):
-        print(f"{place}: {way.name}")
+    with ahead_of_others(), opened(link, bundle) as (way, chromium, url):
+        trip = round_trip(way, chromium, url, bundle)
+        print(f"{place}: {way.name}; a round trip of a request takes {trip:.1f} ms")
+        ours = replace(content(link), rtt_ms=trip)
         for strategy in STRATEGIES:
             # Those of clovr wait for cross-fades, which need frames; until the second ring they are those of clovrd.
             if strategy == "clovr":
@@ -129,7 +133,7 @@ def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: in
                 loss,
                 strategy,
                 real=[{name: {"received": seconds} for name, seconds in one.items()} for one in alone],
-                simulated=median_of_seeds(partial(simulated_requests, bundle, content(link), strategy), loss),
+                simulated=median_of_seeds(partial(simulated_requests, bundle, ours, strategy), loss),
             )
         print(way.real and way.real.counts())
 
@@ -186,6 +190,7 @@ def main() -> None:
     parser.add_argument("--repeat", type=int, default=5, help="loads of each; the medians are printed")
     parser.add_argument("--loss", type=float, nargs="+", default=[0.0, 0.01], help="shares of packets that are lost")
     parser.add_argument("--link-only", action="store_true", help="requests without the page")
+    parser.add_argument("--place", default="", help="places whose names have this in them, such as factory")
     parser.add_argument("--json", type=Path, help="file for all figures")
     given = parser.parse_args()
     if reason := no_link():
@@ -193,6 +198,8 @@ def main() -> None:
     print(machine())
     alone, whole = list[Outcome](), list[Outcome]()
     for place in all_places(given.quick):
+        if given.place not in place.name:
+            continue
         with tempfile.TemporaryDirectory() as name:
             bundle = nf.stream.export(place.make(), Path(name) / "bundle", center=place.center, by_footprint=True)
             nf.view.write_page(Path(name) / "bundle")
