@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import weakref
 from collections.abc import Mapping
 from types import TracebackType
@@ -63,9 +64,15 @@ class Server:
         except OSError as error:
             if error.errno != errno.EADDRINUSE:
                 raise
-            raise OSError(error.errno, "Address already in use: choose another port", f"{LOCAL}:{number}") from None
+            raise OSError(error.errno, f"{os.strerror(error.errno)}: choose another port", f"{LOCAL}:{number}") from None
         # Threads that make regions need the interpreter.
         self._end = weakref.finalize(self, self._server.close)
+
+    @classmethod
+    def of_bundle(cls, path: str | os.PathLike[str], *, port: int = 0) -> Server:
+        """Serve one bundle or reduced scene; errors also as `stream.open` and `ReducedScene.load` raise them."""
+        check.integer("port", port, 0, 65535)
+        return cls({"": Site.of_bundle(path)}, port=port)
 
     @property
     def url(self) -> str:

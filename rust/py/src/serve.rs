@@ -11,7 +11,7 @@ use bytes::Bytes;
 use nearfar_serve::demand::{self, Cache, Demand, Maker, Making, Part, Place, Wanted};
 use nearfar_serve::site::{Content, Document, Site, Sites};
 use nearfar_serve::{self as serve, Limits, Router, Settings};
-use pyo3::exceptions::{PyInterruptedError, PyValueError};
+use pyo3::exceptions::{PyInterruptedError, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyCFunction;
@@ -65,7 +65,7 @@ impl Server {
             ..Limits::default()
         };
         let settings = Settings { address: SocketAddr::new(host, port), limits, router };
-        Ok(Self(py.detach(|| serve::Server::start(settings))?))
+        py.detach(|| serve::Server::start(settings)).map(Self).map_err(with_number)
     }
 
     /// The port that it listens at.
@@ -113,6 +113,14 @@ fn header((name, value): (String, String)) -> PyResult<(serve::HeaderName, serve
 
 fn seconds(value: f64) -> PyResult<Duration> {
     Duration::try_from_secs_f64(value).map_err(|_| PyValueError::new_err(format!("expected seconds, got {value}")))
+}
+
+/// An error with its number, by which Python tells a port that is taken.
+fn with_number(error: io::Error) -> PyErr {
+    match error.raw_os_error() {
+        Some(number) => PyOSError::new_err((number, error.to_string())),
+        None => error.into(),
+    }
 }
 
 /// Python's maker of regions.
