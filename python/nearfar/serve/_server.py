@@ -57,14 +57,16 @@ class Server:
                 hosts=list(NAMES),
                 headers=list(HEADERS),
                 connections=most,
-                header_seconds=10.0,
+                header_seconds=30.0,
                 silent_seconds=60.0,
                 grace_seconds=3.0,
             )
         except OSError as error:
             if error.errno != errno.EADDRINUSE:
                 raise
-            raise OSError(error.errno, f"{os.strerror(error.errno)}: choose another port", f"{LOCAL}:{number}") from None
+            raise OSError(
+                error.errno, f"{os.strerror(error.errno)}: choose another port", f"{LOCAL}:{number}"
+            ) from None
         # Threads that make regions need the interpreter.
         self._end = weakref.finalize(self, self._server.close)
 
