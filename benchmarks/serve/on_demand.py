@@ -22,7 +22,7 @@ from nearfar.serve._site import Site
 from nearfar.stream._on_demand import OnDemand
 from nearfar.stream._radii import PUBLISHED
 
-HEADER = ("", "ring 0, coarse", "last ring, coarse", "ring 0", "last ring", "kB, coarse", "kB after it")
+HEADER = ["", "ring 0, coarse", "last ring, coarse", "ring 0", "last ring", "kB, coarse", "kB after it"]
 
 Times = tuple[float, ...]
 """Seconds until the coarse ring 0, the last coarse ring, the ring 0 and the last ring of full size."""
