@@ -60,10 +60,10 @@ lint-fuzz:
 	cargo fmt --all --check --manifest-path fuzz/Cargo.toml
 	cargo clippy --quiet --all-targets --manifest-path fuzz/Cargo.toml -- -D warnings
 
-# Of the core alone, in the linters' profile and after them: building the package leaves a core free for most of its time.
+# Of the core and the server, in the linters' profile and after them: building the package leaves a core free for most of its time.
 # Without optimization, because compiling takes longer than all tests do.
 test-rust: lint-rust
-	CARGO_INCREMENTAL=0 cargo test --quiet -p nearfar-core --lib
+	CARGO_INCREMENTAL=0 cargo test --quiet -p nearfar-core -p nearfar-serve --lib
 
 # Rust tests on graphics adapters, whose crates take minutes to compile; `make test` draws on adapters from Python.
 test-adapters:

@@ -153,7 +153,13 @@ def test_the_sources_pack(tmp_path: Path) -> None:
     with tarfile.open(path) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
     wanted = {"pyproject.toml", "Cargo.toml", "Cargo.lock", "README.md", "LICENSE-MIT", "LICENSE-APACHE"}
-    wanted |= {"scripts/nearfar_build.py", "rust/core/src/lib.rs", "rust/py/src/lib.rs", "python/nearfar/__init__.py"}
+    wanted |= {
+        "scripts/nearfar_build.py",
+        "rust/core/src/lib.rs",
+        "rust/py/src/lib.rs",
+        "rust/serve/src/lib.rs",
+        "python/nearfar/__init__.py",
+    }
     gpu = CHECKOUT / "rust" / "gpu" / "src"
     wanted |= {path.relative_to(CHECKOUT).as_posix() for path in gpu.rglob("*") if path.suffix in {".rs", ".wgsl"}}
     assert wanted <= names

@@ -38,6 +38,7 @@ STAGES: dict[str, set[str]] = {
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
     "stream": {"_camera", "_cubemap", "_metrics", "_partition", "_reduce", "_render", "_scene", "_trace"},
     "view": {"_camera", "_cubemap", "_partition", "_reduce", "_scene", "stream"},
+    "serve": {"_scene", "stream", "view"},
 }
 
 PRIVATE_TO_COMMANDS = {
@@ -73,6 +74,7 @@ ROOMS = {
     "lod": "",
     "stream": "",
     "view": "",
+    "serve": "",
     "cli": "calls of the other stages",
 }
 

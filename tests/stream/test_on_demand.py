@@ -66,6 +66,7 @@ def test_rings_come_in_order_with_their_files(parts: list[Part]) -> None:
     rings = [("begin", None), *(("ring", ring) for ring in range(4))]
     assert [(line["event"], line.get("ring")) for line in told] == [*rings, *rings, ("end", None)]
     assert [part.stage for part in parts] == [0] * 5 + [1] * 6
+    assert [part.next for part in parts] == [0] * 4 + [1] * 6 + [None]
     have: set[str] = set()
     for line, part in zip(told[:-1], parts, strict=False):
         assert line["files"] == {name: _store.described(data) for name, data in part.files.items()}

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import opened, started, wait_for_ring
 from tests.support.page_pictures import camera, of_one_face, off
@@ -39,7 +39,7 @@ def saved(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, nf.ReducedSce
 def page(saved: tuple[Path, nf.ReducedScene]) -> Iterator[SteppedPage]:
     """The page with all of the scene, grown."""
     need("browser")
-    with started() as program, Server(saved[0]) as server, opened(program, *SIZE) as shown:
+    with started() as program, Server.of_bundle(saved[0]) as server, opened(program, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0&strategy=clovrd")
         assert wait_for_ring(shown, 1) == ""
         yield SteppedPage(shown)

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import canvas, opened, started, still, wait_for_ring, wait_until
 from tests.support.bundled_scenes import bundled_scenes
@@ -44,7 +44,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def url(place: Path) -> Iterator[str]:
-    with Server(place) as server:
+    with Server.of_bundle(place) as server:
         yield f"{server.url}?aa=0"
 
 
@@ -209,7 +209,7 @@ def test_names_are_only_ever_text(chromium: Any, tmp_path: Path) -> None:
     manifest = json.loads((place / "manifest.json").read_text())
     manifest["notes"] = [HOSTILE]
     manifest["regions"][0]["findings"] = [HOSTILE]
-    with Server(place) as server, opened(chromium, *SIZE) as page:
+    with Server.of_bundle(place) as server, opened(chromium, *SIZE) as page:
         page.route("**/manifest.json", lambda route: route.fulfill(body=json.dumps(manifest)))
         page.goto(f"{server.url}#{HOSTILE}")
         assert wait_for_ring(page, 1) == ""

@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import opened, started, wait_for_ring, wait_until
 
@@ -41,7 +41,7 @@ def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     folder = tmp_path_factory.mktemp("habits") / "bundle"
     scene = nf.datasets.city(blocks=2, detail=1)
     nf.stream.export(scene, folder, center=CENTER, radii=(10.0,), face_size=64, samples=1)
-    with Server(Path(folder)) as server:
+    with Server.of_bundle(Path(folder)) as server:
         yield f"{server.url}?aa=0&strategy=clovrd"
 
 

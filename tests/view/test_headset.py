@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import opened, started, wait_for_ring
 from tests.support.headset import (
@@ -61,7 +61,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
 
 @pytest.fixture(scope="module")
 def server(bundle: nf.stream.Bundle) -> Iterator[str]:
-    with Server(folder_of(bundle)) as running:
+    with Server.of_bundle(folder_of(bundle)) as running:
         yield running.url
 
 
@@ -114,7 +114,7 @@ def test_one_position_for_both_eyes_would_be_seen(chromium: Any, tmp_path: Path)
     bundle = nf.stream.export(nf.datasets.room(), tmp_path / "room", center=(0.5, 1.6, 0.4), radii=(8.0,), **settings)
     picture = {"ring": 1, "radius": 8.0, "strength": 1.0}
     with (
-        Server(folder_of(bundle)) as running,
+        Server.of_bundle(folder_of(bundle)) as running,
         worn(chromium, f"{running.url}?aa=0&strategy=clovrd#p=0.6,1.6,0.5&yaw={YAW}", "quest2", SIZE, 1) as page,
     ):
         empty_hands(page)
@@ -167,7 +167,7 @@ def test_walking_on_leads_to_the_next_region(chromium: Any, tmp_path: Path) -> N
     level: Quaternion = (0.0, 0.0, 0.0, 1.0)
     place = ",".join(map(str, CENTER))
     with (
-        Server(folder_of(bundle)) as running,
+        Server.of_bundle(folder_of(bundle)) as running,
         worn(chromium, f"{running.url}?aa=0&strategy=clovrd#p={place}&yaw=0", "quest3", SIZE, 1) as page,
     ):
         look(page, head, level)

@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import started
 from tests.support.headset import (
@@ -57,7 +57,7 @@ def page(bundle: nf.stream.Bundle) -> Iterator[Any]:
     need("browser")
     need("web")
     place = ",".join(map(str, START))
-    with started() as program, Server(folder_of(bundle)) as server:
+    with started() as program, Server.of_bundle(folder_of(bundle)) as server:
         url = f"{server.url}?strategy=clovrd#p={place}&yaw={YAW}&pitch=-0.2"
         with worn(program, url, "quest3", (120, 120), 1) as shown:
             yield shown

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import started
 from tests.support.headset import (
@@ -60,7 +60,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
 
 @pytest.fixture(scope="module")
 def server(bundle: nf.stream.Bundle) -> Iterator[str]:
-    with Server(folder_of(bundle)) as running:
+    with Server.of_bundle(folder_of(bundle)) as running:
         yield running.url
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import canvas, started, wait_for_ring, wait_until
 from tests.support.headset import folder_of, frames, worn
@@ -41,7 +41,7 @@ def page(bundle: nf.stream.Bundle) -> Iterator[Any]:
     need("web")
     with (
         started() as program,
-        Server(folder_of(bundle)) as server,
+        Server.of_bundle(folder_of(bundle)) as server,
         worn(program, f"{server.url}?aa=0&strategy=clovrd", "quest3", SIZE, 1) as shown,
     ):
         yield shown

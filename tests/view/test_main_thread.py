@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import main_thread, need
 from tests.support.browser import opened, started, wait_for_ring
 from tests.support.stepped_page import SteppedPage
@@ -23,7 +23,7 @@ def test_no_call_sends_much_to_the_gpu(tmp_path: Path) -> None:
     need("browser")
     scene, center = nf.datasets.city(blocks=2, detail=0), (3.0, 1.7, -2.0)
     nf.stream.export(scene, tmp_path / "bundle", center=center, radii=(10.0, 22.0), face_size=1024)
-    with started() as program, Server(tmp_path / "bundle") as server, opened(program, 96, 60) as page:
+    with started() as program, Server.of_bundle(tmp_path / "bundle") as server, opened(program, 96, 60) as page:
         main_thread.count(page)
         page.goto(f"{server.url}?aa=0")
         SteppedPage(page)
@@ -78,7 +78,7 @@ def test_no_frame_waits_for_the_compilation_of_a_program(tmp_path: Path) -> None
         mesh = builder.mesh(np.add(corners, (0, number, 0)), faces, normals=normals)
         builder.instance(mesh, name=f"floor {number}")
     nf.stream.export(builder.build(), tmp_path / "b", center=(0, 1.7, 0), radii=(5.0,), face_size=64, samples=1)
-    with started() as program, Server(tmp_path / "b") as server, opened(program, 96, 60) as page:
+    with started() as program, Server.of_bundle(tmp_path / "b") as server, opened(program, 96, 60) as page:
         page.add_init_script(LINKS)
         page.goto(f"{server.url}?aa=0")
         assert wait_for_ring(page, 1) == ""

@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import opened, started, wait_until
 from tests.support.held_rings import HeldRings
@@ -89,7 +89,7 @@ def wait_for(page: SteppedPage, pose: dict[str, Any], ring: int) -> None:
 
 
 def test_a_load_is_smooth_and_clovrd_jumps(chromium: Any, bundle: nf.stream.Bundle, pose: dict[str, Any]) -> None:
-    with Server(bundle._reader.place) as server:
+    with Server.of_bundle(bundle._reader.place) as server:
         with opened(chromium, *SIZE) as shown:
             held = HeldRings(shown, bundle)
             shown.goto(server.url)

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import opened, started, still, wait_for_ring
 from tests.support.page_pictures import camera, off
@@ -39,7 +39,7 @@ def chromium() -> Iterator[Any]:
 
 
 def test_ring_0_is_the_map_and_what_moves(chromium: Any, bundle: nf.stream.Bundle) -> None:
-    with Server(bundle._reader.place) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(bundle._reader.place) as server, opened(chromium, *SIZE) as shown:
         # No file of ring 1 ever comes.
         shown.route("**/*.bin", lambda route: route.abort())
         shown.goto(f"{server.url}?aa=0&rings=1")
@@ -55,7 +55,7 @@ def test_damage_is_told(chromium: Any, bundle: nf.stream.Bundle, damage: str) ->
     place = Path(bundle._reader.place)
     manifest = json.loads((place / "manifest.json").read_text())
     name = manifest["regions"][0]["rings"][2]["geometry"]
-    with Server(place) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(place) as server, opened(chromium, *SIZE) as shown:
         if damage == "newer":
             shown.route("**/manifest.json", lambda route: route.fulfill(body=json.dumps({**manifest, "version": 2})))
         elif damage == "missing":

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import opened, started, still, wait_for_ring
 from tests.support.page_pictures import camera, of_one_face, off
@@ -45,7 +45,7 @@ def test_pictures_are_those_of_bent_rays(
     case, bundle = exported
     ring, radius, strength = case.shown[number]
     picture: dict[str, Any] = {"ring": ring, "radius": radius, "strength": strength}
-    with Server(bundle._reader.place) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(bundle._reader.place) as server, opened(chromium, *SIZE) as shown:
         # Samples within a pixel would mix colours of several faces.
         shown.goto(f"{server.url}?aa=0&rings={ring}")
         assert wait_for_ring(shown, ring) == ""

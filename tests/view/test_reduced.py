@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar.serve._server import Server
 from nearfar.stream import _map_files as codec
 from nearfar.stream._decode import Layout, decode_map
 from nearfar.view import _content, _reduced
-from nearfar.view._server import Server
 from tests.support import valid
 
 CENTER = (0.3, 1.6, 0.2)
@@ -132,7 +132,7 @@ def test_a_saved_scene_has_the_files_of_the_scene(scene: nf.Scene, tmp_path: Pat
     # The folder stays that of the reduced scene.
     assert nf.ReducedScene.load(tmp_path / "light").r2 == reduced.r2
     with (
-        Server(tmp_path / "light") as server,
+        Server.of_bundle(tmp_path / "light") as server,
         urllib.request.urlopen(f"{server.url}manifest.json", timeout=60) as answer,
     ):
         assert json.loads(answer.read())["unit"] == "triangle"
@@ -144,7 +144,7 @@ def test_damage_is_named(scene: nf.Scene, tmp_path: Path) -> None:
     reduced_room(scene).save(tmp_path / "light")
     (tmp_path / "light" / "near.glb").write_bytes(b"no")
     with pytest.raises(nf.FormatError, match=r"near\.glb"):
-        Server(tmp_path / "light")
+        Server.of_bundle(tmp_path / "light")
     (tmp_path / "light" / "near.glb").unlink()
     with pytest.raises(OSError, match=r"near\.glb"):
-        Server(tmp_path / "light")
+        Server.of_bundle(tmp_path / "light")

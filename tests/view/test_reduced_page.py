@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import opened, started, still, wait_for_ring
 from tests.support.page_pictures import camera, of_one_face, off
@@ -43,7 +43,7 @@ def saved(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
 
 @pytest.fixture(scope="module")
 def page(chromium: Any, saved: tuple[Path, nf.ReducedScene]) -> Iterator[Any]:
-    with Server(saved[0]) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(saved[0]) as server, opened(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0")
         assert wait_for_ring(shown, 1) == ""
         yield shown
@@ -77,7 +77,7 @@ def test_ring_0_is_what_the_centre_sees_and_ring_1_begins_as_that(
 
 
 def test_a_reduced_scene_grows_by_strength(chromium: Any, saved: tuple[Path, nf.ReducedScene]) -> None:
-    with Server(saved[0]) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(saved[0]) as server, opened(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0&rings=1")
         assert wait_for_ring(shown, 1) == ""
         begun = "() => window.nearfar.viewer.facts.shown.grown.strength > 0"

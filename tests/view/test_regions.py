@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import gallery, need
 from tests.support.browser import opened, started
 from tests.support.stepped_page import SteppedPage, count_objects, heap, objects
@@ -104,7 +104,7 @@ def at_the_border(page: Any, url: str, yaw: float) -> SteppedPage:
 @pytest.mark.parametrize("yaw", [-np.pi / 2, 0.3, 2.0])
 def test_a_crossing_changes_less_than_a_step(chromium: Any, city: nf.Scene, two: Path, yaw: float) -> None:
     xs = [5.9 + WALK / RATE * step for step in range(90)]
-    with Server(two) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(two) as server, opened(chromium, *SIZE) as shown:
         stepped = at_the_border(shown, server.url, yaw)
         told, pictures = zip(*(stepped.picture(pose(x, yaw), 1 / RATE) for x in xs), strict=True)
         assert shown.printed == []
@@ -126,7 +126,7 @@ def test_without_a_fade_the_same_crossing_jumps(chromium: Any, city: nf.Scene, t
     manifest = json.loads((two / "manifest.json").read_text())
     manifest["growth"]["fade"] = 0
     xs = [5.9 + WALK / RATE * step for step in range(40)]
-    with Server(two) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(two) as server, opened(chromium, *SIZE) as shown:
         shown.route("**/manifest.json", lambda route: route.fulfill(body=json.dumps(manifest)))
         stepped = at_the_border(shown, server.url, yaw)
         pictures = [stepped.picture(pose(x, yaw), 1 / RATE)[1] for x in xs]
@@ -142,7 +142,7 @@ def test_near_geometry_stays_in_place(chromium: Any, city: nf.Scene, two: Path) 
     for center in CENTERS:
         near &= np.hypot(points[..., 0] - center[0], points[..., 2] - center[2]) < NEAR_SHARE * RADII[-1]
     assert near.mean() > 0.3
-    with Server(two) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(two) as server, opened(chromium, *SIZE) as shown:
         stepped = at_the_border(shown, server.url, yaw)
         told, before = stepped.picture(pose(x, yaw), 0.0)
         assert (told["region"], told["leaving"]) == (1, 0)
@@ -159,7 +159,7 @@ def test_near_geometry_stays_in_place(chromium: Any, city: nf.Scene, two: Path) 
 def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None:
     manifest = json.loads((hall / "manifest.json").read_text())
     requests: list[str] = []
-    with Server(hall) as server, opened(chromium, 160, 120) as shown:
+    with Server.of_bundle(hall) as server, opened(chromium, 160, 120) as shown:
         count_objects(shown)
         shown.on("request", lambda request: requests.append(request.url.rsplit("/", 1)[-1]))
         shown.goto(f"{server.url}?aa=0")
@@ -234,7 +234,7 @@ def floor_at(x: int, y: int) -> NDArray[np.float64]:
 
 
 def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None:
-    with Server(hall) as server, opened(chromium, *ROOMY) as shown:
+    with Server.of_bundle(hall) as server, opened(chromium, *ROOMY) as shown:
         # All rings at once, so that the limit is that of the last one.
         shown.goto(f"{server.url}?aa=0&strategy=clovrd#p=0,{gallery.EYE},0&yaw=0&pitch=-0.4")
         shown.wait_for_function("() => window.nearfar?.viewer.facts.shown?.ring === 2", timeout=60e3)
@@ -255,7 +255,7 @@ def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None
 def test_a_region_that_does_not_come_leaves_the_old_picture(chromium: Any, hall: Path) -> None:
     manifest = json.loads((hall / "manifest.json").read_text())
     name = manifest["regions"][1]["rings"][1]["geometry"]
-    with Server(hall) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(hall) as server, opened(chromium, *SIZE) as shown:
         shown.route(f"**/{name}", lambda route: route.fulfill(status=404))
         shown.goto(f"{server.url}?aa=0&strategy=clovrd")
         shown.wait_for_function("() => window.nearfar?.viewer.facts.shown?.ring === 2", timeout=60e3)
@@ -274,7 +274,7 @@ def test_files_of_the_next_ring_come_while_a_ring_is_made(chromium: Any, two: Pa
     rings = json.loads((two / "manifest.json").read_text())["regions"][0]["rings"]
     names = [Path(ring["geometry"] or "none").name for ring in rings]
     asked: list[str] = []
-    with Server(two) as server, opened(chromium, 160, 120) as shown:
+    with Server.of_bundle(two) as server, opened(chromium, 160, 120) as shown:
         shown.on("request", lambda request: asked.append(request.url.rsplit("/", 1)[-1]))
         shown.goto(f"{server.url}?aa=0")
         stepped = SteppedPage(shown)

@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar.serve._server import Server
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._simulate import _course
 from nearfar.stream._stage import Rates, Shown, Stage
 from nearfar.stream._strategies import STRATEGIES, plan_of
 from nearfar.stream._transport import Transport
-from nearfar.view._server import Server
 from tests.support import need
 from tests.support.browser import opened, started, wait_for_ring
 from tests.support.bundled_scenes import bundled_scenes
@@ -106,7 +106,7 @@ def test_files_are_asked_for_in_the_order_of_the_page(strategy: str, chromium: A
     _course(bundle, plan, transport, path, rate=72.0, duration=math.inf, seconds_per_byte=0.0)
     asked: dict[str, None] = {}
     names = [*bundle.files, "manifest.json"]
-    with Server(bundle._reader.place) as server, opened(chromium, 200, 150) as page:
+    with Server.of_bundle(bundle._reader.place) as server, opened(chromium, 200, 150) as page:
         page.on("request", lambda request: asked.update(dict.fromkeys(n for n in names if request.url.endswith(n))))
         page.goto(f"{server.url}?strategy={strategy}")
         wait_for_ring(page, len(plan.radii))

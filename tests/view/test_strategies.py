@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import canvas, opened, started, wait_for_ring, wait_until
 from tests.support.bundled_scenes import bundled_scenes
@@ -39,7 +39,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
 
 @pytest.fixture(scope="module")
 def url(bundle: nf.stream.Bundle) -> Iterator[str]:
-    with Server(bundle._reader.place) as server:
+    with Server.of_bundle(bundle._reader.place) as server:
         yield server.url
 
 
@@ -124,7 +124,7 @@ def test_a_bundle_without_it_says_so(page: Any, tmp_path_factory: pytest.TempPat
     folder = tmp_path_factory.mktemp("plain") / "bundle"
     scene = bundled_scenes()["city"]
     nf.stream.export(scene, folder, center=CENTER, radii=RADII, face_size=64, samples=1)
-    with Server(folder) as server:
+    with Server.of_bundle(folder) as server:
         page.goto(f"{server.url}?strategy=vis1")
         assert "by_footprint=True" in wait_for_ring(page, 0)
         page.goto(f"{server.url}?strategy=best")

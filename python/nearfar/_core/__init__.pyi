@@ -27,6 +27,9 @@ from nearfar._core.gpu import (
     gpu_morph as gpu_morph,
     gpu_similarity as gpu_similarity,
 )
+from nearfar._core.serve import (
+    Server as Server,
+)
 from nearfar._core.stereo import (
     HybridRig as HybridRig,
 )

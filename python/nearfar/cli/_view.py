@@ -11,7 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar.cli._options import option
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 
 
 def view(
@@ -33,7 +33,7 @@ def view(
         nf.view.write_page(folder)
         typer.echo(f"{folder}/index.html shows it from any web server.")
         return
-    with Server(folder, port=port) as server:
+    with Server.of_bundle(folder, port=port) as server:
         typer.echo(f"{server.url} shows {folder}; Ctrl-C ends it.")
         if browser:
             webbrowser.open(server.url)

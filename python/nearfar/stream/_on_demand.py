@@ -41,6 +41,8 @@ class Part:
     """JSON that tells of it, for a client that waits."""
     files: dict[str, bytes]
     """Content of the files that it names and that no earlier part had; the last part also has the manifest."""
+    next: int | None
+    """Stage of the part that comes next; None after the last one."""
 
 
 class OnDemand:
@@ -129,6 +131,7 @@ class OnDemand:
         rings = assign(self.scene, center=place, radii=radii)
         geometry, sent = Files(dict(self._moving.content)), set[str]()
         near: Iterable[dict[str, Any]] = self._near(rings, geometry)
+        last = len(self._stages) - 1
         for stage, settings in enumerate(self._stages):
             maps = Files()
             writer = Writer(settings, [], maps)
@@ -137,18 +140,19 @@ class OnDemand:
             head = baked.head(findings_of(rings) if stage else [])
             outline = _region(head, _outline(rings))
             manifest = self._manifest(settings, radii, outline, self._moving, NO_TILESET)
-            yield _part(stage, {"event": "begin", "manifest": manifest}, self._moving, sent=sent)
+            yield _part(stage, stage, {"event": "begin", "manifest": manifest}, self._moving, sent=sent)
             entries = []
             for ring, entry in enumerate(writer.rings(baked, near)):
                 entries.append(entry)
-                yield _part(stage, {"event": "ring", "ring": ring, "entry": entry}, geometry, maps, sent=sent)
+                then = min(stage + (ring == rings.count), last)
+                yield _part(stage, then, {"event": "ring", "ring": ring, "entry": entry}, geometry, maps, sent=sent)
             near = [{name: value for name, value in entry.items() if name != "map"} for entry in entries[1:]]
         whole = Files({**geometry.content, **maps.content})
         tileset = _tileset.encode(place, entries, self._dynamic, whole.content)
         manifest = self._manifest(settings, radii, _region(head, entries), whole, tileset)
         text = formats.to_json(manifest, compact=True).encode()
-        line = {"event": "end", "stage": stage}
-        yield Part(stage, _line(line), {_store.TILESET: tileset, _store.MANIFEST: text})
+        line = {"event": "end", "stage": last}
+        yield Part(last, _line(line), {_store.TILESET: tileset, _store.MANIFEST: text}, None)
 
     def _near(self, rings: Rings, files: Files) -> Iterator[dict[str, Any]]:
         """Encode the geometry of ring after ring."""
@@ -199,12 +203,12 @@ def _outline(rings: Rings) -> list[dict[str, Any]]:
     return [{**NOTHING, "map": None}, *({**row, "geometry": None, "parts": [], "map": None} for row in rows)]
 
 
-def _part(stage: int, told: dict[str, Any], *files: Files, sent: set[str]) -> Part:
+def _part(stage: int, then: int, told: dict[str, Any], *files: Files, sent: set[str]) -> Part:
     """A part with the files that were not sent yet, which it describes."""
     new = {name: data for each in files for name, data in each.content.items() if name not in sent}
     sent.update(new)
     described = {name: _store.described(data) for name, data in new.items()}
-    return Part(stage, _line({**told, "stage": stage, "files": described}), new)
+    return Part(stage, _line({**told, "stage": stage, "files": described}), new, then)
 
 
 def _line(told: dict[str, Any]) -> bytes:

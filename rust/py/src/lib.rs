@@ -1,4 +1,4 @@
-//! Bindings of nearfar-core and nearfar-gpu. Each function converts its arguments, releases the interpreter, calls a
+//! Bindings of nearfar-core, nearfar-gpu and nearfar-serve. Each function converts its arguments, releases the interpreter, calls a
 //! kernel and maps its error.
 
 mod convert;
@@ -22,6 +22,7 @@ mod lens;
 mod lod;
 mod exr;
 mod gpu;
+mod serve;
 
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
@@ -63,6 +64,7 @@ mod _core {
         scene::parts::{mesh_parts, scene_parts},
         scene::wavefront::read_wavefront,
         scene::{Mesh, Scene},
+        serve::Server,
         stereo::HybridRig,
         tessellate::{tessellate_arrays, tessellate_scene},
         trace::{cast_rays, instruction_sets, nearest_points, use_instruction_set},

@@ -5,7 +5,9 @@ from __future__ import annotations
 import hashlib
 import http.client
 import json
+import socket
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -13,7 +15,7 @@ from urllib.parse import urlsplit
 import pytest
 
 import nearfar as nf
-from nearfar.view._server import Server
+from nearfar.serve._server import Server
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +27,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def server(place: Path) -> Iterator[Server]:
-    with Server(place) as running:
+    with Server.of_bundle(place) as running:
         yield running
 
 
@@ -35,7 +37,7 @@ def ask(server: Server, path: str, method: str = "GET", **headers: str) -> tuple
     try:
         connection.request(method, path, headers=headers)
         answer = connection.getresponse()
-        return answer.status, dict(answer.getheaders()), answer.read()
+        return answer.status, {name.lower(): value for name, value in answer.getheaders()}, answer.read()
     finally:
         connection.close()
 
@@ -43,24 +45,24 @@ def ask(server: Server, path: str, method: str = "GET", **headers: str) -> tuple
 def test_the_page_and_all_files_of_the_bundle_are_served(server: Server, place: Path) -> None:
     for path, kind in [("/", "text/html"), ("/index.html", "text/html"), ("/page.js", "text/javascript")]:
         status, headers, content = ask(server, path)
-        assert (status, headers["Content-Type"].split(";")[0]) == (200, kind)
+        assert (status, headers["content-type"].split(";")[0]) == (200, kind)
         assert content
-        assert "script-src 'self'" in headers["Content-Security-Policy"]
+        assert "script-src 'self'" in headers["content-security-policy"]
     manifest = json.loads(ask(server, "/manifest.json")[2])
     assert manifest == json.loads((place / "manifest.json").read_text())
     for name, described in manifest["files"].items():
         status, headers, content = ask(server, f"/{name}")
         assert status == 200
         assert hashlib.sha256(content).hexdigest() == described["sha256"]
-        assert "immutable" in headers["Cache-Control"]
+        assert "immutable" in headers["cache-control"]
 
 
 def test_what_a_browser_has_is_not_sent_again(server: Server) -> None:
     _, headers, _ = ask(server, "/page.js")
-    status, again, content = ask(server, "/page.js", **{"If-None-Match": headers["ETag"]})
-    assert (status, content, again["ETag"]) == (304, b"", headers["ETag"])
+    status, again, content = ask(server, "/page.js", **{"If-None-Match": headers["etag"]})
+    assert (status, content, again["etag"]) == (304, b"", headers["etag"])
     status, head, content = ask(server, "/page.js", "HEAD")
-    assert (status, content, head["Content-Length"]) == (200, b"", headers["Content-Length"])
+    assert (status, content, head["content-length"]) == (200, b"", headers["content-length"])
 
 
 @pytest.mark.parametrize(
@@ -75,10 +77,53 @@ def test_nothing_else_is_served(server: Server, place: Path, path: str) -> None:
 
 
 def test_other_methods_and_other_names_of_this_machine_are_refused(server: Server) -> None:
-    assert ask(server, "/", "POST")[0] == 501
-    status, _, content = ask(server, "/", Host="evil.example:80")
-    assert status == 403
-    assert server.url.encode() in content
+    status, headers, _ = ask(server, "/", "POST")
+    assert (status, headers["allow"]) == (405, "GET, HEAD")
+    for host in ("evil.example:80", "evil.example", "127.0.0.1.evil.example", ""):
+        assert ask(server, "/", Host=host)[0] == 403
+    assert ask(server, "/", Host="localhost:1")[0] == 200
+
+
+@pytest.mark.parametrize(
+    ("asked", "part"),
+    [("bytes=0-9", (0, 10)), ("bytes=-7", (-7, None)), ("bytes=5-", (5, None)), ("bytes=0-1,4-5", None)],
+)
+def test_parts_of_files_are_sent(server: Server, place: Path, asked: str, part: tuple[int, int | None] | None) -> None:
+    name = next(name for name in nf.stream.open(place).files if name.endswith(".glb"))
+    whole = (place / name).read_bytes()
+    status, headers, content = ask(server, f"/{name}", Range=asked)
+    if part is None:
+        assert (status, content) == (200, whole)
+        return
+    expected = whole[slice(*part)]
+    first = range(len(whole))[slice(*part)][0]
+    assert (status, content) == (206, expected)
+    assert headers["content-range"] == f"bytes {first}-{first + len(expected) - 1}/{len(whole)}"
+
+
+def test_parts_beyond_the_end_and_of_another_version(server: Server, place: Path) -> None:
+    name = next(name for name in nf.stream.open(place).files if name.endswith(".glb"))
+    whole = (place / name).read_bytes()
+    status, headers, _ = ask(server, f"/{name}", Range=f"bytes={len(whole)}-")
+    assert (status, headers["content-range"]) == (416, f"bytes */{len(whole)}")
+    tag = ask(server, f"/{name}")[1]["etag"]
+    assert ask(server, f"/{name}", **{"Range": "bytes=0-3", "If-Range": tag})[0] == 206
+    assert ask(server, f"/{name}", **{"Range": "bytes=0-3", "If-Range": '"other"'})[0] == 200
+
+
+def test_clients_that_vanish_or_send_nonsense_disturb_nobody(server: Server) -> None:
+    port = urlsplit(server.url).port or 0
+    nonsense = [
+        b"",
+        b"GET",
+        b"GET / HTTP/1.1\r\nHost: ",
+        b"\x00\xff" * 50,
+        b"GET /%zz%00 HTTP/1.1\r\nHost: localhost\r\n\r\n",
+    ]
+    for text in [*nonsense, b"GET / HTTP/1.1\r\n" + b"X: y\r\n" * 10_000]:
+        with socket.create_connection(("127.0.0.1", port), timeout=60) as line, suppress(OSError):
+            line.sendall(text)
+    assert ask(server, "/")[0] == 200
 
 
 def test_a_file_that_goes_is_missing(place: Path, tmp_path: Path) -> None:
@@ -87,7 +132,7 @@ def test_a_file_that_goes_is_missing(place: Path, tmp_path: Path) -> None:
     (folder / "files").mkdir()
     for file in place.rglob("*.*"):
         (folder / file.relative_to(place)).write_bytes(file.read_bytes())
-    with Server(folder) as server:
+    with Server.of_bundle(folder) as server:
         name = next(iter(nf.stream.open(folder).files))
         (folder / name).unlink()
         assert ask(server, f"/{name}")[0] == 404
@@ -97,12 +142,12 @@ def test_a_file_that_goes_is_missing(place: Path, tmp_path: Path) -> None:
 def test_a_port_that_is_taken_is_named(server: Server, place: Path) -> None:
     port = urlsplit(server.url).port
     with pytest.raises(OSError, match="choose another port") as caught:
-        Server(place, port=port or 0)
+        Server.of_bundle(place, port=port or 0)
     assert str(port) in str(caught.value)
     with pytest.raises(ValueError, match=r"^port: expected"):
-        Server(place, port=70_000)
+        Server.of_bundle(place, port=70_000)
     with pytest.raises(OSError, match="manifest"):
-        Server(place.parent / "nothing")
+        Server.of_bundle(place.parent / "nothing")
 
 
 def test_the_page_beside_a_bundle_needs_no_server_of_ours(place: Path, tmp_path: Path) -> None:

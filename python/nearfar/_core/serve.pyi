@@ -1,0 +1,30 @@
+"""Server of sites, which `nearfar._core` exports; there is no such module at run time."""
+
+from collections.abc import Callable
+from typing import final
+
+# serve --------------------------------------------------------------------------------------------------------------
+@final
+class Server:
+    def __new__(
+        cls,
+        sites: list[
+            tuple[
+                str,
+                list[tuple[str, str, bool, bytes | Callable[[], bytes]]],
+                tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int] | None,
+            ]
+        ],
+        *,
+        host: str,
+        port: int,
+        hosts: list[str] | None,
+        headers: list[tuple[str, str]],
+        connections: int,
+        header_seconds: float,
+        silent_seconds: float,
+        grace_seconds: float,
+    ) -> Server: ...
+    @property
+    def port(self) -> int: ...
+    def close(self) -> None: ...

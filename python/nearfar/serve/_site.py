@@ -1,0 +1,61 @@
+"""The documents of a site: the page with a bundle, or a scene whose regions are made on demand."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from nearfar.stream._on_demand import OnDemand, next_part
+from nearfar.stream._store import FOLDER
+from nearfar.view._content import Read, opened
+from nearfar.view._page import INDEX, TYPES, page_files
+
+CACHE_BYTES = 2 * 10**9
+"""Bytes of a scene's regions on disk, by default."""
+
+Listed = tuple[str, str, bool, bytes | Callable[[], bytes]]
+"""Name, media type, whether the name is that of the content, and the content."""
+
+Made = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
+"""What begins a region, what makes its next part, the spacing of the grid, and folder and bytes of the cache."""
+
+
+@dataclass(frozen=True)
+class Site:
+    """What a server shows below one path."""
+
+    content: Mapping[str, Read] = field(default_factory=dict)
+    """How to read each document beside the page, by name."""
+    demand: Made | None = None
+    """What makes regions on demand."""
+
+    @classmethod
+    def of_bundle(cls, path: str | os.PathLike[str]) -> Site:
+        """Show a bundle or a reduced scene; errors as `nearfar.stream.open` and `ReducedScene.load` raise them."""
+        return cls(opened(path))
+
+    @classmethod
+    def of_scene(cls, scene: OnDemand, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
+        """Make regions of a scene on demand.
+
+        The cache is a folder for this scene with these settings alone; None keeps what is made in memory, a part of a
+        gigabyte at most.
+        """
+        folder = None if cache is None else os.fspath(cache)
+        return cls(demand=(scene.parts, next_part, scene.grid, folder, cache_bytes))
+
+    def documents(self) -> list[Listed]:
+        """List the site's documents, the page's among them."""
+        page = page_files()
+        listed: list[Listed] = [(name, _media(name), False, data) for name, data in page.items()]
+        listed.append(("", _media(INDEX), False, page[INDEX]))
+        for name, read in self.content.items():
+            is_named = name.startswith(f"{FOLDER}/")
+            listed.append((name, _media(name), is_named, read if is_named else read()))
+        return listed
+
+
+def _media(name: str) -> str:
+    return TYPES.get(name.rpartition(".")[2], TYPES["bin"])

@@ -1,0 +1,175 @@
+//! Bindings of `serve`.
+
+use std::collections::HashMap;
+use std::io;
+use std::net::{IpAddr, SocketAddr};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+use bytes::Bytes;
+use nearfar_serve::demand::{self, Cache, Demand, Maker, Making, Part, Place, Wanted};
+use nearfar_serve::site::{Content, Document, Site, Sites};
+use nearfar_serve::{self as serve, Limits, Router, Settings};
+use pyo3::exceptions::{PyInterruptedError, PyOSError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyCFunction;
+
+/// A server that runs in threads of its own.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct Server(serve::Server);
+
+/// Where a document's content is: bytes, the path of a file and its size, or a function that returns bytes.
+#[derive(FromPyObject)]
+enum Source {
+    Bytes(PyBackedBytes),
+    File(PathBuf, u64),
+    Read(Py<PyAny>),
+}
+
+/// Path below the site, media type, whether its name is that of its content, and the content.
+type Listed = (String, String, bool, Source);
+
+/// What makes regions of a site's scene: a function that begins one, one that makes its next part, the spacing of the
+/// grid, and the folder and the bytes of the cache.
+type OnDemand = (Py<PyAny>, Py<PyAny>, f64, Option<PathBuf>, u64);
+
+#[pymethods]
+impl Server {
+    /// `sites` are names with their documents and what makes regions on demand.
+    #[new]
+    #[pyo3(signature = (sites, *, host, port, hosts, headers, connections, header_seconds, silent_seconds, grace_seconds))]
+    #[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
+    fn new(
+        py: Python<'_>,
+        sites: Vec<(String, Vec<Listed>, Option<OnDemand>)>,
+        host: IpAddr,
+        port: u16,
+        hosts: Option<Vec<String>>,
+        headers: Vec<(String, String)>,
+        connections: usize,
+        header_seconds: f64,
+        silent_seconds: f64,
+        grace_seconds: f64,
+    ) -> PyResult<Self> {
+        let sites: PyResult<Sites> =
+            sites.into_iter().map(|(name, listed, made)| Ok((name, site(listed, made)?))).collect();
+        let headers: PyResult<_> = headers.into_iter().map(header).collect();
+        let router = Router { sites: sites?, hosts: hosts.map(|names| names.into_iter().collect()), headers: headers? };
+        let limits = Limits {
+            connections,
+            headers: seconds(header_seconds)?,
+            silence: seconds(silent_seconds)?,
+            grace: seconds(grace_seconds)?,
+            ..Limits::default()
+        };
+        let settings = Settings { address: SocketAddr::new(host, port), limits, router };
+        py.detach(|| serve::Server::start(settings)).map(Self).map_err(with_number)
+    }
+
+    /// The port that it listens at.
+    #[getter]
+    fn port(&self) -> u16 {
+        self.0.address().port()
+    }
+
+    /// Stop; answers that are being sent get the grace to end.
+    fn close(&self, py: Python<'_>) {
+        py.detach(|| self.0.close());
+    }
+}
+
+fn site(listed: Vec<Listed>, made: Option<OnDemand>) -> PyResult<Site> {
+    let documents: HashMap<_, _> = listed.into_iter().map(document).collect();
+    let Some((begin, next, grid, folder, bytes)) = made else { return Ok(Site { documents, demand: None }) };
+    let cache = folder.map(|folder| Cache::open(&folder, bytes)).transpose()?;
+    let demand =
+        Demand::start(Box::new(Regions { begin, next: Arc::new(next) }), grid, cache, demand::Limits::default())?;
+    Ok(Site { documents, demand: Some(Arc::new(demand)) })
+}
+
+fn document((name, media, is_named, source): Listed) -> (String, Document) {
+    let document = match source {
+        Source::Bytes(data) if !is_named => Document::changing(Bytes::from_owner(data), &media),
+        Source::Bytes(data) => Document::named(&name, Content::Bytes(Bytes::from_owner(data)), &media),
+        Source::File(path, bytes) => Document::named(&name, Content::File(path, bytes), &media),
+        Source::Read(read) => Document::named(&name, Content::Elsewhere(Arc::new(move || called(&read))), &media),
+    };
+    (name, document)
+}
+
+fn called(read: &Py<PyAny>) -> io::Result<Bytes> {
+    Python::attach(|py| {
+        let data = read.call0(py).and_then(|data| Ok(data.extract::<PyBackedBytes>(py)?));
+        data.map(Bytes::from_owner).map_err(|error| io::Error::other(told(py, &error)))
+    })
+}
+
+fn header((name, value): (String, String)) -> PyResult<(serve::HeaderName, serve::HeaderValue)> {
+    let wrong = || PyValueError::new_err(format!("headers: expected a header of HTTP, got {name:?}"));
+    Ok((name.parse().map_err(|_| wrong())?, value.parse().map_err(|_| wrong())?))
+}
+
+fn seconds(value: f64) -> PyResult<Duration> {
+    Duration::try_from_secs_f64(value).map_err(|_| PyValueError::new_err(format!("expected seconds, got {value}")))
+}
+
+/// An error with its number, by which Python tells a port that is taken.
+fn with_number(error: io::Error) -> PyErr {
+    match error.raw_os_error() {
+        Some(number) => PyOSError::new_err((number, error.to_string())),
+        None => error.into(),
+    }
+}
+
+/// Python's maker of regions.
+struct Regions {
+    begin: Py<PyAny>,
+    next: Arc<Py<PyAny>>,
+}
+
+struct Region {
+    parts: Py<PyAny>,
+    next: Arc<Py<PyAny>>,
+}
+
+impl Maker for Regions {
+    fn begin(&self, Place(center): Place) -> Result<Box<dyn Making>, String> {
+        Python::attach(|py| {
+            let parts = self.begin.call1(py, (center.to_vec(),)).map_err(|error| told(py, &error))?;
+            Ok(Box::new(Region { parts, next: Arc::clone(&self.next) }) as Box<dyn Making>)
+        })
+    }
+}
+
+/// A part as Python has it.
+#[derive(FromPyObject)]
+struct Made {
+    stage: u8,
+    line: PyBackedBytes,
+    files: HashMap<String, PyBackedBytes>,
+    next: Option<u8>,
+}
+
+impl Making for Region {
+    fn next(&mut self, is_wanted: &Wanted) -> Result<Part, String> {
+        Python::attach(|py| {
+            let wanted = Arc::clone(is_wanted);
+            let look = PyCFunction::new_closure(py, None, None, move |_, _| {
+                if wanted() { Ok(()) } else { Err(PyInterruptedError::new_err("nobody waits")) }
+            });
+            let made = look.and_then(|look| self.next.call1(py, (&self.parts, look)));
+            let made = made.and_then(|made| made.extract::<Made>(py));
+            let Made { stage, line, files, next } = made.map_err(|error| told(py, &error))?;
+            let files = files.into_iter().map(|(name, data)| (name, Bytes::from_owner(data))).collect();
+            Ok(Part { stage, line: Bytes::from_owner(line), files, next })
+        })
+    }
+}
+
+/// The sentence of an error.
+fn told(py: Python<'_>, error: &PyErr) -> String {
+    let sentence = error.value(py).to_string();
+    if error.is_instance_of::<PyValueError>(py) { sentence } else { format!("{}: {sentence}", error.get_type(py)) }
+}

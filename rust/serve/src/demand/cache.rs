@@ -1,0 +1,298 @@
+//! Complete regions on disk, up to a number of bytes: those that were not used for longest go first.
+//!
+//! `at/` has the manifest of each region by its place, `files/` the files of all of them by their content. A manifest is
+//! written after its files, so that what is there is complete, whenever the machine stops. A file is compared with its
+//! hash before it is used for the first time.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::SystemTime;
+
+use bytes::Bytes;
+use sha2::{Digest, Sha256};
+
+use super::Region;
+
+/// Names of documents in regions, and of the folders of a cache.
+const MANIFEST: &str = "manifest.json";
+const FILES: &str = "files";
+const PLACES: &str = "at";
+/// End of the names of files that are not complete.
+const ASIDE: &str = ".part";
+/// Hexadecimal digits of a manifest's hash in its name.
+const DIGITS: usize = 16;
+
+/// A region that is complete, or a file of one.
+#[derive(Clone)]
+pub enum Kept {
+    /// A region that is not on disk.
+    InMemory(Arc<Region>),
+    /// The content of a file.
+    Content(Bytes),
+    /// A file with its size in bytes.
+    OnDisk(PathBuf, u64),
+}
+
+/// Regions on disk.
+pub struct Cache {
+    folder: PathBuf,
+    budget: u64,
+    index: Mutex<Index>,
+}
+
+#[derive(Default)]
+struct Index {
+    places: HashMap<String, Entry>,
+    files: HashMap<String, Stored>,
+}
+
+struct Entry {
+    manifest: PathBuf,
+    bytes: u64,
+    files: Vec<String>,
+    used: SystemTime,
+}
+
+#[derive(Clone)]
+struct Stored {
+    bytes: u64,
+    sha256: String,
+    users: usize,
+    is_checked: bool,
+}
+
+impl Cache {
+    /// Open the cache of a scene, whose folder is made if it is not there, and tidy it up.
+    pub fn open(folder: &Path, budget: u64) -> io::Result<Self> {
+        for name in [FILES, PLACES] {
+            fs::create_dir_all(folder.join(name))?;
+        }
+        let cache = Cache { folder: folder.to_path_buf(), budget, index: Mutex::default() };
+        for found in fs::read_dir(folder.join(PLACES))? {
+            let path = found?.path();
+            if cache.read_entry(&path).is_none() {
+                fs::remove_file(&path)?;
+            }
+        }
+        cache.remove_strangers()?;
+        cache.trim(None)?;
+        Ok(cache)
+    }
+
+    /// The manifest of a place, if its region is here and undamaged.
+    pub fn find(&self, key: &str) -> Option<Kept> {
+        let mut index = self.index();
+        let names = index.places.get(key)?.files.clone();
+        let unchecked: Vec<(String, Stored)> = names
+            .iter()
+            .filter_map(|name| Some((name.clone(), index.files.get(name)?.clone())))
+            .filter(|(_, stored)| !stored.is_checked)
+            .collect();
+        for (name, stored) in unchecked {
+            if !self.is_whole(&name, &stored) {
+                tracing::warn!(place = key, file = name, "a file of the cache is damaged, its regions are made anew");
+                self.drop_users(&mut index, &name);
+                return None;
+            }
+            index.files.get_mut(&name)?.is_checked = true;
+        }
+        let entry = index.places.get_mut(key)?;
+        entry.used = SystemTime::now();
+        // The order of use outlives the server; if it cannot be written, the older one does.
+        let _ = File::options().append(true).open(&entry.manifest).and_then(|file| file.set_modified(entry.used));
+        Some(Kept::OnDisk(entry.manifest.clone(), entry.bytes))
+    }
+
+    /// A file of a region that is here.
+    pub fn file(&self, name: &str) -> Option<Kept> {
+        let mut index = self.index();
+        let stored = index.files.get(name)?.clone();
+        if !stored.is_checked {
+            if !self.is_whole(name, &stored) {
+                self.drop_users(&mut index, name);
+                return None;
+            }
+            index.files.get_mut(name)?.is_checked = true;
+        }
+        Some(Kept::OnDisk(self.path_of(name), stored.bytes))
+    }
+
+    /// Keep a region: its manifest, and the files that it lists.
+    pub fn keep(&self, key: &str, content: &HashMap<String, Bytes>) -> io::Result<()> {
+        let wrong = |what: &str| io::Error::new(io::ErrorKind::InvalidData, format!("{what} of a region is missing"));
+        let manifest = content.get(MANIFEST).ok_or_else(|| wrong("the manifest"))?;
+        let listed = listed(manifest).ok_or_else(|| wrong("the list of files"))?;
+        let mut index = self.index();
+        for (name, _, _) in &listed {
+            if !index.files.contains_key(name) {
+                let data = content.get(name).ok_or_else(|| wrong(name))?;
+                write_whole(&self.path_of(name), data)?;
+            }
+        }
+        let path = self.folder.join(PLACES).join(format!("{key}.{}.json", &hash(manifest)[..DIGITS]));
+        write_whole(&path, manifest)?;
+        index.add(key, path, manifest.len() as u64, listed, true);
+        drop(index);
+        self.trim(Some(key))
+    }
+
+    /// Bytes on disk.
+    pub fn bytes(&self) -> u64 {
+        self.index().bytes()
+    }
+
+    fn index(&self) -> MutexGuard<'_, Index> {
+        self.index.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn path_of(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
+    /// Take up a manifest that an earlier run has left; none if it or one of its files is not as it should be.
+    fn read_entry(&self, path: &Path) -> Option<()> {
+        let name = path.file_name()?.to_str()?.strip_suffix(".json")?;
+        let (key, digits) = name.rsplit_once('.')?;
+        let manifest = fs::read(path).ok()?;
+        if hash(&manifest)[..DIGITS] != *digits {
+            return None;
+        }
+        let listed = listed(&manifest)?;
+        let is_there = |(name, bytes, _): &(String, u64, String)| {
+            fs::symlink_metadata(self.path_of(name)).is_ok_and(|found| found.is_file() && found.len() == *bytes)
+        };
+        if !listed.iter().all(is_there) {
+            return None;
+        }
+        let mut index = self.index();
+        index.add(key, path.to_path_buf(), manifest.len() as u64, listed, false);
+        index.places.get_mut(key)?.used = fs::metadata(path).ok()?.modified().ok()?;
+        Some(())
+    }
+
+    /// Remove files that no manifest lists: what was not complete when an earlier run ended.
+    fn remove_strangers(&self) -> io::Result<()> {
+        let known: HashSet<String> = self.index().files.keys().cloned().collect();
+        for found in fs::read_dir(self.folder.join(FILES))? {
+            let path = found?.path();
+            let name = path.file_name().and_then(|name| name.to_str()).map(|name| format!("{FILES}/{name}"));
+            if !name.is_some_and(|name| known.contains(&name)) {
+                fs::remove_file(path)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Remove what was not used for longest, but one place, until the rest fits the budget.
+    fn trim(&self, but: Option<&str>) -> io::Result<()> {
+        let mut index = self.index();
+        while index.bytes() > self.budget {
+            let others = index.places.iter().filter(|(key, _)| Some(key.as_str()) != but);
+            let Some(key) = others.min_by_key(|(_, entry)| entry.used).map(|(key, _)| key.clone()) else { break };
+            self.remove(&mut index, &key)?;
+        }
+        Ok(())
+    }
+
+    fn remove(&self, index: &mut Index, key: &str) -> io::Result<()> {
+        let Some(entry) = index.places.remove(key) else { return Ok(()) };
+        // First the manifest: what it lists may be missing then.
+        gone(fs::remove_file(&entry.manifest))?;
+        for name in entry.files {
+            let Some(stored) = index.files.get_mut(&name) else { continue };
+            stored.users -= 1;
+            if stored.users == 0 {
+                index.files.remove(&name);
+                gone(fs::remove_file(self.path_of(&name)))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Remove a damaged file and all regions that need it.
+    fn drop_users(&self, index: &mut Index, name: &str) {
+        let needs = |entry: &Entry| entry.files.iter().any(|file| file == name);
+        let keys: Vec<String> =
+            index.places.iter().filter(|(_, entry)| needs(entry)).map(|(key, _)| key.clone()).collect();
+        for key in keys {
+            if let Err(error) = self.remove(index, &key) {
+                tracing::warn!(place = key, %error, "a damaged region cannot be removed from the cache");
+            }
+        }
+    }
+
+    fn is_whole(&self, name: &str, stored: &Stored) -> bool {
+        fs::read(self.path_of(name)).is_ok_and(|data| data.len() as u64 == stored.bytes && hash(&data) == stored.sha256)
+    }
+}
+
+impl Index {
+    fn add(&mut self, key: &str, manifest: PathBuf, bytes: u64, listed: Vec<(String, u64, String)>, is_checked: bool) {
+        for (name, bytes, sha256) in &listed {
+            let stored = Stored { bytes: *bytes, sha256: sha256.clone(), users: 0, is_checked };
+            self.files.entry(name.clone()).or_insert(stored).users += 1;
+        }
+        let files = listed.into_iter().map(|(name, _, _)| name).collect();
+        self.places.insert(key.to_owned(), Entry { manifest, bytes, files, used: SystemTime::now() });
+    }
+
+    fn bytes(&self) -> u64 {
+        let manifests: u64 = self.places.values().map(|entry| entry.bytes).sum();
+        manifests + self.files.values().map(|stored| stored.bytes).sum::<u64>()
+    }
+}
+
+/// Name, size and hash of each file that a manifest lists; none if it is no manifest.
+fn listed(manifest: &[u8]) -> Option<Vec<(String, u64, String)>> {
+    #[derive(serde::Deserialize)]
+    struct Described {
+        bytes: u64,
+        sha256: String,
+    }
+    #[derive(serde::Deserialize)]
+    struct Manifest {
+        files: BTreeMap<String, Described>,
+    }
+    let Manifest { files } = serde_json::from_slice(manifest).ok()?;
+    let is_plain = |name: &str| {
+        let own = name.strip_prefix("files/").unwrap_or_default();
+        !own.starts_with('.')
+            && !own.is_empty()
+            && own.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".-_".contains(&byte))
+    };
+    files
+        .into_iter()
+        .map(|(name, Described { bytes, sha256 })| is_plain(&name).then_some((name, bytes, sha256)))
+        .collect()
+}
+
+fn hash(data: &[u8]) -> String {
+    Sha256::digest(data).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Write a file aside and give it its name. Hashes tell if a disk lost some of it.
+fn write_whole(path: &Path, data: &[u8]) -> io::Result<()> {
+    let mut aside = path.as_os_str().to_owned();
+    aside.push(ASIDE);
+    let written = File::create(&aside).and_then(|mut file| file.write_all(data));
+    let named = written.and_then(|()| fs::rename(&aside, path));
+    if named.is_err() {
+        let _ = fs::remove_file(&aside);
+    }
+    named
+}
+
+/// What is not there need not be removed.
+fn gone(removed: io::Result<()>) -> io::Result<()> {
+    match removed {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+#[path = "cache_tests.rs"]
+mod tests;

@@ -1,0 +1,125 @@
+use super::*;
+
+fn region(names: &[(&str, &str)]) -> HashMap<String, Bytes> {
+    let mut content: HashMap<String, Bytes> =
+        names.iter().map(|(name, data)| (format!("files/{name}"), Bytes::copy_from_slice(data.as_bytes()))).collect();
+    let described: BTreeMap<&String, _> = content
+        .iter()
+        .map(|(name, data)| (name, serde_json::json!({"bytes": data.len(), "sha256": hash(data)})))
+        .collect();
+    let manifest = serde_json::to_vec(&serde_json::json!({ "files": described })).unwrap();
+    content.insert(MANIFEST.into(), manifest.into());
+    content
+}
+
+fn read(kept: &Kept) -> Vec<u8> {
+    match kept {
+        Kept::OnDisk(path, bytes) => {
+            let data = fs::read(path).unwrap();
+            assert_eq!(data.len() as u64, *bytes);
+            data
+        }
+        Kept::Content(data) => data.to_vec(),
+        Kept::InMemory(_) => panic!("expected a file"),
+    }
+}
+
+#[test]
+fn what_is_kept_is_found_again_also_after_a_restart() {
+    let folder = tempfile::tempdir().unwrap();
+    let content = region(&[("a.glb", "geometry"), ("b.webp", "picture")]);
+    let cache = Cache::open(folder.path(), 1 << 20).unwrap();
+    assert!(cache.find("1,2,3").is_none());
+    cache.keep("1,2,3", &content).unwrap();
+    for cache in [cache, Cache::open(folder.path(), 1 << 20).unwrap()] {
+        assert_eq!(read(&cache.find("1,2,3").unwrap()), content[MANIFEST]);
+        assert_eq!(read(&cache.file("files/a.glb").unwrap()), b"geometry");
+        assert!(cache.find("1,2,4").is_none());
+        for name in ["files/c.glb", "a.glb", "../a.glb", "files/../at/x", "at/1,2,3.json"] {
+            assert!(cache.file(name).is_none(), "{name}");
+        }
+    }
+}
+
+#[test]
+fn regions_share_files_and_the_longest_unused_go_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let long = "x".repeat(1000);
+    let both = region(&[("shared.bin", &long), ("own.glb", "first")]);
+    let cache = Cache::open(folder.path(), 4000).unwrap();
+    cache.keep("1,0,0", &both).unwrap();
+    cache.keep("2,0,0", &region(&[("shared.bin", &long), ("other.glb", "second")])).unwrap();
+    assert!(cache.bytes() < 2000, "{}", cache.bytes());
+    assert!(cache.find("1,0,0").is_some());
+    // Too much: the second one was not used since the first one was.
+    cache.keep("3,0,0", &region(&[("large.bin", &"y".repeat(2600))])).unwrap();
+    assert!(cache.find("2,0,0").is_none() && cache.find("1,0,0").is_some() && cache.find("3,0,0").is_some());
+    assert!(cache.file("files/other.glb").is_none() && cache.file("files/shared.bin").is_some());
+    assert_eq!(fs::read_dir(folder.path().join("files")).unwrap().count(), 3);
+    assert!(cache.bytes() <= 4000);
+    // A smaller budget holds from the start on.
+    let cache = Cache::open(folder.path(), 100).unwrap();
+    assert_eq!((cache.bytes(), fs::read_dir(folder.path().join("files")).unwrap().count()), (0, 0));
+}
+
+#[test]
+fn what_is_damaged_or_not_complete_is_not_used() {
+    let content = region(&[("a.glb", "geometry"), ("b.bin", "numbers")]);
+    type Damage = fn(&Path);
+    let damages: [(&str, Damage); 6] = [
+        ("changed", |folder| fs::write(folder.join("files/a.glb"), "geometrx").unwrap()),
+        ("shorter", |folder| fs::write(folder.join("files/a.glb"), "geo").unwrap()),
+        ("missing", |folder| fs::remove_file(folder.join("files/b.bin")).unwrap()),
+        ("a link", |folder| {
+            fs::rename(folder.join("files/a.glb"), folder.join("elsewhere")).unwrap();
+            std::os::unix::fs::symlink(folder.join("elsewhere"), folder.join("files/a.glb")).unwrap();
+        }),
+        ("manifest changed", |folder| {
+            let path = fs::read_dir(folder.join("at")).unwrap().next().unwrap().unwrap().path();
+            let text = fs::read_to_string(&path).unwrap();
+            fs::write(path, text.replace("a.glb", "../../etc/passwd")).unwrap();
+        }),
+        ("no manifest", |folder| {
+            let path = fs::read_dir(folder.join("at")).unwrap().next().unwrap().unwrap().path();
+            fs::remove_file(path).unwrap();
+        }),
+    ];
+    for (name, damage) in damages {
+        let folder = tempfile::tempdir().unwrap();
+        Cache::open(folder.path(), 1 << 20).unwrap().keep("1,2,3", &content).unwrap();
+        fs::write(folder.path().join("files/half.glb.part"), "ha").unwrap();
+        damage(folder.path());
+        let cache = Cache::open(folder.path(), 1 << 20).unwrap();
+        assert!(cache.find("1,2,3").is_none(), "{name}");
+        assert!(cache.file("files/a.glb").is_none() || name == "missing", "{name}");
+        assert!(!folder.path().join("files/half.glb.part").exists(), "{name}");
+        // It is made anew.
+        cache.keep("1,2,3", &content).unwrap();
+        assert_eq!(read(&cache.find("1,2,3").unwrap()), content[MANIFEST], "{name}");
+    }
+}
+
+#[test]
+fn names_that_leave_the_folder_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = Cache::open(folder.path(), 1 << 20).unwrap();
+    for name in ["../x", "a/b", "..", ".", "", "a\0b", "/etc/passwd", "a\\b"] {
+        let error = cache.keep("1,2,3", &region(&[(name, "data")])).unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::InvalidData, "{name:?}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+}
+
+#[test]
+fn a_region_that_the_disk_does_not_take_leaves_nothing_that_is_used() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = Cache::open(folder.path(), 1 << 20).unwrap();
+    let content = region(&[("a.glb", "geometry"), ("b.bin", "numbers")]);
+    // A folder in the place of the file is an error whoever writes.
+    fs::create_dir(folder.path().join("files/b.bin")).unwrap();
+    cache.keep("1,2,3", &content).unwrap_err();
+    assert!(cache.find("1,2,3").is_none());
+    fs::remove_dir(folder.path().join("files/b.bin")).unwrap();
+    cache.keep("1,2,3", &content).unwrap();
+    assert!(cache.find("1,2,3").is_some());
+}

@@ -1,0 +1,88 @@
+//! A client that waits for a region.
+
+use std::net::IpAddr;
+use std::sync::Arc;
+
+use bytes::Bytes;
+use tokio::sync::watch;
+
+use super::Place;
+use super::cache::Kept;
+use super::region::{Outcome, Region};
+use super::workers::Shared;
+
+/// News of a region that is being made.
+#[derive(Debug)]
+pub enum Event {
+    /// So many others come first.
+    Before(usize),
+    /// JSON of parts that are ready.
+    Lines(Vec<Bytes>),
+    /// There will be no more news.
+    End(Outcome),
+}
+
+/// A client's place among those who wait for a region; it is given up when this is dropped.
+pub struct Ticket {
+    shared: Arc<Shared>,
+    region: Arc<Region>,
+    client: IpAddr,
+    changes: watch::Receiver<u64>,
+    told: usize,
+    before: Option<usize>,
+}
+
+impl Ticket {
+    pub(super) fn new(shared: Arc<Shared>, region: Arc<Region>, client: IpAddr) -> Self {
+        let changes = region.watch();
+        Ticket { shared, region, client, changes, told: 0, before: None }
+    }
+
+    /// Wait for news.
+    pub async fn event(&mut self) -> Event {
+        loop {
+            // Before looking, so that no change in between is missed.
+            self.changes.borrow_and_update();
+            let news = self.region.since(self.told);
+            if !news.lines.is_empty() {
+                self.told += news.lines.len();
+                return Event::Lines(news.lines);
+            }
+            if let Some(outcome) = news.outcome {
+                return Event::End(outcome);
+            }
+            let before = self.shared.before(&self.region);
+            if self.told == 0 && before != self.before {
+                self.before = before;
+                if let Some(before) = before {
+                    return Event::Before(before);
+                }
+            }
+            if self.changes.changed().await.is_err() {
+                return Event::End(Outcome::Failed("the server ends".into()));
+            }
+        }
+    }
+
+    /// Wait until the region is complete.
+    pub async fn whole(mut self) -> Result<Kept, String> {
+        loop {
+            match self.event().await {
+                Event::End(Outcome::Complete) => return Ok(Kept::InMemory(Arc::clone(&self.region))),
+                Event::End(Outcome::Failed(reason)) => return Err(reason),
+                Event::Before(_) | Event::Lines(_) => {}
+            }
+        }
+    }
+
+    /// The place of the region.
+    pub fn place(&self) -> Place {
+        self.region.place
+    }
+}
+
+impl Drop for Ticket {
+    fn drop(&mut self) {
+        self.shared.leave(self.client, &self.region);
+    }
+}

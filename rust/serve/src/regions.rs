@@ -1,0 +1,140 @@
+//! Regions on demand: parts as they are ready, complete manifests, and files.
+
+use std::convert::Infallible;
+use std::net::IpAddr;
+use std::sync::Arc;
+
+use axum::body::{Body, Bytes};
+use axum::http::header;
+use axum::http::{Request, Response, StatusCode};
+use futures_util::stream;
+
+use crate::demand::{Answer, Demand, Event, Kept, Outcome, Place, Refusal, Ticket};
+use crate::respond;
+use crate::site::{Content, Document};
+
+/// Media types by the ends of names.
+const MEDIA: [(&str, &str); 5] = [
+    ("json", "application/json"),
+    ("glb", "model/gltf-binary"),
+    ("webp", "image/webp"),
+    ("bin", "application/octet-stream"),
+    ("range", "application/octet-stream"),
+];
+
+/// Answer a request for what lies below a site with regions on demand: `at/PLACE/parts`, `at/PLACE/manifest.json`,
+/// `files/NAME`, and the latter below a place too, so that a place is a bundle. None for other names.
+pub async fn answer<B>(
+    demand: &Arc<Demand>,
+    client: IpAddr,
+    name: &str,
+    request: &Request<B>,
+) -> Option<Response<Body>> {
+    if name.starts_with("files/") {
+        return Some(file(demand, name, request).await);
+    }
+    let (place, name) = name.strip_prefix("at/")?.split_once('/')?;
+    let place: Place = match place.parse() {
+        Ok(place) => place,
+        Err(reason) => return Some(respond::refusal(StatusCode::BAD_REQUEST, &reason)),
+    };
+    match name {
+        "parts" => Some(parts(demand, client, place)),
+        "manifest.json" | "tileset.json" => Some(document(demand, client, place, name, request).await),
+        _ if name.starts_with("files/") => Some(file(demand, name, request).await),
+        _ => None,
+    }
+}
+
+/// Lines of JSON that tell of parts as they are ready; the last one tells how it ended.
+fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<Body> {
+    let lines = match demand.ask(client, place) {
+        Err(refusal) => return refused(refusal),
+        Ok(Answer::Whole(kept)) => Body::from_stream(stream::once(whole(kept))),
+        Ok(Answer::Coming(ticket)) => Body::from_stream(stream::unfold(Some(ticket), next_lines)),
+    };
+    let head = Response::builder().header(header::CONTENT_TYPE, "application/x-ndjson");
+    respond::finished(head.header(header::CACHE_CONTROL, "no-store").body(lines))
+}
+
+/// The manifest of a region that is complete, as one line.
+async fn whole(kept: Kept) -> Result<Bytes, std::io::Error> {
+    let manifest = match kept {
+        Kept::InMemory(region) => region.file("manifest.json").unwrap_or_default(),
+        Kept::Content(data) => data,
+        Kept::OnDisk(path, _) => tokio::fs::read(path).await?.into(),
+    };
+    let mut line = b"{\"event\":\"whole\",\"manifest\":".to_vec();
+    line.extend(manifest.trim_ascii_end());
+    line.extend(b"}\n");
+    Ok(line.into())
+}
+
+async fn next_lines(ticket: Option<Ticket>) -> Option<(Result<Bytes, Infallible>, Option<Ticket>)> {
+    let mut ticket = ticket?;
+    let told = |value: serde_json::Value| Bytes::from(format!("{value}\n"));
+    Some(match ticket.event().await {
+        Event::Lines(lines) => (Ok(lines.concat().into()), Some(ticket)),
+        Event::Before(count) => (Ok(told(serde_json::json!({"event": "waiting", "before": count}))), Some(ticket)),
+        Event::End(Outcome::Complete) => return None,
+        Event::End(Outcome::Failed(reason)) => {
+            (Ok(told(serde_json::json!({"event": "failed", "reason": reason}))), None)
+        }
+    })
+}
+
+/// A document of a complete region, which is waited for.
+async fn document<B>(
+    demand: &Arc<Demand>,
+    client: IpAddr,
+    place: Place,
+    name: &str,
+    request: &Request<B>,
+) -> Response<Body> {
+    let kept = match demand.ask(client, place) {
+        Err(refusal) => return refused(refusal),
+        Ok(Answer::Whole(kept)) => kept,
+        Ok(Answer::Coming(ticket)) => match ticket.whole().await {
+            Ok(kept) => kept,
+            Err(reason) => return respond::refusal(StatusCode::UNPROCESSABLE_ENTITY, &reason),
+        },
+    };
+    let data = match kept {
+        Kept::InMemory(region) => region.file(name),
+        Kept::OnDisk(path, _) if name == "manifest.json" => tokio::fs::read(path).await.ok().map(Bytes::from),
+        Kept::OnDisk(..) | Kept::Content(_) => None,
+    };
+    match data {
+        Some(data) => {
+            respond::document(request.method(), request.headers(), &Document::changing(data, media_of(name))).await
+        }
+        None => respond::refusal(StatusCode::NOT_FOUND, "no such file"),
+    }
+}
+
+async fn file<B>(demand: &Arc<Demand>, name: &str, request: &Request<B>) -> Response<Body> {
+    let content = match demand.file(name) {
+        Some(Kept::Content(data)) => Content::Bytes(data),
+        Some(Kept::OnDisk(path, bytes)) => Content::File(path, bytes),
+        Some(Kept::InMemory(_)) | None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
+    };
+    respond::document(request.method(), request.headers(), &Document::named(name, content, media_of(name))).await
+}
+
+fn refused(refusal: Refusal) -> Response<Body> {
+    let (status, reason) = match refusal {
+        Refusal::TooManyOfClient(most) => {
+            (StatusCode::TOO_MANY_REQUESTS, format!("{most} places are waited for from this address"))
+        }
+        Refusal::TooMany(most) => (StatusCode::SERVICE_UNAVAILABLE, format!("{most} places are waited for")),
+        Refusal::Closing => (StatusCode::SERVICE_UNAVAILABLE, "the server ends".to_owned()),
+    };
+    let mut answer = respond::refusal(status, &reason);
+    answer.headers_mut().insert(header::RETRY_AFTER, header::HeaderValue::from_static("2"));
+    answer
+}
+
+fn media_of(name: &str) -> &'static str {
+    let end = name.rsplit('.').next().unwrap_or_default();
+    MEDIA.iter().find(|(each, _)| *each == end).map_or("application/octet-stream", |(_, media)| media)
+}

@@ -1,0 +1,108 @@
+//! What is served: a table of documents by name, so that no request becomes a path.
+
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::io;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use bytes::Bytes;
+use sha2::{Digest, Sha256};
+
+use crate::demand::Demand;
+
+/// Hexadecimal digits of a hash in a tag.
+const DIGITS: usize = 32;
+
+/// Reads a document that lies neither in memory nor on this machine's disk.
+pub type Read = dyn Fn() -> io::Result<Bytes> + Send + Sync;
+
+/// Where a document's content is.
+#[derive(Clone)]
+pub enum Content {
+    /// In memory.
+    Bytes(Bytes),
+    /// In a file, which has so many bytes.
+    File(PathBuf, u64),
+    /// Elsewhere.
+    Elsewhere(Arc<Read>),
+}
+
+/// A document that is served.
+#[derive(Clone)]
+pub struct Document {
+    /// Where its content is.
+    pub content: Content,
+    /// Media type.
+    pub media: String,
+    /// Its name is that of its content: clients may keep it for ever.
+    pub is_immutable: bool,
+    /// Tells versions of it apart.
+    pub tag: String,
+}
+
+impl Document {
+    /// A document whose name is that of its content.
+    pub fn named(name: &str, content: Content, media: &str) -> Self {
+        let tag = format!("\"{}\"", name.rsplit('/').next().unwrap_or(name));
+        Document { content, media: media.to_owned(), is_immutable: true, tag }
+    }
+
+    /// A document that may change.
+    pub fn changing(data: Bytes, media: &str) -> Self {
+        let mut tag = String::from("\"");
+        for byte in &Sha256::digest(&data)[..DIGITS / 2] {
+            let _ = write!(tag, "{byte:02x}");
+        }
+        tag.push('"');
+        Document { content: Content::Bytes(data), media: media.to_owned(), is_immutable: false, tag }
+    }
+}
+
+/// One bundle or scene, with the page that shows it.
+#[derive(Clone, Default)]
+pub struct Site {
+    /// Documents by their path below the site.
+    pub documents: HashMap<String, Document>,
+    /// What makes regions of the scene on demand.
+    pub demand: Option<Arc<Demand>>,
+}
+
+/// Sites by the first part of their paths; a single one may have the empty name.
+pub type Sites = HashMap<String, Site>;
+
+/// The site of a path without its leading slash, and the rest of the path.
+pub fn find<'a, 'b>(sites: &'a Sites, path: &'b str) -> Option<(&'a Site, &'b str)> {
+    if let Some(site) = sites.get("") {
+        return Some((site, path));
+    }
+    let (name, rest) = path.split_once('/')?;
+    Some((sites.get(name)?, rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_lead_to_sites() {
+        let one: Sites = [(String::new(), Site::default())].into();
+        assert_eq!(find(&one, "a/b").map(|found| found.1), Some("a/b"));
+        let two: Sites = [("a".to_owned(), Site::default()), ("b c".to_owned(), Site::default())].into();
+        assert_eq!(find(&two, "a/x/y").map(|found| found.1), Some("x/y"));
+        assert_eq!(find(&two, "b c/").map(|found| found.1), Some(""));
+        for path in ["", "a", "c/x", "../a/x", "/a/x", "A/x"] {
+            assert!(find(&two, path).is_none(), "{path}");
+        }
+    }
+
+    #[test]
+    fn tags_tell_content_apart() {
+        let [first, second] =
+            ["one", "two"].map(|text| Document::changing(Bytes::from_static(text.as_bytes()), "text/plain"));
+        assert_ne!(first.tag, second.tag);
+        assert_eq!(first.tag.len(), DIGITS + 2);
+        let named = Document::named("files/0123.glb", first.content, "model/gltf-binary");
+        assert_eq!(named.tag, "\"0123.glb\"");
+    }
+}
