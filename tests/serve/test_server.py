@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import http.client
 import json
+import shutil
 import socket
 from collections.abc import Iterator
 from contextlib import suppress
@@ -108,7 +109,8 @@ def test_parts_beyond_the_end_and_of_another_version(server: Server, place: Path
     assert (status, headers["content-range"]) == (416, f"bytes */{len(whole)}")
     tag = ask(server, f"/{name}")[1]["etag"]
     assert ask(server, f"/{name}", **{"Range": "bytes=0-3", "If-Range": tag})[0] == 206
-    assert ask(server, f"/{name}", **{"Range": "bytes=0-3", "If-Range": '"other"'})[0] == 200
+    for other in ('"other"', f"W/{tag}", "*", f'"other", {tag}'):
+        assert ask(server, f"/{name}", **{"Range": "bytes=0-3", "If-Range": other})[0] == 200
 
 
 def test_clients_that_vanish_or_send_nonsense_disturb_nobody(server: Server) -> None:
@@ -137,6 +139,26 @@ def test_a_file_that_goes_is_missing(place: Path, tmp_path: Path) -> None:
         (folder / name).unlink()
         assert ask(server, f"/{name}")[0] == 404
         assert ask(server, "/")[0] == 200
+
+
+def test_links_and_files_of_another_size_are_not_served(place: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "copy"
+    shutil.copytree(place, folder)
+    linked, longer = sorted(nf.stream.open(folder).files)[:2]
+    outside = tmp_path / "outside"
+    outside.write_bytes((folder / linked).read_bytes())
+    with Server.of_bundle(folder) as server:
+        (folder / linked).unlink()
+        (folder / linked).symlink_to(outside)
+        (folder / longer).write_bytes((folder / longer).read_bytes() + b"more")
+        assert [ask(server, f"/{name}")[0] for name in (linked, longer)] == [404, 404]
+    linked_folder = tmp_path / "linked"
+    linked_folder.mkdir()
+    for name in ("manifest.json", "tileset.json"):
+        shutil.copy(place / name, linked_folder)
+    (linked_folder / "files").symlink_to(place / "files")
+    with pytest.raises(ValueError, match="expected a folder of the bundle, got a link"):
+        Server.of_bundle(linked_folder)
 
 
 def test_a_port_that_is_taken_is_named(server: Server, place: Path) -> None:

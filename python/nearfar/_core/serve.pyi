@@ -11,7 +11,7 @@ class Server:
         sites: list[
             tuple[
                 str,
-                list[tuple[str, str, bool, bytes | Callable[[], bytes]]],
+                list[tuple[str, str, bool, bytes | tuple[str, int] | Callable[[], bytes]]],
                 tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int] | None,
             ]
         ],

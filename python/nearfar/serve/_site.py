@@ -7,15 +7,19 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from nearfar import stream
 from nearfar.stream._on_demand import OnDemand, next_part
-from nearfar.stream._store import FOLDER
-from nearfar.view._content import Read, opened
+from nearfar.stream._store import FOLDER, is_url
+from nearfar.view._content import opened, reduced_folder
 from nearfar.view._page import INDEX, TYPES, page_files
 
 CACHE_BYTES = 2 * 10**9
 """Bytes of a scene's regions on disk, by default."""
 
-Listed = tuple[str, str, bool, bytes | Callable[[], bytes]]
+Source = bytes | tuple[str, int] | Callable[[], bytes]
+"""A document's content: bytes, the path of a file and its size, or what reads it."""
+
+Listed = tuple[str, str, bool, Source]
 """Name, media type, whether the name is that of the content, and the content."""
 
 Made = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
@@ -26,15 +30,18 @@ Made = tuple[Callable[[list[float]], object], Callable[..., object], float, str 
 class Site:
     """What a server shows below one path."""
 
-    content: Mapping[str, Read] = field(default_factory=dict)
-    """How to read each document beside the page, by name."""
+    content: Mapping[str, Source] = field(default_factory=dict)
+    """Each document beside the page, by name."""
     demand: Made | None = None
     """What makes regions on demand."""
 
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str]) -> Site:
         """Show a bundle or a reduced scene; errors as `nearfar.stream.open` and `ReducedScene.load` raise them."""
-        return cls(opened(path))
+        content: dict[str, Source] = dict(opened(path))
+        if reduced_folder(path) is None and not is_url(path):
+            content |= _local_files(path)
+        return cls(content)
 
     @classmethod
     def of_scene(cls, scene: OnDemand, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
@@ -51,10 +58,19 @@ class Site:
         page = page_files()
         listed: list[Listed] = [(name, _media(name), False, data) for name, data in page.items()]
         listed.append(("", _media(INDEX), False, page[INDEX]))
-        for name, read in self.content.items():
+        for name, source in self.content.items():
             is_named = name.startswith(f"{FOLDER}/")
-            listed.append((name, _media(name), is_named, read if is_named else read()))
+            listed.append((name, _media(name), is_named, source() if callable(source) and not is_named else source))
         return listed
+
+
+def _local_files(path: str | os.PathLike[str]) -> dict[str, tuple[str, int]]:
+    """Path and size of the files of a local bundle, which the server reads itself; ValueError for a linked folder."""
+    bundle = stream.open(path)
+    place = Path(bundle._reader.place).resolve() / FOLDER
+    if place.is_symlink():
+        raise ValueError(f"{place}: expected a folder of the bundle, got a link")
+    return {name: (os.fspath(place.parent / name), entry["bytes"]) for name, entry in bundle._manifest["files"].items()}
 
 
 def _media(name: str) -> str:

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use axum::body::Body;
-use axum::http::header::{self, HeaderMap, HeaderName, HeaderValue};
+use axum::http::header::{self, HeaderMap, HeaderValue};
 use axum::http::{Method, Response, StatusCode};
 use bytes::Bytes;
 use tokio::io::{AsyncReadExt, AsyncSeekExt};
@@ -25,7 +25,7 @@ pub async fn document(method: &Method, asked: &HeaderMap, document: &Document) -
         .header(header::ETAG, &document.tag)
         .header(header::CACHE_CONTROL, if document.is_immutable { FOREVER } else { "no-cache" })
         .header(header::ACCEPT_RANGES, "bytes");
-    if has(asked, header::IF_NONE_MATCH, &document.tag) {
+    if knows(asked, &document.tag) {
         return finished(head.status(StatusCode::NOT_MODIFIED).body(Body::empty()));
     }
     let (bytes, opened) = match open(&document.content).await {
@@ -35,7 +35,8 @@ pub async fn document(method: &Method, asked: &HeaderMap, document: &Document) -
             return refusal(StatusCode::NOT_FOUND, "the file cannot be read");
         }
     };
-    let is_same = !asked.contains_key(header::IF_RANGE) || has(asked, header::IF_RANGE, &document.tag);
+    // One strong tag, unlike If-None-Match.
+    let is_same = asked.get(header::IF_RANGE).is_none_or(|value| value.as_bytes() == document.tag.as_bytes());
     let range = asked.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
     let head = head.header(header::CONTENT_TYPE, &document.media);
     let (head, part) = match wanted(range, bytes) {
@@ -82,9 +83,9 @@ pub fn finished(answer: Result<Response<Body>, axum::http::Error>) -> Response<B
     })
 }
 
-/// Whether a header names a tag, or any.
-fn has(asked: &HeaderMap, name: HeaderName, tag: &str) -> bool {
-    let values = asked.get_all(name);
+/// Whether `If-None-Match` names a tag, or any.
+fn knows(asked: &HeaderMap, tag: &str) -> bool {
+    let values = asked.get_all(header::IF_NONE_MATCH);
     let mut listed = values.iter().filter_map(|value| value.to_str().ok()).flat_map(|text| text.split(','));
     listed.any(|each| matches!(each.trim(), "*") || each.trim().trim_start_matches("W/") == tag)
 }
