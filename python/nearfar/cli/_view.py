@@ -33,14 +33,9 @@ def view(
         nf.view.write_page(folder)
         typer.echo(f"{folder}/index.html shows it from any web server.")
         return
-    with Server.of_bundle(folder, port=port) as server:
+    # Ctrl-C ends it from the first word on.
+    with Server.of_bundle(folder, port=port) as server, contextlib.suppress(KeyboardInterrupt):
         typer.echo(f"{server.url} shows {folder}; Ctrl-C ends it.")
         if browser:
             webbrowser.open(server.url)
-        _wait()
-
-
-def _wait() -> None:
-    """Return at Ctrl-C."""
-    with contextlib.suppress(KeyboardInterrupt):
         threading.Event().wait()
