@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { BufferAttribute, Texture } from 'three';
+import type { Texture } from 'three';
 import { createAhead } from '../src/show/ahead';
 import { createStore, type MeshArrays } from '../src/show/store';
 import { createUploads, type Step } from '../src/show/uploads';
@@ -45,7 +45,7 @@ test('a failure ahead is told to who asks for the file', async () => {
 test('arrays of a mesh are made once, and are free when the last one that uses them goes', () => {
   const store = createStore();
   let made = 0;
-  const make = (): MeshArrays => ({ attributes: {}, index: { made: ++made } as unknown as BufferAttribute });
+  const make = (): MeshArrays => ({ attributes: {}, *steps() {}, dispose: () => undefined, made: ++made }) as MeshArrays;
   const [first, second] = [store.take('m', make), store.take('m', make)];
   assert.equal(first, second);
   assert.deepEqual([made, store.shared], [1, 1]);
@@ -74,8 +74,8 @@ test('steps of a job that is dropped clean up', async () => {
   const log: string[] = [];
   function* steps(): Generator<Step> {
     try {
-      yield () => log.push('first');
-      yield () => log.push('second');
+      yield { kind: 'mesh', bytes: 0, run: () => log.push('first') };
+      yield { kind: 'mesh', bytes: 0, run: () => log.push('second') };
     } finally {
       log.push('cleaned up');
     }

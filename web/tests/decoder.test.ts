@@ -22,7 +22,7 @@ const FORGET = { kind: 'forget', buffers: [], region: 0 } as const;
 
 test('after a decoder has stopped nobody waits for it', async () => {
   Object.assign(globalThis, { Worker: SilentWorker });
-  const { decode } = startDecoder(new URL('https://example.org/worker.js'));
+  const { decode } = startDecoder(new URL('https://example.org/worker.js'), () => undefined);
   const before = decode(FORGET);
   const worker = SilentWorker.last as SilentWorker;
   worker.onerror?.({ message: 'no such script' });

@@ -1,38 +1,144 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createUploads } from '../src/show/uploads';
+import { createFlight, MOST_IN_FLIGHT } from '../src/show/flight';
+import { createUploads, type Step } from '../src/show/uploads';
+
+const signal = new AbortController().signal;
 
 /** Uploads on a clock that only steps move. */
 function onClock() {
   let time = 0;
   const uploads = createUploads(() => time);
-  const steps = (lengths: readonly number[]) => lengths.map((length) => (): void => void (time += length));
-  return { uploads, steps };
+  const step = (length: number, kind: Step['kind'] = 'map', bytes = 0): Step => {
+    return { kind, bytes, run: () => void (time += length) };
+  };
+  return { uploads, step };
 }
 
-test('a frame takes its budget and one step more at most', async () => {
-  const { uploads, steps } = onClock();
-  const lengths = Array.from({ length: 500 }, (_, n) => ((7 * n) % 19) / 10);
-  const longest = Math.max(...lengths);
+test('no frame passes its budget once the costs of steps are known', async () => {
+  const { uploads, step } = onClock();
+  // 0.03 ms and 0.03 ms for each 64 KiB.
+  const sizes = Array.from({ length: 500 }, (_, n) => ((7 * n) % 19) * 2 ** 14);
   let isDone = false;
-  const done = uploads.add(steps(lengths), new AbortController().signal).then(() => (isDone = true));
-  let [sum, frames] = [0, 0];
+  const steps = sizes.map((bytes) => step(0.03 * (1 + bytes / 2 ** 16), 'arrays', bytes));
+  const done = uploads.add(steps, signal).then(() => (isDone = true));
+  const taken: number[] = [];
   while (!isDone) {
-    const taken = uploads.run(3);
-    assert.ok(taken < 3 + longest, `${taken}`);
-    sum += taken;
-    frames += 1;
+    taken.push(uploads.run(3));
     await Promise.resolve();
   }
   await done;
-  assert.ok(Math.abs(sum - lengths.reduce((all, length) => all + length, 0)) < 1e-9);
-  // No frame leaves time unused while work is left.
-  assert.ok(frames <= Math.ceil(sum / 3) + 2, `${frames}`);
+  const sum = sizes.reduce((all, bytes) => all + 0.03 * (1 + bytes / 2 ** 16), 0);
+  assert.ok(Math.abs(taken.reduce((all, each) => all + each, 0) - sum) < 1e-9);
+  assert.ok(taken.every((each) => each <= 3), `${taken}`);
+  // No frame leaves much time unused while work is left.
+  assert.ok(taken.length <= Math.ceil(sum / 2.7) + 2, `${taken}`);
 });
 
-test('a step that takes longer than a frame is alone in it', async () => {
-  const { uploads, steps } = onClock();
-  const done = uploads.add(steps([10, 10, 1, 1]), new AbortController().signal);
-  assert.deepEqual([uploads.run(3), uploads.run(3), uploads.run(3), uploads.run(3)], [10, 10, 2, 0]);
+test('a step that is expected to pass the budget waits for a frame of its own', async () => {
+  const { uploads, step } = onClock();
+  const long = Array.from({ length: 40 }, () => step(2, 'mesh'));
+  const mixed = [step(1.5, 'program'), step(2, 'mesh'), step(0.1), step(0.1)];
+  void uploads.add(long, signal);
+  for (let n = 0; n < 60; n++) uploads.run(3);
+  const done = uploads.add(mixed, signal);
+  assert.deepEqual([uploads.run(3), uploads.run(3)].map((each) => Number(each.toFixed(6))), [1.5, 2.2]);
+  uploads.run(3);
   await done;
+});
+
+test('a step that takes longer than a frame is done all the same', async () => {
+  const { uploads, step } = onClock();
+  const done = uploads.add([step(10), step(10), step(1)], signal);
+  const taken = [uploads.run(3), uploads.run(3), uploads.run(3), uploads.run(3)];
+  assert.deepEqual(taken, [10, 10, 1, 0]);
+  await done;
+});
+
+test('time that answers took is not there for steps', async () => {
+  const { uploads, step } = onClock();
+  void uploads.add(Array.from({ length: 100 }, () => step(0.2)), signal);
+  assert.ok(Math.abs(uploads.run(3) - 3) < 0.2001);
+  uploads.spend(2.1);
+  const taken = uploads.run(3);
+  assert.ok(taken >= 2.1 && taken <= 3, `${taken}`);
+  // What took all of it leaves nothing, and the next frame has its own time again.
+  uploads.spend(5);
+  assert.equal(uploads.run(3), 5);
+  assert.ok(uploads.run(3) > 2);
+});
+
+test('an urgent job is done before the others', async () => {
+  const { uploads } = onClock();
+  const order: string[] = [];
+  const told = (name: string): Step => ({ kind: 'mesh', bytes: 0, run: () => void order.push(name) });
+  const done = [
+    uploads.add([told('a'), told('b')], signal),
+    uploads.add([told('c')], signal),
+    uploads.add([told('urgent')], signal, true),
+  ];
+  while (uploads.run(0.1) || order.length < 4);
+  uploads.run(0.1);
+  await Promise.all(done);
+  assert.deepEqual(order, ['urgent', 'a', 'b', 'c']);
+});
+
+test('a step that fails ends its job alone', async () => {
+  const { uploads, step } = onClock();
+  const broken: Step = { kind: 'map', bytes: 0, run: () => assert.fail('no memory') };
+  const failed = uploads.add([step(0.1), broken, step(0.1)], signal);
+  const done = uploads.add([step(0.1)], signal);
+  uploads.run(3);
+  await assert.rejects(failed, /no memory/);
+  await done;
+});
+
+/** A GPU that comes to marks when it is told to. */
+function slowGpu() {
+  const marks: { isPassed: boolean }[] = [];
+  const gl = {
+    SIGNALED: 1,
+    fenceSync: () => {
+      const mark = { isPassed: false };
+      marks.push(mark);
+      return mark;
+    },
+    getSyncParameter: (mark: { isPassed: boolean }) => (mark.isPassed ? 1 : 0),
+    deleteSync: () => undefined,
+    flush: () => undefined,
+  };
+  return { marks, flight: createFlight(gl as unknown as WebGL2RenderingContext) };
+}
+
+test('no more is sent than the GPU takes', async () => {
+  const { marks, flight } = slowGpu();
+  const uploads = createUploads(() => 0, flight);
+  let sent = 0;
+  const bytes = MOST_IN_FLIGHT / 4;
+  const steps = Array.from({ length: 10 }, (): Step => ({ kind: 'map', bytes, run: () => void (sent += bytes) }));
+  const done = uploads.add(steps, signal);
+  uploads.run(Infinity);
+  assert.equal(sent, MOST_IN_FLIGHT);
+  uploads.run(Infinity);
+  assert.equal(sent, MOST_IN_FLIGHT);
+  for (const mark of marks) mark.isPassed = true;
+  uploads.run(Infinity);
+  assert.equal(sent, 2 * MOST_IN_FLIGHT);
+  // Lost graphics take nothing any more, and new ones have room.
+  uploads.forget();
+  uploads.run(Infinity);
+  uploads.run(Infinity);
+  await done;
+  assert.equal(sent, 10 * bytes);
+});
+
+test('what is larger than the room goes alone', () => {
+  const { marks, flight } = slowGpu();
+  assert.ok(flight.hasRoom(2 * MOST_IN_FLIGHT));
+  flight.send(2 * MOST_IN_FLIGHT);
+  flight.mark();
+  assert.ok(!flight.hasRoom(1));
+  assert.ok(flight.hasRoom(0));
+  for (const mark of marks) mark.isPassed = true;
+  assert.ok(flight.hasRoom(1));
 });

@@ -41,20 +41,22 @@ function joined(arrays) {
   return base64(all);
 }
 
-/** The bytes of a picture as WebGL takes them for a texture. */
-function texelsOf(bitmap) {
+/** The bytes of a picture as WebGL takes its bands for a texture. */
+function texelsOf(bands) {
+  const [{ width, height }] = bands;
   const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
   gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
+  for (const { y, rows } of bands) gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, y, gl.RGBA, gl.UNSIGNED_BYTE, rows);
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-  const texels = new Uint8Array(4 * bitmap.width * bitmap.height);
-  gl.readPixels(0, 0, bitmap.width, bitmap.height, gl.RGBA, gl.UNSIGNED_BYTE, texels);
+  const texels = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, texels);
   gl.getExtension('WEBGL_lose_context').loseContext();
-  return { width: bitmap.width, height: bitmap.height, texels: base64(texels) };
+  return { width, height, texels: base64(texels) };
 }
 
 async function decoded(name) {
@@ -121,8 +123,12 @@ async function decoded(name) {
     ...(manifest.dynamic ? [{ ...manifest.dynamic, isDynamic: true }] : []),
   ]) {
     if (!uri) continue;
-    const { images } = await decode(geometry(await file(uri), await files(parts), isDynamic));
-    for (const [image, bitmap] of Object.entries(images)) result.images[image] = texelsOf(bitmap);
+    const { number, parts: count } = await decode(geometry(await file(uri), await files(parts), isDynamic));
+    const bands = [];
+    for (let part = 0; part < count; part++) bands.push(...(await decode({ kind: 'part', of: number, part })).bands);
+    for (const name of new Set(bands.map((band) => band.name))) {
+      result.images[name] = texelsOf(bands.filter((band) => band.name === name));
+    }
   }
   stop();
   return result;

@@ -1,11 +1,11 @@
-/** Decodes the geometry of a ring, or of dynamic objects, into pieces that can be uploaded one by one. */
+/** Decodes the geometry of a ring, or of dynamic objects, into pieces, each of which is drawn at once. */
 import type { Point } from '../bundle/manifest';
 import { contentOf, reasonOf } from './files';
 import { at, entries, type Glb, openGlb } from './glb';
 import { pictureOf } from './images';
-import type { FileData, Geometry, GeometryRequest, Piece } from './messages';
-import { chopped, shared } from './pieces';
-import { isIdentity, placementsOf, rounded } from './placements';
+import type { FileData, GeometryRequest, Piece, Triangles } from './messages';
+import { chopped } from './pieces';
+import { isIdentity, placementsOf, ROWS, rounded } from './placements';
 import { splitPlaced } from './split/placed';
 import { createRule, NOTHING_GROWS, type Rule, TOLERANCE } from './split/rule';
 import { type Budget, splitArrays } from './split/triangles';
@@ -16,28 +16,52 @@ const MOST_PIECES = 2 ** 18;
 /** Triangles that splitting may add to a file: some tens of megabytes. */
 const MOST_MADE = 2 ** 19;
 
-/** Buffers of the bundle by their URIs in its files. */
-export type Buffers = Map<string, Uint8Array>;
+/** Files of the bundle by their URIs in others: buffers, and that of dynamic objects. */
+export type Buffers = Map<string, Uint8Array<ArrayBuffer>>;
+
+/** What a file describes. */
+export interface Decoded {
+  readonly pieces: readonly Piece[];
+  /** Pictures by URI, of those that the page does not have yet. */
+  readonly images: Readonly<Record<string, ImageBitmap>>;
+  readonly triangles: Triangles;
+}
 
 /** Decode a file; `kept` has the buffers of earlier requests and gets those of this one. */
-export async function decodeGeometry(request: GeometryRequest, kept: Buffers): Promise<Geometry> {
+export async function decodeGeometry(request: GeometryRequest, kept: Buffers): Promise<Decoded> {
   const parts = await partsOf(request.parts, kept);
   const { name } = request.glb;
-  const content = await contentOf(request.glb);
+  const content = await fileOf(request, kept);
   try {
     const glb = openGlb(content, kept);
-    const pieces = splitPieces(...(await surfacesOf(glb, request)), request);
-    return {
-      pieces,
-      images: await imagesOf(glb, parts, request.known),
-      triangles: pieces.reduce((sum, { indices, placements }) => {
-        return sum + (indices.length / 3) * (placements ? placements.length / 12 : 1);
-      }, 0),
-    };
+    const [surfaces, offset] = await surfacesOf(glb, request);
+    const pieces = splitPieces(surfaces, offset, request);
+    const own = surfaces.flatMap(({ arrays, placed }) => placed.map((where) => trianglesOf(arrays, where)));
+    const drawn = pieces.map((piece) => trianglesOf(piece, piece));
+    const triangles = { own: own.reduce((sum, n) => sum + n, 0), drawn: drawn.reduce((sum, n) => sum + n, 0) };
+    return { pieces, images: await imagesOf(glb, parts, request.known), triangles };
   } catch (error) {
     const reason = reasonOf(error);
     throw new Error(reason.startsWith(FOLDER) ? reason : `${name}: ${reason}`);
   }
+}
+
+/** The content of the file itself; that of dynamic objects is kept, because every region asks for it. */
+async function fileOf({ glb, isDynamic }: GeometryRequest, kept: Buffers): Promise<Uint8Array<ArrayBuffer>> {
+  const name = glb.name.slice(FOLDER.length);
+  if (glb.data === null) {
+    const content = kept.get(name);
+    if (!content) throw new Error(`${glb.name} is not there`);
+    return content;
+  }
+  const content = await contentOf(glb);
+  if (isDynamic) kept.set(name, content);
+  return content;
+}
+
+/** Triangles of a mesh in all its placements. */
+function trianglesOf({ indices }: Pick<Piece, 'indices'>, { placements }: Pick<Piece, 'placements'>): number {
+  return (indices.length / 3) * (placements ? placements.length / ROWS : 1);
 }
 
 /** The contents of parts by name. Whole buffers are kept even if another part is damaged, since they come only once. */
@@ -136,9 +160,8 @@ function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budge
       for (const part of parts) {
         for (const [number, piece] of chopped(part.arrays).entries()) {
           // Split triangles, and positions without placements, are those of this region.
-          const own = { ...piece, name, same: part.arrays === arrays ? `${same} ${number}` : null };
-          if (!part.placements) pieces.push({ ...own, placements: null });
-          else for (const some of shared(part.placements)) pieces.push({ ...own, placements: some });
+          const own = part.arrays === arrays ? `${same} ${number}` : null;
+          if (part.placements?.length !== 0) pieces.push({ ...piece, name, same: own, placements: part.placements });
           if (pieces.length > MOST_PIECES) throw new Error(`expected at most ${MOST_PIECES} pieces of geometry`);
         }
       }

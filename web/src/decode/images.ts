@@ -1,25 +1,41 @@
 /** Decodes WebP pictures, whose size is checked before the browser sets memory aside for it. */
 import { contentOf } from './files';
-import type { FileData } from './messages';
+import type { Band, FileData } from './messages';
 
 /** Texels of a picture, at most: those of 8192². */
 const MOST_TEXELS = 2 ** 26;
 
-/** A picture as the GPU takes it: its own bytes, whatever profile it claims, and alpha apart from colour. */
+/** Bytes of a band of a picture, at most, unless a single row has more. */
+const BAND_BYTES = 2 ** 18;
+/** A picture's own bytes, whatever profile it claims, and alpha apart from colour. */
+const AS_IT_IS = { colorSpaceConversion: 'none', premultiplyAlpha: 'none', imageOrientation: 'none' } as const;
+
+/** A picture as the GPU takes it. */
 export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
   const [width, height] = sizeOf(name, data);
   if (width * height > MOST_TEXELS) {
     throw new Error(`${name}: expected a smaller picture, got ${width} × ${height} pixels`);
   }
   try {
-    return await createImageBitmap(new Blob([data], { type: 'image/webp' }), {
-      colorSpaceConversion: 'none',
-      premultiplyAlpha: 'none',
-      imageOrientation: 'none',
-    });
+    return await createImageBitmap(new Blob([data], { type: 'image/webp' }), AS_IT_IS);
   } catch {
     throw new Error(`${name}: expected a WebP picture, got something else`);
   }
+}
+
+/** All rows of pictures by name, in bands; the pictures themselves are closed. */
+export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Promise<Band[]> {
+  const bands: Band[] = [];
+  for (const [name, image] of Object.entries(images)) {
+    const { width, height } = image;
+    const most = Math.max(Math.floor(BAND_BYTES / (4 * width)), 1);
+    for (let y = 0; y < height; y += most) {
+      const rows = await createImageBitmap(image, 0, y, width, Math.min(most, height - y), AS_IT_IS);
+      bands.push({ name, width, height, y, rows });
+    }
+    image.close();
+  }
+  return bands;
 }
 
 /** The pixels of an opaque picture of known size, RGBA from the top. */

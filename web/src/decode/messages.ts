@@ -11,7 +11,7 @@ export interface Material {
   readonly cutoff: number | null;
 }
 
-/** Arrays of a mesh with one material, small enough to be uploaded in one frame. */
+/** Arrays of a mesh with one material. */
 export interface Piece {
   /**
    * Three numbers a vertex, metres, y up: from the centre O of the region; where there are placements, in the mesh's
@@ -27,19 +27,49 @@ export interface Piece {
   readonly indices: Uint16Array | Uint32Array;
   /** Twelve numbers a placement: rows of 3 × 4, from the mesh's frame to metres from O. */
   readonly placements: Float32Array | null;
-  /** Equal for pieces with the same arrays, placements aside, in whatever file; null where nothing is known of others. */
+  /**
+   * Equal for pieces with the same arrays, placements aside, in whatever file; null where nothing is known of others. Of
+   * those of a file only the first one has the arrays, which are empty in others.
+   */
   readonly same: string | null;
   readonly material: Material;
   /** Name of the dynamic object, or of the node. */
   readonly name: string;
 }
 
+/** Numbers of triangles; a mesh with placements counts for each. */
+export interface Triangles {
+  /** Those of the file. */
+  readonly own: number;
+  /** Those that are drawn: more, where large ones were split. */
+  readonly drawn: number;
+}
+
+/** Geometry of a file; the worker keeps it, and gives its parts away one by one. */
 export interface Geometry {
+  /** Number by which parts are asked for. */
+  readonly number: number;
+  readonly parts: number;
+  /** Pieces without arrays, one of each kind that needs a program of its own. */
+  readonly samples: readonly Piece[];
+  readonly triangles: Triangles;
+}
+
+/** Rows of a picture that the page does not have yet. */
+export interface Band {
+  /** URI of the picture within the bundle. */
+  readonly name: string;
+  /** Size of the whole picture, and the row at which the band begins. */
+  readonly width: number;
+  readonly height: number;
+  readonly y: number;
+  readonly rows: ImageBitmap;
+}
+
+/** Bands of pictures come before the pieces that show them. */
+export interface Part {
+  readonly bands: readonly Band[];
   readonly pieces: readonly Piece[];
-  /** Pictures by URI, of those that the page does not have yet. */
-  readonly images: Readonly<Record<string, ImageBitmap>>;
-  /** Triangles drawn; a mesh with placements counts for each. */
-  readonly triangles: number;
 }
 
 /** A file, and what the manifest says of it. */
@@ -63,7 +93,8 @@ export interface Growth {
 /** Decode the geometry of a ring, or of the dynamic objects. */
 export interface GeometryRequest {
   readonly kind: 'geometry';
-  readonly glb: FileData;
+  /** The name alone, if the worker has the file: that of dynamic objects, which every region needs. */
+  readonly glb: FileData | { readonly name: string; readonly data: null };
   /** Buffers that the worker was not sent before, and pictures. It keeps buffers, to which several files refer. */
   readonly parts: readonly FileData[];
   /** URIs of pictures that the page has. */
@@ -72,6 +103,20 @@ export interface GeometryRequest {
   readonly growth: Growth;
   /** Each node is an object of its own, which can be posed. */
   readonly isDynamic: boolean;
+}
+
+/** Give a part away; the last one is asked for last. */
+export interface PartRequest {
+  readonly kind: 'part';
+  /** Number of the geometry, and of its part. */
+  readonly of: number;
+  readonly part: number;
+}
+
+/** Let go of parts that nobody will ask for. */
+export interface DropRequest {
+  readonly kind: 'drop';
+  readonly of: number;
 }
 
 /** Begin the maps of a region with ring 0: six pictures. */
@@ -114,7 +159,10 @@ export interface Kept {
   readonly maps: number;
 }
 
-export type Request = GeometryRequest | FirstMapRequest | NextMapRequest | ForgetRequest;
+export type Request = GeometryRequest | PartRequest | DropRequest | FirstMapRequest | NextMapRequest | ForgetRequest;
+
+/** Results of requests; null where there is nothing to tell. */
+export type Result = Geometry | Part | MapUpdate | Kept | null;
 
 /** Uploads that make a texture hold a ring's map. */
 export type MapUpdate =
@@ -135,7 +183,7 @@ export type MapUpdate =
     };
 
 export type Answer =
-  | { readonly id: number; readonly result: Geometry | MapUpdate | Kept }
+  | { readonly id: number; readonly result: Result }
   | { readonly id: number; readonly error: string };
 
 /** A request with its number. */

@@ -1,19 +1,10 @@
-/** Pieces that are small enough to be uploaded within a frame. */
-import { ROWS } from './placements';
+/** Pieces of a bounded size. */
 import type { Arrays } from './surfaces';
 
-/** Triangles and placements of a piece, at most: about a megabyte each. */
-const [MOST_TRIANGLES, MOST_PLACEMENTS] = [32_768, 16_384] as const;
+/** Triangles of a piece, at most: about a megabyte. */
+const MOST_TRIANGLES = 32_768;
 /** Vertices that 16 bits number. */
 const SHORT = 65_536;
-
-/** Parts of placements, so that each can be uploaded at once. */
-export function shared(placements: Float32Array): Float32Array[] {
-  const size = ROWS * MOST_PLACEMENTS;
-  if (placements.length <= size) return placements.length > 0 ? [placements] : [];
-  const count = Math.ceil(placements.length / size);
-  return Array.from({ length: count }, (_, n) => placements.slice(n * size, (n + 1) * size));
-}
 
 /** The same triangles in parts of a bounded size, each with the vertices that it uses. */
 export function chopped(whole: Arrays): Arrays[] {

@@ -1,17 +1,23 @@
 /** A worker that decodes geometry and maps, one request after the other. */
 import { reasonOf } from './files';
 import { type Buffers, decodeGeometry } from './geometry';
+import { bandsOf } from './images';
 import { createMaps, type Maps } from './maps';
-import type { Answer, ForgetRequest, Geometry, Job, Kept, MapUpdate } from './messages';
+import type { Answer, ForgetRequest, Geometry, GeometryRequest, Job, Kept, Part, PartRequest, Result } from './messages';
+import { contentsOf, parcelled, samplesOf } from './parcels';
 import { FOLDER } from './surfaces';
 
 /** By region. */
 const maps = new Map<number, Maps>();
 const buffers: Buffers = new Map();
+/** Parts of geometry that the page has not asked for yet, by the number of their job. */
+const parcels = new Map<number, Part[]>();
 let last = Promise.resolve();
 
 self.onmessage = ({ data: job }: MessageEvent<Job>): void => {
-  last = last.then(() => answer(job));
+  // Parts are there already, and need not wait for what is decoded meanwhile.
+  if (job.kind === 'part' || job.kind === 'drop') void answer(job);
+  else last = last.then(() => answer(job));
 };
 
 async function answer(job: Job): Promise<void> {
@@ -23,10 +29,16 @@ async function answer(job: Job): Promise<void> {
   }
 }
 
-async function work(job: Job): Promise<Geometry | MapUpdate | Kept> {
+async function work(job: Job): Promise<Result> {
   switch (job.kind) {
     case 'geometry':
-      return decodeGeometry(job, buffers);
+      return geometry(job);
+    case 'part':
+      return part(job);
+    case 'drop':
+      for (const { rows } of parcels.get(job.of)?.flatMap(({ bands }) => bands) ?? []) rows.close();
+      parcels.delete(job.of);
+      return null;
     case 'first-map':
       maps.set(job.region, createMaps());
       return mapsOf(job.region).first(job);
@@ -35,6 +47,21 @@ async function work(job: Job): Promise<Geometry | MapUpdate | Kept> {
     case 'forget':
       return forget(job);
   }
+}
+
+async function geometry(job: GeometryRequest & { readonly id: number }): Promise<Geometry> {
+  const { pieces, images, triangles } = await decodeGeometry(job, buffers);
+  const parts = parcelled(await bandsOf(images), pieces);
+  parcels.set(job.id, parts);
+  return { number: job.id, parts: parts.length, samples: samplesOf(pieces), triangles };
+}
+
+function part({ of, part: number }: PartRequest): Part {
+  const parts = parcels.get(of);
+  const found = parts?.[number];
+  if (!parts || !found) throw new Error(`geometry ${of} has no part ${number}`);
+  if (number === parts.length - 1) parcels.delete(of);
+  return found;
 }
 
 function mapsOf(region: number): Maps {
@@ -54,14 +81,9 @@ function post(answered: Answer, transfer: Transferable[]): void {
   self.postMessage(answered, { transfer });
 }
 
-function transferred(result: Geometry | MapUpdate | Kept): Transferable[] {
-  if ('buffers' in result) return [];
-  if ('pieces' in result) {
-    const arrays = result.pieces.flatMap(({ positions, normals, uvs, colors, indices, placements }) =>
-      [positions, normals, uvs, colors, indices, placements].filter((array) => array !== null),
-    );
-    return [...new Set(arrays.map((array) => array.buffer as ArrayBuffer)), ...Object.values(result.images)];
-  }
+function transferred(result: Result): Transferable[] {
+  if (!result || 'buffers' in result || 'parts' in result) return [];
+  if ('pieces' in result) return contentsOf(result);
   const arrays = result.whole ? [...result.color, ...(result.codes ?? [])] : [result.tiles, result.color, result.codes];
   return [...new Set(arrays.map((array) => array.buffer as ArrayBuffer))];
 }

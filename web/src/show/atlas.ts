@@ -78,7 +78,7 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
     if (!entry) throw new Error(`there is no region ${number}`);
     const radii = entry.rings.slice(1).map((ring) => ring.radius);
     const stage = createStage({ ...manifest.growth, radii, nearShare }, manner);
-    const region = createRegion(renderer, entry, manifest.map.face_size, store);
+    const region = createRegion(renderer, entry, manifest.map.face_size, store, loading.shared);
     const stop = new AbortController();
     const open: Open = {
       number,

@@ -1,7 +1,7 @@
 /** A cube map on the GPU: colour, and from ring 1 on the codes of range. Tiles of it can be replaced. */
 import { CubeTexture, type WebGLRenderer } from 'three';
 import type { MapUpdate } from '../decode/messages';
-import type { Step } from './uploads';
+import { type Step, STEP_BYTES } from './uploads';
 
 export interface Cube {
   readonly color: CubeTexture;
@@ -13,8 +13,6 @@ export interface Cube {
   dispose(): void;
 }
 
-/** Rows of a face that are uploaded in a step: a megabyte of a face of 1024². */
-const ROWS = 256;
 export const FACES = 6;
 
 export function createCube(renderer: WebGLRenderer, faceSize: number): Cube {
@@ -70,55 +68,77 @@ export function* cubeSteps(
   layout: { readonly face_size: number; readonly tile: number },
 ): Generator<Step> {
   const gl = renderer.getContext() as WebGL2RenderingContext;
-  const size = layout.face_size;
-  const put = (texture: CubeTexture, face: number, box: Box, data: Uint8Array | Uint16Array): void => {
-    renderer.state.activeTexture(gl.TEXTURE0);
-    renderer.state.bindTexture(gl.TEXTURE_CUBE_MAP, handleOf(renderer, texture));
-    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    const target = gl.TEXTURE_CUBE_MAP_POSITIVE_X + face;
-    const [format, type] =
-      data instanceof Uint8Array ? [gl.RGBA, gl.UNSIGNED_BYTE] : [gl.RED_INTEGER, gl.UNSIGNED_SHORT];
-    gl.texSubImage2D(target, 0, box.x, box.y, box.width, box.height, format, type, data);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-  };
+  const { face_size: size, tile } = layout;
   cube.holds = null;
   if (update.whole) {
     for (let face = 0; face < FACES; face++) {
-      for (let y = 0; y < size; y += ROWS) {
-        const box = { x: 0, y, width: size, height: Math.min(ROWS, size - y) };
-        const rows = <T extends Uint8Array | Uint16Array>(data: T | undefined, texel: number): T => {
-          if (!data) throw new Error('a map has fewer than six faces');
-          return data.subarray(y * size * texel, (y + box.height) * size * texel) as T;
-        };
-        yield () => put(cube.color, face, box, rows(update.color[face], 4));
-        const { codes } = update;
-        if (codes) yield () => put(cube.codes, face, box, rows(codes[face], 1));
-      }
+      const whole = { face, x: 0, y: 0, width: size, height: size };
+      yield* boxSteps(renderer, gl, cube.color, whole, faceOf(update.color, face));
+      if (update.codes) yield* boxSteps(renderer, gl, cube.codes, whole, faceOf(update.codes, face));
     }
     cube.hasRange = update.codes !== null;
   } else {
-    const { tile } = layout;
     const across = size / tile;
     const area = tile * tile;
     for (let i = 0; i < update.tiles.length; i++) {
       const number = update.tiles[i] ?? 0;
       const face = Math.floor(number / (across * across));
       const place = number % (across * across);
-      const box = { x: (place % across) * tile, y: Math.floor(place / across) * tile, width: tile, height: tile };
-      yield () => {
-        put(cube.color, face, box, update.color.subarray(4 * i * area, 4 * (i + 1) * area));
-        put(cube.codes, face, box, update.codes.subarray(i * area, (i + 1) * area));
-      };
+      const box = { face, x: (place % across) * tile, y: Math.floor(place / across) * tile, width: tile, height: tile };
+      yield* boxSteps(renderer, gl, cube.color, box, update.color.subarray(4 * i * area, 4 * (i + 1) * area));
+      yield* boxSteps(renderer, gl, cube.codes, box, update.codes.subarray(i * area, (i + 1) * area));
     }
   }
   cube.holds = ring;
 }
 
+function faceOf<T>(faces: readonly T[], number: number): T {
+  const found = faces[number];
+  if (!found) throw new Error('a map has fewer than six faces');
+  return found;
+}
+
+/** Texels of a face. */
 interface Box {
+  readonly face: number;
   readonly x: number;
   readonly y: number;
   readonly width: number;
   readonly height: number;
+}
+
+/** Send texels, as many rows at a time as a step may. */
+function* boxSteps(
+  renderer: WebGLRenderer,
+  gl: WebGL2RenderingContext,
+  texture: CubeTexture,
+  box: Box,
+  data: Uint8Array | Uint16Array,
+): Generator<Step> {
+  const row = data.length / box.height;
+  const rows = Math.max(Math.floor(STEP_BYTES / (row * data.BYTES_PER_ELEMENT)), 1);
+  for (let first = 0; first < box.height; first += rows) {
+    const part = { ...box, y: box.y + first, height: Math.min(rows, box.height - first) };
+    const some = data.subarray(first * row, (first + part.height) * row);
+    yield { kind: 'map', bytes: some.byteLength, run: () => put(renderer, gl, texture, part, some) };
+  }
+}
+
+function put(
+  renderer: WebGLRenderer,
+  gl: WebGL2RenderingContext,
+  texture: CubeTexture,
+  { face, x, y, width, height }: Box,
+  data: Uint8Array | Uint16Array,
+): void {
+  const { state } = renderer;
+  state.activeTexture(gl.TEXTURE0);
+  state.bindTexture(gl.TEXTURE_CUBE_MAP, handleOf(renderer, texture));
+  state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+  state.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+  const target = gl.TEXTURE_CUBE_MAP_POSITIVE_X + face;
+  const [format, type] = data instanceof Uint8Array ? [gl.RGBA, gl.UNSIGNED_BYTE] : [gl.RED_INTEGER, gl.UNSIGNED_SHORT];
+  gl.texSubImage2D(target, 0, x, y, width, height, format, type, data);
+  state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
 }

@@ -2,6 +2,7 @@
 import { BundleError } from '../bundle/error';
 import type {
   Answer,
+  DropRequest,
   FirstMapRequest,
   ForgetRequest,
   Geometry,
@@ -9,11 +10,15 @@ import type {
   Kept,
   MapUpdate,
   NextMapRequest,
+  Part,
+  PartRequest,
   Request,
 } from '../decode/messages';
 
 export interface Decoder {
   (request: GeometryRequest): Promise<Geometry>;
+  (request: PartRequest): Promise<Part>;
+  (request: DropRequest): Promise<null>;
   (request: FirstMapRequest | NextMapRequest): Promise<MapUpdate>;
   (request: ForgetRequest): Promise<Kept>;
 }
@@ -23,18 +28,22 @@ export interface Worked {
   dispose(): void;
 }
 
-/** Start a worker; requests are answered in their order. */
-export function startDecoder(script: URL): Worked {
+/** Start a worker; requests are answered in their order. Is told of the milliseconds that answers take here. */
+export function startDecoder(script: URL, spend: (milliseconds: number) => void): Worked {
   const worker = new Worker(script, { type: 'module' });
   const waiting = new Map<number, { done: (value: never) => void; failed: (reason: Error) => void }>();
   let last = 0;
   let stopped: BundleError | null = null;
 
-  worker.onmessage = ({ data }: MessageEvent<Answer>) => {
+  worker.onmessage = (event: MessageEvent<Answer>) => {
+    const start = performance.now();
+    // Browsers may make the objects of a message when they are first asked for.
+    const { data } = event;
     const asked = waiting.get(data.id);
     waiting.delete(data.id);
     if ('error' in data) asked?.failed(new BundleError(data.error));
     else asked?.done(data.result as never);
+    spend(performance.now() - start);
   };
   worker.onerror = (event) => {
     stopped = new BundleError(`the decoder stopped: ${event.message || 'the browser gives no reason'}`, 'other');
@@ -60,11 +69,13 @@ export function startDecoder(script: URL): Worked {
 function buffersOf(request: Request): ArrayBuffer[] {
   switch (request.kind) {
     case 'geometry':
-      return [request.glb, ...request.parts].map((file) => file.data);
+      return [request.glb, ...request.parts].flatMap(({ data }) => data ?? []);
     case 'first-map':
       return request.color.map((file) => file.data);
     case 'next-map':
       return [...(request.color ? [request.color] : []), ...request.range].map((file) => file.data);
+    case 'part':
+    case 'drop':
     case 'forget':
       return [];
   }

@@ -10,7 +10,8 @@ import type { Decoder } from './decoder';
 import type { Shared } from './materials';
 import type { PieceMesh } from './pieces';
 import type { Programs } from './programs';
-import { geometrySteps, type Region } from './region';
+import { receiveParts } from './receive';
+import type { Region } from './region';
 import type { Store } from './store';
 import type { Uploads } from './uploads';
 
@@ -28,7 +29,7 @@ export interface Loading {
   readonly maps: Decoder;
   readonly fetch: Fetch;
   readonly programs: Programs;
-  readonly warm: (mesh: PieceMesh) => void;
+  readonly warm: (meshes: readonly PieceMesh[]) => void;
 }
 
 /** The loading of one region. */
@@ -95,8 +96,12 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
     if (isHere(job, part) && !job.had.has(part)) job.received(manifest.files[part]?.bytes ?? 0);
     job.had.add(part);
   }
-  const [glb, ...parts] = await Promise.all([name, ...wanted].map((file) => fileOf(job, file)));
-  if (!glb) throw new Error(`${name} is not there`);
+  const isKept = store.buffers.has(name);
+  if (isKept) job.received(manifest.files[name]?.bytes ?? 0);
+  const [glb, ...parts] = await Promise.all([
+    isKept ? ({ name, data: null } as const) : fileOf(job, name),
+    ...wanted.map((file) => fileOf(job, file)),
+  ]);
   signal.throwIfAborted();
   const geometry = await job.geometry({
     kind: 'geometry',
@@ -114,9 +119,8 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
   for (const part of wanted) {
     if (part.endsWith('.bin')) store.buffers.add(part);
   }
-  signal.throwIfAborted();
-  await job.programs.ready(geometry.pieces);
-  await job.uploads.add(geometrySteps(job.renderer, region, ring, geometry, job.shared, store, job.warm), signal);
+  if (ring === 0) store.buffers.add(name);
+  await receiveParts(job, region, ring, geometry, signal);
 }
 
 async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
@@ -162,13 +166,8 @@ function filesOf(job: Job, names: string | readonly string[] | null): Promise<Fi
   return Promise.all(list.map((name) => fileOf(job, name)));
 }
 
-async function fileOf({ ahead, manifest, received, signal, store }: Job, name: string): Promise<FileData> {
+async function fileOf({ ahead, manifest, signal }: Job, name: string): Promise<FileData> {
   const described: Described | undefined = manifest.files[name];
   if (!described) throw new Error(`${name} is not listed in the manifest`);
-  const kept = store.moving.get(name);
-  if (kept) received(described.bytes);
-  const data = kept ?? (await ahead.fetch(name, signal));
-  // Buffers that are sent to a worker are gone here.
-  if (name === manifest.dynamic?.geometry) store.moving.set(name, data.slice(0));
-  return { name, data, bytes: described.bytes, sha256: described.sha256 };
+  return { name, data: await ahead.fetch(name, signal), bytes: described.bytes, sha256: described.sha256 };
 }

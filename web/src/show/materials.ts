@@ -54,22 +54,50 @@ const BLENDING = {
   glslVersion: GLSL3,
 } as const;
 
-/** The material of a piece that ends at a radius, or nowhere (`Infinity`). */
-export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shared, cut: number): RawShaderMaterial {
-  const { material } = piece;
+/** What the program of a piece must do. */
+export function definesOf(piece: Piece, hasTexture: boolean): Record<string, string> {
   const defines: Record<string, string> = {};
   if (piece.normals) defines['SMOOTH'] = '';
   if (piece.colors) defines['COLORED'] = '';
   if (piece.placements) defines['PLACED'] = '';
-  if (texture && piece.uvs) defines['TEXTURED'] = '';
-  if (material.cutoff !== null) defines['CUTOUT'] = '';
+  if (hasTexture && piece.uvs) defines['TEXTURED'] = '';
+  if (piece.material.cutoff !== null) defines['CUTOUT'] = '';
+  return defines;
+}
+
+/** The material of a piece that ends at a radius, or nowhere (`Infinity`). */
+export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shared, cut: number): RawShaderMaterial {
+  const { material } = piece;
   return new RawShaderMaterial({
     ...BLENDING,
     vertexShader: NEAR_VERTEX,
     fragmentShader: NEAR_FRAGMENT,
-    defines,
+    defines: definesOf(piece, texture !== null),
     uniforms: { ...shared, ...ownUniforms(material, texture), cut: { value: Math.min(cut, NOWHERE) } },
   });
+}
+
+/** The materials of a region; pieces that look alike have the same one, because three.js takes its time for each. */
+export interface Materials {
+  of(piece: Piece, texture: Texture | null, cut: number): RawShaderMaterial;
+  dispose(): void;
+}
+
+export function createMaterials(shared: Shared): Materials {
+  const made = new Map<string, RawShaderMaterial>();
+  return {
+    of(piece, texture, cut) {
+      const kind = Object.keys(definesOf(piece, texture !== null));
+      const look = JSON.stringify([kind, piece.material, String(cut)]);
+      const found = made.get(look) ?? nearMaterial(piece, texture, shared, cut);
+      made.set(look, found);
+      return found;
+    },
+    dispose() {
+      for (const material of made.values()) material.dispose();
+      made.clear();
+    },
+  };
 }
 
 function ownUniforms(material: Material, texture: Texture | null): Record<string, IUniform> {

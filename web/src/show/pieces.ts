@@ -1,98 +1,133 @@
-/** Pieces of geometry and pictures as three.js holds them. */
+/** Pieces of geometry as three.js holds them. Their arrays belong to the page, which sends and frees them itself. */
 import {
-  BufferAttribute,
+  type BufferAttribute,
   BufferGeometry,
-  InstancedBufferAttribute,
+  type GLBufferAttribute,
   InstancedBufferGeometry,
-  InstancedInterleavedBuffer,
+  type InterleavedBuffer,
   InterleavedBufferAttribute,
-  LinearFilter,
-  LinearMipmapLinearFilter,
   Mesh,
   type RawShaderMaterial,
-  RepeatWrapping,
-  SRGBColorSpace,
-  Texture,
 } from 'three';
 import type { Piece } from '../decode/messages';
-import { nearMaterial, type Shared } from './materials';
+import { type Buffers, createBuffers } from './buffers';
 import type { MeshArrays, Store } from './store';
+import type { Step } from './uploads';
 
 export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 
 /** Numbers of a placement: three rows of four. */
 const PLACEMENT = 12;
 
-/** A mesh whose static geometry ends at a radius, or nowhere (`Infinity`). */
-export function meshOf(piece: Piece, texture: Texture | null, shared: Shared, store: Store, cut: number): PieceMesh {
-  const geometry = piece.placements ? placed(piece.placements) : new BufferGeometry();
-  const arrays = store.take(piece.same, () => arraysOf(piece));
-  for (const [name, attribute] of Object.entries(arrays.attributes)) geometry.setAttribute(name, attribute);
-  geometry.setIndex(arrays.index);
-  const mesh = new Mesh(geometry, nearMaterial(piece, texture, shared, cut));
-  mesh.name = piece.name;
+/** What making meshes needs. */
+export interface Making {
+  readonly gl: WebGL2RenderingContext;
+  readonly store: Store;
+  /** Makes three.js ready to draw meshes. */
+  readonly warm: (meshes: readonly PieceMesh[]) => void;
+}
+
+/** The arrays of a mesh, and what must be done when it is let go. */
+interface Owned {
+  readonly arrays: MeshArrays;
+  readonly placements: Buffers<'placement'> | null;
+  readonly same: string | null;
+}
+
+const owned = new WeakMap<PieceMesh, Owned>();
+
+/** A piece whose arrays have a place on the GPU. */
+export interface Prepared {
+  /** Steps that send the arrays. */
+  steps(): Generator<Step>;
+  /** The mesh, once they are done. */
+  make(material: RawShaderMaterial): PieceMesh;
+  /** Let the arrays go, if no mesh was made. */
+  free(): void;
+}
+
+export function prepare(piece: Piece, { gl, store }: Making): Prepared {
+  const { same } = piece;
+  let isNew = false;
+  const arrays = store.take(same, () => {
+    isNew = true;
+    return arraysOf(gl, piece);
+  });
+  const placements = piece.placements ? createBuffers(gl, { placement: columnOf(piece.placements, PLACEMENT) }) : null;
+  const parts = { arrays, placements, same };
+  return {
+    *steps() {
+      if (isNew) yield* arrays.steps();
+      if (placements) yield* placements.steps();
+    },
+    make(material) {
+      const mesh = meshOf(piece.name, parts, material);
+      owned.set(mesh, parts);
+      return mesh;
+    },
+    free: () => free(parts, store),
+  };
+}
+
+function meshOf(name: string, { arrays, placements }: Owned, material: RawShaderMaterial): PieceMesh {
+  const geometry = placements ? placedGeometry(placements) : new BufferGeometry();
+  const { index, ...attributes } = arrays.attributes;
+  // three.js takes attributes whose buffers are not its own, and such an index, too; its types do not say so.
+  for (const [role, attribute] of Object.entries(attributes)) {
+    geometry.setAttribute(role, attribute as unknown as BufferAttribute);
+  }
+  geometry.setIndex(index as unknown as BufferAttribute);
+  const mesh = new Mesh(geometry, material);
+  mesh.name = name;
   // The morph moves vertices, so that boxes of where they are say nothing.
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
-  mesh.userData['triangles'] = trianglesOf(piece);
-  mesh.userData['same'] = piece.same;
   return mesh;
 }
 
 /** Free what the GPU holds of a mesh, but for arrays that other meshes share with it. */
-export function disposeMesh({ geometry, material, userData }: PieceMesh, store: Store): void {
-  const isShared = !store.give(userData['same'] as string | null);
-  if (isShared) {
-    // three.js frees all arrays that a geometry still has.
-    for (const name of Object.keys(ATTRIBUTES)) geometry.deleteAttribute(name);
-    geometry.setIndex(null);
-  }
+export function disposeMesh(mesh: PieceMesh, store: Store): void {
+  const { geometry } = mesh;
+  // three.js frees all arrays that a geometry still has.
+  for (const name of Object.keys(geometry.attributes)) geometry.deleteAttribute(name);
+  geometry.setIndex(null);
   geometry.dispose();
-  material.dispose();
+  const parts = owned.get(mesh);
+  if (parts) free(parts, store);
+  owned.delete(mesh);
 }
 
-/** Numbers a vertex of each attribute of the shader. */
-const ATTRIBUTES = { position: 3, normal: 3, uv: 2, color: 4 } as const;
-
-function arraysOf({ positions, normals, uvs, colors, indices }: Piece): MeshArrays {
-  const found = { position: positions, normal: normals, uv: uvs, color: colors };
-  const attributes: Record<string, BufferAttribute> = {};
-  for (const [name, width] of Object.entries(ATTRIBUTES)) {
-    const array = found[name as keyof typeof found];
-    if (array) attributes[name] = sent(new BufferAttribute(array, width, name === 'color'));
-  }
-  return { attributes, index: sent(new BufferAttribute(indices, 1)) };
+function free({ arrays, placements, same }: Owned, store: Store): void {
+  if (store.give(same)) arrays.dispose();
+  placements?.dispose();
 }
 
-export function trianglesOf(piece: Piece): number {
-  return (piece.indices.length / 3) * (piece.placements ? piece.placements.length / PLACEMENT : 1);
+function arraysOf(gl: WebGL2RenderingContext, { positions, normals, uvs, colors, indices }: Piece): MeshArrays {
+  return createBuffers(gl, {
+    position: columnOf(positions, 3),
+    normal: normals && columnOf(normals, 3),
+    uv: uvs && columnOf(uvs, 2),
+    color: colors && { ...columnOf(colors, 4), isShare: true },
+    index: columnOf(indices, 1),
+  });
 }
 
-function placed(placements: Float32Array): InstancedBufferGeometry {
+function columnOf<T extends Float32Array | Uint16Array | Uint32Array>(rows: T, width: number): { rows: T; width: number } {
+  return { rows, width };
+}
+
+/** Placements are read as three rows each, from one array that goes on with each placement. */
+function placedGeometry({ attributes }: Buffers<'placement'>): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
-  const buffer = new InstancedInterleavedBuffer(placements, PLACEMENT);
+  const rows = Object.assign(attributes.placement as GLBufferAttribute, {
+    isInstancedBufferAttribute: true,
+    meshPerAttribute: 1,
+    // three.js wants to know its kind of numbers.
+    array: new Float32Array(0),
+  });
   ['row_x', 'row_y', 'row_z'].forEach((name, row) => {
-    geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, 4, 4 * row));
+    geometry.setAttribute(name, new InterleavedBufferAttribute(rows as unknown as InterleavedBuffer, 4, 4 * row));
   });
-  geometry.instanceCount = placements.length / PLACEMENT;
+  geometry.instanceCount = rows.count;
   return geometry;
-}
-
-/** The page's copy goes as soon as the GPU has its own. */
-function sent<T extends BufferAttribute | InstancedBufferAttribute>(attribute: T): T {
-  attribute.onUpload(() => {
-    attribute.array = new (attribute.array.constructor as Float32ArrayConstructor)(0);
-  });
-  return attribute;
-}
-
-export function textureOf(image: ImageBitmap): Texture {
-  const texture = new Texture(image);
-  texture.colorSpace = SRGBColorSpace;
-  texture.flipY = false;
-  texture.wrapS = texture.wrapT = RepeatWrapping;
-  texture.magFilter = LinearFilter;
-  texture.minFilter = LinearMipmapLinearFilter;
-  texture.needsUpdate = true;
-  return texture;
 }

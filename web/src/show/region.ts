@@ -1,17 +1,24 @@
 /** A region on the GPU: the geometry of its rings, and the maps of the last two of them. */
 import { Group, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
-import type { Geometry } from '../decode/messages';
+import type { Part, Piece, Triangles } from '../decode/messages';
 import { type Cube, createCube } from './cubes';
-import type { Shared } from './materials';
-import { disposeMesh, meshOf, type PieceMesh, textureOf } from './pieces';
+import { createMaterials, type Materials, type Shared } from './materials';
+import type { Pictures } from './pictures';
+import { disposeMesh, type Making, type PieceMesh, prepare, type Prepared } from './pieces';
 import type { Store } from './store';
 import type { Step } from './uploads';
 
+/** Meshes that are made in a step: three.js takes some 0.1 ms to make a picture ready, and half as long for each mesh. */
+const TOGETHER = 4;
+
 export interface Region {
   readonly entry: RegionEntry;
-  /** Groups by ring; that of ring 0 has the dynamic objects, which every picture shows. */
+  /** Groups by ring, invisible until they are whole; that of ring 0 has the dynamic objects, which every picture shows. */
   readonly groups: readonly Group[];
+  readonly materials: Materials;
+  /** Triangles of each group that is whole. */
+  readonly triangles: Triangles[];
   /** Two cubes in turn: the one of the ring that is shown, and the one that is being made. */
   readonly cubes: readonly [Cube, Cube];
   dispose(): void;
@@ -22,18 +29,23 @@ export function createRegion(
   entry: RegionEntry,
   faceSize: number,
   store: Store,
+  shared: Shared,
 ): Region {
-  const groups = entry.rings.map(() => new Group());
+  const groups = entry.rings.map(() => Object.assign(new Group(), { visible: false }));
+  const materials = createMaterials(shared);
   const cubes = [createCube(renderer, faceSize), createCube(renderer, faceSize)] as const;
   return {
     entry,
     groups,
+    materials,
+    triangles: entry.rings.map(() => ({ own: 0, drawn: 0 })),
     cubes,
     dispose() {
       for (const group of groups) {
         for (const mesh of meshesOf(group)) disposeMesh(mesh, store);
         group.clear();
       }
+      materials.dispose();
       for (const cube of cubes) cube.dispose();
     },
   };
@@ -50,57 +62,60 @@ export function meshesOf(group: Group): PieceMesh[] {
   return group.children as PieceMesh[];
 }
 
-/** Triangles drawn in a picture with all rings up to one. */
-export function trianglesShown(region: Region, ring: number): number {
-  return region.groups
-    .slice(0, ring + 1)
-    .flatMap(meshesOf)
-    .reduce((sum, mesh) => sum + (mesh.userData['triangles'] as number), 0);
+/** The group of a ring. */
+export function groupOf(region: Region, ring: number): Group {
+  const group = region.groups[ring];
+  if (!group) throw new Error(`there is no ring ${ring}`);
+  return group;
 }
 
-/**
- * Steps after which geometry is on the GPU and in the group of its ring; if they end before, nothing is left of it.
- * `warm` makes three.js upload a mesh.
- */
-export function* geometrySteps(
-  renderer: WebGLRenderer,
+/** All geometry of a ring, or all dynamic objects, are on the GPU; so many triangles are drawn of now on. */
+export function complete(region: Region, ring: number, triangles: Triangles): void {
+  groupOf(region, ring).visible = true;
+  region.triangles[ring] = triangles;
+}
+
+/** Triangles in a picture with all rings up to one. */
+export function trianglesShown(region: Region, ring: number): Triangles {
+  const sum = { own: 0, drawn: 0 };
+  for (const { own, drawn } of region.triangles.slice(0, ring + 1)) {
+    sum.own += own;
+    sum.drawn += drawn;
+  }
+  return sum;
+}
+
+/** Steps after which a part of a file's geometry is on the GPU, and in the group of its ring. */
+export function* partSteps(
   region: Region,
   ring: number,
-  geometry: Geometry,
-  shared: Shared,
-  store: Store,
-  warm: (mesh: PieceMesh) => void,
+  { bands, pieces }: Part,
+  making: Making,
+  pictures: Pictures,
 ): Generator<Step> {
   // Dynamic objects, in ring 0, go on beyond it.
   const cut = ring === 0 ? Infinity : region.entry.cut;
-  const group = region.groups[ring];
-  if (!group) throw new Error(`there is no ring ${ring}`);
-  const made: PieceMesh[] = [];
+  const group = groupOf(region, ring);
+  const ready: { piece: Piece; prepared: Prepared }[] = [];
+  const make = (): void => {
+    const meshes = ready.splice(0).map(({ piece, prepared }) => {
+      const { image } = piece.material;
+      const texture = image === null ? null : (making.store.textures.get(image) ?? null);
+      return prepared.make(region.materials.of(piece, texture, cut));
+    });
+    making.warm(meshes);
+    group.add(...meshes);
+  };
   try {
-    for (const [uri, image] of Object.entries(geometry.images)) {
-      yield () => {
-        // Another region may have brought it meanwhile.
-        if (store.textures.has(uri)) return;
-        const texture = textureOf(image);
-        renderer.initTexture(texture);
-        store.textures.set(uri, texture);
-      };
+    for (const band of bands) yield* pictures.steps(band);
+    for (const [number, piece] of pieces.entries()) {
+      const prepared = prepare(piece, making);
+      ready.push({ piece, prepared });
+      yield* prepared.steps();
+      if (ready.length === TOGETHER || number === pieces.length - 1) yield { kind: 'mesh', bytes: 0, run: make };
     }
-    for (const piece of geometry.pieces) {
-      yield () => {
-        const { image } = piece.material;
-        const texture = image === null ? null : (store.textures.get(image) ?? null);
-        const mesh = meshOf(piece, texture, shared, store, cut);
-        made.push(mesh);
-        warm(mesh);
-      };
-    }
-    // Together, so that no frame shows a part of a ring.
-    yield () => {
-      group.add(...made.splice(0));
-    };
   } finally {
-    for (const image of Object.values(geometry.images)) image.close();
-    for (const mesh of made) disposeMesh(mesh, store);
+    for (const { prepared } of ready) prepared.free();
+    for (const { rows } of bands) rows.close();
   }
 }

@@ -1,19 +1,15 @@
 /** Things that regions share on the GPU and in the worker: textures, buffers, and the arrays of meshes. */
-import type { BufferAttribute, Texture } from 'three';
+import type { Texture } from 'three';
+import type { Buffers } from './buffers';
 
 /** The arrays of a mesh without its placements. */
-export interface MeshArrays {
-  readonly attributes: Readonly<Record<string, BufferAttribute>>;
-  readonly index: BufferAttribute;
-}
+export type MeshArrays = Buffers<'position' | 'normal' | 'uv' | 'color' | 'index'>;
 
 export interface Store {
   /** By names of files. */
   readonly textures: Map<string, Texture>;
-  /** Names of the buffers that the worker for geometry has. */
+  /** Names of the files that the worker for geometry has: shared buffers, and that of dynamic objects. */
   readonly buffers: Set<string>;
-  /** The file of dynamic objects, which every region needs. */
-  readonly moving: Map<string, ArrayBuffer>;
   /** Arrays of a mesh: those that another one with the same name has, if there is one. */
   take(name: string | null, make: () => MeshArrays): MeshArrays;
   /** A mesh has gone; true if no other one uses its arrays. */
@@ -32,7 +28,6 @@ export function createStore(): Store {
   return {
     textures,
     buffers,
-    moving: new Map(),
     take(name, make) {
       if (name === null) return make();
       const entry = held.get(name) ?? { arrays: make(), users: 0 };

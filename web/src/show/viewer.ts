@@ -1,13 +1,16 @@
 /** The picture on the screen, one frame after the other. */
-import { Group, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { type Group, type PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { BundleError } from '../bundle/error';
-import type { Manifest, Point } from '../bundle/manifest';
+import type { Manifest } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
+import type { Triangles } from '../decode/messages';
 import { createAtlas, type Holding } from './atlas';
+import { createComposer } from './composer';
 import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
+import { createFlight } from './flight';
 import { createJourney, type Journey, type Leg } from './journey';
 import type { Fetch, Loading } from './loader';
 import { watchLoss } from './loss';
@@ -15,21 +18,18 @@ import { createShared } from './materials';
 import { pick } from './pick';
 import { createPainter, type Picture } from './picture';
 import { createPrograms } from './programs';
-import { cubeOf, trianglesShown } from './region';
+import { trianglesShown } from './region';
 import type { Manner, Shown } from './stage';
 import { createStore } from './store';
-import { createUploads } from './uploads';
+import { createUploads, type Uploads } from './uploads';
 import { createVeil } from './veil';
+import { createViewpoint } from './viewpoint';
 import type { Floor } from '../xr/floor';
 import type { MapLayer } from '../xr/layer';
 import { resolveOnce } from '../xr/samples';
 
-/** Milliseconds of a frame that uploads may take: docs/view.md. */
+/** Milliseconds of a frame that uploads and answers of workers may take: docs/view.md. */
 export const UPLOAD_BUDGET = 3;
-/** Metres at which the picture begins and ends. */
-const NEAR = 0.05;
-const FAR = 30_000;
-
 export interface Settings extends Manner {
   readonly manifest: Manifest;
   readonly fetch: Fetch;
@@ -45,6 +45,8 @@ export interface Settings extends Manner {
 }
 
 export interface Viewer {
+  /** What waits to be sent to the GPU, for those who measure it. */
+  readonly uploads: Uploads;
   readonly renderer: WebGLRenderer;
   readonly camera: PerspectiveCamera;
   /** Moves the headset's space: its position is the user's floor. */
@@ -87,8 +89,8 @@ export interface Facts extends Holding {
   /** Bytes of the region's files that are here, and of all of them. */
   readonly received: number;
   readonly expected: number;
-  readonly triangles: number;
-  /** Milliseconds that uploads took in the last frame. */
+  readonly triangles: Triangles;
+  /** Milliseconds that uploads and answers of workers took for the last frame. */
   readonly upload: number;
   /** Where the user may be. */
   readonly bounds: Bounds | null;
@@ -103,10 +105,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const faceSize = manifest.map.face_size;
   const nearShare = manifest.morph.near_share;
   const renderer = createRenderer(canvas, settings.antialias);
-  const camera = new PerspectiveCamera(settings.angle, 1, NEAR, FAR);
-  camera.rotation.order = 'YXZ';
-  const rig = new Group();
-  rig.add(camera);
+  const viewpoint = createViewpoint(settings.angle);
+  const { camera, rig, setPose, stand } = viewpoint;
   const veil = createVeil();
   // Drawn over the picture: what a headset adds to the rig, and the veil.
   const overlay = new Scene();
@@ -114,19 +114,13 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
   let blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
-  const uploads = createUploads();
-  const workers: Worked[] = [startDecoder(settings.worker), startDecoder(settings.worker)];
-  const feet = { x: 0, y: 0, z: 0 };
-
-  /** Put the user's place relative to a centre into the rig, so that the GPU sees small numbers only. */
-  function place(center: Point): void {
-    rig.position.set(feet.x - center[0], feet.y - center[1], feet.z - center[2]);
-    rig.updateMatrixWorld(true);
-  }
-
-  const painter = createPainter(renderer, shared, nearShare, faceSize, () => blank, place);
+  const flight = createFlight(renderer.getContext() as WebGL2RenderingContext);
+  const uploads = createUploads(() => performance.now(), flight);
+  const start = (): Worked => startDecoder(settings.worker, uploads.spend);
+  const workers: Worked[] = [start(), start()];
+  const painter = createPainter(renderer, shared, nearShare, faceSize, () => blank, viewpoint.place);
   painter.prepare(camera);
-  const programs = createPrograms(renderer, camera, shared);
+  const programs = createPrograms(renderer, camera, shared, uploads);
   const warming = new Scene();
   const store = createStore();
   const loading: Loading = {
@@ -139,14 +133,13 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     maps: (workers[1] as Worked).decode,
     fetch: settings.fetch,
     programs,
-    warm(mesh) {
-      // Rendering nothing of it uploads it.
-      const { count } = mesh.geometry.drawRange;
-      mesh.geometry.setDrawRange(0, 0);
-      warming.children = [mesh];
+    warm(meshes) {
+      // Drawing nothing of them makes all that three.js makes when it first draws a mesh.
+      for (const { geometry } of meshes) geometry.setDrawRange(0, 0);
+      warming.children = [...meshes];
       renderer.render(warming, camera);
       warming.children = [];
-      mesh.geometry.setDrawRange(0, count);
+      for (const { geometry } of meshes) geometry.setDrawRange(0, Infinity);
     },
   };
   const atlas = createAtlas({
@@ -157,12 +150,11 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       settings.failed(reason);
     },
   });
+  const composer = createComposer(renderer, atlas, painter, viewpoint);
   let journey: Journey | null = null;
   let leg: Leg | null = null;
   let user: Pose | null = null;
   let upload = 0;
-  let divider: number | null = null;
-  let mapLayer: MapLayer | null = null;
 
   let wasIn: number | null = null;
   const loss = watchLoss(
@@ -172,6 +164,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       close();
       blank.dispose();
       programs.forget();
+      uploads.forget();
       settings.lost(true);
     },
     () => {
@@ -200,17 +193,6 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
   }
 
-  function setPose({ position: [x, y, z], yaw, pitch }: Pose): void {
-    stand({ position: [x, y, z], yaw: 0 });
-    camera.position.set(0, 0, 0);
-    camera.rotation.set(pitch, yaw, 0);
-  }
-
-  function stand({ position: [x, y, z], yaw }: Floor): void {
-    Object.assign(feet, { x, y, z });
-    rig.rotation.y = yaw;
-  }
-
   function fit(): void {
     if (renderer.xr.isPresenting) return;
     const { clientWidth: width, clientHeight: height } = canvas;
@@ -222,74 +204,17 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     camera.updateProjectionMatrix();
   }
 
-  /** Draw what is shown of a region, morphed or conventional, as a share over what is there. */
-  function paint(number: number, opacity: number, isMorphed: boolean, withMap = true): void {
-    const open = atlas.find(number);
-    if (!open?.shown || opacity === 0) return;
-    const { ring, grown, fading } = open.shown;
-    const picture = { region: open.region, radius: grown.radius, strength: isMorphed ? grown.strength : null };
-    painter.draw({ ...picture, ring }, camera, opacity, withMap);
-    // While a region fades in, nothing in it does.
-    if (opacity === 1 && fading && fading.share > 0) {
-      painter.draw({ ...picture, ring: fading.ring }, camera, fading.share);
-    }
-  }
-
-  /** Draw the picture of a region over the one that it takes over from. */
-  function paintLeg({ region, leaving }: Leg, isMorphed: boolean): void {
-    const before = leaving?.pose ?? user;
-    if (leaving && before) {
-      setPose(before);
-      paint(leaving.region, 1, isMorphed);
-    }
-    if (user) setPose(user);
-    paint(region, leaving?.share ?? 1, isMorphed);
-  }
-
-  /** The same for both eyes of a headset, which has its own pose: a place that was left is not shown from elsewhere. */
-  function paintEyes({ region, leaving }: Leg): void {
-    if (leaving && !leaving.pose) paint(leaving.region, 1, true);
-    paint(region, leaving?.share ?? 1, true, leaving !== null || !isApart(region));
-  }
-
-  /** Whether a layer of the headset shows the map of a region in this frame. */
-  function isApart(number: number): boolean {
-    const open = atlas.find(number);
-    if (!open?.shown || open.shown.fading) return false;
-    return mapLayer?.show(cubeOf(open.region, open.shown.ring), rig.rotation.y) ?? false;
-  }
-
-  function paintAll(): void {
-    if (!leg || !atlas.find(leg.region)?.shown) return;
-    if (renderer.xr.isPresenting) {
-      paintEyes(leg);
-      return;
-    }
-    if (divider === null) {
-      paintLeg(leg, true);
-      return;
-    }
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-    const left = Math.round(divider * width);
-    renderer.setScissorTest(true);
-    renderer.setScissor(0, 0, left, height);
-    paintLeg(leg, false);
-    renderer.setScissor(left, 0, width - left, height);
-    paintLeg(leg, true);
-    renderer.setScissorTest(false);
-  }
-
   function advance(pose: Pose, seconds: number): void {
-    // Before the first picture nothing can jerk.
-    upload = uploads.run(leg && atlas.find(leg.region)?.shown ? UPLOAD_BUDGET : Number.POSITIVE_INFINITY);
+    upload = uploads.run(UPLOAD_BUDGET);
     if (!journey) return;
     leg = journey.advance(seconds, pose);
     // Nothing else changes while a region fades in.
     atlas.advance(leg.region, leg.leaving ? 0 : seconds, journey.least);
-    paintAll();
+    composer.draw(leg, user);
   }
 
   return {
+    uploads,
     renderer,
     camera,
     rig,
@@ -319,9 +244,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       if (isPresenting || veil.mesh.visible) renderer.render(overlay, camera);
     },
     stand,
-    setMapLayer(layer) {
-      mapLayer = layer;
-    },
+    setMapLayer: composer.setMapLayer,
     setVeil: veil.set,
     still(picture, pose) {
       const open = journey && atlas.find(journey.region);
@@ -329,16 +252,14 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       setPose(pose);
       painter.draw({ ...picture, region: open.region }, camera, 1);
     },
-    setDivider(share) {
-      divider = share;
-    },
+    setDivider: composer.setDivider,
     photo() {
       if (renderer.xr.isPresenting) return Promise.reject(new Error('Pictures are saved outside the headset'));
       if (loss.isLost || !leg || !atlas.find(leg.region)?.shown) {
         return Promise.reject(new Error('There is no picture yet'));
       }
       // In the same task as the drawing: a canvas keeps its picture no longer.
-      paintAll();
+      composer.draw(leg, user);
       return new Promise((done, failed) => {
         canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('The browser gives no picture'))), 'image/png');
       });
@@ -355,7 +276,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
         arrived: open?.arrived ?? -1,
         received: open?.received ?? 0,
         expected: open?.expected ?? 0,
-        triangles: open ? trianglesShown(open.region, ring) : 0,
+        triangles: open ? trianglesShown(open.region, ring) : { own: 0, drawn: 0 },
         upload,
         bounds: journey?.bounds ?? null,
         ...atlas.holding,
@@ -385,7 +306,8 @@ function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRen
   // A layer of a headset lies below.
   renderer.setClearAlpha(0);
   renderer.sortObjects = false;
-  renderer.debug.checkShaderErrors = true;
+  // Asking waits for the GPU; `programs` asks when that takes no time.
+  renderer.debug.checkShaderErrors = false;
   return renderer;
 }
 

@@ -5,13 +5,14 @@ import type { Status } from './status';
 
 /** The lines of the panel, by their names. */
 export function linesOf(status: Status): Readonly<Record<string, string>> {
-  const { ring, rings, radius, received, expected, frame, longest, triangles, sceneTriangles } = status;
+  const { ring, rings, radius, received, expected, frame, longest, triangles, drawn, sceneTriangles } = status;
   return {
     Loaded: `${bytesOf(received, expected)} (${percent(received, expected)})`,
     Speed: isComplete(status) ? 'all is here' : rate(status.rate),
     Ring: ring === 0 ? `map only, of ${rings}` : `${ring} of ${rings}`,
     Radius: ring === 0 ? UNUSED : metres(radius),
     Triangles: `${count(triangles)} of ${count(sceneTriangles)}`,
+    'Split into': drawn > triangles ? count(drawn) : UNUSED,
     Frame: `${milliseconds(frame)}, at most ${milliseconds(longest)}`,
     Region: `${status.region + 1} of ${status.regions}`,
     'From centre': `${metres(status.away)} of ${metres(status.foldMargin)}`,

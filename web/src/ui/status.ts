@@ -13,8 +13,9 @@ export interface Status {
   /** Milliseconds of a frame: mean of the last second, and the longest. */
   readonly frame: number;
   readonly longest: number;
-  /** Triangles that are drawn, and those of the scene. */
+  /** Triangles of the scene that are drawn, the smaller ones that they are drawn as, and all of the scene. */
   readonly triangles: number;
+  readonly drawn: number;
   readonly sceneTriangles: number;
   /** Region in which the user is, and the number of regions. */
   readonly region: number;

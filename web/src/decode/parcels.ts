@@ -1,0 +1,69 @@
+/** Geometry as parts, each of which the page reads from its message in a fraction of a frame. */
+import type { Band, Part, Piece } from './messages';
+
+/** Pieces and bands of a part, at most: reading one takes some 20 µs. */
+const MOST_PIECES = 32;
+/** Bytes of a part, at most, unless a single piece has more: so many wait on the page. */
+const MOST_BYTES = 2 ** 22;
+
+/** All bands and pieces in their order. */
+export function parcelled(bands: readonly Band[], pieces: readonly Piece[]): Part[] {
+  const parts: { bands: Band[]; pieces: Piece[] }[] = [];
+  let [count, bytes] = [0, 0];
+  const place = (size: number): { bands: Band[]; pieces: Piece[] } => {
+    let last = parts.at(-1);
+    if (!last || count === MOST_PIECES || bytes + size > MOST_BYTES) {
+      last = { bands: [], pieces: [] };
+      parts.push(last);
+      [count, bytes] = [0, 0];
+    }
+    count += 1;
+    bytes += size;
+    return last;
+  };
+  for (const band of bands) place(4 * band.rows.width * band.rows.height).bands.push(band);
+  const sent = new Set<string | Float32Array | null>();
+  for (const piece of pieces) {
+    const { same, placements } = piece;
+    const whole = same !== null && sent.has(same) ? emptied(piece) : piece;
+    // Parts of a mesh have the same placements; what is transferred with one of them is gone for others.
+    const own = placements && sent.has(placements) ? { ...whole, placements: placements.slice() } : whole;
+    sent.add(same).add(placements);
+    place(arraysOf(own).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(own);
+  }
+  return parts;
+}
+
+/** A piece of each kind of those that are drawn alike, without its arrays. */
+export function samplesOf(pieces: readonly Piece[]): Piece[] {
+  const samples = new Map<string, Piece>();
+  for (const piece of pieces) {
+    const { normals, uvs, colors, placements, material } = piece;
+    const kind = [normals, uvs, colors, placements, material.image, material.cutoff].map((part) => part !== null).join();
+    if (!samples.has(kind)) samples.set(kind, { ...emptied(piece), placements: placements && new Float32Array(0) });
+  }
+  return [...samples.values()];
+}
+
+/** What is transferred with a part. */
+export function contentsOf({ bands, pieces }: Part): Transferable[] {
+  const buffers = pieces.flatMap(arraysOf).map((array) => array.buffer as ArrayBuffer);
+  return [...new Set(buffers), ...bands.map(({ rows }) => rows)];
+}
+
+function arraysOf({ positions, normals, uvs, colors, indices, placements }: Piece): (Float32Array | Uint16Array | Uint32Array)[] {
+  return [positions, normals, uvs, colors, indices, placements].filter((array) => array !== null);
+}
+
+/** A piece whose arrays an earlier one has. */
+function emptied(piece: Piece): Piece {
+  const { normals, uvs, colors } = piece;
+  return {
+    ...piece,
+    positions: new Float32Array(0),
+    normals: normals && new Float32Array(0),
+    uvs: uvs && new Float32Array(0),
+    colors: colors && new Uint16Array(0),
+    indices: new Uint16Array(0),
+  };
+}

@@ -1,0 +1,115 @@
+/** Arrays on the GPU, which are sent part by part. */
+import { GLBufferAttribute } from 'three';
+import { type Step, STEP_BYTES } from './uploads';
+
+export type Numbers = Float32Array | Uint16Array | Uint32Array;
+
+/** Arrays by name, each on the GPU as soon as all its steps are done. */
+export interface Buffers<Name extends string> {
+  readonly attributes: Readonly<Partial<Record<Name, GLBufferAttribute>>>;
+  /** Steps that send them. */
+  steps(): Generator<Step>;
+  dispose(): void;
+}
+
+/** An array, and how many of its numbers belong together. */
+export interface Column {
+  readonly rows: Numbers;
+  readonly width: number;
+  /** Whole numbers stand for shares of their greatest value. */
+  readonly isShare?: boolean;
+}
+
+/** Set memory of the GPU aside for arrays; nothing is sent yet. */
+export function createBuffers<Name extends string>(
+  gl: WebGL2RenderingContext,
+  columns: Readonly<Partial<Record<Name, Column | null>>>,
+): Buffers<Name> {
+  const found = Object.entries<Column | null | undefined>(columns).flatMap(([name, column]) =>
+    column ? [{ name: name as Name, rows: column.rows, attribute: attributeOf(gl, column, name === 'index') }] : [],
+  );
+  const attributes: Partial<Record<Name, GLBufferAttribute>> = {};
+  for (const { name, attribute } of found) attributes[name] = attribute;
+  return {
+    attributes,
+    *steps() {
+      for (const parts of bundled(found.flatMap(({ rows, attribute }) => [...partsOf(rows, attribute.buffer)]))) {
+        const bytes = parts.reduce((sum, { data }) => sum + data.byteLength, 0);
+        yield {
+          kind: 'arrays',
+          bytes,
+          run: () => {
+            for (const { buffer, data, start } of parts) {
+              gl.bindBuffer(TARGET, buffer);
+              gl.bufferSubData(TARGET, start, data);
+            }
+          },
+        };
+      }
+    },
+    dispose() {
+      for (const { attribute } of found) gl.deleteBuffer(attribute.buffer);
+    },
+  };
+}
+
+/** WebGL's COPY_WRITE_BUFFER, which takes arrays of all kinds, and which three.js does not use. */
+const TARGET = 0x8f37;
+
+function attributeOf(
+  gl: WebGL2RenderingContext,
+  { rows, width, isShare = false }: Column,
+  isIndex: boolean,
+): GLBufferAttribute {
+  const buffer = gl.createBuffer();
+  if (isIndex) markIndex(gl, buffer);
+  gl.bindBuffer(TARGET, buffer);
+  gl.bufferData(TARGET, rows.byteLength, gl.STATIC_DRAW);
+  return new GLBufferAttribute(buffer, typeOf(gl, rows), width, bytesEach(rows), rows.length / width, isShare);
+}
+
+/** WebGL wants to know which buffers hold indices. Binding one changes the vertex array of three.js, which stays. */
+function markIndex(gl: WebGL2RenderingContext, buffer: WebGLBuffer): void {
+  const before = gl.getParameter(gl.VERTEX_ARRAY_BINDING) as WebGLVertexArrayObject | null;
+  gl.bindVertexArray(null);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+  gl.bindVertexArray(before);
+}
+
+function typeOf(gl: WebGL2RenderingContext, rows: Numbers): typeof gl.FLOAT | typeof gl.UNSIGNED_SHORT {
+  if (rows instanceof Float32Array) return gl.FLOAT;
+  return (rows instanceof Uint16Array ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT) as typeof gl.UNSIGNED_SHORT;
+}
+
+function bytesEach(rows: Numbers): 2 | 4 {
+  return rows instanceof Uint16Array ? 2 : 4;
+}
+
+/** Part of an array, and the byte of the buffer at which it begins. */
+interface Sent {
+  readonly buffer: WebGLBuffer;
+  readonly data: Numbers;
+  readonly start: number;
+}
+
+function* partsOf(rows: Numbers, buffer: WebGLBuffer): Generator<Sent> {
+  const count = STEP_BYTES / rows.BYTES_PER_ELEMENT;
+  for (let first = 0; first < rows.length; first += count) {
+    yield { buffer, data: rows.subarray(first, first + count), start: first * rows.BYTES_PER_ELEMENT };
+  }
+}
+
+/** As many parts together as a step may send. */
+function* bundled(parts: Iterable<Sent>): Generator<Sent[]> {
+  let some: Sent[] = [];
+  let bytes = 0;
+  for (const part of parts) {
+    if (some.length > 0 && bytes + part.data.byteLength > STEP_BYTES) {
+      yield some;
+      [some, bytes] = [[], 0];
+    }
+    some.push(part);
+    bytes += part.data.byteLength;
+  }
+  if (some.length > 0) yield some;
+}

@@ -1,0 +1,56 @@
+/** Asks a worker for the parts of a file's geometry, and uploads each while the next one comes. */
+import type { WebGLRenderer } from 'three';
+import type { Geometry } from '../decode/messages';
+import type { Decoder } from './decoder';
+import { createPictures } from './pictures';
+import type { PieceMesh } from './pieces';
+import type { Programs } from './programs';
+import { complete, partSteps, type Region } from './region';
+import type { Store } from './store';
+import type { Uploads } from './uploads';
+
+/** Things that receiving needs. */
+export interface Receiving {
+  readonly renderer: WebGLRenderer;
+  readonly store: Store;
+  readonly uploads: Uploads;
+  readonly geometry: Decoder;
+  readonly programs: Programs;
+  readonly warm: (meshes: readonly PieceMesh[]) => void;
+}
+
+/** Put geometry into the group of a ring; it is shown when all of it is there. */
+export async function receiveParts(
+  receiving: Receiving,
+  region: Region,
+  ring: number,
+  { number, parts, samples, triangles }: Geometry,
+  signal: AbortSignal,
+): Promise<void> {
+  const { renderer, store, uploads, geometry, programs, warm } = receiving;
+  const making = { gl: renderer.getContext() as WebGL2RenderingContext, store, warm };
+  const pictures = createPictures(renderer, (name, texture) => {
+    // Another region may have brought it meanwhile.
+    if (store.textures.has(name)) texture.dispose();
+    else store.textures.set(name, texture);
+  });
+  try {
+    signal.throwIfAborted();
+    await programs.ready(samples);
+    let before = Promise.resolve();
+    for (let next = 0; next < parts; next++) {
+      const part = await geometry({ kind: 'part', of: number, part: next });
+      const sent = uploads.add(partSteps(region, ring, part, making, pictures), signal);
+      // Who waits for it is told.
+      sent.catch(() => undefined);
+      await before;
+      before = sent;
+    }
+    await before;
+    complete(region, ring, triangles);
+  } finally {
+    pictures.dispose();
+    // A worker that stopped is told of by what waits for it.
+    geometry({ kind: 'drop', of: number }).catch(() => undefined);
+  }
+}

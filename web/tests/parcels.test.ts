@@ -1,0 +1,75 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { Band, Piece } from '../src/decode/messages';
+import { contentsOf, parcelled, samplesOf } from '../src/decode/parcels';
+
+/** A piece of so many vertices. */
+function piece(vertices: number, changes: Partial<Piece> = {}): Piece {
+  return {
+    positions: new Float32Array(3 * vertices).fill(1),
+    normals: null,
+    uvs: null,
+    colors: null,
+    indices: new Uint16Array(3 * vertices),
+    placements: null,
+    same: null,
+    material: { color: [1, 1, 1, 1], image: null, cutoff: null },
+    name: '',
+    ...changes,
+  };
+}
+
+function band(width: number, height: number): Band {
+  return { name: 'files/a.webp', width, height, y: 0, rows: { width, height } as ImageBitmap };
+}
+
+test('all pieces come once and in their order, few at a time', () => {
+  const pieces = Array.from({ length: 100 }, (_, n) => piece(1, { name: `${n}` }));
+  const parts = parcelled([], pieces);
+  assert.deepEqual(parts.flatMap((part) => part.pieces), pieces);
+  assert.ok(parts.every((part) => part.pieces.length <= 32));
+  assert.ok(parts.length <= 4);
+});
+
+test('parts have a bounded size, unless one piece alone has more', () => {
+  const sizes = [100_000, 100_000, 100_000, 600_000, 10, 10];
+  const parts = parcelled([], sizes.map((vertices) => piece(vertices)));
+  assert.deepEqual(parts.map((part) => part.pieces.length), [2, 1, 1, 2]);
+});
+
+test('bands come before the pieces that show them', () => {
+  const bands = Array.from({ length: 40 }, () => band(256, 256));
+  const parts = parcelled(bands, [piece(1), piece(1)]);
+  assert.deepEqual(parts.flatMap((part) => part.bands), bands);
+  const order = parts.flatMap((part) => [...part.bands.map(() => 'band'), ...part.pieces.map(() => 'piece')]);
+  assert.deepEqual(order, [...bands.map(() => 'band'), 'piece', 'piece']);
+  assert.ok(parts.every((part) => part.bands.length <= 16));
+});
+
+test('arrays that pieces share are transferred once', () => {
+  const [first] = [piece(4, { same: 'm', normals: new Float32Array(12), placements: new Float32Array(12).fill(2) })];
+  const { placements } = first;
+  // Another part of the mesh in the same placements, and the mesh itself elsewhere.
+  const pieces = [first, piece(5, { placements }), { ...first, placements: new Float32Array(24) }];
+  const found = parcelled([], pieces).flatMap((part) => part.pieces);
+  assert.deepEqual(found.map((own) => own.positions.length), [12, 15, 0]);
+  assert.deepEqual(found.map((own) => own.placements?.length), [12, 12, 24]);
+  assert.notEqual(found[1]?.placements, placements);
+  assert.deepEqual(found[1]?.placements, placements);
+  assert.deepEqual([found[2]?.normals?.length, found[2]?.uvs], [0, null]);
+  const contents = parcelled([], pieces).flatMap(contentsOf);
+  assert.equal(new Set(contents).size, contents.length);
+});
+
+test('samples tell kinds apart, and have no arrays', () => {
+  const placements = new Float32Array(12);
+  const cut = { color: [1, 1, 1, 1], image: null, cutoff: 0.5 } as const;
+  const pieces = [piece(3), piece(4), piece(3, { placements }), piece(3, { material: cut }), piece(9, { placements })];
+  const samples = samplesOf(pieces);
+  assert.deepEqual(samples.map(({ placements: rows, material }) => [rows?.length ?? null, material.cutoff]), [
+    [null, null],
+    [0, null],
+    [null, 0.5],
+  ]);
+  assert.ok(samples.every(({ positions, indices }) => positions.length + indices.length === 0));
+});
