@@ -30,7 +30,11 @@ COUNT = """() => {
   const kinds = WebGL2RenderingContext.prototype;
   for (const [name, sizeOf] of [
     ['bufferData', (more) => more[1]?.byteLength ?? 0],
-    ['texSubImage2D', (more) => more.at(-1)?.byteLength ?? 0],
+    ['bufferSubData', (more) => more[2]?.byteLength ?? 0],
+    ['texSubImage2D', ([...more]) => {
+      const data = more.at(-1);
+      return data instanceof ImageBitmap ? 4 * data.width * data.height : (data?.byteLength ?? 0);
+    }],
   ]) {
     const call = kinds[name];
     kinds[name] = function (...more) {

@@ -15,8 +15,8 @@ from tests.support.stepped_page import SteppedPage
 
 pytestmark = pytest.mark.slow
 
-MOST_BYTES = 2**21
-"""Bytes that one call may send to the GPU: about a megabyte of a map, or an array of 32,768 triangles."""
+MOST_BYTES = 2**18
+"""Bytes that one call may send to the GPU, those of a step: `STEP_BYTES` of web/src/show/uploads.ts."""
 
 
 def test_no_call_sends_much_to_the_gpu(tmp_path: Path) -> None:

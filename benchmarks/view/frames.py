@@ -1,0 +1,122 @@
+"""Milliseconds of the page's main thread, frame by frame, for decoding and uploads while a bundle loads.
+
+python -m benchmarks.view.frames [--quick] [--repeat N]
+
+Chromium's trace tells wall and CPU time of the main thread between marks around the uploads of each frame and around
+the answers of workers since the frame before. Drawing is not in it. Where other programs run, or where the GPU is a
+process on the same cores, wall time has their share too.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.loads import network
+from benchmarks.harness.timing import machine, table
+from tests.support.browser import opened, started, wait_for_ring, wait_until
+
+LINK = nf.stream.Link(50, rtt_ms=20)
+CENTER = (0.0, 1.3, 0.0)
+MOST = 4.0
+"""Milliseconds of a frame that decoding and uploads may take."""
+
+MARKS = """(() => {
+  const { get, set } = Object.getOwnPropertyDescriptor(Worker.prototype, 'onmessage');
+  Object.defineProperty(Worker.prototype, 'onmessage', { get, set(work) { set.call(this, (event) => {
+    performance.mark('answer>');
+    work.call(this, event);
+    // Code that waits for the answer goes on in microtasks, which this outlasts.
+    let left = 20;
+    const last = () => (left-- > 0 ? queueMicrotask(last) : performance.mark('answer<'));
+    last();
+  }); } });
+  let known;
+  Object.defineProperty(window, 'nearfar', { configurable: true, get: () => known, set(found) {
+    known = found;
+    const { uploads } = found.viewer;
+    const { run } = uploads;
+    uploads.run = (milliseconds) => {
+      performance.mark('frame>');
+      const taken = run(milliseconds);
+      performance.mark('frame<');
+      return taken;
+    };
+  } });
+})()"""
+
+TRACED = {"recordMode": "recordContinuously", "includedCategories": ["blink.user_timing"], "excludedCategories": ["*"]}
+
+
+def trace(url: str, last: int) -> list[dict[str, Any]]:
+    """Marks of a load until the last ring is there, in their order."""
+    with started() as program, opened(program, 640, 400) as page:
+        session = program.new_browser_cdp_session()
+        events: list[dict[str, Any]] = []
+        ended: list[Any] = []
+        session.on("Tracing.dataCollected", lambda told: events.extend(told["value"]))
+        session.on("Tracing.tracingComplete", ended.append)
+        session.send("Tracing.start", {"transferMode": "ReportEvents", "traceConfig": TRACED})
+        page.add_init_script(MARKS)
+        page.goto(url)
+        problem = wait_for_ring(page, last)
+        session.send("Tracing.end")
+        wait_until(page, lambda: ended)
+        if problem or page.printed:
+            raise RuntimeError(f"the page does not load: {problem or page.printed}")
+    return sorted((event for event in events if event["name"][-1] in "<>"), key=lambda event: event["ts"])
+
+
+def frames(marks: list[dict[str, Any]]) -> NDArray[np.float64]:
+    """Wall and CPU milliseconds (N, 2) of the frames that had work, answers before a frame counted with it."""
+    found, begun, sums = [], {}, np.zeros(2)
+    for mark in marks:
+        name, end = mark["name"][:-1], mark["name"][-1]
+        now = np.array([mark["ts"], mark["tts"]]) / 1e3
+        if end == ">":
+            begun[name] = now
+            continue
+        sums += now - begun.pop(name)
+        if name == "frame":
+            found.append(sums)
+            sums = np.zeros(2)
+    rows = np.array(found)
+    # A frame without work takes some microseconds.
+    return np.asarray(rows[rows[:, 0] > 0.1])
+
+
+def row(name: str, values: NDArray[np.float64]) -> list[str]:
+    """Count, median, 99th percentile, maximum, and how many are above `MOST`."""
+    over = int((values > MOST).sum())
+    return [name, f"{len(values)}", *(f"{np.percentile(values, p):.2f}" for p in (50, 99, 100)), f"{over}"]
+
+
+def main() -> None:
+    """Print the table."""
+    parse = argparse.ArgumentParser(description=__doc__)
+    parse.add_argument("--quick", action="store_true", help="a smaller city")
+    parse.add_argument("--repeat", type=int, default=3, help="loads")
+    arguments = parse.parse_args()
+    print(machine(), flush=True)
+    scene = nf.datasets.city(blocks=2 if arguments.quick else 3, detail=0 if arguments.quick else 2)
+    with tempfile.TemporaryDirectory() as folder, network(LINK, real=False) as way:
+        nf.stream.export(scene, Path(folder) / "bundle", center=CENTER)
+        nf.view.write_page(Path(folder) / "bundle")
+        last = len(json.loads((Path(folder) / "bundle" / "manifest.json").read_text())["regions"][0]["rings"]) - 1
+        with way.served(Path(folder)) as url:
+            loads = [frames(trace(f"{url}bundle/", last)) for _ in range(arguments.repeat)]
+    header = ["", "frames", "median", "99 %", "most", f"above {MOST:g} ms"]
+    all_ = np.concatenate(loads)
+    rows = [row("wall", all_[:, 0]), row("CPU of the main thread", all_[:, 1])]
+    print(table(f"ms a frame for decoding and uploads, {arguments.repeat} loads", header, rows))
+
+
+if __name__ == "__main__":
+    main()
