@@ -72,7 +72,7 @@ def test_losses_are_those_of_the_seed_and_take_their_time() -> None:
     first, same, other = (way.due(1e9) for way in ways)
     assert first == same != other
     assert abs(ways[0].counts.lost - 2000) < 5 * (20_000 * 0.1 * 0.9) ** 0.5
-    # What is lost is lost behind the bottleneck.
+    # Packets are lost behind the bottleneck.
     last = int.from_bytes(first[-1], "big") + 1
     assert ways[0].counts.delivered == len(first)
     slow = path(link, seed=3)

@@ -23,17 +23,17 @@ Listed = tuple[str, str, bool, Source]
 """Name, media type, whether the name is that of the content, and the content."""
 
 Made = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
-"""What begins a region, what makes its next part, the spacing of the grid, and folder and bytes of the cache."""
+"""Functions that begin a region and make its next part, the grid's spacing, folder and bytes of the cache."""
 
 
 @dataclass(frozen=True)
 class Site:
-    """What a server shows below one path."""
+    """Documents and regions below one path of a server."""
 
     content: Mapping[str, Source] = field(default_factory=dict)
     """Each document beside the page, by name."""
     demand: Made | None = None
-    """What makes regions on demand."""
+    """Maker of regions on demand."""
 
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str]) -> Site:
