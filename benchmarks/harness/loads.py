@@ -20,7 +20,7 @@ LOCAL = "127.0.0.1"
 
 
 class Network:
-    """What lies between servers and pages; made by `network`."""
+    """The network between servers and pages; made by `network`."""
 
     def __init__(self, link: nf.stream.Link, real: Shaped | None) -> None:
         self.link, self.real = link, real

@@ -1,4 +1,4 @@
-"""What one load of the page took: from its own marks, and from the browser's times of its files."""
+"""Times of one load of the page: from its own marks, and from the browser's times of its files."""
 
 from __future__ import annotations
 

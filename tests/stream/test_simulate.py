@@ -54,8 +54,9 @@ def test_without_delay_each_ring_comes_when_its_bytes_have_come(bundle: nf.strea
 def test_a_ring_waits_until_the_one_before_it_has_faded_in(bundle: nf.stream.Bundle) -> None:
     smooth, hard = (nf.stream.simulate(bundle, link=LINK, strategy=name) for name in ("clovr", "clovrd"))
     assert hard.ring_times[2] < smooth.ring_times[1] + 0.1
-    waited = smooth.ring_times[2] - smooth.ring_times[1]
-    assert bundle.growth.fade <= waited < bundle.growth.fade + 3 / 72
+    between = smooth.ring_times[2] - smooth.ring_times[1]
+    # On the virtual clock, whose frames are 1/72 s long: the fade begins and ends with one.
+    assert bundle.growth.fade <= between < bundle.growth.fade + 3 / 72
     assert smooth.ring_times[:2] == pytest.approx(hard.ring_times[:2])
 
 

@@ -1,4 +1,4 @@
-"""What simulated clients are measured by: pictures of rings against `nf.reduce`, completion, continuity, renders."""
+"""Measures of simulated clients: pictures of rings against `nf.reduce`, completion, continuity, renders."""
 
 from __future__ import annotations
 

@@ -16,8 +16,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support import need
-from tests.support.browser import canvas, opened, started, still, wait_for_ring, wait_until
+from tests.support.browser import canvas, opened, still, wait_for_ring, wait_until
 from tests.support.bundled_scenes import bundled_scenes
 
 pytestmark = pytest.mark.slow
@@ -26,13 +25,6 @@ SIZE = (240, 160)
 CENTER = (3.0, 1.7, -2.0)
 RADII = (10.0, 22.0)
 HOSTILE = "<img src=x onerror='window.ran=1'>\"'><script>window.ran=1</script>"
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
 
 
 @pytest.fixture(scope="module")

@@ -13,8 +13,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support import need
-from tests.support.browser import opened, started, wait_for_ring, wait_until
+from tests.support.browser import opened, wait_for_ring, wait_until
 
 pytestmark = pytest.mark.slow
 
@@ -27,13 +26,6 @@ PAD = """() => {
   navigator.getGamepads = () => [pad()];
 }"""
 """A gamepad with two sticks: headless browsers have none."""
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
 
 
 @pytest.fixture(scope="module")

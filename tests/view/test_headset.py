@@ -12,7 +12,7 @@ import pytest
 import nearfar as nf
 from nearfar.serve._server import Server
 from tests.support import need
-from tests.support.browser import opened, started, wait_for_ring
+from tests.support.browser import opened, wait_for_ring
 from tests.support.headset import (
     HEADSETS,
     Captured,
@@ -61,16 +61,9 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
 
 @pytest.fixture(scope="module")
 def server(bundle: nf.stream.Bundle) -> Iterator[str]:
+    need("web")
     with Server.of_bundle(folder_of(bundle)) as running:
         yield running.url
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    need("web")
-    with started() as program:
-        yield program
 
 
 def address(server: str, query: str) -> str:

@@ -15,7 +15,6 @@ import pytest
 import nearfar as nf
 from nearfar.serve._server import Server
 from tests.support import need
-from tests.support.browser import started
 from tests.support.headset import (
     HEADSETS,
     Floor,
@@ -60,16 +59,9 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
 
 @pytest.fixture(scope="module")
 def server(bundle: nf.stream.Bundle) -> Iterator[str]:
+    need("web")
     with Server.of_bundle(folder_of(bundle)) as running:
         yield running.url
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    need("web")
-    with started() as program:
-        yield program
 
 
 def address(server: str, query: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -11,8 +10,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support import need
-from tests.support.browser import opened, started, wait_until
+from tests.support.browser import opened, wait_until
 from tests.support.held_rings import HeldRings
 from tests.support.stepped_page import SteppedPage
 
@@ -25,13 +23,6 @@ PAIRS = 8
 """Pairs of consecutive frames that are looked at in a cross-fade, and while the morph grows for a ring."""
 SMOOTH = 0.999
 """Least continuity: that of bent rays in the same growth is 0.99902 (docs/stream.md)."""
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
 
 
 @pytest.fixture(scope="module")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +10,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support import need
-from tests.support.browser import opened, started, still, wait_for_ring
+from tests.support.browser import opened, still, wait_for_ring
 from tests.support.page_pictures import camera, off
 
 pytestmark = pytest.mark.slow
@@ -29,13 +27,6 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
     scene = nf.datasets.city(blocks=3, detail=1)
     settings: dict[str, Any] = {"face_size": 256, "quality": None, "pixels_per_degree": None}
     return nf.stream.export(scene, folder, center=CENTER, radii=RADII, **settings)
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
 
 
 def test_ring_0_is_the_map_and_what_moves(chromium: Any, bundle: nf.stream.Bundle) -> None:

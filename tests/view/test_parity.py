@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -10,21 +9,13 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support import need
-from tests.support.browser import opened, started, still, wait_for_ring
+from tests.support.browser import opened, still, wait_for_ring
 from tests.support.page_pictures import camera, of_one_face, off
 from tests.support.page_scenes import PAGE_SCENES, PageScene
 
 pytestmark = pytest.mark.slow
 
 SIZE = (360, 240)
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
 
 
 @pytest.fixture(scope="module", params=list(PAGE_SCENES))

@@ -11,8 +11,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support import need
-from tests.support.browser import opened, started, still, wait_for_ring
+from tests.support.browser import opened, still, wait_for_ring
 from tests.support.page_pictures import camera, of_one_face, off
 
 pytestmark = pytest.mark.slow
@@ -22,13 +21,6 @@ CENTER = (3.0, 1.7, -2.0)
 R1, R2 = 14.0, 40.0
 POSES = (((0.8, 0.1, -0.4), 0.3), ((-2.5, 0.0, 1.9), 2.0), ((0.0, 0.0, 0.0), 4.4))
 PITCH = -0.1
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
 
 
 @pytest.fixture(scope="module", params=["blend", "cylinder"])

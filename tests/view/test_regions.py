@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +14,8 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
 from nearfar.serve._server import Server
-from tests.support import gallery, need
-from tests.support.browser import opened, started
+from tests.support import gallery
+from tests.support.browser import opened
 from tests.support.stepped_page import SteppedPage, count_objects, heap, objects
 
 pytestmark = pytest.mark.slow
@@ -33,13 +32,6 @@ MOST_LESS = 0.003
 PLACES = 50
 MOST_GROWTH = 0.15
 """By which part the heap may grow from region 10 to region 44: compiled functions take a little more and more."""
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +18,7 @@ from nearfar.stream._stage import Rates, Shown, Stage
 from nearfar.stream._strategies import STRATEGIES, plan_of
 from nearfar.stream._transport import Transport
 from tests.support import need
-from tests.support.browser import opened, started, wait_for_ring
+from tests.support.browser import opened, wait_for_ring
 from tests.support.bundled_scenes import bundled_scenes
 from tests.support.web_cases import run
 
@@ -85,13 +84,6 @@ def test_states_are_those_of_the_page(tmp_path: Path) -> None:
     run("node", str(tmp_path / "driver.mjs"), str(tmp_path / "in.json"), str(tmp_path / "out.json"))
     for walk, told in zip(given, json.loads((tmp_path / "out.json").read_text()), strict=True):
         np.testing.assert_allclose(states(walk), told, rtol=0, atol=1e-9)
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
 from nearfar.serve._server import Server
-from tests.support import need
-from tests.support.browser import canvas, opened, started, wait_for_ring, wait_until
+from tests.support.browser import canvas, opened, wait_for_ring, wait_until
 from tests.support.bundled_scenes import bundled_scenes
 
 pytestmark = pytest.mark.slow
@@ -21,13 +20,6 @@ pytestmark = pytest.mark.slow
 SIZE, ANGLE = (300, 200), 75.0
 CENTER = (3.0, 1.7, -2.0)
 RADII = (10.0, 40.0)
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ from pathlib import Path
 from nearfar import stream
 from nearfar.stream._on_demand import OnDemand, next_part
 from nearfar.stream._store import FOLDER, is_url
-from nearfar.view._content import opened, reduced_folder
+from nearfar.view._content import of_bundle, opened, reduced_folder
 from nearfar.view._page import INDEX, TYPES, page_files
 
 CACHE_BYTES = 2 * 10**9
@@ -23,25 +23,26 @@ Listed = tuple[str, str, bool, Source]
 """Name, media type, whether the name is that of the content, and the content."""
 
 Made = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
-"""What begins a region, what makes its next part, the spacing of the grid, and folder and bytes of the cache."""
+"""Functions that begin a region and make its next part, the grid's spacing, folder and bytes of the cache."""
 
 
 @dataclass(frozen=True)
 class Site:
-    """What a server shows below one path."""
+    """Documents and regions below one path of a server."""
 
     content: Mapping[str, Source] = field(default_factory=dict)
     """Each document beside the page, by name."""
     demand: Made | None = None
-    """What makes regions on demand."""
+    """Maker of regions on demand."""
 
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str]) -> Site:
         """Show a bundle or a reduced scene; errors as `nearfar.stream.open` and `ReducedScene.load` raise them."""
-        content: dict[str, Source] = dict(opened(path))
-        if reduced_folder(path) is None and not is_url(path):
-            content |= _local_files(path)
-        return cls(content)
+        if reduced_folder(path) is not None:
+            return cls(opened(path))
+        bundle = stream.open(path)
+        content: dict[str, Source] = dict(of_bundle(bundle, bundle._reader.read))
+        return cls(content if is_url(path) else {**content, **_local_files(bundle)})
 
     @classmethod
     def of_scene(cls, scene: OnDemand, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
@@ -64,9 +65,8 @@ class Site:
         return listed
 
 
-def _local_files(path: str | os.PathLike[str]) -> dict[str, tuple[str, int]]:
+def _local_files(bundle: stream.Bundle) -> dict[str, tuple[str, int]]:
     """Path and size of the files of a local bundle, which the server reads itself; ValueError for a linked folder."""
-    bundle = stream.open(path)
     place = Path(bundle._reader.place).resolve() / FOLDER
     if place.is_symlink():
         raise ValueError(f"{place}: expected a folder of the bundle, got a link")

@@ -65,7 +65,7 @@ class Bundle(InRegions):
 
     @property
     def _display(self) -> dict[str, float | None]:
-        """What files suit; a bundle that was written before this was kept does not say."""
+        """Displays that the files suit; a bundle that was written before this was kept does not say."""
         display: dict[str, float | None] = self._manifest.get("display", {})
         return display
 

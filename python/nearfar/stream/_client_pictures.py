@@ -1,4 +1,4 @@
-"""What a user sees of a scene while a client loads it, with object numbers: for measuring."""
+"""Pictures of a scene while a client loads it, with object numbers: for measuring."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class SceneParts:
         return cls(rings, maps, (camera,))
 
     def state(self, number: int, *, by_footprint: bool) -> ReducedScene:
-        """What a client shows that has all rings, or portions by footprint, up to one."""
+        """The picture of a client that has all rings, or portions by footprint, up to one."""
         key = (by_footprint, number)
         if key not in self.reduced:
             self.reduced[key] = self._portion(number) if by_footprint else self._ring(number)
@@ -116,7 +116,7 @@ class Pictures:
     _kept: OrderedDict[tuple[Shown | None, Eye], Picture] = field(default_factory=OrderedDict)
 
     def shown(self, shown: Shown, eye: Eye) -> Picture:
-        """What a client shows in a state."""
+        """The picture of a client in a state."""
         return self._find(shown, eye)
 
     def truth(self, eye: Eye) -> Picture:

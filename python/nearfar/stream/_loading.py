@@ -116,7 +116,7 @@ class Frame:
 
 @dataclass
 class Course:
-    """What happened while a region was loaded."""
+    """Events while a region was loaded."""
 
     files: list[tuple[str, float]] = field(default_factory=list)
     """Files and the times at which they were complete."""

@@ -15,7 +15,7 @@ _ROUNDED = 1.0 - 1e-9
 
 @dataclass(frozen=True)
 class Shown:
-    """What a frame shows."""
+    """The state that a frame shows."""
 
     ring: int = -1
     """Number of the ring; −1 for a blank picture."""
@@ -47,7 +47,7 @@ def least_radius(away: float, fold_margin: float) -> float:
 
 
 def grow(now: Shown, seconds: float, rates: Rates, least: float) -> Shown:
-    """What is shown some seconds later: first the strength grows, then 1/R falls at a constant speed."""
+    """The state some seconds later: first the strength grows, then 1/R falls at a constant speed."""
     if not 1 <= now.ring <= len(rates.radii):
         return replace(now, radius=0.0, strength=0.0)
     goal = rates.radii[now.ring - 1]

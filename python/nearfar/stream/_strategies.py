@@ -16,7 +16,7 @@ STRATEGIES = ("vis0", "vis1", "clovr", "clovrd")
 
 @dataclass(frozen=True)
 class Step:
-    """What is asked for together; the next step begins when it is decoded."""
+    """Files that are asked for together; the next step begins when they are decoded."""
 
     ring: int | None
     """The ring that is there after it; None for dynamic objects."""

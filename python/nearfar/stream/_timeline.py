@@ -1,4 +1,4 @@
-"""What a simulated client had, showed and drew, and when."""
+"""Timelines: the files, states and drawn triangles of a simulated client, with their times."""
 
 from __future__ import annotations
 

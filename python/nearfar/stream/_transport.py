@@ -24,7 +24,7 @@ FIRST_WINDOW = 10 * SEGMENT
 PIECE = 16_384
 """Bytes of a frame of HTTP/2, after which another answer has its turn."""
 DECREASE = 0.7
-"""What a loss leaves of a window (RFC 9438, 4.6)."""
+"""Part of a window that a loss leaves (RFC 9438, 4.6)."""
 INCREASE = 3.0 * (1.0 - DECREASE) / (1.0 + DECREASE)
 """Segments by which a window then grows in a round trip, so that its mean is that of Reno (RFC 9438, 4.3)."""
 

@@ -31,7 +31,7 @@ enum Source {
 /// Path below the site, media type, whether its name is that of its content, and the content.
 type Listed = (String, String, bool, Source);
 
-/// What makes regions of a site's scene: a function that begins one, one that makes its next part, the spacing of the
+/// Maker of a site's regions: a function that begins one, one that makes its next part, the spacing of the
 /// grid, and the folder and the bytes of the cache.
 type OnDemand = (Py<PyAny>, Py<PyAny>, f64, Option<PathBuf>, u64);
 

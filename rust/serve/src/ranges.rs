@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// What a `Range` header asks for of a file.
+/// Bytes of a file that a `Range` header asks for.
 #[derive(Debug, PartialEq)]
 pub enum Wanted {
     /// All of it: there is no such header, or one that may be ignored, such as one with several ranges.

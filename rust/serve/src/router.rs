@@ -12,9 +12,9 @@ use percent_encoding::percent_decode_str;
 use crate::site::{Sites, find};
 use crate::{regions, respond};
 
-/// What all requests need.
+/// State that all requests share.
 pub struct Router {
-    /// What is served.
+    /// Sites by the first part of their paths.
     pub sites: Sites,
     /// Names by which the server may be called; none for any. Another name is another site's that points here.
     pub hosts: Option<HashSet<String>>,

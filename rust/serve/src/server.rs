@@ -55,7 +55,7 @@ pub struct Settings {
     pub address: SocketAddr,
     /// Limits of connections.
     pub limits: Limits,
-    /// What is served, and to whom.
+    /// Sites, and the names by which they may be asked for.
     pub router: Router,
 }
 

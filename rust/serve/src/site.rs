@@ -1,4 +1,4 @@
-//! What is served: a table of documents by name, so that no request becomes a path.
+//! Documents that are served, in a table by name, so that no request becomes a path.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -64,7 +64,7 @@ impl Document {
 pub struct Site {
     /// Documents by their path below the site.
     pub documents: HashMap<String, Document>,
-    /// What makes regions of the scene on demand.
+    /// Makes regions of the scene on demand.
     pub demand: Option<Arc<Demand>>,
 }
 

@@ -1,4 +1,4 @@
-//! What a scene has in the three views of a rig: which instances, whether there is anything to draw, and how many
+//! Contents of a scene in the three views of a rig: which instances, whether there is anything to draw, and how many
 //! triangles.
 
 use glam::{DQuat, DVec3, DVec4};

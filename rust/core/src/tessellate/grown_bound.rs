@@ -41,7 +41,7 @@
 //!   as (1−κ)/(1−κe), k |dκ| as κ(1−κ)/(1−κe), and for either the quotient by |y| is at most the bound for |y| = B, times
 //!   1 + 4δ/(1−q).
 //!
-//! What remains are sums and products of these; a product ab is at most (sa² + b²/s)/2, with s so that lengths may grow with
+//! There remain sums and products of these; a product ab is at most (sa² + b²/s)/2, with s so that lengths may grow with
 //! the height above the centre. The angle is at most the length across y, divided by |y| and by exp(−1/8)(1 − 2 angle), as
 //! μᵢ/m stays within exp(±1/8) and what v has along y is at most twice the bound of what it has across.
 

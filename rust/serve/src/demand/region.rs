@@ -18,7 +18,7 @@ pub enum Outcome {
     Failed(String),
 }
 
-/// What a client has not been told yet.
+/// Parts that a client has not been told of yet.
 #[derive(Debug)]
 pub struct News {
     /// JSON of parts, each with its newline.
@@ -85,7 +85,7 @@ impl Region {
         self.changes.subscribe()
     }
 
-    /// What came after so many lines.
+    /// Parts after so many lines.
     pub fn since(&self, lines: usize) -> News {
         let ready = self.ready();
         News { lines: ready.lines.get(lines..).unwrap_or_default().to_vec(), outcome: ready.outcome.clone() }

@@ -285,7 +285,7 @@ fn write_whole(path: &Path, data: &[u8]) -> io::Result<()> {
     named
 }
 
-/// What is not there need not be removed.
+/// A file that is not there need not be removed.
 fn gone(removed: io::Result<()>) -> io::Result<()> {
     match removed {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
@@ -294,5 +294,4 @@ fn gone(removed: io::Result<()>) -> io::Result<()> {
 }
 
 #[cfg(test)]
-#[path = "cache_tests.rs"]
 mod tests;

@@ -181,7 +181,7 @@ async fn requests_are_bounded_for_each_client_and_in_all() {
     let at = |x: i32| Place([f64::from(x) * 10.0, 0.0, 0.0]);
     let _held = [coming(kitchen.demand.ask(ANN, at(0))), coming(kitchen.demand.ask(ANN, at(1)))];
     assert_eq!(kitchen.demand.ask(ANN, at(2)).err(), Some(Refusal::TooManyOfClient(2)));
-    // What others wait for takes no more work.
+    // Joining others takes no more work.
     let _other = coming(kitchen.demand.ask(BOB, at(3)));
     let _shared = coming(kitchen.demand.ask(ANN, at(3)));
     assert_eq!(kitchen.demand.ask(BOB, at(4)).err(), Some(Refusal::TooMany(3)));

@@ -351,5 +351,4 @@ impl Shared {
 }
 
 #[cfg(test)]
-#[path = "workers_tests.rs"]
 mod tests;
