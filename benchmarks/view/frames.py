@@ -1,6 +1,6 @@
 """Milliseconds of the page's main thread, frame by frame, for decoding and uploads while a bundle loads.
 
-python -m benchmarks.view.frames [--quick] [--repeat N]
+python -m benchmarks.view.frames [--quick] [--scene FILE] [--repeat N]
 
 Chromium's trace tells wall and CPU time of the main thread between marks around the uploads of each frame and around
 the answers of workers since the frame before. Drawing is not in it. Where other programs run, or where the GPU is a
@@ -62,7 +62,7 @@ def trace(url: str, last: int) -> list[dict[str, Any]]:
         events: list[dict[str, Any]] = []
         ended: list[Any] = []
         session.on("Tracing.dataCollected", lambda told: events.extend(told["value"]))
-        session.on("Tracing.tracingComplete", ended.append)
+        session.on("Tracing.tracingComplete", lambda told: ended.append(told))
         session.send("Tracing.start", {"transferMode": "ReportEvents", "traceConfig": TRACED})
         page.add_init_script(MARKS)
         page.goto(url)
@@ -102,12 +102,17 @@ def main() -> None:
     """Print the table."""
     parse = argparse.ArgumentParser(description=__doc__)
     parse.add_argument("--quick", action="store_true", help="a smaller city")
+    parse.add_argument("--scene", type=Path, help="another scene, seen from 1 m beside its middle")
     parse.add_argument("--repeat", type=int, default=3, help="loads")
     arguments = parse.parse_args()
     print(machine(), flush=True)
-    scene = nf.datasets.city(blocks=2 if arguments.quick else 3, detail=0 if arguments.quick else 2)
+    scene, center = nf.datasets.city(blocks=2 if arguments.quick else 3, detail=0 if arguments.quick else 2), CENTER
+    if arguments.scene:
+        scene = nf.Scene.load(arguments.scene)
+        x, y, z = scene.bounds.mean(axis=0)
+        center = (x + 1.0, y, z)
     with tempfile.TemporaryDirectory() as folder, network(LINK, real=False) as way:
-        nf.stream.export(scene, Path(folder) / "bundle", center=CENTER)
+        nf.stream.export(scene, Path(folder) / "bundle", center=center)
         nf.view.write_page(Path(folder) / "bundle")
         last = len(json.loads((Path(folder) / "bundle" / "manifest.json").read_text())["regions"][0]["rings"]) - 1
         with way.served(Path(folder)) as url:
