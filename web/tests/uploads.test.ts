@@ -62,7 +62,7 @@ test('time that answers took is not there for steps', async () => {
   uploads.spend(2.1);
   const taken = uploads.run(3);
   assert.ok(taken >= 2.1 && taken <= 3, `${taken}`);
-  // What took all of it leaves nothing, and the next frame has its own time again.
+  // An answer that took all of it leaves nothing, and the next frame has its own time again.
   uploads.spend(5);
   assert.equal(uploads.run(3), 5);
   assert.ok(uploads.run(3) > 2);

@@ -19,7 +19,7 @@ const MOST_MADE = 2 ** 19;
 /** Files of the bundle by their URIs in others: buffers, and that of dynamic objects. */
 export type Buffers = Map<string, Uint8Array<ArrayBuffer>>;
 
-/** What a file describes. */
+/** Contents of a file. */
 export interface Decoded {
   readonly pieces: readonly Piece[];
   /** Pictures by URI, of those that the page does not have yet. */

@@ -45,7 +45,7 @@ export function samplesOf(pieces: readonly Piece[]): Piece[] {
   return [...samples.values()];
 }
 
-/** What is transferred with a part. */
+/** Buffers that are transferred with a part. */
 export function contentsOf({ bands, pieces }: Part): Transferable[] {
   const buffers = pieces.flatMap(arraysOf).map((array) => array.buffer as ArrayBuffer);
   return [...new Set(buffers), ...bands.map(({ rows }) => rows)];

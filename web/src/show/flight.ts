@@ -11,7 +11,7 @@ export interface Flight {
   send(bytes: number): void;
   /** Whether so many more may be sent. */
   hasRoom(bytes: number): boolean;
-  /** What was sent until now is known to be taken when the GPU comes to this point. */
+  /** All that was sent until now is known to be taken when the GPU comes to this point. */
   mark(): void;
   /** The graphics were lost: nothing is on its way. */
   forget(): void;

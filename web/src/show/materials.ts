@@ -54,7 +54,7 @@ const BLENDING = {
   glslVersion: GLSL3,
 } as const;
 
-/** What the program of a piece must do. */
+/** Features that the program of a piece must have. */
 export function definesOf(piece: Piece, hasTexture: boolean): Record<string, string> {
   const defines: Record<string, string> = {};
   if (piece.normals) defines['SMOOTH'] = '';

@@ -19,7 +19,7 @@ export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 /** Numbers of a placement: three rows of four. */
 const PLACEMENT = 12;
 
-/** What making meshes needs. */
+/** Things that making meshes needs. */
 export interface Making {
   readonly gl: WebGL2RenderingContext;
   readonly store: Store;

@@ -99,7 +99,7 @@ function look(renderer: WebGLRenderer, material: RawShaderMaterial): void {
   made.getAttributes();
 }
 
-/** What three.js knows of a program. */
+/** A program as three.js knows it. */
 interface Made {
   readonly program: WebGLProgram;
   readonly vertexShader: WebGLShader;

@@ -67,7 +67,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
 
   function fail(job: Job, error: unknown): void {
     end(job);
-    // What the steps have made until now is of no use.
+    // Results of its steps until now are of no use.
     job.steps.return?.();
     job.failed(error);
   }

@@ -45,7 +45,7 @@ export interface Settings extends Manner {
 }
 
 export interface Viewer {
-  /** What waits to be sent to the GPU, for those who measure it. */
+  /** Steps that wait to be sent to the GPU, for those who measure them. */
   readonly uploads: Uploads;
   readonly renderer: WebGLRenderer;
   readonly camera: PerspectiveCamera;
