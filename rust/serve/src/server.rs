@@ -41,7 +41,7 @@ impl Default for Limits {
         let seconds = Duration::from_secs;
         Limits {
             connections: 1024,
-            headers: seconds(10),
+            headers: seconds(30),
             silence: seconds(60),
             header_bytes: 1 << 15,
             grace: seconds(3),
