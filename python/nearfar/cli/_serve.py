@@ -40,9 +40,9 @@ def serve(
         option("--name", "HOST", "Name by which clients may call the server; repeat it. By default any of its own."),
     ] = None,
     certificate: Annotated[
-        Path | None, option("--certificate", "FILE", "Certificate of the server in PEM, with those that signed it.")
+        str | None, option("--certificate", "FILE", "Certificate of the server in PEM, with those that signed it.")
     ] = None,
-    key: Annotated[Path | None, option("--key", "FILE", "Key of the certificate, in PEM.")] = None,
+    key: Annotated[str | None, option("--key", "FILE", "Key of the certificate, in PEM.")] = None,
     self_signed: Annotated[
         bool,
         typer.Option("--self-signed", help="Encrypt with a certificate made here; browsers ask before they trust it."),
@@ -99,7 +99,7 @@ def _named(source: str) -> tuple[str, str]:
 
 
 def _certificate(
-    certificate: Path | None, key: Path | None, self_signed: bool, host: str, names: list[str] | None
+    certificate: str | None, key: str | None, self_signed: bool, host: str, names: list[str] | None
 ) -> Certificate | None:
     if self_signed:
         if certificate is not None or key is not None:
