@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from nearfar import stream
+from nearfar.serve._scene import LoadedScene
 from nearfar.stream._on_demand import OnDemand, next_part
 from nearfar.stream._store import FOLDER, is_url
 from nearfar.view._content import of_bundle, opened, reduced_folder
@@ -49,14 +50,15 @@ class Site:
         return cls(content if is_url(path) else {**content, **_local_files(bundle)}, title=_title(bundle))
 
     @classmethod
-    def of_scene(cls, scene: OnDemand, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
-        """Make regions of a scene on demand.
+    def of_scene(cls, scene: LoadedScene | OnDemand, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
+        """Show a scene whose regions are made on demand.
 
-        The cache is a folder for this scene with these settings alone; None keeps what is made in memory, a part of a
-        gigabyte at most.
+        The cache is a folder for this scene with these settings alone, such as `LoadedScene.cache_folder()`; None keeps
+        what is made in memory, a part of a gigabyte at most.
         """
+        maker = LoadedScene.of_made(scene) if isinstance(scene, OnDemand) else scene
         folder = None if cache is None else os.fspath(cache)
-        return cls(demand=(scene.parts, next_part, scene.grid, folder, cache_bytes))
+        return cls(maker.documents(), (maker.parts, next_part, maker.grid, folder, cache_bytes))
 
     def documents(self) -> list[Listed]:
         """List the site's documents, the page's among them."""
