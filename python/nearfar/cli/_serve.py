@@ -108,7 +108,7 @@ def _certificate(
         return Certificate.self_signed(cache.folder() / "certificate", called)
     if (certificate is None) != (key is None):
         raise ValueError("--certificate: expected --certificate and --key together")
-    return None if certificate is None or key is None else Certificate(certificate, key)
+    return None if certificate is None or key is None else Certificate(Path(certificate), Path(key))
 
 
 def _tell(server: Server, sources: list[str], certificate: Certificate | None) -> None:
