@@ -38,7 +38,7 @@ STAGES: dict[str, set[str]] = {
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
     "stream": {"_camera", "_cubemap", "_metrics", "_partition", "_reduce", "_render", "_scene", "_trace"},
     "view": {"_camera", "_cubemap", "_partition", "_reduce", "_scene", "stream"},
-    "serve": {"_scene", "stream", "view"},
+    "serve": {"_scene", "_trace", "stream", "view"},
 }
 
 PRIVATE_TO_COMMANDS = {

@@ -89,6 +89,13 @@ def watched(look: Callable[[], None]) -> Iterator[None]:
         _look.reset(token)
 
 
+def look() -> None:
+    """Call the function that watches the work, if there is one: for loops that wait."""
+    watch = _look.get()
+    if watch is not None:
+        watch()
+
+
 class _Bar:
     def __init__(self, label: str) -> None:
         self._label = label
@@ -100,9 +107,7 @@ class _Bar:
         self._next = 0.0
 
     def report(self, done: int, total: int) -> None:
-        look = _look.get()
-        if look is not None:
-            look()
+        look()
         if self._silent:
             return
         if _writes_lines and not _visible():

@@ -1,0 +1,163 @@
+"""A scene that is loaded while its server already answers, and the documents that tell the page of it."""
+
+from __future__ import annotations
+
+import math
+import os
+import secrets
+import time
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeVar
+
+from nearfar._base import background, cache, check, formats, progress
+from nearfar._scene.builder import SceneBuilder
+from nearfar._scene.scene import Scene
+from nearfar._trace import viewpoint
+from nearfar._trace.viewpoint import Viewpoint
+from nearfar.serve import _sources
+from nearfar.stream._growth import Growth
+from nearfar.stream._manifest import NEAR_SHARE
+from nearfar.stream._on_demand import OnDemand, Part
+from nearfar.stream._store import FOLDER, MANIFEST
+
+SITE, SCENE, VERSION = "on_demand", "scene", 1
+"""Names of the formats of the manifest of a site and of the document on its scene, and their version."""
+
+Result = TypeVar("Result")
+
+POLL = 0.05
+"""Seconds between two looks whether a scene is there."""
+
+
+class LoadedScene:
+    """Loads a scene in a thread of its own, and makes its regions; who asks before it is there waits.
+
+    Parameters
+    ----------
+    load
+        Returns the scene. If it raises, whoever asks is told why.
+    title
+        Words that name the scene to people.
+    source
+        Hash of all that `load` reads, and of how; None where nothing is kept from one start of the server to the next.
+    start
+        Chooses where the page begins if its address names no place; by default an open place of the scene.
+    **settings
+        As for `nearfar.stream._on_demand.OnDemand`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For settings that cannot be used.
+    """
+
+    def __init__(
+        self,
+        load: Callable[[], Scene],
+        *,
+        title: str = "scene",
+        source: str | None = None,
+        start: Callable[[Scene], Viewpoint] = viewpoint.find,
+        **settings: Any,
+    ) -> None:
+        self.title, self._source, self._settings = check.text("title", title), source, settings
+        # Settings are checked before the scene is there.
+        self.grid = OnDemand(_triangle(), **settings).grid
+        self._begin(lambda: OnDemand(load(), **settings), start)
+
+    @classmethod
+    def of_file(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        up: str = "y",
+        on_invalid: str = "raise",
+        scale: float | None = None,
+        max_bytes: int | None = None,
+        **settings: Any,
+    ) -> LoadedScene:
+        """Load a file as `nearfar.Scene.load` does; other arguments as for the class."""
+        place = check.path("path", path)
+        load = partial(Scene.load, place, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+        source = _sources.key(place, {"up": up, "on_invalid": on_invalid, "scale": scale})
+        return cls(load, **{"title": place.name, "source": source, **settings})
+
+    @classmethod
+    def of_made(cls, scene: OnDemand) -> LoadedScene:
+        """Make regions of a scene that is there."""
+        made = cls.__new__(cls)
+        made.title, made.grid = "scene", scene.grid
+        made._source, made._settings = None, {}
+        made._begin(lambda: scene, viewpoint.find)
+        return made
+
+    def _begin(self, make: Callable[[], OnDemand], start: Callable[[Scene], Viewpoint]) -> None:
+        loaded = background.Later(make)
+        self._loaded, self._start = loaded, background.Later(lambda: start(loaded.result().scene))
+
+    def cache_folder(self) -> Path | None:
+        """Folder for the regions of this scene with these settings; None where they should not outlast the server."""
+        if self._source is None:
+            return None
+        settings = {name: _plain(value) for name, value in self._settings.items()}
+        return cache.folder() / "regions" / cache.key(SITE, VERSION, self._source, settings)
+
+    def parts(self, center: list[float]) -> Iterator[Part]:
+        """Make the region of a place as `OnDemand.parts` does; the first part waits for the scene."""
+        while not self._loaded.ready:
+            progress.look()
+            time.sleep(POLL)
+        yield from self._result(self._loaded).parts(center)
+
+    def documents(self) -> Mapping[str, bytes | Callable[[], bytes]]:
+        """List the documents by which the page begins: a manifest, and one on the scene, which waits until it is there.
+
+        The name of the latter is another one after each start, because clients may keep files for ever.
+        """
+        name = f"{FOLDER}/{secrets.token_hex(8)}.json"
+        manifest = formats.header(SITE, VERSION, title=self.title, grid=self.grid, scene=name)
+        return {MANIFEST: _encoded(manifest), name: lambda: _encoded(self._described())}
+
+    def _described(self) -> dict[str, Any]:
+        """The document on the scene, or on why it is not there."""
+        try:
+            made, start = self._result(self._loaded), self._result(self._start)
+        except ValueError as error:
+            return formats.header(SCENE, VERSION, failed=str(error))
+        scene, (x, _, z) = made.scene, start.forward
+        return formats.header(
+            SCENE,
+            VERSION,
+            triangles=scene.triangle_count,
+            objects=len(scene.object_names),
+            bounds=scene.bounds.tolist(),
+            start={"position": list(start.eye), "yaw": math.atan2(-x, -z)},
+            near_share=NEAR_SHARE,
+            growth=Growth((1.0,), speed=made._speed).described(),
+            is_static=not scene.poses,
+            notes=list(scene.report.notes),
+        )
+
+    def _result(self, work: background.Later[Result]) -> Result:
+        """What work on the scene returned, which is waited for; ValueError with a sentence if it failed."""
+        try:
+            return work.result()
+        except Exception as error:
+            raise ValueError(f"{self.title}: the scene cannot be loaded: {error}") from None
+
+
+def _triangle() -> Scene:
+    builder = SceneBuilder()
+    builder.instance(builder.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), name="triangle")
+    return builder.build()
+
+
+def _encoded(document: dict[str, Any]) -> bytes:
+    return formats.to_json(document, compact=True).encode()
+
+
+def _plain(value: Any) -> Any:
+    """A setting as keys of the cache take it."""
+    return value if value is None or isinstance(value, bool | int | float | str | tuple | list) else repr(value)
