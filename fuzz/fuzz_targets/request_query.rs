@@ -2,11 +2,15 @@
 
 #![no_main]
 
+use std::io::Read;
 use std::sync::LazyLock;
 
 use arbitrary::Arbitrary;
-use axum::http::header::{CONTENT_RANGE, ETAG, HOST, IF_NONE_MATCH, IF_RANGE, RANGE};
+use axum::http::header::{
+    ACCEPT_ENCODING, CONTENT_ENCODING, CONTENT_RANGE, ETAG, HOST, IF_NONE_MATCH, IF_RANGE, RANGE,
+};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri};
+use flate2::read::GzDecoder;
 use libfuzzer_sys::fuzz_target;
 use nearfar_fuzz::served::{NAME, Served};
 
@@ -66,6 +70,14 @@ struct Input {
     if_range: Option<Tag>,
     if_none_match: Option<Tag>,
     host: Option<Host>,
+    encodings: Option<Encodings>,
+}
+
+#[derive(Arbitrary, Debug)]
+enum Encodings {
+    Gzip,
+    Listed(u8),
+    Other(Vec<u8>),
 }
 
 /// A target; characters that targets don't have are encoded.
@@ -162,6 +174,26 @@ fn check_part(told: Option<&HeaderValue>, body: &[u8], content: &[u8]) {
     assert_eq!((&content[first..=last], content.len()), (body, count));
 }
 
+/// A compressed answer has the same content.
+fn check_encodings(encodings: &Encodings, uri: &Uri, content: &[u8]) {
+    let listed = match encodings {
+        Encodings::Gzip => b"gzip".to_vec(),
+        Encodings::Listed(weight) => format!("br, gzip;q={}", f32::from(*weight) / 100.0).into_bytes(),
+        Encodings::Other(bytes) => bytes.clone(),
+    };
+    let mut headers = HeaderMap::new();
+    insert(&mut headers, ACCEPT_ENCODING, &listed);
+    let answer = SERVED.ask_twice(uri, &headers);
+    assert_eq!(answer.status, StatusCode::OK);
+    if answer.headers.contains_key(CONTENT_ENCODING) {
+        let mut unpacked = Vec::new();
+        GzDecoder::new(&answer.body[..]).read_to_end(&mut unpacked).expect("gzip");
+        assert_eq!(unpacked, content);
+    } else {
+        assert_eq!(&answer.body[..], content);
+    }
+}
+
 fuzz_target!(|input: Input| {
     let path = path(&input.named);
     let Some(uri) = target(&path, input.query.as_deref()) else { return };
@@ -194,7 +226,11 @@ fuzz_target!(|input: Input| {
         assert!(answer.status == StatusCode::FORBIDDEN || is_own || !is_set, "{name:?}");
         headers.remove(HOST);
     }
+    // What is told of a region's parts differs from request to request.
     let Some(own) = plain.headers.get(ETAG).and_then(|value| value.to_str().ok()) else { return };
+    if let Some(encodings) = &input.encodings {
+        check_encodings(encodings, &uri, content);
+    }
     let part = input.part.as_ref().filter(|part| insert(&mut headers, RANGE, &part_header(part)).is_some());
     let is_same = match &input.if_range {
         Some(tag) => insert(&mut headers, IF_RANGE, &tag_header(tag, own)).is_none_or(|value| value == own),

@@ -9,9 +9,9 @@ use std::sync::Arc;
 use axum::body::{Bytes, to_bytes};
 use axum::http::header::{CONTENT_LENGTH, HOST};
 use axum::http::{HeaderMap, HeaderValue, Method, Request, StatusCode, Uri};
-use nearfar_serve::Router;
 use nearfar_serve::demand::{Cache, Demand, Limits, Maker, Making, Part, Place, Wanted};
 use nearfar_serve::site::{Content, Document, Site, Sites};
+use nearfar_serve::{Answering, Router};
 use tokio::runtime::Runtime;
 
 /// Content of files that no site lists; longer than what refusals repeat of a request.
@@ -72,7 +72,8 @@ impl Served {
         listed.extend(content("disk/", on_disk));
         listed.remove(&format!("{}files/longer.bin", if is_single { "" } else { "disk/" }));
         listed.insert("healthz".into(), b"200 OK: the server runs\n".to_vec());
-        let router = Router { sites, hosts: Some([NAME.to_owned()].into()), headers: Vec::new() };
+        let hosts = Some([NAME.to_owned()].into());
+        let router = Router::new(Answering { sites, hosts, headers: Vec::new(), origin: None });
         let runtime = tokio::runtime::Builder::new_current_thread().build().expect("a runtime");
         Served { runtime, router: Arc::new(router), listed, scene }
     }
@@ -125,6 +126,7 @@ type Listed = Vec<(&'static str, Document, Vec<u8>)>;
 fn in_memory() -> Listed {
     let whole = |text: &str| text.as_bytes().to_vec();
     let changing = |text: &'static str| Document::changing(Bytes::from_static(text.as_bytes()), "text/plain");
+    let long = "long enough to be worth a compressed copy\n".repeat(100);
     let read = || Ok(Bytes::from_static(b"read elsewhere"));
     let elsewhere = Document::named("files/elsewhere", Content::Elsewhere(Arc::new(read)), "text/plain");
     vec![
@@ -132,6 +134,7 @@ fn in_memory() -> Listed {
         ("page.js", changing("its script"), whole("its script")),
         ("files/%2e%2e", changing("percent signs"), whole("percent signs")),
         ("files/ü €", changing("other letters"), whole("other letters")),
+        ("long.js", Document::changing(long.clone().into(), "text/javascript"), long.into()),
         ("empty", changing(""), Vec::new()),
         ("files/elsewhere", elsewhere, whole("read elsewhere")),
     ]
