@@ -35,11 +35,6 @@ pub async fn open(path: &Path, bytes: u64) -> io::Result<Opened> {
     Ok(Opened(Arc::new(file)))
 }
 
-/// The content of a file that has so many bytes.
-pub async fn content(path: &Path, bytes: u64) -> io::Result<Bytes> {
-    open(path, bytes).await?.bytes(0..bytes).await
-}
-
 impl Opened {
     /// Some bytes.
     pub async fn bytes(&self, part: Range<u64>) -> io::Result<Bytes> {

@@ -111,7 +111,8 @@ mod tests {
             let mut text = String::new();
             way(&top.join("real/files/a")).unwrap().read_to_string(&mut text).unwrap();
             assert_eq!(text, "content");
-            for refused in ["real/files/link", "above/files/a", "above/files/link", "real/files/none", "real/files/a/b"] {
+            for refused in ["real/files/link", "above/files/a", "above/files/link", "real/files/none", "real/files/a/b"]
+            {
                 assert!(way(&top.join(refused)).is_err(), "{refused}");
             }
         }
