@@ -29,8 +29,9 @@ VALID = {
             "meshopt", "--backend", "cpu"),
     "export": ("-i", "ball.glb", "-o", "bundle", "--center", "0,1.7,0", "--radii", "3,8", "--samples", "1",
                "--face-size", "64", "--split", "50", "--by-footprint"),
-    # It would serve until Ctrl-C without the second one.
+    # They would serve until Ctrl-C without the second ones.
     "view": ("seen", "--write"),
+    "serve": ("seen", "--check", "--port", "0", "--log", "off"),
     "stereo": ("-i", "ball.glb", "-o", "stereo", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
 }  # fmt: skip
 """Arguments with which each command works on a small scene."""
@@ -38,7 +39,7 @@ VALID = {
 VALUES = ("", "abc", "-1", "nan", "1e400", "9" * 5000, "\udcff", "a\0b", "1,2", "2x2x2")
 """Unusable for almost every option; the others take them."""
 
-FILES = ("--input", "--output", "--truth", "--preview", "--equirectangular")
+FILES = ("--input", "--output", "--truth", "--preview", "--equirectangular", "--certificate", "--key")
 """Options whose messages name the file instead."""
 
 

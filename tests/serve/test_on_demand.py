@@ -140,7 +140,8 @@ def test_a_client_may_wait_for_a_few_places_only(scene: nf.Scene) -> None:
         lines = [http.client.HTTPConnection(urlsplit(server.url).netloc, timeout=300) for _ in range(6)]
         for number, line in enumerate(lines):
             line.request("GET", f"/at/{10 * number},1.75,0/parts")
-        assert [line.getresponse().status for line in lines] == [200] * 4 + [429] * 2
+        # Connections are served side by side.
+        assert sorted(line.getresponse().status for line in lines) == [200] * 4 + [429] * 2
         # Others are served meanwhile.
         assert ask(server, "/", "127.0.0.2")[0] == 200
         for line in lines:

@@ -29,6 +29,9 @@ from nearfar._core.gpu import (
 )
 from nearfar._core.serve import (
     Server as Server,
+    begin_log as begin_log,
+    certificate as certificate,
+    self_signed as self_signed,
 )
 from nearfar._core.stereo import (
     HybridRig as HybridRig,

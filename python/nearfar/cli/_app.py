@@ -11,7 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, progress
-from nearfar.cli import _bake, _compare, _export, _info, _lod, _partition, _reduce, _render, _stereo, _view
+from nearfar.cli import _bake, _compare, _export, _info, _lod, _partition, _reduce, _render, _serve, _stereo, _view
 
 INTERRUPTED = 130
 """Exit status after Ctrl-C: 128 plus the signal's number, as in shells."""
@@ -33,6 +33,7 @@ app.command("compare")(_compare.compare)
 app.command("lod")(_lod.lod)
 app.command("stereo")(_stereo.stereo)
 app.command("export")(_export.export)
+app.command("serve")(_serve.serve)
 app.command("view")(_view.view)
 
 

@@ -5,25 +5,30 @@ from __future__ import annotations
 import errno
 import os
 import weakref
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import TracebackType
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar.serve import _addresses
+from nearfar.serve._addresses import LOCAL
+from nearfar.serve._certificate import Certificate
+from nearfar.serve._index import index
+from nearfar.serve._limits import Limits
 from nearfar.serve._site import Site
 from nearfar.view._page import POLICY
 
-LOCAL = "127.0.0.1"
-NAMES = (LOCAL, "localhost")
-"""Names by which browsers may call a server on this machine: another name is another site's that points here."""
+RESERVED = ("healthz", "metrics", "index.html", "index.css")
+"""Names that the server has itself."""
 
-HEADERS = (
-    ("content-security-policy", POLICY),
-    ("x-content-type-options", "nosniff"),
-    ("referrer-policy", "no-referrer"),
-    ("cross-origin-resource-policy", "same-origin"),
-    ("permissions-policy", "xr-spatial-tracking=(self)"),
-)
+HEADERS = {
+    "content-security-policy": POLICY,
+    "x-content-type-options": "nosniff",
+    "referrer-policy": "no-referrer",
+    "cross-origin-opener-policy": "same-origin",
+    "cross-origin-resource-policy": "same-origin",
+    "permissions-policy": "xr-spatial-tracking=(self)",
+}
 """Headers of all answers."""
 
 
@@ -33,40 +38,67 @@ class Server:
     Parameters
     ----------
     sites
-        Sites by the first part of their paths; a single one may have the empty name.
+        Sites by the first part of their paths; the one with the empty name has all other paths. Several sites without
+        such a one get a page that lists them.
+    host
+        Address of this machine to listen at: 127.0.0.1 for programs on this machine alone, 0.0.0.0 for all networks.
     port
-        Port on 127.0.0.1 to listen on; 0 for any that is free.
-    connections
-        Connections at the same time; others wait.
+        Port to listen at; 0 for any that is free.
+    names
+        Names of hosts, without a port, by which clients may call the server; others are refused. By default those of
+        this machine where only its programs reach the server, else any.
+    certificate
+        Certificate for encrypted connections (TLS 1.2 and 1.3, HTTP/1.1 and HTTP/2); None for HTTP/1.1 without one.
+        Its files are read again when they change.
+    origin
+        Origin whose pages may read the files, such as `https://example.org`, or `*` for all; None for the server's own.
+    limits
+        Limits of connections, times and regions.
 
     Raises
     ------
     OSError
-        If the port is taken, or a cache cannot be opened.
+        If the port is taken, the address is not of this machine, or a cache cannot be opened.
+    ValueError
+        For other arguments that cannot be used.
+    TypeError
+        If an argument has another type.
     """
 
-    def __init__(self, sites: Mapping[str, Site], *, port: int = 0, connections: int = 1024) -> None:
-        number = check.integer("port", port, 0, 65535)
-        most = check.integer("connections", connections, 1, 65536)
-        listed = [(name, site.documents(), site.demand) for name, site in sites.items()]
+    def __init__(
+        self,
+        sites: Mapping[str, Site],
+        *,
+        host: str = LOCAL,
+        port: int = 0,
+        names: Sequence[str] | None = None,
+        certificate: Certificate | None = None,
+        origin: str | None = None,
+        limits: Limits | None = None,
+    ) -> None:
+        found = _checked(sites)
+        listened, number = _addresses.address(host), check.integer("port", port, 0, 65535)
+        if certificate is not None:
+            check.instance("certificate", certificate, Certificate)
+        chosen = Limits() if limits is None else check.instance("limits", limits, Limits)
+        self._certificate, self._host = certificate, listened
         try:
             self._server = _core.Server(
-                listed,
-                host=LOCAL,
+                [(name, site.documents(), site.demand) for name, site in found.items()],
+                host=listened,
                 port=number,
-                hosts=list(NAMES),
-                headers=list(HEADERS),
-                connections=most,
-                header_seconds=30.0,
-                silent_seconds=60.0,
-                grace_seconds=3.0,
+                hosts=_hosts(names, listened),
+                headers=list(_headers(origin).items()),
+                origin=origin,
+                certificate=None if certificate is None else certificate.files,
+                limits=chosen,
             )
         except OSError as error:
-            if error.errno != errno.EADDRINUSE:
+            if error.errno not in (errno.EADDRINUSE, errno.EADDRNOTAVAIL, errno.EACCES):
                 raise
-            raise OSError(
-                error.errno, f"{os.strerror(error.errno)}: choose another port", f"{LOCAL}:{number}"
-            ) from None
+            what = "address of this machine" if error.errno == errno.EADDRNOTAVAIL else "port"
+            reason = f"{os.strerror(error.errno)}: choose another {what}"
+            raise OSError(error.errno, reason, f"{_addresses.in_url(listened)}:{number}") from None
         # Threads that make regions need the interpreter.
         self._end = weakref.finalize(self, self._server.close)
 
@@ -78,8 +110,23 @@ class Server:
 
     @property
     def url(self) -> str:
-        """Address of the server."""
-        return f"http://{LOCAL}:{self._server.port}/"
+        """Address of the server for programs on this machine, or in its network."""
+        where = LOCAL if self._host == "0.0.0.0" else "::1" if self._host == "::" else self._host
+        return self._address(where)
+
+    @property
+    def urls(self) -> list[str]:
+        """Addresses at which clients reach the server, the likeliest first."""
+        return [self._address(host) for host in _addresses.reached(self._host)]
+
+    @property
+    def port(self) -> int:
+        """Port that it listens at."""
+        return self._server.port
+
+    def _address(self, host: str) -> str:
+        scheme = "http" if self._certificate is None else "https"
+        return f"{scheme}://{_addresses.in_url(host)}:{self.port}/"
 
     def close(self) -> None:
         """Stop; answers that are being sent get a few seconds to end."""
@@ -95,3 +142,30 @@ class Server:
 
     def __repr__(self) -> str:
         return f"Server({self.url!r})"
+
+
+def _checked(sites: Mapping[str, Site]) -> dict[str, Site]:
+    found = dict(check.mapping("sites", sites, "a mapping of names to sites"))
+    for name, site in found.items():
+        check.instance("sites", site, Site)
+        if name in RESERVED or "/" in name or name in (".", ".."):
+            raise ValueError(f"sites: expected names without a slash that the server has not itself, got {name!r}")
+    if not found:
+        raise ValueError("sites: expected one or more, got none")
+    if len(found) > 1 and "" not in found:
+        titles = {name: site.title for name, site in found.items()}
+        found[""] = Site(index(titles), has_page=False)
+    return found
+
+
+def _hosts(names: Sequence[str] | None, listened: str) -> list[str] | None:
+    if names is not None:
+        return [name.lower() for name in check.texts("names", names)]
+    return list(_addresses.NAMES) if _addresses.is_local(listened) else None
+
+
+def _headers(origin: str | None) -> dict[str, str]:
+    if origin is None:
+        return HEADERS
+    check.text("origin", origin)
+    return {**HEADERS, "cross-origin-resource-policy": "cross-origin"}

@@ -35,15 +35,19 @@ class Site:
     """Each document beside the page, by name."""
     demand: Made | None = None
     """Maker of regions on demand."""
+    title: str = ""
+    """What it shows, in a few words."""
+    has_page: bool = True
+    """Whether the page that shows a scene lies at its root."""
 
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str]) -> Site:
         """Show a bundle or a reduced scene; errors as `nearfar.stream.open` and `ReducedScene.load` raise them."""
         if reduced_folder(path) is not None:
-            return cls(opened(path))
+            return cls(opened(path), title="reduced scene")
         bundle = stream.open(path)
         content: dict[str, Source] = dict(of_bundle(bundle, bundle._reader.read))
-        return cls(content if is_url(path) else {**content, **_local_files(bundle)})
+        return cls(content if is_url(path) else {**content, **_local_files(bundle)}, title=_title(bundle))
 
     @classmethod
     def of_scene(cls, scene: LoadedScene | OnDemand, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
@@ -58,13 +62,23 @@ class Site:
 
     def documents(self) -> list[Listed]:
         """List the site's documents, the page's among them."""
-        page = page_files()
-        listed: list[Listed] = [(name, _media(name), False, data) for name, data in page.items()]
-        listed.append(("", _media(INDEX), False, page[INDEX]))
-        for name, source in self.content.items():
+        content = {**(page_files() if self.has_page else {}), **self.content}
+        listed: list[Listed] = []
+        if INDEX in content:
+            listed.append(("", _media(INDEX), False, _read(content[INDEX])))
+        for name, source in content.items():
             is_named = name.startswith(f"{FOLDER}/")
-            listed.append((name, _media(name), is_named, source() if callable(source) and not is_named else source))
+            listed.append((name, _media(name), is_named, source if is_named else _read(source)))
         return listed
+
+
+def _read(source: Source) -> Source:
+    return source() if callable(source) else source
+
+
+def _title(bundle: stream.Bundle) -> str:
+    regions = len(bundle.centers)
+    return f"{regions} region{'s' if regions > 1 else ''}, {bundle.nbytes / 1e6:,.1f} MB"
 
 
 def _local_files(bundle: stream.Bundle) -> dict[str, tuple[str, int]]:

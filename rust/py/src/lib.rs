@@ -64,7 +64,7 @@ mod _core {
         scene::parts::{mesh_parts, scene_parts},
         scene::wavefront::read_wavefront,
         scene::{Mesh, Scene},
-        serve::Server,
+        serve::{Server, begin_log, certificate, self_signed},
         stereo::HybridRig,
         tessellate::{tessellate_arrays, tessellate_scene},
         trace::{cast_rays, instruction_sets, nearest_points, use_instruction_set},

@@ -10,7 +10,8 @@ use std::time::Duration;
 use bytes::Bytes;
 use nearfar_serve::demand::{self, Cache, Demand, Maker, Making, Part, Place, Wanted};
 use nearfar_serve::site::{Content, Document, Site, Sites};
-use nearfar_serve::{self as serve, Limits, Router, Settings};
+use nearfar_serve::tls::{self, Identity};
+use nearfar_serve::{self as serve, Answering, Router, Settings, log};
 use pyo3::exceptions::{PyInterruptedError, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
@@ -39,7 +40,7 @@ type OnDemand = (Py<PyAny>, Py<PyAny>, f64, Option<PathBuf>, u64);
 impl Server {
     /// `sites` are names with their documents and what makes regions on demand.
     #[new]
-    #[pyo3(signature = (sites, *, host, port, hosts, headers, connections, header_seconds, silent_seconds, grace_seconds))]
+    #[pyo3(signature = (sites, *, host, port, hosts, headers, origin, certificate, limits))]
     #[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
     fn new(
         py: Python<'_>,
@@ -48,23 +49,29 @@ impl Server {
         port: u16,
         hosts: Option<Vec<String>>,
         headers: Vec<(String, String)>,
-        connections: usize,
-        header_seconds: f64,
-        silent_seconds: f64,
-        grace_seconds: f64,
+        origin: Option<&str>,
+        certificate: Option<(PathBuf, PathBuf)>,
+        limits: Limits,
     ) -> PyResult<Self> {
         let sites: PyResult<Sites> =
-            sites.into_iter().map(|(name, listed, made)| Ok((name, site(listed, made)?))).collect();
+            sites.into_iter().map(|(name, listed, made)| Ok((name, site(listed, made, limits.regions())?))).collect();
         let headers: PyResult<_> = headers.into_iter().map(header).collect();
-        let router = Router { sites: sites?, hosts: hosts.map(|names| names.into_iter().collect()), headers: headers? };
-        let limits = Limits {
-            connections,
-            headers: seconds(header_seconds)?,
-            silence: seconds(silent_seconds)?,
-            grace: seconds(grace_seconds)?,
-            ..Limits::default()
+        let origin = origin.map(|origin| {
+            let wrong = || PyValueError::new_err(format!("origin: expected an origin or *, got {origin:?}"));
+            origin.parse().map_err(|_| wrong())
+        });
+        let answering = Answering {
+            sites: sites?,
+            hosts: hosts.map(|names| names.into_iter().collect()),
+            headers: headers?,
+            origin: origin.transpose()?,
         };
-        let settings = Settings { address: SocketAddr::new(host, port), limits, router };
+        let settings = Settings {
+            address: SocketAddr::new(host, port),
+            limits: limits.connections()?,
+            certificate,
+            router: Router::new(answering),
+        };
         py.detach(|| serve::Server::start(settings)).map(Self).map_err(with_number)
     }
 
@@ -80,12 +87,68 @@ impl Server {
     }
 }
 
-fn site(listed: Vec<Listed>, made: Option<OnDemand>) -> PyResult<Site> {
+/// Limits of connections and of regions on demand, as Python has them.
+#[derive(Clone, Copy, FromPyObject)]
+struct Limits {
+    connections: usize,
+    per_client: usize,
+    header_bytes: usize,
+    header_seconds: f64,
+    silent_seconds: f64,
+    grace_seconds: f64,
+    regions: usize,
+    regions_per_client: usize,
+    threads: usize,
+    memory_bytes: u64,
+}
+
+impl Limits {
+    fn connections(&self) -> PyResult<serve::Limits> {
+        Ok(serve::Limits {
+            connections: self.connections,
+            per_client: self.per_client,
+            headers: seconds(self.header_seconds)?,
+            silence: seconds(self.silent_seconds)?,
+            header_bytes: self.header_bytes,
+            grace: seconds(self.grace_seconds)?,
+        })
+    }
+
+    fn regions(&self) -> demand::Limits {
+        demand::Limits {
+            workers: self.threads,
+            regions: self.regions,
+            per_client: self.regions_per_client,
+            memory: self.memory_bytes,
+        }
+    }
+}
+
+/// SHA-256 of a certificate, when it ends in seconds since 1970, and the names that it is for.
+#[pyfunction]
+pub fn certificate(certificate: PathBuf, key: PathBuf) -> PyResult<(String, i64, Vec<String>)> {
+    let identity = Identity::read(&certificate, &key).map_err(PyValueError::new_err)?;
+    Ok((identity.fingerprint, identity.ends, identity.names))
+}
+
+/// A certificate for names that signs itself, and its key, both in PEM.
+#[pyfunction]
+pub fn self_signed(names: Vec<String>) -> PyResult<(String, String)> {
+    tls::self_signed(names).map_err(PyValueError::new_err)
+}
+
+/// Write events of at least a level to standard error; False if a log is written already.
+#[pyfunction]
+pub fn begin_log(level: &str, as_json: bool) -> PyResult<bool> {
+    let level = level.parse().map_err(|_| PyValueError::new_err(format!("level: expected a level, got {level:?}")))?;
+    Ok(log::begin(level, as_json))
+}
+
+fn site(listed: Vec<Listed>, made: Option<OnDemand>, limits: demand::Limits) -> PyResult<Site> {
     let documents: HashMap<_, _> = listed.into_iter().map(document).collect();
     let Some((begin, next, grid, folder, bytes)) = made else { return Ok(Site { documents, demand: None }) };
     let cache = folder.map(|folder| Cache::open(&folder, bytes)).transpose()?;
-    let demand =
-        Demand::start(Box::new(Regions { begin, next: Arc::new(next) }), grid, cache, demand::Limits::default())?;
+    let demand = Demand::start(Box::new(Regions { begin, next: Arc::new(next) }), grid, cache, limits)?;
     Ok(Site { documents, demand: Some(Arc::new(demand)) })
 }
 
@@ -119,6 +182,7 @@ fn seconds(value: f64) -> PyResult<Duration> {
 fn with_number(error: io::Error) -> PyErr {
     match error.raw_os_error() {
         Some(number) => PyOSError::new_err((number, error.to_string())),
+        None if error.kind() == io::ErrorKind::InvalidInput => PyValueError::new_err(error.to_string()),
         None => error.into(),
     }
 }

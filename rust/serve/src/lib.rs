@@ -2,14 +2,22 @@
 //!
 //! Nothing here knows Python; a binding gives what makes regions.
 
+mod clients;
+mod connection;
 pub mod demand;
+mod flow;
+pub mod log;
+mod metrics;
+mod packed;
 mod ranges;
+mod record;
 mod regions;
 mod respond;
 mod router;
 mod server;
 pub mod site;
+pub mod tls;
 
 pub use axum::http::{HeaderName, HeaderValue};
-pub use router::Router;
+pub use router::{Answering, Router};
 pub use server::{Limits, Server, Settings};

@@ -6,11 +6,11 @@ use std::sync::Arc;
 
 use axum::body::{Body, Bytes};
 use axum::http::header;
-use axum::http::{Request, Response, StatusCode};
+use axum::http::{Response, StatusCode};
 use futures_util::stream;
 
 use crate::demand::{Answer, Demand, Event, Kept, Outcome, Place, Refusal, Ticket};
-use crate::respond;
+use crate::respond::{self, Asked};
 use crate::site::{Content, Document};
 
 /// Media types by the ends of names.
@@ -24,14 +24,9 @@ const MEDIA: [(&str, &str); 5] = [
 
 /// Answer a request for what lies below a site with regions on demand: `at/PLACE/parts`, `at/PLACE/manifest.json`,
 /// `files/NAME`, and the latter below a place too, so that a place is a bundle. None for other names.
-pub async fn answer<B>(
-    demand: &Arc<Demand>,
-    client: IpAddr,
-    name: &str,
-    request: &Request<B>,
-) -> Option<Response<Body>> {
+pub async fn answer(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Option<Response<Body>> {
     if name.starts_with("files/") {
-        return Some(file(demand, name, request).await);
+        return Some(file(demand, name, asked).await);
     }
     let (place, name) = name.strip_prefix("at/")?.split_once('/')?;
     let place: Place = match place.parse() {
@@ -39,9 +34,9 @@ pub async fn answer<B>(
         Err(reason) => return Some(respond::refusal(StatusCode::BAD_REQUEST, &reason)),
     };
     match name {
-        "parts" => Some(parts(demand, client, place)),
-        "manifest.json" | "tileset.json" => Some(document(demand, client, place, name, request).await),
-        _ if name.starts_with("files/") => Some(file(demand, name, request).await),
+        "parts" => Some(parts(demand, asked.client, place)),
+        "manifest.json" | "tileset.json" => Some(document(demand, place, name, asked).await),
+        _ if name.starts_with("files/") => Some(file(demand, name, asked).await),
         _ => None,
     }
 }
@@ -84,14 +79,8 @@ async fn next_lines(ticket: Option<Ticket>) -> Option<(Result<Bytes, Infallible>
 }
 
 /// A document of a complete region, which is waited for.
-async fn document<B>(
-    demand: &Arc<Demand>,
-    client: IpAddr,
-    place: Place,
-    name: &str,
-    request: &Request<B>,
-) -> Response<Body> {
-    let kept = match demand.ask(client, place) {
+async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<'_>) -> Response<Body> {
+    let kept = match demand.ask(asked.client, place) {
         Err(refusal) => return refused(refusal),
         Ok(Answer::Whole(kept)) => kept,
         Ok(Answer::Coming(ticket)) => match ticket.whole().await {
@@ -105,20 +94,18 @@ async fn document<B>(
         Kept::OnDisk(..) | Kept::Content(_) => None,
     };
     match data {
-        Some(data) => {
-            respond::document(request.method(), request.headers(), &Document::changing(data, media_of(name))).await
-        }
+        Some(data) => respond::document(asked, &Document::changing(data, media_of(name))).await,
         None => respond::refusal(StatusCode::NOT_FOUND, "no such file"),
     }
 }
 
-async fn file<B>(demand: &Arc<Demand>, name: &str, request: &Request<B>) -> Response<Body> {
+async fn file(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Response<Body> {
     let content = match demand.file(name) {
         Some(Kept::Content(data)) => Content::Bytes(data),
         Some(Kept::OnDisk(path, bytes)) => Content::File(path, bytes),
         Some(Kept::InMemory(_)) | None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
     };
-    respond::document(request.method(), request.headers(), &Document::named(name, content, media_of(name))).await
+    respond::document(asked, &Document::named(name, content, media_of(name))).await
 }
 
 fn refused(refusal: Refusal) -> Response<Body> {

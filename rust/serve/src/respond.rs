@@ -1,16 +1,19 @@
 //! Answers with documents: whole, in part, or that the client has them already.
 
 use std::io;
+use std::net::IpAddr;
 use std::ops::Range;
 use std::path::Path;
 
 use axum::body::Body;
 use axum::http::header::{self, HeaderMap, HeaderValue};
+use axum::http::response::Builder;
 use axum::http::{Method, Response, StatusCode};
 use bytes::Bytes;
 use tokio::io::{AsyncReadExt, AsyncSeekExt};
 use tokio_util::io::ReaderStream;
 
+use crate::packed::Packed;
 use crate::ranges::{Wanted, wanted};
 use crate::site::{Content, Document};
 
@@ -19,26 +22,67 @@ const FOREVER: &str = "public, max-age=31536000, immutable";
 /// Bytes that are read from a file at once.
 const PIECE: usize = 1 << 18;
 
+/// What a client asks for.
+pub struct Asked<'a> {
+    /// The client's address.
+    pub client: IpAddr,
+    /// GET or HEAD.
+    pub method: &'a Method,
+    /// Headers of the request.
+    pub headers: &'a HeaderMap,
+    /// Compressed copies of documents.
+    pub packed: &'a Packed,
+}
+
 /// Answer a request with a document.
-pub async fn document(method: &Method, asked: &HeaderMap, document: &Document) -> Response<Body> {
-    let head = Response::builder()
-        .header(header::ETAG, &document.tag)
-        .header(header::CACHE_CONTROL, if document.is_immutable { FOREVER } else { "no-cache" })
-        .header(header::ACCEPT_RANGES, "bytes");
-    if knows(asked, &document.tag) {
-        return finished(head.status(StatusCode::NOT_MODIFIED).body(Body::empty()));
-    }
-    let (bytes, opened) = match open(&document.content).await {
-        Ok(opened) => opened,
+pub async fn document(asked: &Asked<'_>, document: &Document) -> Response<Body> {
+    match answer(asked, document).await {
+        Ok(answer) => answer,
         Err(error) => {
             tracing::warn!(%error, "a document cannot be read");
-            return refusal(StatusCode::NOT_FOUND, "the file cannot be read");
+            refusal(StatusCode::NOT_FOUND, "the file cannot be read")
         }
-    };
+    }
+}
+
+async fn answer(asked: &Asked<'_>, document: &Document) -> io::Result<Response<Body>> {
+    let copy_tag = format!("{}-gzip\"", document.tag.trim_end_matches('"'));
+    if let Some(tag) = [&document.tag, &copy_tag].into_iter().find(|tag| knows(asked.headers, tag)) {
+        return Ok(finished(head(document, tag).status(StatusCode::NOT_MODIFIED).body(Body::empty())));
+    }
+    // Parts are those of the content itself.
+    let may_pack = takes_gzip(asked.headers) && !asked.headers.contains_key(header::RANGE);
+    if may_pack && document.is_worth_packing() {
+        let read = async {
+            let (bytes, opened) = open(&document.content).await?;
+            opened.all(bytes).await
+        };
+        if let Some(copy) = asked.packed.get(&document.tag, read).await? {
+            let head = head(document, &copy_tag)
+                .header(header::CONTENT_TYPE, &document.media)
+                .header(header::CONTENT_ENCODING, "gzip")
+                .header(header::CONTENT_LENGTH, copy.len());
+            return Ok(finished(head.body(Body::from(copy))));
+        }
+    }
+    whole_or_part(asked, document).await
+}
+
+/// The head of an answer with a version of a document.
+fn head(document: &Document, tag: &str) -> Builder {
+    let head = Response::builder()
+        .header(header::ETAG, tag)
+        .header(header::CACHE_CONTROL, if document.is_immutable { FOREVER } else { "no-cache" })
+        .header(header::ACCEPT_RANGES, "bytes");
+    if document.is_loose { head.header(header::VARY, "accept-encoding") } else { head }
+}
+
+async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Response<Body>> {
+    let (bytes, opened) = open(&document.content).await?;
     // One strong tag, unlike If-None-Match.
-    let is_same = asked.get(header::IF_RANGE).is_none_or(|value| value.as_bytes() == document.tag.as_bytes());
-    let range = asked.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
-    let head = head.header(header::CONTENT_TYPE, &document.media);
+    let is_same = asked.headers.get(header::IF_RANGE).is_none_or(|value| value.as_bytes() == document.tag.as_bytes());
+    let range = asked.headers.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
+    let head = head(document, &document.tag).header(header::CONTENT_TYPE, &document.media);
     let (head, part) = match wanted(range, bytes) {
         Wanted::Whole => (head.status(StatusCode::OK), 0..bytes),
         Wanted::Part(part) => {
@@ -51,20 +95,12 @@ pub async fn document(method: &Method, asked: &HeaderMap, document: &Document) -
             answer
                 .headers_mut()
                 .insert(header::CONTENT_RANGE, told.parse().unwrap_or(HeaderValue::from_static("bytes */*")));
-            return answer;
+            return Ok(answer);
         }
     };
     let head = head.header(header::CONTENT_LENGTH, part.end - part.start);
-    if *method == Method::HEAD {
-        return finished(head.body(Body::empty()));
-    }
-    match opened.read(part).await {
-        Ok(body) => finished(head.body(body)),
-        Err(error) => {
-            tracing::warn!(%error, "a document cannot be read");
-            refusal(StatusCode::NOT_FOUND, "the file cannot be read")
-        }
-    }
+    let is_head = *asked.method == Method::HEAD;
+    Ok(finished(head.body(if is_head { Body::empty() } else { opened.read(part).await? })))
 }
 
 /// An answer that tells why there is no document.
@@ -88,6 +124,17 @@ fn knows(asked: &HeaderMap, tag: &str) -> bool {
     let values = asked.get_all(header::IF_NONE_MATCH);
     let mut listed = values.iter().filter_map(|value| value.to_str().ok()).flat_map(|text| text.split(','));
     listed.any(|each| matches!(each.trim(), "*") || each.trim().trim_start_matches("W/") == tag)
+}
+
+/// Whether a client unpacks gzip.
+fn takes_gzip(asked: &HeaderMap) -> bool {
+    let values = asked.get_all(header::ACCEPT_ENCODING);
+    let mut listed = values.iter().filter_map(|value| value.to_str().ok()).flat_map(|text| text.split(','));
+    listed.any(|each| {
+        let (name, weight) = each.split_once(';').unwrap_or((each, ""));
+        let weight = weight.trim().strip_prefix("q=").map_or(Ok(1.0), str::parse::<f32>);
+        matches!(name.trim().to_ascii_lowercase().as_str(), "gzip" | "*") && weight.is_ok_and(|weight| weight > 0.0)
+    })
 }
 
 /// Content that can be read.
@@ -126,6 +173,17 @@ async fn open_file(path: &Path) -> io::Result<tokio::fs::File> {
 }
 
 impl Opened {
+    async fn all(self, bytes: u64) -> io::Result<Bytes> {
+        match self {
+            Opened::Bytes(data) => Ok(data),
+            Opened::File(mut file) => {
+                let mut data = Vec::with_capacity(usize::try_from(bytes).unwrap_or_default());
+                file.read_to_end(&mut data).await?;
+                Ok(data.into())
+            }
+        }
+    }
+
     async fn read(self, part: Range<u64>) -> io::Result<Body> {
         match self {
             Opened::Bytes(data) => {
@@ -138,5 +196,31 @@ impl Opened {
                 Ok(Body::from_stream(ReaderStream::with_capacity(reader, PIECE)))
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clients_tell_whether_they_unpack() {
+        for (header, expected) in [
+            ("gzip", true),
+            ("br, GZIP", true),
+            ("gzip;q=0.5, br", true),
+            ("*", true),
+            ("gzip;q=0", false),
+            ("gzip;q=0.000, br", false),
+            ("br, zstd", false),
+            ("x-gzipped", false),
+            ("gzip;q=wrong", false),
+            ("", false),
+        ] {
+            let mut headers = HeaderMap::new();
+            headers.insert(header::ACCEPT_ENCODING, header.parse().expect("a header"));
+            assert_eq!(takes_gzip(&headers), expected, "{header}");
+        }
+        assert!(!takes_gzip(&HeaderMap::new()));
     }
 }

@@ -9,26 +9,60 @@ use axum::http::header::{self, HeaderName, HeaderValue};
 use axum::http::{Method, Request, Response, StatusCode};
 use percent_encoding::percent_decode_str;
 
-use crate::site::{Sites, find};
+use crate::metrics::{self, Metrics};
+use crate::packed::Packed;
+use crate::respond::Asked;
+use crate::site::{Document, Sites, find};
 use crate::{regions, respond};
 
-/// State that all requests share.
-pub struct Router {
+/// Bytes of compressed copies of documents that are kept.
+const PACKED: u64 = 128 << 20;
+/// Time for which browsers keep an answer to what they ask before a request of another site, seconds.
+const PREFLIGHT: &str = "86400";
+
+/// How requests are answered.
+pub struct Answering {
     /// Sites by the first part of their paths.
     pub sites: Sites,
     /// Names by which the server may be called; none for any. Another name is another site's that points here.
     pub hosts: Option<HashSet<String>>,
     /// Headers of all answers.
     pub headers: Vec<(HeaderName, HeaderValue)>,
+    /// Whose pages may read answers: an origin, or `*`; none for the server's own.
+    pub origin: Option<HeaderValue>,
+}
+
+/// State that all requests share.
+pub struct Router {
+    answering: Answering,
+    packed: Packed,
+    /// Counts of what was answered.
+    pub metrics: Metrics,
 }
 
 impl Router {
+    /// Answer requests so.
+    pub fn new(answering: Answering) -> Self {
+        Router { metrics: Metrics::new(&answering.sites), packed: Packed::new(PACKED), answering }
+    }
+
+    /// The sites.
+    pub fn sites(&self) -> &Sites {
+        &self.answering.sites
+    }
+
     /// Answer a client's request.
     pub async fn answer<B>(self: Arc<Self>, client: IpAddr, request: Request<B>) -> Response<Body> {
         let mut answer = self.found(client, &request).await;
         let is_head = request.method() == Method::HEAD;
-        for (name, value) in &self.headers {
+        for (name, value) in &self.answering.headers {
             answer.headers_mut().entry(name).or_insert_with(|| value.clone());
+        }
+        if let Some(origin) = &self.answering.origin {
+            let headers = answer.headers_mut();
+            headers.insert(header::ACCESS_CONTROL_ALLOW_ORIGIN, origin.clone());
+            let exposed = HeaderValue::from_static("accept-ranges, content-length, content-range, etag");
+            headers.insert(header::ACCESS_CONTROL_EXPOSE_HEADERS, exposed);
         }
         if is_head { answer.map(|_| Body::empty()) } else { answer }
     }
@@ -36,6 +70,9 @@ impl Router {
     async fn found<B>(&self, client: IpAddr, request: &Request<B>) -> Response<Body> {
         if !self.is_called_by_its_name(request) {
             return respond::refusal(StatusCode::FORBIDDEN, "the server is not called by this name");
+        }
+        if *request.method() == Method::OPTIONS && self.answering.origin.is_some() {
+            return preflight();
         }
         if !matches!(*request.method(), Method::GET | Method::HEAD) {
             let mut answer = respond::refusal(StatusCode::METHOD_NOT_ALLOWED, "expected GET or HEAD");
@@ -46,15 +83,24 @@ impl Router {
         // Decoded once: a name that still has percent signs is that of a file with percent signs.
         let path = request.uri().path().strip_prefix('/').unwrap_or_default();
         let Ok(path) = percent_decode_str(path).decode_utf8() else { return nothing() };
-        if path == "healthz" {
-            return respond::refusal(StatusCode::OK, "the server runs");
+        let asked = Asked { client, method: request.method(), headers: request.headers(), packed: &self.packed };
+        match &*path {
+            "healthz" => return respond::refusal(StatusCode::OK, "the server runs"),
+            "metrics" => {
+                let text = self.metrics.text();
+                return respond::document(&asked, &Document::changing(text.into(), metrics::MEDIA)).await;
+            }
+            _ => {}
         }
-        let Some((site, name)) = find(&self.sites, &path) else { return nothing() };
+        if !path.is_empty() && self.sites().contains_key(&*path) {
+            return moved_below(request.uri().path());
+        }
+        let Some((site, name)) = find(self.sites(), &path) else { return nothing() };
         if let Some(document) = site.documents.get(name) {
-            return respond::document(request.method(), request.headers(), document).await;
+            return respond::document(&asked, document).await;
         }
         match &site.demand {
-            Some(demand) => match regions::answer(demand, client, name, request).await {
+            Some(demand) => match regions::answer(demand, name, &asked).await {
                 Some(answer) => answer,
                 None => nothing(),
             },
@@ -62,12 +108,35 @@ impl Router {
         }
     }
 
-    fn is_called_by_its_name<B>(&self, request: &Request<B>) -> bool {
-        let Some(hosts) = &self.hosts else { return true };
+    /// The name by which a request calls the server, with its port.
+    pub fn host<'a, B>(&self, request: &'a Request<B>) -> Option<&'a str> {
         let named = request.headers().get(header::HOST).and_then(|value| value.to_str().ok());
-        let named = named.or_else(|| request.uri().authority().map(|found| found.as_str())).unwrap_or_default();
+        named.or_else(|| request.uri().authority().map(|found| found.as_str()))
+    }
+
+    /// Whether a request calls the server by a name that is its own.
+    pub fn is_called_by_its_name<B>(&self, request: &Request<B>) -> bool {
+        let Some(hosts) = &self.answering.hosts else { return true };
+        let named = self.host(request).unwrap_or_default();
         let is_port = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
         let name = named.rsplit_once(':').filter(|(_, port)| is_port(port)).map_or(named, |(name, _)| name);
         hosts.contains(&name.to_ascii_lowercase())
     }
+}
+
+/// Lead from a site's name to its root, below which the page's relative addresses lie.
+fn moved_below(path: &str) -> Response<Body> {
+    let mut answer = respond::refusal(StatusCode::PERMANENT_REDIRECT, "the site's address ends with a slash");
+    if let Ok(root) = format!("{path}/").parse() {
+        answer.headers_mut().insert(header::LOCATION, root);
+    }
+    answer
+}
+
+/// What a page of another site may ask for.
+fn preflight() -> Response<Body> {
+    let head = Response::builder().status(StatusCode::NO_CONTENT);
+    let head = head.header(header::ACCESS_CONTROL_ALLOW_METHODS, "GET, HEAD");
+    let head = head.header(header::ACCESS_CONTROL_ALLOW_HEADERS, "range, if-range, if-none-match");
+    respond::finished(head.header(header::ACCESS_CONTROL_MAX_AGE, PREFLIGHT).body(Body::empty()))
 }

@@ -1,32 +1,36 @@
 //! Listens, and keeps connections within their limits until the server ends.
 
-use std::convert::Infallible;
 use std::io;
 use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use axum::http::Request;
-use hyper::body::Incoming;
-use hyper::service::service_fn;
-use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::server::graceful::GracefulShutdown;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot};
-use tokio_io_timeout::TimeoutStream;
+use tokio_rustls::TlsAcceptor;
 
+use crate::clients::Clients;
+use crate::connection::{self, Shared};
 use crate::router::Router;
+use crate::tls::Current;
 
 /// Pause after a connection could not be accepted, because the process has too many files open.
 const PAUSE: Duration = Duration::from_millis(100);
+/// Time between two looks at the files of a certificate.
+const LOOK: Duration = Duration::from_secs(60);
 
 /// How long and how many connections are kept.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// Connections at the same time; others wait until one ends.
     pub connections: usize,
-    /// Time for the headers of a request.
+    /// Connections of one address at the same time; more are closed at once. Programs on this machine, such as a proxy,
+    /// may have all.
+    pub per_client: usize,
+    /// Time for a handshake, for the headers of a request, and between two requests.
     pub headers: Duration,
     /// Time in which a client takes no byte of an answer.
     pub silence: Duration,
@@ -41,6 +45,7 @@ impl Default for Limits {
         let seconds = Duration::from_secs;
         Limits {
             connections: 1024,
+            per_client: 256,
             headers: seconds(30),
             silence: seconds(60),
             header_bytes: 1 << 15,
@@ -55,6 +60,8 @@ pub struct Settings {
     pub address: SocketAddr,
     /// Limits of connections.
     pub limits: Limits,
+    /// Files of a certificate and its key, in PEM; none for connections that are not encrypted.
+    pub certificate: Option<(PathBuf, PathBuf)>,
     /// Sites, and the names by which they may be asked for.
     pub router: Router,
 }
@@ -69,7 +76,11 @@ pub struct Server {
 impl Server {
     /// Listen and answer from now on.
     pub fn start(settings: Settings) -> io::Result<Self> {
-        let Settings { address, limits, router } = settings;
+        let Settings { address, limits, certificate, router } = settings;
+        let invalid = |reason: String| io::Error::new(io::ErrorKind::InvalidInput, reason);
+        let current = certificate.map(|(certificate, key)| Current::read(certificate, key)).transpose();
+        let current = current.map_err(invalid)?;
+        let tls = current.as_ref().map(Current::config).transpose().map_err(invalid)?.map(TlsAcceptor::from);
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(2)
             .thread_name("nearfar serve")
@@ -78,9 +89,12 @@ impl Server {
         let listener = runtime.block_on(TcpListener::bind(address))?;
         let (address, router) = (listener.local_addr()?, Arc::new(router));
         let (end, ended) = oneshot::channel();
-        let shared = Arc::clone(&router);
+        let shared = Arc::new(Shared { router: Arc::clone(&router), limits, tls });
         let thread = std::thread::Builder::new().name("nearfar serve".into()).spawn(move || {
-            runtime.block_on(listen(listener, shared, limits, ended));
+            if let Some(current) = current {
+                runtime.spawn(renew(current, Arc::clone(&shared.router)));
+            }
+            runtime.block_on(listen(listener, shared, ended));
             // Reads of files that hang are left alone.
             runtime.shutdown_timeout(limits.grace);
         })?;
@@ -96,7 +110,7 @@ impl Server {
     pub fn close(&self) {
         let ended = self.end.lock().unwrap_or_else(PoisonError::into_inner).take();
         // Who waits for a region is told first, so that those answers end.
-        for demand in self.router.sites.values().filter_map(|site| site.demand.as_ref()) {
+        for demand in self.router.sites().values().filter_map(|site| site.demand.as_ref()) {
             demand.close();
         }
         if let Some((end, thread)) = ended {
@@ -112,20 +126,37 @@ impl Drop for Server {
     }
 }
 
-async fn listen(listener: TcpListener, router: Arc<Router>, limits: Limits, mut ended: oneshot::Receiver<()>) {
+async fn listen(listener: TcpListener, shared: Arc<Shared>, mut ended: oneshot::Receiver<()>) {
+    let limits = shared.limits;
     let (open, graceful) = (Arc::new(Semaphore::new(limits.connections)), GracefulShutdown::new());
+    let clients = Arc::new(Clients::default());
     loop {
         let accepted = tokio::select! {
             accepted = next(&listener, &open) => accepted,
             _ = &mut ended => break,
         };
-        match accepted {
-            Ok((stream, address, place)) => serve(stream, address, place, Arc::clone(&router), limits, &graceful),
+        let (stream, address, place) = match accepted {
+            Ok(accepted) => accepted,
             Err(error) => {
                 tracing::warn!(%error, "a connection is not accepted");
                 tokio::time::sleep(PAUSE).await;
+                continue;
             }
-        }
+        };
+        let address = address.ip().to_canonical();
+        let Some(client) = Clients::enter(&clients, address, limits.per_client) else {
+            shared.router.metrics.lost("connections");
+            continue;
+        };
+        let (shared, ends) = (Arc::clone(&shared), graceful.watcher());
+        tokio::spawn(async move {
+            shared.router.metrics.connections.inc();
+            if let Err(reason) = connection::serve(&shared, stream, address, ends).await {
+                shared.router.metrics.lost(reason);
+            }
+            shared.router.metrics.connections.dec();
+            drop((client, place));
+        });
     }
     drop(listener);
     let _ = tokio::time::timeout(limits.grace, graceful.shutdown()).await;
@@ -141,33 +172,13 @@ async fn next(
     Ok((stream, address, place))
 }
 
-fn serve(
-    stream: TcpStream,
-    address: SocketAddr,
-    place: OwnedSemaphorePermit,
-    router: Arc<Router>,
-    limits: Limits,
-    graceful: &GracefulShutdown,
-) {
-    // Without it the end of a short answer waits for the client's acknowledgement.
-    let _ = stream.set_nodelay(true);
-    let mut stream = TimeoutStream::new(stream);
-    // Not of reads: a client that waits for a long answer sends nothing.
-    stream.set_write_timeout(Some(limits.silence));
-    let answer = service_fn(move |request: Request<Incoming>| {
-        let router = Arc::clone(&router);
-        async move { Ok::<_, Infallible>(router.answer(address.ip(), request).await) }
-    });
-    let connection = hyper::server::conn::http1::Builder::new()
-        .timer(TokioTimer::new())
-        .header_read_timeout(limits.headers)
-        .max_buf_size(limits.header_bytes)
-        .serve_connection(TokioIo::new(Box::pin(stream)), answer);
-    let connection = graceful.watch(connection);
-    tokio::spawn(async move {
-        if let Err(error) = connection.await {
-            tracing::debug!(client = %address, %error, "a connection broke off");
+/// Take up a certificate's new files, and tell when it ends.
+async fn renew(current: Arc<Current>, router: Arc<Router>) {
+    loop {
+        if let Err(reason) = current.refresh() {
+            tracing::warn!(%reason, "the new certificate is not used");
         }
-        drop(place);
-    });
+        router.metrics.expires(current.identity().ends);
+        tokio::time::sleep(LOOK).await;
+    }
 }

@@ -10,7 +10,10 @@ use bytes::Bytes;
 use sha2::{Digest, Sha256};
 
 use crate::demand::Demand;
+use crate::packed;
 
+/// Ends of names of files whose content is compressed.
+const COMPRESSED: [&str; 2] = [".webp", ".range"];
 /// Hexadecimal digits of a hash in a tag.
 const DIGITS: usize = 32;
 
@@ -37,6 +40,8 @@ pub struct Document {
     pub media: String,
     /// Its name is that of its content: clients may keep it for ever.
     pub is_immutable: bool,
+    /// Its content is not compressed yet.
+    pub is_loose: bool,
     /// Tells versions of it apart.
     pub tag: String,
 }
@@ -45,7 +50,8 @@ impl Document {
     /// A document whose name is that of its content.
     pub fn named(name: &str, content: Content, media: &str) -> Self {
         let tag = format!("\"{}\"", name.rsplit('/').next().unwrap_or(name));
-        Document { content, media: media.to_owned(), is_immutable: true, tag }
+        let is_loose = !COMPRESSED.iter().any(|end| name.ends_with(end));
+        Document { content, media: media.to_owned(), is_immutable: true, is_loose, tag }
     }
 
     /// A document that may change.
@@ -55,7 +61,18 @@ impl Document {
             let _ = write!(tag, "{byte:02x}");
         }
         tag.push('"');
-        Document { content: Content::Bytes(data), media: media.to_owned(), is_immutable: false, tag }
+        Document { content: Content::Bytes(data), media: media.to_owned(), is_immutable: false, is_loose: true, tag }
+    }
+
+    /// Whether a compressed copy may be worth making.
+    pub fn is_worth_packing(&self) -> bool {
+        let bytes = match &self.content {
+            Content::Bytes(data) => data.len() as u64,
+            Content::File(_, bytes) => *bytes,
+            // Not known until it is read.
+            Content::Elsewhere(_) => packed::LEAST,
+        };
+        self.is_loose && (packed::LEAST..=packed::MOST).contains(&bytes)
     }
 }
 
@@ -68,16 +85,13 @@ pub struct Site {
     pub demand: Option<Arc<Demand>>,
 }
 
-/// Sites by the first part of their paths; a single one may have the empty name.
+/// Sites by the first part of their paths; the one with the empty name has all other paths.
 pub type Sites = HashMap<String, Site>;
 
 /// The site of a path without its leading slash, and the rest of the path.
 pub fn find<'a, 'b>(sites: &'a Sites, path: &'b str) -> Option<(&'a Site, &'b str)> {
-    if let Some(site) = sites.get("") {
-        return Some((site, path));
-    }
-    let (name, rest) = path.split_once('/')?;
-    Some((sites.get(name)?, rest))
+    let below = path.split_once('/').and_then(|(name, rest)| Some((sites.get(name)?, rest)));
+    below.filter(|_| !path.starts_with('/')).or_else(|| Some((sites.get("")?, path)))
 }
 
 #[cfg(test)]
@@ -86,8 +100,10 @@ mod tests {
 
     #[test]
     fn paths_lead_to_sites() {
-        let one: Sites = [(String::new(), Site::default())].into();
-        assert_eq!(find(&one, "a/b").map(|found| found.1), Some("a/b"));
+        let one: Sites = [(String::new(), Site::default()), ("c".to_owned(), Site::default())].into();
+        for (path, name) in [("a/b", "a/b"), ("c/b", "b"), ("/c/b", "/c/b"), ("", "")] {
+            assert_eq!(find(&one, path).map(|found| found.1), Some(name));
+        }
         let two: Sites = [("a".to_owned(), Site::default()), ("b c".to_owned(), Site::default())].into();
         assert_eq!(find(&two, "a/x/y").map(|found| found.1), Some("x/y"));
         assert_eq!(find(&two, "b c/").map(|found| found.1), Some(""));

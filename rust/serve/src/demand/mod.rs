@@ -4,6 +4,7 @@
 //! them get its parts as they are ready. Work that nobody waits for ends. Regions that are complete are kept on disk.
 
 mod cache;
+mod figures;
 mod place;
 mod queue;
 mod region;
@@ -11,6 +12,7 @@ mod ticket;
 mod workers;
 
 pub use cache::{Cache, Kept};
+pub use figures::Figures;
 pub use place::Place;
 pub use region::{News, Outcome, Region};
 pub use ticket::{Event, Ticket};

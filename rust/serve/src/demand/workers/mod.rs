@@ -9,6 +9,7 @@ use std::thread::JoinHandle;
 use std::time::Instant;
 
 use super::cache::{Cache, Kept};
+use super::figures::Figures;
 use super::queue::{Queue, Waiting};
 use super::region::{Outcome, Region};
 use super::ticket::Ticket;
@@ -78,6 +79,7 @@ struct State {
     /// Complete regions that the disk did not take, oldest first.
     in_memory: VecDeque<Arc<Region>>,
     requests: u64,
+    figures: Figures,
 }
 
 /// A region that is waited for.
@@ -123,23 +125,28 @@ impl Demand {
     pub fn ask(&self, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
         let place = self.snapped(place);
         let key = place.to_string();
-        if let Some(kept) = self.shared.cache.as_ref().and_then(|cache| cache.find(&key)) {
-            return Ok(Answer::Whole(kept));
-        }
+        let kept = self.shared.cache.as_ref().and_then(|cache| cache.find(&key));
         let limits = self.shared.limits;
         let mut state = self.shared.state();
+        if let Some(kept) = kept {
+            state.figures.found += 1;
+            return Ok(Answer::Whole(kept));
+        }
         if self.shared.is_closing() {
             return Err(Refusal::Closing);
         }
-        if let Some(region) = state.in_memory.iter().find(|region| region.place == place) {
-            return Ok(Answer::Whole(Kept::InMemory(Arc::clone(region))));
+        if let Some(region) = state.in_memory.iter().find(|region| region.place == place).cloned() {
+            state.figures.found += 1;
+            return Ok(Answer::Whole(Kept::InMemory(region)));
         }
         let own = state.entries.values().filter(|entry| entry.clients.contains(&client)).count();
         let is_new = !state.entries.contains_key(&key);
         if is_new && own >= limits.per_client {
+            state.figures.refused += 1;
             return Err(Refusal::TooManyOfClient(limits.per_client));
         }
         if is_new && state.entries.len() >= limits.regions {
+            state.figures.refused += 1;
             return Err(Refusal::TooMany(limits.regions));
         }
         let region = state.add(client, key, place);
@@ -160,6 +167,14 @@ impl Demand {
     /// Regions that are waited for.
     pub fn waiting(&self) -> usize {
         self.shared.state().entries.len()
+    }
+
+    /// Counts of what became of requests, and what is there.
+    pub fn figures(&self) -> Figures {
+        let mut figures = self.shared.state().figures;
+        figures.waiting = self.waiting() as u64;
+        figures.cached_bytes = self.shared.cache.as_ref().map_or(0, Cache::bytes);
+        figures
     }
 
     /// Take no more requests, stop the work and wait until it has stopped.
@@ -188,6 +203,7 @@ impl State {
     fn add(&mut self, client: IpAddr, key: String, place: Place) -> Arc<Region> {
         if let Some(entry) = self.entries.get_mut(&key) {
             entry.clients.push(client);
+            self.figures.shared += 1;
             let region = Arc::clone(&entry.region);
             self.queue.join(client, |work| Arc::ptr_eq(&work.region, &region));
             return region;
@@ -214,6 +230,7 @@ impl State {
         if entry.clients.is_empty() {
             region.abandon();
             self.entries.remove(&key);
+            self.figures.left += 1;
         }
         let left = self.queue.leave(client, |work| Arc::ptr_eq(&work.region, region));
         let here: Vec<IpAddr> = self.entries.values().flat_map(|entry| entry.clients.iter().copied()).collect();
@@ -344,6 +361,10 @@ impl Shared {
         let mut state = self.state();
         if state.entry(region).is_some() {
             state.entries.remove(&region.place.to_string());
+            match &outcome {
+                Outcome::Complete => state.figures.made += 1,
+                Outcome::Failed(_) => state.figures.failed += 1,
+            }
         }
         drop(state);
         region.end(outcome);

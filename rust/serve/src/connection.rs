@@ -1,0 +1,178 @@
+//! One connection: encrypted or not, HTTP/1.1 or 2, within its limits.
+
+use std::convert::Infallible;
+use std::io;
+use std::net::IpAddr;
+use std::pin::{Pin, pin};
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::body::Body;
+use axum::http::{Request, Response, StatusCode, Uri, header};
+use hyper::body::Incoming;
+use hyper::server::conn::{http1, http2};
+use hyper::service::service_fn;
+use hyper_util::rt::{TokioExecutor, TokioIo, TokioTimer};
+use hyper_util::server::graceful::Watcher;
+use tokio::io::{AsyncRead, AsyncWrite};
+use tokio::net::TcpStream;
+use tokio::time::timeout;
+use tokio_io_timeout::TimeoutStream;
+use tokio_rustls::TlsAcceptor;
+
+use crate::flow::Flow;
+use crate::router::Router;
+use crate::server::Limits;
+use crate::{record, respond};
+
+/// First byte of a connection that is encrypted: the handshake's record.
+const HANDSHAKE: u8 = 0x16;
+/// Name of HTTP/2 in a handshake.
+const H2: &[u8] = b"h2";
+/// Answers at the same time on one connection of HTTP/2; browsers ask for as many.
+const STREAMS: u32 = 100;
+/// Bytes of an answer that wait for a client of HTTP/2, in the connection's own memory.
+const WAITING: usize = 1 << 16;
+/// Bytes that an answer gives to it at once.
+const PIECE: usize = 1 << 14;
+
+/// All connections share this.
+pub struct Shared {
+    pub router: Arc<Router>,
+    pub limits: Limits,
+    pub tls: Option<TlsAcceptor>,
+}
+
+/// Serve a connection until it ends; the reason if the server ended it.
+pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, ends: Watcher) -> Result<(), &'static str> {
+    let limits = shared.limits;
+    // Without it the end of a short answer waits for the client's acknowledgement.
+    let _ = stream.set_nodelay(true);
+    let Some(tls) = &shared.tls else { return http1(shared, limited(stream, limits), client, ends).await };
+    let mut first = [0; 1];
+    match timeout(limits.headers, stream.peek(&mut first)).await {
+        Err(_) => return Err("headers"),
+        Ok(Err(_) | Ok(0)) => return Ok(()),
+        Ok(Ok(_)) if first[0] != HANDSHAKE => return elsewhere(shared, limited(stream, limits), ends).await,
+        Ok(Ok(_)) => {}
+    }
+    let stream = match timeout(limits.headers, tls.accept(limited(stream, limits))).await {
+        Err(_) => return Err("headers"),
+        Ok(Err(error)) => {
+            tracing::debug!(%client, %error, "a handshake failed");
+            return Err("handshake");
+        }
+        Ok(Ok(stream)) => stream,
+    };
+    if stream.get_ref().1.alpn_protocol() == Some(H2) {
+        http2(shared, stream, client, ends).await
+    } else {
+        http1(shared, stream, client, ends).await
+    }
+}
+
+type Limited = Pin<Box<TimeoutStream<TcpStream>>>;
+
+/// A stream whose client must take bytes from time to time. It need not send any while it waits for an answer.
+fn limited(stream: TcpStream, limits: Limits) -> Limited {
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(limits.silence));
+    Box::pin(stream)
+}
+
+fn http1_within(limits: Limits) -> http1::Builder {
+    let mut builder = http1::Builder::new();
+    builder.timer(TokioTimer::new()).header_read_timeout(limits.headers).max_buf_size(limits.header_bytes);
+    builder
+}
+
+async fn http1<S>(shared: &Shared, stream: S, client: IpAddr, ends: Watcher) -> Result<(), &'static str>
+where
+    S: AsyncRead + AsyncWrite + Unpin + Send + 'static,
+{
+    let (router, flow) = (Arc::clone(&shared.router), Flow::new());
+    let answer = service_fn(move |request: Request<Incoming>| {
+        let (router, flow) = (Arc::clone(&router), Arc::clone(&flow));
+        async move { Ok::<_, Infallible>(record::answer(router, flow, usize::MAX, client, request).await) }
+    });
+    let connection = http1_within(shared.limits).serve_connection(TokioIo::new(stream), answer);
+    ended(client, ends.watch(connection).await)
+}
+
+async fn http2<S>(shared: &Shared, stream: S, client: IpAddr, ends: Watcher) -> Result<(), &'static str>
+where
+    S: AsyncRead + AsyncWrite + Unpin + Send + 'static,
+{
+    let limits = shared.limits;
+    let (router, flow) = (Arc::clone(&shared.router), Flow::new());
+    let shown = Arc::clone(&flow);
+    let answer = service_fn(move |request: Request<Incoming>| {
+        let (router, flow) = (Arc::clone(&router), Arc::clone(&flow));
+        async move { Ok::<_, Infallible>(record::answer(router, flow, PIECE, client, request).await) }
+    });
+    let connection = http2::Builder::new(TokioExecutor::new())
+        .timer(TokioTimer::new())
+        .max_concurrent_streams(STREAMS)
+        .max_header_list_size(u32::try_from(limits.header_bytes).unwrap_or(u32::MAX))
+        .max_send_buf_size(WAITING)
+        .keep_alive_interval(limits.silence)
+        .keep_alive_timeout(limits.silence)
+        .serve_connection(TokioIo::new(stream), answer);
+    let mut connection = pin!(ends.watch(connection));
+    // Clients that answer pings but ask for nothing, or take nothing, keep no place.
+    let pause = (limits.headers.min(limits.silence) / 4).max(Duration::from_millis(50));
+    loop {
+        match timeout(pause, &mut connection).await {
+            Ok(result) => return ended(client, result),
+            Err(_) => {
+                // The last bytes of an answer may still wait in the connection's own memory.
+                if let Some(reason) = shown.end(limits.headers + limits.silence, limits.silence) {
+                    return Err(reason);
+                }
+            }
+        }
+    }
+}
+
+/// Lead clients that do not encrypt to the encrypted address.
+async fn elsewhere(shared: &Shared, stream: Limited, ends: Watcher) -> Result<(), &'static str> {
+    let router = Arc::clone(&shared.router);
+    let answer = service_fn(move |request: Request<Incoming>| {
+        let answer = moved(&router, &request);
+        async move { Ok::<_, Infallible>(answer) }
+    });
+    let mut builder = http1_within(shared.limits);
+    let connection = builder.keep_alive(false).serve_connection(TokioIo::new(stream), answer);
+    ends.watch(connection).await.map_err(|_| "error")
+}
+
+fn moved<B>(router: &Router, request: &Request<B>) -> Response<Body> {
+    let host = router.host(request).filter(|_| router.is_called_by_its_name(request)).map(str::to_owned);
+    let target = host.and_then(|host| {
+        let path = request.uri().path_and_query()?.as_str();
+        Uri::builder().scheme("https").authority(host).path_and_query(path).build().ok()
+    });
+    match target {
+        Some(target) => {
+            let mut answer = respond::refusal(StatusCode::PERMANENT_REDIRECT, "the server answers over https alone");
+            if let Ok(value) = target.to_string().parse() {
+                answer.headers_mut().insert(header::LOCATION, value);
+            }
+            answer
+        }
+        None => respond::refusal(StatusCode::BAD_REQUEST, "the server answers over https alone"),
+    }
+}
+
+/// Clients may break off; what they did not do in time is the reason.
+fn ended(client: IpAddr, result: hyper::Result<()>) -> Result<(), &'static str> {
+    let Err(error) = result else { return Ok(()) };
+    tracing::debug!(%client, %error, "a connection broke off");
+    let cause = std::error::Error::source(&error).and_then(|cause| cause.downcast_ref::<io::Error>());
+    match cause.map(io::Error::kind) {
+        _ if error.is_timeout() => Err("headers"),
+        Some(io::ErrorKind::TimedOut) => Err("silence"),
+        _ if error.is_parse() => Err("request"),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,99 @@
+//! Whether a connection of HTTP/2 still moves: its socket may be free while every answer waits for the client.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// The answers of one connection.
+pub struct Flow(Mutex<State>);
+
+struct State {
+    /// Since when the client has taken nothing of each answer that has bytes for it; none while bytes are being made.
+    answers: HashMap<u64, Option<Instant>>,
+    begun: u64,
+    /// When the last answer ended.
+    ended: Instant,
+}
+
+impl Flow {
+    /// Of a connection that begins now.
+    pub fn new() -> Arc<Self> {
+        Arc::new(Flow(Mutex::new(State { answers: HashMap::new(), begun: 0, ended: Instant::now() })))
+    }
+
+    /// An answer begins; it is over when what is returned is dropped.
+    pub fn begin(self: &Arc<Self>) -> Answer {
+        let mut state = self.state();
+        state.begun += 1;
+        let number = state.begun;
+        state.answers.insert(number, None);
+        drop(state);
+        Answer { flow: Arc::clone(self), number }
+    }
+
+    /// Why the connection should end, if it should: nothing was asked for so long, or nothing taken.
+    pub fn end(&self, idle: Duration, silence: Duration) -> Option<&'static str> {
+        let state = self.state();
+        if state.answers.is_empty() {
+            return (state.ended.elapsed() > idle).then_some("idle");
+        }
+        let is_silent = |given: &Option<Instant>| given.is_some_and(|since| since.elapsed() > silence);
+        state.answers.values().any(is_silent).then_some("silence")
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// An answer on its way.
+pub struct Answer {
+    flow: Arc<Flow>,
+    number: u64,
+}
+
+impl Answer {
+    /// There are bytes that the client must take.
+    pub fn given(&self) {
+        self.flow.state().answers.insert(self.number, Some(Instant::now()));
+    }
+
+    /// The client has taken them.
+    pub fn asked(&self) {
+        self.flow.state().answers.insert(self.number, None);
+    }
+}
+
+impl Drop for Answer {
+    fn drop(&mut self) {
+        let mut state = self.flow.state();
+        state.answers.remove(&self.number);
+        state.ended = Instant::now();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LONG: Duration = Duration::from_secs(3600);
+
+    #[test]
+    fn connections_end_when_nothing_is_asked_or_taken() {
+        let flow = Flow::new();
+        assert_eq!(flow.end(Duration::ZERO, LONG), Some("idle"));
+        assert_eq!(flow.end(LONG, Duration::ZERO), None);
+        let (first, second) = (flow.begin(), flow.begin());
+        assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), None, "bytes are being made");
+        first.given();
+        assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), Some("silence"));
+        assert_eq!(flow.end(Duration::ZERO, LONG), None);
+        first.asked();
+        assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), None);
+        second.given();
+        drop(second);
+        assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), None);
+        drop(first);
+        assert_eq!(flow.end(Duration::ZERO, LONG), Some("idle"));
+    }
+}

@@ -1,0 +1,144 @@
+//! Counts of what the server does, for Prometheus.
+
+use std::fmt;
+use std::sync::Arc;
+use std::time::Duration;
+
+use prometheus_client::collector::Collector;
+use prometheus_client::encoding::{DescriptorEncoder, EncodeLabelSet, EncodeMetric, text};
+use prometheus_client::metrics::MetricType;
+use prometheus_client::metrics::counter::{ConstCounter, Counter};
+use prometheus_client::metrics::family::Family;
+use prometheus_client::metrics::gauge::{ConstGauge, Gauge};
+use prometheus_client::metrics::histogram::{Histogram, exponential_buckets};
+use prometheus_client::registry::{Registry, Unit};
+
+use crate::demand::Demand;
+use crate::site::Sites;
+
+/// Media type of the counts as text.
+pub const MEDIA: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
+
+/// Counts since the server started.
+pub struct Metrics {
+    registry: Registry,
+    answers: Family<Answered, Counter>,
+    seconds: Histogram,
+    sent: Counter,
+    /// Connections that are open.
+    pub connections: Gauge,
+    lost: Family<Lost, Counter>,
+    expiry: Gauge,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash, EncodeLabelSet)]
+struct Answered {
+    code: u16,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash, EncodeLabelSet)]
+struct Lost {
+    reason: &'static str,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash, EncodeLabelSet)]
+struct Of {
+    site: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash, EncodeLabelSet)]
+struct Ended {
+    site: String,
+    outcome: &'static str,
+}
+
+impl Metrics {
+    /// Counts of a server with these sites.
+    pub fn new(sites: &Sites) -> Self {
+        let mut registry = Registry::with_prefix("nearfar");
+        let (answers, lost) = (Family::<Answered, Counter>::default(), Family::<Lost, Counter>::default());
+        // From a millisecond to a minute and a half, by factors of two.
+        let seconds = Histogram::new(exponential_buckets(0.001, 2.0, 17));
+        let (sent, connections, expiry) = (Counter::default(), Gauge::default(), Gauge::default());
+        registry.register("answers", "Answers that ended, by their code", answers.clone());
+        registry.register_with_unit(
+            "answer",
+            "Time from a request to the end of its answer",
+            Unit::Seconds,
+            seconds.clone(),
+        );
+        registry.register_with_unit("sent", "Bytes of answers, without headers", Unit::Bytes, sent.clone());
+        registry.register("connections", "Connections that are open", connections.clone());
+        registry.register("connections_lost", "Connections that the server ended, by reason", lost.clone());
+        registry.register(
+            "certificate_end",
+            "When the certificate ends, in seconds since 1970; 0 without one",
+            expiry.clone(),
+        );
+        let demands: Vec<_> =
+            sites.iter().filter_map(|(name, site)| Some((name.clone(), site.demand.clone()?))).collect();
+        registry.register_collector(Box::new(Demands(demands)));
+        Metrics { registry, answers, seconds, sent, connections, lost, expiry }
+    }
+
+    /// An answer has ended.
+    pub fn answered(&self, code: u16, took: Duration, sent: u64) {
+        self.answers.get_or_create(&Answered { code }).inc();
+        self.seconds.observe(took.as_secs_f64());
+        self.sent.inc_by(sent);
+    }
+
+    /// The server has ended a connection.
+    pub fn lost(&self, reason: &'static str) {
+        self.lost.get_or_create(&Lost { reason }).inc();
+    }
+
+    /// A certificate is used that ends then.
+    pub fn expires(&self, unix_seconds: i64) {
+        self.expiry.set(unix_seconds);
+    }
+
+    /// The counts as text.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        // Only writing into memory could fail.
+        let _ = text::encode(&mut text, &self.registry);
+        text
+    }
+}
+
+/// What makes regions on demand, by the names of sites.
+struct Demands(Vec<(String, Arc<Demand>)>);
+
+impl fmt::Debug for Demands {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        to.debug_list().entries(self.0.iter().map(|(name, _)| name)).finish()
+    }
+}
+
+impl Collector for Demands {
+    fn encode(&self, mut encoder: DescriptorEncoder<'_>) -> fmt::Result {
+        let all: Vec<_> = self.0.iter().map(|(name, demand)| (name, demand.figures())).collect();
+        let mut waiting =
+            encoder.encode_descriptor("regions_waiting", "Regions that are waited for", None, MetricType::Gauge)?;
+        for (site, figures) in &all {
+            let labels = Of { site: (*site).clone() };
+            ConstGauge::new(figures.waiting as i64).encode(waiting.encode_family(&labels)?)?;
+        }
+        let mut cached =
+            encoder.encode_descriptor("cache", "Regions on disk", Some(&Unit::Bytes), MetricType::Gauge)?;
+        for (site, figures) in &all {
+            let labels = Of { site: (*site).clone() };
+            ConstGauge::new(figures.cached_bytes as i64).encode(cached.encode_family(&labels)?)?;
+        }
+        let mut ended =
+            encoder.encode_descriptor("regions", "Requests for regions, by outcome", None, MetricType::Counter)?;
+        for (site, figures) in &all {
+            for (outcome, count) in figures.outcomes() {
+                let labels = Ended { site: (*site).clone(), outcome };
+                ConstCounter::new(count).encode(ended.encode_family(&labels)?)?;
+            }
+        }
+        Ok(())
+    }
+}

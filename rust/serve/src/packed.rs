@@ -1,0 +1,123 @@
+//! Compressed copies of documents, made at the first request and kept in memory up to a number of bytes.
+
+use std::collections::HashMap;
+use std::io::{self, Write};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use bytes::Bytes;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use tokio::sync::{OnceCell, Semaphore};
+
+/// Documents of more bytes are sent as they are: a copy would take long to make.
+pub const MOST: u64 = 1 << 26;
+/// Documents of fewer bytes are sent as they are: they fit into one packet.
+pub const LEAST: u64 = 1 << 10;
+/// Share of a document's bytes that its copy may have; a larger one is not worth unpacking.
+const WORTH: f64 = 0.95;
+/// Copies that are made at the same time.
+const AT_ONCE: usize = 2;
+
+/// A copy, or that it is not worth having.
+type Copy = Option<Bytes>;
+
+/// Copies by the tags of their documents.
+pub struct Packed {
+    budget: u64,
+    state: Mutex<State>,
+    at_once: Semaphore,
+}
+
+#[derive(Default)]
+struct State {
+    copies: HashMap<String, (Arc<OnceCell<Copy>>, u64)>,
+    uses: u64,
+}
+
+impl Packed {
+    /// Keep so many bytes of copies.
+    pub fn new(budget: u64) -> Self {
+        Packed { budget, state: Mutex::default(), at_once: Semaphore::new(AT_ONCE) }
+    }
+
+    /// The copy of a document, which `read` gives if there is none yet. None if it is not worth having.
+    pub async fn get(&self, tag: &str, read: impl Future<Output = io::Result<Bytes>>) -> io::Result<Copy> {
+        let cell = self.state().cell(tag);
+        let copy = cell.get_or_try_init(|| async {
+            let _place = self.at_once.acquire().await.map_err(io::Error::other)?;
+            let data = read.await?;
+            tokio::task::spawn_blocking(move || packed(&data)).await.map_err(io::Error::other)?
+        });
+        let copy = copy.await?.clone();
+        self.state().trim(self.budget, tag);
+        Ok(copy)
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl State {
+    fn cell(&mut self, tag: &str) -> Arc<OnceCell<Copy>> {
+        self.uses += 1;
+        let (cell, used) = self.copies.entry(tag.to_owned()).or_default();
+        *used = self.uses;
+        Arc::clone(cell)
+    }
+
+    /// Forget what was not used for longest, but one document, until the rest fits the budget.
+    fn trim(&mut self, budget: u64, but: &str) {
+        let bytes = |(cell, _): &(Arc<OnceCell<Copy>>, u64)| {
+            cell.get().and_then(Option::as_ref).map_or(0, |copy| copy.len() as u64)
+        };
+        let mut held: u64 = self.copies.values().map(bytes).sum();
+        while held > budget {
+            let others = self.copies.iter().filter(|(tag, copy)| tag.as_str() != but && bytes(copy) > 0);
+            let Some(tag) = others.min_by_key(|(_, (_, used))| *used).map(|(tag, _)| tag.clone()) else { break };
+            held -= self.copies.remove(&tag).as_ref().map_or(0, bytes);
+        }
+    }
+}
+
+fn packed(data: &[u8]) -> io::Result<Copy> {
+    let mut writer = GzEncoder::new(Vec::new(), Compression::default());
+    writer.write_all(data)?;
+    let copy = writer.finish()?;
+    let is_worth = (copy.len() as f64) < WORTH * data.len() as f64;
+    Ok(is_worth.then(|| copy.into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    async fn get(packed: &Packed, tag: &str, data: &'static [u8]) -> Copy {
+        packed.get(tag, async { Ok(Bytes::from_static(data)) }).await.expect("it is in memory")
+    }
+
+    #[tokio::test]
+    async fn copies_are_made_once_and_the_oldest_go() {
+        static TEXT: [u8; 5000] = [b'a'; 5000];
+        let packed = Packed::new(100);
+        let copy = get(&packed, "a", &TEXT).await.expect("equal letters are packed");
+        let mut read = Vec::new();
+        io::copy(&mut flate2::read::GzDecoder::new(&copy[..]), &mut read).expect("what was packed is unpacked");
+        assert_eq!(read, TEXT);
+        assert_eq!(get(&packed, "a", b"another content").await, Some(copy), "it is not read again");
+        for tag in ["b", "c", "d", "e"] {
+            get(&packed, tag, &TEXT).await;
+        }
+        let held: Vec<_> = packed.state().copies.keys().cloned().collect();
+        assert!(held.contains(&"e".to_owned()) && !held.contains(&"a".to_owned()), "{held:?}");
+        assert_eq!(get(&packed, "short", b"unlike").await, None);
+    }
+
+    #[tokio::test]
+    async fn what_cannot_be_read_is_read_again_next_time() {
+        let packed = Packed::new(100);
+        let failed = packed.get("a", async { Err(io::Error::other("no")) }).await;
+        assert!(failed.is_err());
+        assert!(get(&packed, "a", &[b'a'; 2000]).await.is_some());
+    }
+}

@@ -1,0 +1,129 @@
+//! Counts and logs each answer when it has ended.
+
+use std::net::IpAddr;
+use std::pin::Pin;
+use std::sync::Arc;
+use std::task::{Context, Poll, ready};
+use std::time::Instant;
+
+use axum::body::Body;
+use axum::http::{Request, Response, Version};
+use bytes::Bytes;
+use http_body::{Body as HttpBody, Frame, SizeHint};
+
+use crate::flow::{Answer, Flow};
+use crate::router::Router;
+
+/// Characters of a path that the log tells.
+const PATH: usize = 400;
+
+/// Answer a request of a connection; the answer is recorded when its last byte is taken, or when it breaks off. Its bytes
+/// come in pieces of at most so many.
+pub async fn answer<B>(
+    router: Arc<Router>,
+    flow: Arc<Flow>,
+    piece: usize,
+    client: IpAddr,
+    request: Request<B>,
+) -> Response<Recorded> {
+    let waits = flow.begin();
+    let started = Instant::now();
+    let (method, version) = (request.method().to_string(), request.version());
+    let path: String = request.uri().path().chars().take(PATH).collect();
+    let answer = Arc::clone(&router).answer(client, request).await;
+    let code = answer.status().as_u16();
+    answer.map(|body| {
+        waits.given();
+        let is_whole = body.is_end_stream();
+        let exchange = Exchange { router, client, method, path, version, code, started, sent: 0, is_whole };
+        Recorded { body, rest: Bytes::new(), piece, exchange, waits }
+    })
+}
+
+/// The body of an answer that is recorded.
+pub struct Recorded {
+    body: Body,
+    /// Bytes of the body that were not asked for yet.
+    rest: Bytes,
+    piece: usize,
+    exchange: Exchange,
+    waits: Answer,
+}
+
+impl HttpBody for Recorded {
+    type Data = Bytes;
+    type Error = axum::Error;
+
+    fn poll_frame(
+        mut self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+    ) -> Poll<Option<Result<Frame<Bytes>, axum::Error>>> {
+        let this = &mut *self;
+        this.waits.asked();
+        if this.rest.is_empty() {
+            match ready!(Pin::new(&mut this.body).poll_frame(context)) {
+                Some(Ok(frame)) => match frame.into_data() {
+                    Ok(data) => this.rest = data,
+                    // Answers have no trailers.
+                    Err(other) => return Poll::Ready(Some(Ok(other))),
+                },
+                Some(Err(error)) => return Poll::Ready(Some(Err(error))),
+                None => {
+                    this.exchange.is_whole = true;
+                    return Poll::Ready(None);
+                }
+            }
+        }
+        let piece = this.rest.split_to(this.piece.min(this.rest.len()));
+        this.exchange.sent += piece.len() as u64;
+        this.exchange.is_whole = this.is_end_stream();
+        this.waits.given();
+        Poll::Ready(Some(Ok(Frame::data(piece))))
+    }
+
+    fn is_end_stream(&self) -> bool {
+        self.rest.is_empty() && self.body.is_end_stream()
+    }
+
+    fn size_hint(&self) -> SizeHint {
+        let (body, rest) = (self.body.size_hint(), self.rest.len() as u64);
+        let mut hint = SizeHint::new();
+        if let Some(upper) = body.upper() {
+            hint.set_upper(upper + rest);
+        }
+        hint.set_lower(body.lower() + rest);
+        hint
+    }
+}
+
+/// A request and what became of it.
+struct Exchange {
+    router: Arc<Router>,
+    client: IpAddr,
+    method: String,
+    path: String,
+    version: Version,
+    code: u16,
+    started: Instant,
+    sent: u64,
+    is_whole: bool,
+}
+
+impl Drop for Exchange {
+    fn drop(&mut self) {
+        let took = self.started.elapsed();
+        self.router.metrics.answered(self.code, took, self.sent);
+        tracing::info!(
+            target: "nearfar_serve::answers",
+            client = %self.client,
+            method = %self.method,
+            path = ?self.path,
+            version = ?self.version,
+            code = self.code,
+            bytes = self.sent,
+            whole = self.is_whole,
+            seconds = took.as_secs_f64(),
+            "answered"
+        );
+    }
+}

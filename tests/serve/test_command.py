@@ -1,0 +1,103 @@
+"""`nearfar serve`: it serves what it is told to until it is asked to end, and says what it cannot use."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import httpx
+import pytest
+from typer.testing import CliRunner
+
+import nearfar as nf
+from nearfar.cli._app import app
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("serve") / "room"
+    nf.stream.export(nf.datasets.room(), folder, center=(0.3, 1.6, 0.2), radii=[1.5], face_size=64, samples=1)
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def _cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
+
+
+@contextmanager
+def serving(*arguments: object) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """The command in a process of its own, and the address that it tells first."""
+    command = [sys.executable, "-m", "nearfar.cli", "serve", "--port", "0", *map(str, arguments)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+        try:
+            assert running.stdout is not None
+            yield running, running.stdout.readline().split()[0]
+        finally:
+            running.kill()
+
+
+def rest_of(running: subprocess.Popen[str]) -> tuple[str, str]:
+    """What it tells and logs until it ends. (`communicate` would lose what was read ahead with the first line.)"""
+    assert running.stdout is not None
+    assert running.stderr is not None
+    return running.stdout.read(), running.stderr.read()
+
+
+@pytest.mark.parametrize("ends", [signal.SIGINT, signal.SIGTERM])
+def test_it_serves_until_it_is_asked_to_end(place: Path, ends: signal.Signals) -> None:
+    with serving(place, "--log", "json") as (running, url):
+        assert httpx.get(f"{url}manifest.json").json() == json.loads((place / "manifest.json").read_text())
+        running.send_signal(ends)
+        _, log = rest_of(running)
+        assert running.wait() == 0
+        assert [json.loads(line)["code"] for line in log.splitlines()] == [200]
+
+
+def test_it_encrypts_for_headsets(place: Path) -> None:
+    with serving(f"one={place}", f"two={place}", "--self-signed", "--log", "off") as (running, url):
+        assert url.startswith("https://")
+        assert "two/" in httpx.get(url, verify=False).text
+        assert httpx.get(f"{url}two/manifest.json", verify=False).status_code == 200
+        running.terminate()
+        told, log = rest_of(running)
+    assert ", 396 days left, SHA-256:" in told or ", 395 days left, SHA-256:" in told
+    assert log == ""
+
+
+def test_what_would_be_served_is_told(place: Path) -> None:
+    told = CliRunner().invoke(app, ["serve", str(place), "--check", "--port", "0"])
+    assert told.exit_code == 0
+    assert f"shows {place}" in told.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (("--log", "xml"), "--log: expected"),
+        (("--host", "nowhere"), "host: expected an address"),
+        (("--connections", "0"), "connections: expected"),
+        (("--key", "k.pem"), "--certificate: expected --certificate and --key together"),
+        (("--self-signed", "--key", "k.pem"), "--self-signed: expected no"),
+        (("--certificate", "c.pem", "--key", "k.pem"), "c.pem: expected a certificate in PEM"),
+        (("room",), "expected different names, got 'room' twice"),
+        (("nothing",), "nothing"),
+    ],
+)
+def test_what_cannot_be_used_is_named(
+    place: Path,
+    arguments: tuple[str, ...],
+    reason: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    from nearfar.cli._app import run
+
+    monkeypatch.chdir(place.parent)
+    assert run(["serve", str(place), *arguments, "--check", "--port", "0"]) == 1
+    assert reason in capsys.readouterr().err

@@ -1,0 +1,228 @@
+"""HTTP/1.1 and 2, certificates, compression, other origins, several sites, counts and the log."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import ssl
+import stat
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+import nearfar as nf
+from nearfar.serve._certificate import Certificate
+from nearfar.serve._limits import Limits
+from nearfar.serve._server import Server
+from nearfar.serve._site import Site
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("serve") / "room"
+    nf.stream.export(nf.datasets.room(), folder, center=(0.3, 1.6, 0.2), radii=[1.5, 3.0], face_size=64, samples=1)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def certificate(tmp_path_factory: pytest.TempPathFactory) -> Certificate:
+    return Certificate.self_signed(tmp_path_factory.mktemp("tls"), ["localhost", "127.0.0.1"])
+
+
+@pytest.fixture(scope="module")
+def encrypted(place: Path, certificate: Certificate) -> Iterator[Server]:
+    with Server({"": Site.of_bundle(place)}, certificate=certificate) as server:
+        yield server
+
+
+def client(certificate: Certificate, **settings: Any) -> httpx.Client:
+    """A client that trusts a certificate, and no other one."""
+    trusted = ssl.create_default_context(cafile=str(certificate.certificate))
+    return httpx.Client(verify=trusted, timeout=60, **settings)
+
+
+@pytest.mark.parametrize("version", ["HTTP/1.1", "HTTP/2"])
+def test_encrypted_connections_give_all_files(
+    encrypted: Server, certificate: Certificate, place: Path, version: str
+) -> None:
+    with client(certificate, http2=version == "HTTP/2") as asking:
+        for name in (*nf.stream.open(place).files, "tileset.json"):
+            answer = asking.get(encrypted.url + name)
+            assert (answer.status_code, answer.http_version) == (200, version)
+            assert answer.content == (place / name).read_bytes()
+        part = asking.get(encrypted.url + "page.js", headers={"Range": "bytes=5-9", "Accept-Encoding": "identity"})
+        assert (part.status_code, len(part.content)) == (206, 5)
+        assert asking.head(encrypted.url).status_code == 200
+        assert asking.get(encrypted.url, headers={"Host": "evil.example"}).status_code == 403
+
+
+def test_a_client_that_does_not_trust_it_sees_nothing(encrypted: Server) -> None:
+    with pytest.raises(httpx.ConnectError, match="certificate verify failed"):
+        httpx.get(encrypted.url)
+    assert httpx.get(encrypted.url, verify=False).status_code == 200
+
+
+def test_clients_that_do_not_encrypt_are_led_to_the_encrypted_address(encrypted: Server) -> None:
+    plain = encrypted.url.replace("https:", "http:")
+    answer = httpx.get(f"{plain}manifest.json?x=1")
+    assert (answer.status_code, answer.headers["location"]) == (308, f"{encrypted.url}manifest.json?x=1")
+    for host in ("evil.example", "a b", ""):
+        answer = httpx.get(plain, headers={"Host": host})
+        assert answer.status_code == 400
+        assert "location" not in answer.headers
+
+
+def test_a_certificate_is_made_once_and_its_key_is_private(tmp_path: Path) -> None:
+    first = Certificate.self_signed(tmp_path / "tls", ["localhost", "192.168.1.7"])
+    assert first.names == ("localhost", "192.168.1.7")
+    assert 390 <= first.days < 397
+    assert stat.S_IMODE(first.key.stat().st_mode) == 0o600
+    again = Certificate.self_signed(tmp_path / "tls", ["localhost"])
+    assert again.fingerprint == first.fingerprint
+    assert Certificate.self_signed(tmp_path / "tls", ["other.example"]).fingerprint != first.fingerprint
+    with pytest.raises(ValueError, match=r"names: expected names of hosts"):
+        Certificate.self_signed(tmp_path / "wrong", ["ä ö"])
+
+
+def test_certificates_that_cannot_be_used_are_named(tmp_path: Path, place: Path) -> None:
+    made = Certificate.self_signed(tmp_path / "one", ["localhost"])
+    other = Certificate.self_signed(tmp_path / "two", ["localhost"])
+    with pytest.raises(ValueError, match=r"key\.pem: expected the key of"):
+        Certificate(made.certificate, other.key)
+    with pytest.raises(ValueError, match=r"nothing: expected a certificate in PEM"):
+        Certificate(tmp_path / "nothing", made.key)
+    made.certificate.write_text("half a certificate")
+    with pytest.raises(ValueError, match=r"certificate\.pem: expected a certificate in PEM"):
+        Server({"": Site.of_bundle(place)}, certificate=made)
+
+
+def test_what_is_not_compressed_is_sent_so(place: Path) -> None:
+    with Server({"": Site.of_bundle(place)}) as server, httpx.Client(timeout=60) as asking:
+        plain = {"Accept-Encoding": "identity"}
+        for name in ("page.js", "manifest.json", next(n for n in nf.stream.open(place).files if n.endswith(".glb"))):
+            packed, whole = asking.get(server.url + name), asking.get(server.url + name, headers=plain)
+            assert packed.content == whole.content
+            assert packed.headers["content-encoding"] == "gzip"
+            assert "content-encoding" not in whole.headers
+            assert int(packed.headers["content-length"]) < int(whole.headers["content-length"])
+            assert packed.headers["vary"] == whole.headers["vary"] == "accept-encoding"
+            tags = [answer.headers["etag"] for answer in (packed, whole)]
+            assert tags[0] != tags[1]
+            for tag in tags:
+                known = asking.get(server.url + name, headers={"If-None-Match": tag})
+                assert (known.status_code, known.headers["etag"]) == (304, tag)
+            part = asking.get(server.url + name, headers={"Range": "bytes=-5", "If-Range": tags[1]})
+            assert (part.status_code, part.content) == (206, whole.content[-5:])
+            changed = asking.get(server.url + name, headers={"Range": "bytes=-5", "If-Range": tags[0]})
+            assert (changed.status_code, changed.content) == (200, whole.content)
+        picture = next(name for name in nf.stream.open(place).files if name.endswith(".webp"))
+        assert "content-encoding" not in asking.get(server.url + picture).headers
+
+
+def test_what_was_packed_is_what_gzip_unpacks(place: Path) -> None:
+    with Server({"": Site.of_bundle(place)}) as server, httpx.Client(timeout=60) as asking:
+        with asking.stream("GET", server.url + "page.js", headers={"Accept-Encoding": "gzip"}) as answer:
+            raw = b"".join(answer.iter_raw())
+        assert gzip.decompress(raw) == asking.get(server.url + "page.js").content
+
+
+def test_pages_of_another_origin_may_read_files_if_they_are_allowed(place: Path) -> None:
+    with Server({"": Site.of_bundle(place)}, origin="https://example.org") as server:
+        answer = httpx.get(f"{server.url}manifest.json")
+        assert answer.headers["access-control-allow-origin"] == "https://example.org"
+        assert answer.headers["cross-origin-resource-policy"] == "cross-origin"
+        before = httpx.options(f"{server.url}manifest.json")
+        assert (before.status_code, before.headers["access-control-allow-methods"]) == (204, "GET, HEAD")
+    with Server({"": Site.of_bundle(place)}) as server:
+        assert "access-control-allow-origin" not in httpx.get(server.url).headers
+        assert httpx.options(server.url).status_code == 405
+    with pytest.raises(ValueError, match="origin: expected"):
+        Server({"": Site.of_bundle(place)}, origin="a\nb")
+
+
+def test_several_sites_are_listed_and_apart(place: Path, tmp_path: Path) -> None:
+    other = tmp_path / "b"
+    nf.stream.export(nf.datasets.room(), other, center=(1.0, 1.6, 0.2), radii=[1.5], face_size=64, samples=1)
+    sites = {"one & two": Site.of_bundle(place), "b": Site.of_bundle(other)}
+    with Server(sites) as server, httpx.Client(base_url=server.url, timeout=60) as asking:
+        index = asking.get("/").text
+        assert 'href="one%20%26%20two/"' in index
+        assert "<strong>one &amp; two</strong>" in index
+        assert "1 region" in index
+        for name, folder in (("one%20%26%20two", place), ("b", other)):
+            assert asking.get(f"/{name}/manifest.json").json() == json.loads((folder / "manifest.json").read_text())
+            assert asking.get(f"/{name}/page.js").status_code == 200
+            moved = asking.get(f"/{name}")
+            assert (moved.status_code, moved.headers["location"]) == (308, f"/{name}/")
+        own = {*nf.stream.open(other).files} - {*nf.stream.open(place).files}
+        assert [asking.get(f"/one%20%26%20two/{name}").status_code for name in own] == [404] * len(own)
+        assert asking.get("/c/manifest.json").status_code == 404
+    for name in ("metrics", "a/b", ".."):
+        with pytest.raises(ValueError, match=r"^sites: expected names"):
+            Server({name: Site.of_bundle(place), "b": Site.of_bundle(other)})
+    with pytest.raises(ValueError, match="one or more"):
+        Server({})
+
+
+def test_counts_tell_what_was_answered(place: Path) -> None:
+    with Server({"": Site.of_bundle(place)}) as server, httpx.Client(base_url=server.url, timeout=60) as asking:
+        for path in ("/", "/nothing", "/nothing"):
+            asking.get(path)
+        size = len(asking.get("/page.js", headers={"Accept-Encoding": "identity"}).content)
+        counts = counted(asking)
+        assert counts['nearfar_answers_total{code="200"}'] == 2
+        assert counts['nearfar_answers_total{code="404"}'] == 2
+        assert counts["nearfar_answer_seconds_count"] == 4
+        assert counts["nearfar_sent_bytes_total"] > size
+        assert counts["nearfar_connections"] == 1
+        assert asking.get("/healthz").status_code == 200
+
+
+def counted(asking: httpx.Client) -> dict[str, float]:
+    answer = asking.get("/metrics")
+    assert answer.headers["content-type"].startswith("application/openmetrics-text")
+    assert answer.text.endswith("# EOF\n")
+    lines = (line.rsplit(" ", 1) for line in answer.text.splitlines() if not line.startswith("#"))
+    return {name: float(value) for name, value in lines}
+
+
+@pytest.mark.parametrize("as_json", [True, False])
+def test_the_log_tells_of_answers(place: Path, as_json: bool) -> None:
+    script = (
+        "import sys, urllib.request\n"
+        "from nearfar.serve import _log\n"
+        "from nearfar.serve._server import Server\n"
+        f"assert _log.begin(as_json={as_json}) and not _log.begin()\n"
+        "with Server.of_bundle(sys.argv[1]) as server:\n"
+        "    urllib.request.urlopen(server.url + 'tileset.json').read()\n"
+        "    try: urllib.request.urlopen(server.url + '%0A%22x')\n"
+        "    except OSError: pass\n"
+    )
+    ran = subprocess.run([sys.executable, "-c", script, place], capture_output=True, text=True, check=True)
+    lines = [line for line in ran.stderr.splitlines() if "answered" in line]
+    assert len(lines) == 2
+    if as_json:
+        first, second = map(json.loads, lines)
+        assert (first["path"], first["code"], first["method"]) == ('"/tileset.json"', 200, "GET")
+        assert first["bytes"] == (place / "tileset.json").stat().st_size
+        assert first["whole"] is True
+        assert (second["path"], second["code"]) == ('"/%0A%22x"', 404)
+    else:
+        assert "tileset.json" in lines[0]
+        assert "code=200" in lines[0]
+
+
+def test_limits_are_checked() -> None:
+    for wrong in ({"connections": 0}, {"header_seconds": 0}, {"header_bytes": 10}, {"grace_seconds": float("nan")}):
+        with pytest.raises(ValueError, match=rf"^{next(iter(wrong))}: expected"):
+            Limits(**wrong)
+    for host in ("nowhere.example", "1.2.3", ""):
+        with pytest.raises(ValueError, match=r"^host: expected"):
+            Server({"": Site({}, has_page=True)}, host=host)
+    with pytest.raises(OSError, match="choose another address"):
+        Server({"": Site({}, has_page=True)}, host="192.0.2.77")
