@@ -204,7 +204,6 @@ def main() -> None:
             continue
         with tempfile.TemporaryDirectory() as name:
             bundle = nf.stream.export(place.make(), Path(name) / "bundle", center=place.center, by_footprint=True)
-            nf.view.write_page(Path(name) / "bundle")
             for loss in given.loss:
                 alone += requests_alone(place.name, bundle, loss, given.repeat)
             if not given.link_only:
