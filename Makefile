@@ -86,7 +86,7 @@ stress: .venv/built .venv/test .venv/readers .venv/web
 attack: .venv/built .venv/test
 	$(bin)/python -m tests.attack --minutes $(ATTACK_MINUTES) --out $(OUT)/attack
 
-# Random bytes and numbers for the core's decoders and kernels; needs nightly Rust and cargo-fuzz.
+# Random bytes and numbers for the core's decoders and kernels and for the server; needs nightly Rust and cargo-fuzz.
 fuzz: lint-fuzz
 	@if ! cargo +nightly fuzz --version > /dev/null 2>&1; then \
 		echo "fuzz: skipped; 'rustup toolchain install nightly' and 'cargo install cargo-fuzz' make it run"; \

@@ -80,8 +80,9 @@ impl Router {
             return answer;
         }
         let nothing = || respond::refusal(StatusCode::NOT_FOUND, "no such file");
+        // A target such as `*` is no path.
+        let Some(path) = request.uri().path().strip_prefix('/') else { return nothing() };
         // Decoded once: a name that still has percent signs is that of a file with percent signs.
-        let path = request.uri().path().strip_prefix('/').unwrap_or_default();
         let Ok(path) = percent_decode_str(path).decode_utf8() else { return nothing() };
         let asked = Asked { client, method: request.method(), headers: request.headers(), packed: &self.packed };
         match &*path {
