@@ -46,6 +46,22 @@ class Network:
             yield f"http://{address}:{int(server.stdout.readline())}/"
 
     @contextmanager
+    def shown(self, bundle: Path) -> Iterator[str]:
+        """Serve a bundle with its page by `nearfar serve`, at the server's side; the address."""
+        address = LOCAL if self.real is None else SERVER
+        command = [sys.executable, "-m", "nearfar.cli", "serve", str(bundle), "--host", address, "--port", "0"]
+        command += ["--log", "off"]
+        if self.real is not None:
+            command = self.real.command("server", command)
+        settings: dict[str, Any] = {"stdout": subprocess.PIPE, "text": True, "start_new_session": True}
+        with subprocess.Popen(command, cwd=CHECKOUT, **settings) as server:
+            assert server.stdout
+            try:
+                yield server.stdout.readline().split()[0]
+            finally:
+                server.terminate()
+
+    @contextmanager
     def browser(self, url: str) -> Iterator[Any]:
         """Chromium at the client's side; pages from the address may do what a server with TLS allows them."""
         origin = "{0.scheme}://{0.netloc}".format(urlsplit(url))

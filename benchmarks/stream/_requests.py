@@ -73,7 +73,7 @@ def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, st
     steps = plan(bundle, strategy)
     given = [{"asked": step.asked, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
     with way.page(chromium, SIZE) as page:
-        # An address of the server where no script runs; it closes the connection after its refusal.
+        # An address of the server where no script runs; the connection stays open.
         page.goto(f"{url}NOTHING")
         times = page.evaluate(REPLAY, given)
     return {
@@ -83,9 +83,10 @@ def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, st
 
 
 def simulated_requests(bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int) -> dict[str, float]:
-    """The same of a simulated load without decoding."""
-    line = nf.stream.simulate(bundle, link=link, strategy=strategy, seed=seed)
-    times = dict(zip(line.files, line.file_times.tolist(), strict=True))
+    """The same of a simulated load from `nearfar serve`, without decoding."""
+    line = nf.stream.simulate(bundle, link=link, strategy=strategy, gzip=True, seed=seed)
+    # The first connection is open.
+    times = dict(zip(line.files, (line.file_times - link.handshake * link.rtt).tolist(), strict=True))
     steps = plan(bundle, strategy)
     return {
         name: max(times[file] for file in files_until(steps, ring))

@@ -34,7 +34,7 @@ from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from benchmarks.stream._requests import requests, round_trip, simulated_requests
 
 LINK = nf.stream.Link(50, rtt_ms=20, http=1, handshake=1)
-"""Files come from Python's server, by HTTP/1.1 without TLS."""
+"""Files come from `nearfar serve`, by HTTP/1.1 without TLS."""
 FAST = nf.stream.Link(1000, http=1, handshake=1)
 """On which decoding is measured."""
 CONTENT = 1448 / 1500
@@ -80,7 +80,9 @@ def simulated(
     bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int, *, decode_mbs: float
 ) -> dict[str, float]:
     """When each stage is ready in a simulation, on a connection that is open."""
-    line = nf.stream.simulate(bundle, link=content(link), strategy=strategy, seed=seed, decode_mbs=decode_mbs)
+    line = nf.stream.simulate(
+        bundle, link=content(link), strategy=strategy, gzip=True, seed=seed, decode_mbs=decode_mbs
+    )
     return {name: float(getattr(line, name)) - link.handshake * link.rtt for name in STAGES}
 
 
@@ -112,7 +114,7 @@ def measured_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
 @contextmanager
 def opened(link: nf.stream.Link, bundle: nf.stream.Bundle) -> Iterator[tuple[Network, Any, str]]:
     """A link, a browser at its end, and the address of a bundle behind it."""
-    with network(link, real=True) as way, way.served(Path(bundle._reader.place)) as url, way.browser(url) as chromium:
+    with network(link, real=True) as way, way.shown(Path(bundle._reader.place)) as url, way.browser(url) as chromium:
         yield way, chromium, url
 
 
@@ -202,7 +204,6 @@ def main() -> None:
             continue
         with tempfile.TemporaryDirectory() as name:
             bundle = nf.stream.export(place.make(), Path(name) / "bundle", center=place.center, by_footprint=True)
-            nf.view.write_page(Path(name) / "bundle")
             for loss in given.loss:
                 alone += requests_alone(place.name, bundle, loss, given.repeat)
             if not given.link_only:

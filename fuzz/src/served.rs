@@ -157,8 +157,9 @@ fn on_disk(folder: &Path) -> Listed {
 
 fn on_demand(folder: &Path) -> Demand {
     let cache = Cache::open(folder, 1 << 14).expect("an empty folder");
+    assert!(cache.is_some(), "another process uses {}", folder.display());
     let limits = Limits { memory: 1 << 14, ..Limits::default() };
-    Demand::start(Box::new(Trivial), 2.0, Some(cache), limits).expect("threads start")
+    Demand::start(Box::new(Trivial), 2.0, cache, limits).expect("threads start")
 }
 
 /// Regions of one file.

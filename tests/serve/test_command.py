@@ -70,6 +70,36 @@ def test_it_encrypts_for_headsets(place: Path) -> None:
     assert log == ""
 
 
+def test_regions_of_scenes_are_made_where_clients_ask(place: Path, tmp_path: Path) -> None:
+    settings = ("--radii", "4,8", "--face-size", "64", "--samples", "1", "--log", "off")
+    with serving("room", f"files={place}", *settings) as (running, url):
+        region = httpx.get(f"{url}room/at/0.3,1.6,0.2/manifest.json", timeout=120).json()
+        assert [ring["radius"] for ring in region["regions"][0]["rings"][1:]] == [4, 8]
+        name = next(iter(region["files"]))
+        assert httpx.get(f"{url}room/{name}").status_code == 200
+        assert httpx.get(f"{url}files/{name}").status_code == 404
+        running.terminate()
+        told, _ = rest_of(running)
+    assert "room is loaded: " in told
+    kept = list((tmp_path / "cache" / "regions").glob("*/at/*.json"))
+    assert len(kept) == 1
+
+
+def test_a_scene_that_cannot_be_loaded_is_told_and_others_are_served(place: Path, tmp_path: Path) -> None:
+    broken = tmp_path / "broken.glb"
+    broken.write_bytes(b"glTF but not much more")
+    with serving(broken, f"files={place}", "--log", "off") as (running, url):
+        assert httpx.get(f"{url}files/manifest.json").status_code == 200
+        answer = httpx.get(f"{url}broken/at/0,1.7,0/manifest.json", timeout=120)
+        assert answer.status_code == 422
+        assert "broken.glb: the scene cannot be loaded: " in answer.text
+        running.terminate()
+        _, log = rest_of(running)
+    assert "broken.glb: the scene cannot be loaded: " in log
+    told = CliRunner().invoke(app, ["serve", str(broken), "--check", "--port", "0"])
+    assert told.exit_code == 1
+
+
 def test_what_would_be_served_is_told(place: Path) -> None:
     told = CliRunner().invoke(app, ["serve", str(place), "--check", "--port", "0"])
     assert told.exit_code == 0

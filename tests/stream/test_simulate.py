@@ -7,10 +7,12 @@ import math
 from pathlib import Path
 from typing import Any
 
+import httpx
 import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar.serve._server import Server
 from nearfar.stream._strategies import STRATEGIES, plan_of
 from tests.support import need
 from tests.support.bundle_cases import write
@@ -49,6 +51,21 @@ def test_without_delay_each_ring_comes_when_its_bytes_have_come(bundle: nf.strea
     assert line.total == pytest.approx(line.ring_times[-1])
     assert line.bytes_at(line.total) == manifest_size(bundle) + size_of(bundle, names)
     assert len(line.files) == len(set(names)) + 1
+
+
+def test_compressed_files_are_those_that_the_server_sends(bundle: nf.stream.Bundle) -> None:
+    line = nf.stream.simulate(bundle, link=LINK, strategy="clovrd", gzip=True)
+    plain = nf.stream.simulate(bundle, link=LINK, strategy="clovrd")
+    with Server.of_bundle(bundle._reader.place) as server, httpx.Client(base_url=server.url, timeout=60) as asking:
+        sent = {}
+        for name in plain.files:
+            with asking.stream("GET", name, headers={"Accept-Encoding": "gzip"}) as answer:
+                sent[name] = int(answer.headers["content-length"])
+    whole = plain.bytes_at(plain.total)
+    # The manifest that the server makes has spaces, and another packer packs a little better or worse.
+    assert line.bytes_at(line.total) == pytest.approx(sum(sent.values()), rel=0.03)
+    assert line.bytes_at(line.total) < 0.8 * whole
+    assert line.total < 0.8 * plain.total
 
 
 def test_a_ring_waits_until_the_one_before_it_has_faded_in(bundle: nf.stream.Bundle) -> None:

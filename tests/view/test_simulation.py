@@ -13,7 +13,7 @@ import pytest
 import nearfar as nf
 from nearfar.serve._server import Server
 from nearfar.stream._head_path import HeadPath
-from nearfar.stream._simulate import _course
+from nearfar.stream._simulate import _course, _sizes
 from nearfar.stream._stage import Rates, Shown, Stage
 from nearfar.stream._strategies import STRATEGIES, plan_of
 from nearfar.stream._transport import Transport
@@ -95,7 +95,7 @@ def test_files_are_asked_for_in_the_order_of_the_page(strategy: str, chromium: A
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
     transport = Transport(nf.stream.Link(50.0, rtt_ms=5.0))
     path = HeadPath.of(None, center)
-    _course(bundle, plan, transport, path, rate=72.0, duration=math.inf, seconds_per_byte=0.0)
+    _course(bundle, plan, transport, path, _sizes(bundle, False), rate=72.0, duration=math.inf, seconds_per_byte=0.0)
     asked: dict[str, None] = {}
     names = [*bundle.files, "manifest.json"]
     with Server.of_bundle(bundle._reader.place) as server, opened(chromium, 200, 150) as page:

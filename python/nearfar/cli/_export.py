@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar._base import check, formats
+from nearfar._base import formats
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, count, metres, note_rows, show
@@ -42,10 +42,7 @@ def export(
         float | None,
         option("--grid", "METRES", "Spacing of a horizontal grid to which centres move; those that meet become one."),
     ] = None,
-    radii: Annotated[
-        str | None,
-        option("--radii", "R1,R2,...", "Radii of the rings in metres, ascending; chosen for the scene by default."),
-    ] = None,
+    radii: options.RingRadii = None,
     face_size: options.FaceSize = None,
     samples: options.Samples = 4,
     quality: Annotated[
@@ -83,7 +80,7 @@ def export(
     as_json: options.Json = False,
 ) -> None:
     """Write near geometry in rings about centres, each with the map of what lies beyond it, as files for the web."""
-    centers, chosen = _read_centers(center), _read_radii(radii)
+    centers, chosen = _read_centers(center), options.read_radii(radii)
     loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     started = time.perf_counter()
     with _options_named():
@@ -136,16 +133,6 @@ def _options_named() -> Iterator[None]:
 def _read_centers(texts: list[str] | None) -> list[options.Point]:
     points = (options.read_point("--center", text) for text in texts or ())
     return [point for point in points if point is not None]
-
-
-def _read_radii(text: str | None) -> list[float] | None:
-    if text is None:
-        return None
-    try:
-        return [float(part) for part in text.split(",")]
-    except ValueError:
-        got = check.shortened(text)
-        raise ValueError(f"--radii: expected metres such as 10,22,63, got {got}") from None
 
 
 def _described(region: nf.stream.Bundle) -> dict[str, Any]:

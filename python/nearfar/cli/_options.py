@@ -46,6 +46,17 @@ def read_size(option: str, text: str) -> tuple[int, int]:
     return check.size(option, (width, height))
 
 
+def read_radii(text: str | None) -> list[float] | None:
+    """Parse "r1,r2,..." in metres; None stays None."""
+    if text is None:
+        return None
+    try:
+        return [float(part) for part in text.split(",")]
+    except ValueError:
+        got = check.shortened(text)
+        raise ValueError(f"--radii: expected metres such as 10,22,63, got {got}") from None
+
+
 def check_angle(fov: float) -> None:
     """Refuse fields of view that no camera has before the work starts."""
     if not 0.0 < fov < 180.0:
@@ -117,6 +128,10 @@ Samples = Annotated[int, option("--samples", "N", "Colour samples of each pixel.
 Backend = Annotated[
     str | None,
     option("--backend", "auto|cpu|gpu", "Renderer; `nearfar info --gpu` lists the graphics adapters. By default auto."),
+]
+RingRadii = Annotated[
+    str | None,
+    option("--radii", "R1,R2,...", "Radii of the rings in metres, ascending; chosen for the scene by default."),
 ]
 WithRange = Annotated[
     bool, typer.Option("--range", help="Bake range in metres too, from which far pixels get their position.")

@@ -12,12 +12,13 @@ from typing import Annotated
 import typer
 
 from nearfar._base import cache, check
+from nearfar.cli import _options as options, _sites
 from nearfar.cli._options import option
 from nearfar.serve import _addresses, _log
 from nearfar.serve._certificate import Certificate
 from nearfar.serve._limits import Limits
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
+from nearfar.serve._site import CACHE_BYTES
 
 _DEFAULT = Limits()
 
@@ -27,7 +28,8 @@ def serve(
         list[str],
         typer.Argument(
             metavar="[NAME=]SOURCE...",
-            help="Folders that `nearfar export` or `nearfar reduce` wrote, or bundles' URLs; a page lists several.",
+            help="Folders that `nearfar export` or `nearfar reduce` wrote, bundles' URLs, or scenes, whose regions are "
+            "made for the places that clients ask for; a page lists several.",
             show_default=False,
         ),
     ],
@@ -58,44 +60,49 @@ def serve(
         int, option("--per-client", "NUMBER", "Connections of one address of another machine.")
     ] = _DEFAULT.per_client,
     log: Annotated[str, option("--log", "text|json|off", "Log of answers and warnings, on standard error.")] = "text",
+    grid: Annotated[
+        float, option("--grid", "METRES", "Scenes: spacing of the grid to which the centres of regions move.")
+    ] = 2.0,
+    radii: options.RingRadii = None,
+    face_size: options.FaceSize = None,
+    samples: options.Samples = 4,
+    cache_bytes: Annotated[
+        int, option("--cache-bytes", "BYTES", "Scenes: bytes of each one's regions to keep on disk; 0 for none.")
+    ] = CACHE_BYTES,
+    up: options.Up = "y",
+    scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
+    on_invalid: options.Invalid = "raise",
     only_check: Annotated[
-        bool, typer.Option("--check", help="Open all that would be served, tell it, and end.")
+        bool, typer.Option("--check", help="Open all that would be served, scenes too, tell it, and end.")
     ] = False,
 ) -> None:
     """Serve scenes to browsers and headsets, with the page that shows them. Ctrl-C ends it."""
     check.choice("--log", log, ("text", "json", "off"))
     limits = Limits(connections=connections, per_client=per_client)
     used = _certificate(certificate, key, self_signed, host, name)
-    sites = _sites(sources)
-    if log != "off":
+    loading = _sites.Loading(up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    regions = _sites.Regions(
+        cache_bytes=check.integer("--cache-bytes", cache_bytes, 0, 1 << 62),
+        grid=grid,
+        radii=options.read_radii(radii),
+        face_size=options.faces(face_size),
+        samples=samples,
+    )
+    sites, scenes = _sites.read(sources, loading, regions)
+    if log != "off" and not only_check:
         _log.begin(as_json=log == "json")
     with (
         _ended() as end,
         Server(sites, host=host, port=port, names=name, certificate=used, origin=origin, limits=limits) as server,
     ):
         _tell(server, sources, used)
-        if not only_check:
-            end.wait()
-
-
-def _sites(sources: list[str]) -> dict[str, Site]:
-    """Sites by their names: a single one has the empty name."""
-    named = [_named(source) for source in sources]
-    if len(named) == 1:
-        return {"": Site.of_bundle(named[0][1])}
-    names = [name for name, _ in named]
-    twice = next((name for name in names if names.count(name) > 1), None)
-    if twice is not None:
-        raise ValueError(f"SOURCE: expected different names, got {twice!r} twice: write NAME=SOURCE")
-    return {name: Site.of_bundle(path) for name, path in named}
-
-
-def _named(source: str) -> tuple[str, str]:
-    """Split "name=path"; without a name it is that of the folder."""
-    name, sign, path = source.partition("=")
-    if sign and not Path(source).exists() and "/" not in name:
-        return name, path
-    return Path(source.rstrip("/")).resolve().name, source
+        if only_check:
+            for scene in scenes:
+                scene.wait()
+            return
+        _sites.tell_of(scenes)
+        end.wait()
 
 
 def _certificate(

@@ -29,6 +29,7 @@ def index(titles: Mapping[str, str]) -> dict[str, bytes]:
     page = (
         '<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Scenes</title>\n'
-        f'<link rel="stylesheet" href="index.css">\n<h1>Scenes</h1>\n<ul>\n{items}\n</ul>\n</html>\n'
+        '<link rel="icon" href="data:,">\n<link rel="stylesheet" href="index.css">\n'
+        f"<h1>Scenes</h1>\n<ul>\n{items}\n</ul>\n</html>\n"
     )
     return {"index.html": page.encode(), "index.css": _STYLE.strip().encode()}

@@ -97,6 +97,10 @@ class LoadedScene:
         loaded = background.Later(make)
         self._loaded, self._start = loaded, background.Later(lambda: start(loaded.result().scene))
 
+    def wait(self) -> Scene:
+        """Wait until the scene is there, and return it; ValueError with a sentence if it cannot be loaded."""
+        return self._result(self._loaded).scene
+
     def cache_folder(self) -> Path | None:
         """Folder for the regions of this scene with these settings; None where they should not outlast the server."""
         if self._source is None:
@@ -134,6 +138,7 @@ class LoadedScene:
             objects=len(scene.object_names),
             bounds=scene.bounds.tolist(),
             start={"position": list(start.eye), "yaw": math.atan2(-x, -z)},
+            face_size=made._stages[-1].face_size,
             near_share=NEAR_SHARE,
             growth=Growth((1.0,), speed=made._speed).described(),
             is_static=not scene.poses,

@@ -58,7 +58,8 @@ class Site:
         """
         maker = LoadedScene.of_made(scene) if isinstance(scene, OnDemand) else scene
         folder = None if cache is None else os.fspath(cache)
-        return cls(maker.documents(), (maker.parts, next_part, maker.grid, folder, cache_bytes))
+        made = (maker.parts, next_part, maker.grid, folder, cache_bytes)
+        return cls(maker.documents(), made, title="regions are made where you go")
 
     def documents(self) -> list[Listed]:
         """List the site's documents, the page's among them."""

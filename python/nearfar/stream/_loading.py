@@ -29,8 +29,8 @@ class Loader:
     """Asks for the files of a plan as the page does, and says which rings are there."""
 
     plan: Plan
-    sizes: Mapping[str, int]
-    """Bytes of each file, the manifest's among them."""
+    sizes: Mapping[str, tuple[int, int]]
+    """Bytes of each file on its way, and unpacked, the manifest's among them."""
     transport: Transport
     seconds_per_byte: float
     """That decoding takes in a worker."""
@@ -43,7 +43,7 @@ class Loader:
 
     def begin(self) -> None:
         """Ask for the manifest."""
-        self.transport.ask(MANIFEST, self.sizes[MANIFEST])
+        self.transport.ask(MANIFEST, self.sizes[MANIFEST][0])
 
     @property
     def is_done(self) -> bool:
@@ -80,7 +80,7 @@ class Loader:
                 continue
             if work is self._map and step.ring and not self.may_replace(step.ring):
                 continue
-            work.ends = self.transport.now + self.seconds_per_byte * sum(self.sizes[name] for name in work.files)
+            work.ends = self.transport.now + self.seconds_per_byte * sum(self.sizes[name][1] for name in work.files)
 
     def _begin_next(self) -> None:
         self.place += 1
@@ -92,17 +92,17 @@ class Loader:
         self._geometry = _Work(step.geometry) if step.geometry else None
         for name in step.asked:
             self._ahead.discard(name)
-            self.transport.ask(name, self.sizes[name])
+            self.transport.ask(name, self.sizes[name][0])
         if self.place + 1 < len(steps) and steps[self.place + 1].is_ahead:
             self._ask_ahead(steps[self.place + 1])
 
     def _ask_ahead(self, step: Step) -> None:
         for name in step.files:
-            held = sum(self.sizes[other] for other in self._ahead)
-            if name in self.transport.arrived or name in self._ahead or held + self.sizes[name] > MOST_AHEAD:
+            held = sum(self.sizes[other][1] for other in self._ahead)
+            if name in self.transport.arrived or name in self._ahead or held + self.sizes[name][1] > MOST_AHEAD:
                 continue
             self._ahead.add(name)
-            self.transport.ask(name, self.sizes[name])
+            self.transport.ask(name, self.sizes[name][0])
 
 
 @dataclass(frozen=True)

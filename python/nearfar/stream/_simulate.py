@@ -13,6 +13,7 @@ from nearfar._scene.scene import Scene
 from nearfar.stream import _store
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._client_pictures import SceneParts
+from nearfar.stream._compressed import sent, sent_now
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._link import Link
 from nearfar.stream._loading import MANIFEST, Course, Loader, follow
@@ -33,6 +34,7 @@ def simulate(
     *,
     link: Link,
     strategy: str = "clovr",
+    gzip: bool = False,
     head_path: ArrayLike | None = None,
     duration: SupportsFloat | None = None,
     rate: SupportsFloat = RATE,
@@ -60,6 +62,9 @@ def simulate(
         "clovr": rings fade in, and the morph grows. "clovrd": the same rings at once. "vis0": blank until the near
         objects that the centre sees and the last map are there. "vis1": these objects as they come, the map last. The
         last two need `export(by_footprint=True)`.
+    gzip
+        Whether the server compresses what is not compressed yet, as `nearfar serve` does; plain servers of files
+        often do not.
     head_path
         Where the user's eye is: one position in world metres, or rows of a time in seconds and a position, (N, 4),
         which is linear between them and stays before and after. The centre by default.
@@ -116,7 +121,8 @@ def simulate(
         check.instance("camera", camera, Camera)
     plan = plan_of(strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
     transport = Transport(link, seed=check.integer("seed", seed, 0, 2**63 - 1))
-    course = _course(bundle, plan, transport, path, rate=frames, duration=ends, seconds_per_byte=per_byte)
+    sizes = _sizes(bundle, check.flag("gzip", gzip))
+    course = _course(bundle, plan, transport, path, sizes, rate=frames, duration=ends, seconds_per_byte=per_byte)
     line = Timeline._of(strategy, plan, course, transport.curve, frame_seconds=frame, triangle_seconds=each)
     if scene is None:
         return line
@@ -124,7 +130,7 @@ def simulate(
     return measured(line, parts, path, every=gap, rate=frames, duration=ends)
 
 
-def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat) -> float:
+def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:
     """Find the radius of the last ring that a client at a link has within some seconds.
 
     Parameters
@@ -136,6 +142,8 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat) -> float:
         The client's link.
     seconds
         Seconds from the request of the manifest to the arrival of the ring.
+    gzip
+        Whether the server compresses, as for `simulate`.
 
     Returns
     -------
@@ -148,13 +156,26 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat) -> float:
         For arguments of another type, and seconds that are not above 0.
     """
     limit = check.positive("seconds", seconds)
-    times = simulate(bundle, link=link, strategy="clovrd", duration=min(limit, MOST_SECONDS)).ring_times
+    line = simulate(bundle, link=link, strategy="clovrd", gzip=gzip, duration=min(limit, MOST_SECONDS))
+    times = line.ring_times
     return max((radius for radius, time in zip(bundle.radii, times[1:], strict=True) if time <= limit), default=0.0)
 
 
-def _course(bundle: Bundle, plan: Plan, transport: Transport, path: HeadPath, **settings: Any) -> Course:
-    sizes = {name: int(entry["bytes"]) for name, entry in bundle._manifest["files"].items()}
-    sizes[MANIFEST] = len(bundle._reader.read(_store.MANIFEST))
+def _sizes(bundle: Bundle, gzip: bool) -> dict[str, tuple[int, int]]:
+    """Bytes of each file on its way, and unpacked."""
+    sizes = {name: (int(entry["bytes"]),) * 2 for name, entry in bundle._manifest["files"].items()}
+    manifest = bundle._reader.read(_store.MANIFEST)
+    sizes[MANIFEST] = (len(manifest),) * 2
+    if gzip:
+        read = bundle._reader.read
+        sizes = {name: (sent(name, size, read), size) for name, (size, _) in sizes.items() if name != MANIFEST}
+        sizes[MANIFEST] = sent_now(manifest), len(manifest)
+    return sizes
+
+
+def _course(
+    bundle: Bundle, plan: Plan, transport: Transport, path: HeadPath, sizes: dict[str, tuple[int, int]], **settings: Any
+) -> Course:
     per_byte = settings.pop("seconds_per_byte")
     loader = Loader(plan, sizes, transport, per_byte, lambda ring: True)
     growth = bundle.growth

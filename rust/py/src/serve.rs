@@ -147,7 +147,7 @@ pub fn begin_log(level: &str, as_json: bool) -> PyResult<bool> {
 fn site(listed: Vec<Listed>, made: Option<OnDemand>, limits: demand::Limits) -> PyResult<Site> {
     let documents: HashMap<_, _> = listed.into_iter().map(document).collect();
     let Some((begin, next, grid, folder, bytes)) = made else { return Ok(Site { documents, demand: None }) };
-    let cache = folder.map(|folder| Cache::open(&folder, bytes)).transpose()?;
+    let cache = folder.map(|folder| Cache::open(&folder, bytes)).transpose()?.flatten();
     let demand = Demand::start(Box::new(Regions { begin, next: Arc::new(next) }), grid, cache, limits)?;
     Ok(Site { documents, demand: Some(Arc::new(demand)) })
 }

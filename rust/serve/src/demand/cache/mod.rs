@@ -5,7 +5,7 @@
 //! hash before it is used for the first time.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -21,6 +21,7 @@ use crate::open::open;
 const MANIFEST: &str = "manifest.json";
 const FILES: &str = "files";
 const PLACES: &str = "at";
+const LOCK: &str = "lock";
 /// End of the names of files that are not complete.
 const ASIDE: &str = ".part";
 /// Hexadecimal digits of a manifest's hash in its name.
@@ -49,6 +50,8 @@ pub struct Cache {
     folder: PathBuf,
     budget: u64,
     index: Mutex<Index>,
+    /// Held locked, because a second server would remove what this one has not finished writing.
+    lock: File,
 }
 
 #[derive(Default)]
@@ -73,14 +76,24 @@ struct Stored {
 }
 
 impl Cache {
-    /// Open the cache of a scene, whose folder is made if it is not there, and tidy it up.
-    pub fn open(folder: &Path, budget: u64) -> io::Result<Self> {
+    /// Open the cache of a scene, whose folder is made if it is not there, and tidy it up. None if another server has
+    /// it open.
+    pub fn open(folder: &Path, budget: u64) -> io::Result<Option<Self>> {
         for name in [FILES, PLACES] {
             fs::create_dir_all(folder.join(name))?;
         }
         // Links on the way to it were meant; later ones are not followed.
         let folder = &fs::canonicalize(folder)?;
-        let cache = Cache { folder: folder.to_path_buf(), budget, index: Mutex::default() };
+        let lock = File::create(folder.join(LOCK))?;
+        match lock.try_lock() {
+            Err(TryLockError::WouldBlock) => {
+                tracing::warn!(folder = %folder.display(), "another server uses this cache: regions stay in memory");
+                return Ok(None);
+            }
+            // Some file systems have no locks.
+            Ok(()) | Err(TryLockError::Error(_)) => {}
+        }
+        let cache = Cache { folder: folder.to_path_buf(), budget, index: Mutex::default(), lock };
         for found in fs::read_dir(folder.join(PLACES))? {
             let path = found?.path();
             if cache.read_entry(&path).is_none() {
@@ -89,7 +102,7 @@ impl Cache {
         }
         cache.remove_strangers()?;
         cache.trim(None)?;
-        Ok(cache)
+        Ok(Some(cache))
     }
 
     /// The manifest of a place, if its region is here and undamaged.
@@ -151,6 +164,12 @@ impl Cache {
         index.add(key, path, manifest.len() as u64, listed, true);
         drop(index);
         self.trim(Some(key))
+    }
+
+    /// Leave the folder to other servers; nothing more is kept.
+    pub fn close(&self) {
+        // It is unlocked at the latest when the process ends.
+        let _ = self.lock.unlock();
     }
 
     /// Bytes on disk.

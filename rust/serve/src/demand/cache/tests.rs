@@ -23,14 +23,29 @@ fn read(kept: &Kept) -> Vec<u8> {
     }
 }
 
+fn open(folder: &Path, budget: u64) -> Cache {
+    Cache::open(folder, budget).unwrap().expect("no other server uses it")
+}
+
+#[test]
+fn a_folder_is_one_servers_at_a_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = open(folder.path(), 100);
+    assert!(Cache::open(folder.path(), 100).unwrap().is_none());
+    drop(first);
+    open(folder.path(), 100);
+}
+
 #[test]
 fn what_is_kept_is_found_again_also_after_a_restart() {
     let folder = tempfile::tempdir().unwrap();
     let content = region(&[("a.glb", "geometry"), ("b.webp", "picture")]);
-    let cache = Cache::open(folder.path(), 1 << 20).unwrap();
-    assert!(cache.find("1,2,3").is_none());
-    cache.keep("1,2,3", &content).unwrap();
-    for cache in [cache, Cache::open(folder.path(), 1 << 20).unwrap()] {
+    let first = open(folder.path(), 1 << 20);
+    assert!(first.find("1,2,3").is_none());
+    first.keep("1,2,3", &content).unwrap();
+    drop(first);
+    for _ in 0..2 {
+        let cache = open(folder.path(), 1 << 20);
         assert_eq!(cache.find("1,2,3").unwrap(), content[MANIFEST]);
         assert_eq!(read(&cache.file("files/a.glb").unwrap()), b"geometry");
         assert!(cache.find("1,2,4").is_none());
@@ -45,7 +60,7 @@ fn regions_share_files_and_the_longest_unused_go_first() {
     let folder = tempfile::tempdir().unwrap();
     let long = "x".repeat(1000);
     let both = region(&[("shared.bin", &long), ("own.glb", "first")]);
-    let cache = Cache::open(folder.path(), 4000).unwrap();
+    let cache = open(folder.path(), 4000);
     cache.keep("1,0,0", &both).unwrap();
     cache.keep("2,0,0", &region(&[("shared.bin", &long), ("other.glb", "second")])).unwrap();
     assert!(cache.bytes() < 2000, "{}", cache.bytes());
@@ -57,7 +72,8 @@ fn regions_share_files_and_the_longest_unused_go_first() {
     assert_eq!(fs::read_dir(folder.path().join("files")).unwrap().count(), 3);
     assert!(cache.bytes() <= 4000);
     // A smaller budget holds from the start on.
-    let cache = Cache::open(folder.path(), 100).unwrap();
+    drop(cache);
+    let cache = open(folder.path(), 100);
     assert_eq!((cache.bytes(), fs::read_dir(folder.path().join("files")).unwrap().count()), (0, 0));
 }
 
@@ -85,10 +101,10 @@ fn what_is_damaged_or_not_complete_is_not_used() {
     ];
     for (name, damage) in damages {
         let folder = tempfile::tempdir().unwrap();
-        Cache::open(folder.path(), 1 << 20).unwrap().keep("1,2,3", &content).unwrap();
+        open(folder.path(), 1 << 20).keep("1,2,3", &content).unwrap();
         fs::write(folder.path().join("files/half.glb.part"), "ha").unwrap();
         damage(folder.path());
-        let cache = Cache::open(folder.path(), 1 << 20).unwrap();
+        let cache = open(folder.path(), 1 << 20);
         assert!(cache.find("1,2,3").is_none(), "{name}");
         assert!(cache.file("files/a.glb").is_none() || name == "missing", "{name}");
         assert!(!folder.path().join("files/half.glb.part").exists(), "{name}");
@@ -106,18 +122,20 @@ fn what_is_damaged_or_not_complete_is_not_used() {
 #[test]
 fn names_that_leave_the_folder_are_refused() {
     let folder = tempfile::tempdir().unwrap();
-    let cache = Cache::open(folder.path(), 1 << 20).unwrap();
+    let cache = open(folder.path(), 1 << 20);
     for name in ["../x", "a/b", "..", ".", "", "a\0b", "/etc/passwd", "a\\b"] {
         let error = cache.keep("1,2,3", &region(&[(name, "data")])).unwrap_err();
         assert_eq!(error.kind(), io::ErrorKind::InvalidData, "{name:?}");
     }
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    let mut names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|found| found.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, [PLACES, FILES, LOCK]);
 }
 
 #[test]
 fn a_region_that_the_disk_does_not_take_leaves_nothing_that_is_used() {
     let folder = tempfile::tempdir().unwrap();
-    let cache = Cache::open(folder.path(), 1 << 20).unwrap();
+    let cache = open(folder.path(), 1 << 20);
     let content = region(&[("a.glb", "geometry"), ("b.bin", "numbers")]);
     // A folder in the place of the file is an error whoever writes.
     fs::create_dir(folder.path().join("files/b.bin")).unwrap();

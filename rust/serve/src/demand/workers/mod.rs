@@ -186,6 +186,9 @@ impl Demand {
             // A maker's panic is caught where it happens.
             let _ = thread.join();
         }
+        if let Some(cache) = &self.shared.cache {
+            cache.close();
+        }
         for entry in self.shared.state().entries.values() {
             entry.region.end(Outcome::Failed("the server ends".into()));
         }

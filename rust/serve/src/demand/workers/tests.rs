@@ -215,7 +215,7 @@ async fn waiting_clients_hear_how_many_come_first() {
 #[tokio::test]
 async fn complete_regions_come_from_the_disk() {
     let folder = tempfile::tempdir().unwrap();
-    let kitchen = kitchen(Some(Cache::open(folder.path(), 1 << 20).unwrap()), one());
+    let kitchen = kitchen(Cache::open(folder.path(), 1 << 20).unwrap(), one());
     let ticket = coming(kitchen.demand.ask(ANN, Place([0.0; 3])));
     kitchen.permit.send(()).unwrap();
     kitchen.permit.send(()).unwrap();
