@@ -6,6 +6,7 @@ import hashlib
 import http.client
 import json
 import signal
+from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -22,11 +23,14 @@ from tests.support.waiting import wait_until
 KILLS = 4
 
 
-def asked(server: Server, place: str, source: str) -> http.client.HTTPConnection:
-    """A client that asks for a region and waits for the answer."""
+def asked(stack: ExitStack, server: Server, place: str, source: str) -> http.client.HTTPResponse:
+    """The answer to a client that asks for a region, of which the head has come; the client goes with the stack."""
     line = http.client.HTTPConnection(urlsplit(server.url).netloc, timeout=300, source_address=(source, 0))
+    stack.callback(line.close)
     line.request("GET", f"/at/{place}/parts")
-    return line
+    answer = line.getresponse()
+    stack.callback(answer.close)
+    return answer
 
 
 def waiting(server: Server) -> int:
@@ -34,50 +38,46 @@ def waiting(server: Server) -> int:
     return sum(int(line.rsplit(" ", 1)[1]) for line in lines if line.startswith("nearfar_regions_waiting"))
 
 
+def last_event(answer: http.client.HTTPResponse) -> dict[str, Any]:
+    event: dict[str, Any] = json.loads(answer.read().splitlines()[-1])
+    return event
+
+
 def test_a_flood_is_bounded_and_others_come_next() -> None:
     kitchen = Kitchen()
-    with Server({"": kitchen.site()}, limits=Limits(threads=1)) as server:
-        flood = [asked(server, f"{10 * number},0,0", "127.0.0.1") for number in range(60)]
-        assert sorted(line.getresponse().status for line in flood) == [200] * 4 + [429] * 56
+    with Server({"": kitchen.site()}, limits=Limits(threads=1)) as server, ExitStack() as stack:
+        flood = [asked(stack, server, f"{10 * number},0,0", "127.0.0.1") for number in range(60)]
+        assert [answer.status for answer in flood] == [200] * 4 + [429] * 56
         wait_until(lambda: len(kitchen.begun) == 1)
-        other = asked(server, "-50,0,0", "127.0.0.2")
-        answer = other.getresponse()
-        assert answer.status == 200
+        other = asked(stack, server, "-50,0,0", "127.0.0.2")
         assert httpx.get(server.url + "files/other").content == b"another file"
         # The one that was begun ends, and then the other client's turn comes before the flood's.
         kitchen.let(2)
-        last = json.loads(answer.read().splitlines()[-1])
-        assert last == {"event": "end", "center": [-50.0, 0.0, 0.0]}
+        assert last_event(other) == {"event": "end", "center": [-50.0, 0.0, 0.0]}
         assert kitchen.begun[1] == [-50.0, 0.0, 0.0]
-        for line in [*flood, other]:
-            line.close()
+        stack.close()
         wait_until(lambda: waiting(server) == 0)
 
 
 def test_a_flood_from_many_addresses_is_bounded_and_leaves_nothing() -> None:
     kitchen = Kitchen()
     limits = Limits(regions=16, regions_per_client=2)
-    with Server({"": kitchen.site()}, limits=limits) as server:
+    with Server({"": kitchen.site()}, limits=limits) as server, ExitStack() as stack:
         flood = [
-            asked(server, f"{10 * (3 * client + number)},0,0", f"127.0.1.{client}")
+            asked(stack, server, f"{10 * (3 * client + number)},0,0", f"127.0.1.{client}")
             for client in range(1, 21)
             for number in range(3)
         ]
-        answers = [line.getresponse() for line in flood]
-        statuses = [answer.status for answer in answers]
+        statuses = [answer.status for answer in flood]
         assert statuses.count(200) == 16
         assert set(statuses) == {200, 429, 503}
-        assert all(answer.headers["retry-after"] for answer in answers if answer.status != 200)
+        assert all(answer.headers["retry-after"] for answer in flood if answer.status != 200)
         assert waiting(server) == 16
         assert httpx.get(server.url + "files/other").content == b"another file"
-        # Answers hold their connections too.
-        for line, answer in zip(flood, answers, strict=True):
-            answer.close()
-            line.close()
+        stack.close()
         wait_until(lambda: waiting(server) == 0)
         kitchen.let(1)
-        answer = asked(server, "-50,0,0", "127.0.0.2").getresponse()
-        assert json.loads(answer.read().splitlines()[-1])["event"] == "end"
+        assert last_event(asked(stack, server, "-50,0,0", "127.0.0.2"))["event"] == "end"
 
 
 def get(url: str, path: str) -> httpx.Response:
