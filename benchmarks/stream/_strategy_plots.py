@@ -61,12 +61,14 @@ def times(path: Path, places: dict[str, Lines], others: dict[str, dict[str, list
         left.bar(at, [line.total for line in chosen], width, color=COLORS[name], alpha=0.45)
         left.bar(at, [line.picture for line in chosen], width, color=COLORS[name], label=name)
     left.set_xticks(range(len(places)), [place.replace(", ", ",\n") for place in places], fontsize="x-small")
-    left.set(ylabel="seconds: complete picture, and all (pale)", ylim=(0.0, 1.25 * left.get_ylim()[1]))
+    left.set(ylabel="seconds: complete picture, and all (pale)", xlabel=" ", ylim=(0.0, 1.25 * left.get_ylim()[1]))
     left.legend(fontsize="small", ncols=4, loc="upper center", columnspacing=0.8, handlelength=1.0)
     for axes, (place, lines) in zip(grid[1:], places.items(), strict=True):
         for name in COLORS:
             seconds = others[place].get(name, lines[name].ring_times[1:])
-            axes.plot(lines[name].radii[: len(seconds)], seconds, color=COLORS[name], marker=".", label=name)
+            # vis1 lies on vis0: both end with the same files.
+            axes.plot(lines["clovrd"].radii, seconds, "--" if name == "vis1" else "-", color=COLORS[name], marker=".",
+                      label=name)  # fmt: skip
         axes.set(title=place, xlabel="R in metres", ylim=(0.0, None))
     grid[1].set(ylabel="seconds until all within R is there")
     grid[1].legend(fontsize="small")
