@@ -1,13 +1,12 @@
 /** The page: opens the bundle that its address names, and draws it for whoever looks. */
 import { BundleError, damagedFile } from './bundle/error';
-import { openSource } from './bundle/source';
-import { upTo } from './bundle/up_to';
+import type { RegionEntry } from './bundle/manifest';
 import { createControls } from './control/controls';
 import { distance } from './control/limit';
 import { readLink, writeLink } from './control/link';
 import { directionTo, placeFor } from './control/places';
 import type { Pose } from './control/pose';
-import { nearestOf } from './show/journey';
+import { openAddress } from './opened';
 import { createMeter } from './show/meter';
 import { strategyOf } from './show/strategy';
 import { createViewer, type Viewer } from './show/viewer';
@@ -16,6 +15,7 @@ import { clearMessage, FATAL, showFatal } from './ui/messages';
 import { createPanel } from './ui/panel';
 import type { Commands } from './ui/status';
 import { createThumbMark } from './ui/thumb';
+import { createWait } from './ui/wait';
 import { offerHeadset } from './xr/offer';
 import type { Headset } from './xr/session';
 
@@ -40,11 +40,11 @@ async function main(): Promise<void> {
   const meter = createMeter();
   const base = new URL(query.get('bundle') ?? '.', location.href);
   const strategy = strategyOf(query.get('strategy'));
-  const source = await openSource(base, meter.receive, new AbortController().signal);
+  const wait = createWait(root);
+  const opened = await openAddress(base, query, strategy, meter.receive, wait.begin);
+  wait.end();
   meter.restart();
-  const manifest = upTo(query.get('rings'), strategy.arrange(source.manifest));
-  const first = manifest.regions[0];
-  if (!first) throw new BundleError('manifest.json: expected a region, got none');
+  const { centers, files, world } = opened;
   let headset: Headset | null = null;
   let problems: readonly string[] = [];
   const retry = (): void => {
@@ -59,8 +59,8 @@ async function main(): Promise<void> {
     viewer.retry();
   };
   const viewer = createViewer(canvas, {
-    manifest,
-    fetch: source.fetch,
+    world,
+    fetch: files.fetch,
     worker: new URL('worker.js', import.meta.url),
     angle: ANGLE,
     antialias: query.get('aa') !== '0',
@@ -69,7 +69,7 @@ async function main(): Promise<void> {
     failed(reason) {
       problems = [reason.message];
       const file = damagedFile(reason);
-      if (file !== null) source.distrust(file);
+      if (file !== null) files.distrust(file);
       // Without ring 0 there is no picture to keep.
       if (viewer.facts.arrived < 0) tell(reason);
     },
@@ -83,10 +83,8 @@ async function main(): Promise<void> {
       headset?.place(pose);
     },
   });
-  const homeOf = (number: number): Pose => {
-    return { position: manifest.regions[number]?.center ?? first.center, yaw: 0, pitch: 0 };
-  };
-  const start = readLink(location.hash) ?? homeOf(0);
+  const homeOf = (number: number): Pose => ({ ...pose, position: world.places.of(number).center });
+  const start = readLink(location.hash) ?? opened.start;
   const thumb = createThumbMark(root);
   const controls = createControls(canvas, {
     start,
@@ -112,17 +110,17 @@ async function main(): Promise<void> {
   const commands: Commands = {
     setDivider: divider.set,
     setMode: controls.setMode,
-    home: () => viewer.go({ ...homeOf(viewer.facts.region), yaw: pose.yaw, pitch: pose.pitch }),
+    home: () => viewer.go(homeOf(viewer.facts.region)),
     lookAround: controls.lookAround,
     screenshot: viewer.photo,
     link: () => new URL(writeLink(pose), location.href).href,
     retry,
   };
-  if (manifest.regions.length > 1) {
+  if (centers && centers.length > 1) {
     commands.next = () => {
-      const place = ((nearestOf(manifest.regions, pose.position) ?? 0) + 1) % manifest.regions.length;
-      viewer.go({ ...homeOf(place), yaw: pose.yaw, pitch: pose.pitch });
-      panel.announce(`Place ${place + 1} of ${manifest.regions.length}`);
+      const place = (world.places.nearest(pose.position) + 1) % centers.length;
+      viewer.go(homeOf(place));
+      panel.announce(`Place ${place + 1} of ${centers.length}`);
     };
   }
   const panel = createPanel(root, commands);
@@ -132,14 +130,14 @@ async function main(): Promise<void> {
       pose: () => pose,
       bounds: () => viewer.facts.bounds,
       left: controls.setPose,
-      isStatic: manifest.dynamic === null,
+      isStatic: opened.isStatic,
     },
     (found) => {
       headset = typeof found === 'string' ? null : found;
       commands.headset = found;
     },
   );
-  viewer.open(nearestOf(manifest.regions, start.position) ?? 0);
+  viewer.open(world.places.nearest(start.position));
   let last = performance.now();
   let sincePanel = PANEL_EVERY;
   viewer.renderer.setAnimationLoop((now: number) => {
@@ -152,25 +150,33 @@ async function main(): Promise<void> {
     sincePanel += seconds;
     if (sincePanel < PANEL_EVERY) return;
     sincePanel = 0;
-    const { shown, triangles, region, received, expected } = viewer.facts;
-    const { center, fold_margin, rings } = manifest.regions[region] ?? first;
+    const { shown, triangles, region, entry, goal, received, expected } = viewer.facts;
+    const { center, fold_margin } = world.places.of(region);
+    const rings = ringsOf(entry);
     panel.update({
-      ring: shown?.ring ?? 0,
-      rings: rings.length - 1,
+      ring: Math.min(shown?.ring ?? 0, rings),
+      rings,
+      isSharp: entry !== null && (!entry.isCoarse || (shown?.ring ?? 0) > rings),
+      making: opened.makingOf(goal ?? region),
       radius: shown?.grown.radius ?? 0,
       ...meter.read(),
       received,
       expected,
       triangles: triangles.own,
       drawn: triangles.drawn,
-      sceneTriangles: manifest.triangles,
+      sceneTriangles: opened.triangles,
       region,
-      regions: manifest.regions.length,
+      regions: centers?.length ?? null,
       away: distance(pose.position, { center, metres: fold_margin }),
       foldMargin: fold_margin,
       problems,
     });
   });
+}
+
+/** Rings of a region; one that only makes maps sharper is none. */
+function ringsOf(entry: RegionEntry | null): number {
+  return (entry?.rings.length ?? 1) - 1 - (entry?.isCoarse ? 1 : 0);
 }
 
 function element<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {

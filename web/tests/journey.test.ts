@@ -4,6 +4,7 @@ import { confine, distance, settle } from '../src/control/limit';
 import type { Pose } from '../src/control/pose';
 import type { Vector } from '../src/control/vector';
 import { createJourney, type Leg, type Regions } from '../src/show/journey';
+import { knownPlaces } from '../src/show/places';
 import { createStage, type Shown, type Stage } from '../src/show/stage';
 
 const NEAR_SHARE = 0.7;
@@ -27,6 +28,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
   const log: string[] = [];
   let order: readonly number[] = [];
   const stalled = new Set<number>();
+  const coarse = new Set<number>();
   const settings = { radii: RADII, speed, reach: 1, nearShare: NEAR_SHARE, fade: FADE };
   const regions: Regions = {
     open(region) {
@@ -42,6 +44,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
     },
     offer: (region, from) => opened.get(region)?.stage.offer(from) ?? null,
     isComplete: (region) => opened.get(region)?.ring === RADII.length,
+    isCoarse: (region) => coarse.has(region),
     enter(region, from) {
       log.push(`enter ${region}`);
       const found = opened.get(region) as Loaded;
@@ -67,7 +70,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
   const moves: Pose[] = [];
   const entries = centers.map((x) => ({ center: [x, 1.7, 0], fold_margin: MARGIN }) as const);
   const journey = createJourney(
-    { regions: entries, marginShare: NEAR_SHARE, fade: FADE, moved: (pose) => moves.push(pose) },
+    { places: knownPlaces(entries), marginShare: NEAR_SHARE, fade: FADE, moved: (pose) => moves.push(pose) },
     regions,
     0,
   );
@@ -99,7 +102,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
     assert.ok(over <= 1e-9, `region ${region} is shown ${over} m beyond where it folds`);
   }
 
-  return { frame, journey, log, stalled, moves, opened, place: () => position };
+  return { frame, journey, log, stalled, coarse, moves, opened, place: () => position };
 }
 
 function frames(walk: ReturnType<typeof world>, count: number, velocity: Vector): Leg[] {

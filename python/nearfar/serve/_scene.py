@@ -138,6 +138,7 @@ class LoadedScene:
             objects=len(scene.object_names),
             bounds=scene.bounds.tolist(),
             start={"position": list(start.eye), "yaw": math.atan2(-x, -z)},
+            face_size=made._stages[-1].face_size,
             near_share=NEAR_SHARE,
             growth=Growth((1.0,), speed=made._speed).described(),
             is_static=not scene.poses,

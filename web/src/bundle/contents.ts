@@ -10,7 +10,7 @@ export function filesOfMap(map: MapEntry | null): string[] {
 }
 
 export function filesOfRing(ring: RingEntry): string[] {
-  return [...filesOfGeometry(ring), ...filesOfMap(ring.map)];
+  return [...filesOfGeometry(ring), ...filesOfMap(ring.map), ...(ring.sharper?.maps ?? []).flatMap(filesOfMap)];
 }
 
 /** All files of a region, each once; those of what moves are among them. */

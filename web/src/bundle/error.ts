@@ -1,5 +1,8 @@
-/** Why nothing can be shown: the bundle, a newer one, the network, what the address asks for, the browser's graphics. */
-export type Kind = 'damaged' | 'newer' | 'network' | 'address' | 'webgl' | 'other';
+/**
+ * Why nothing can be shown: the bundle, a newer one, the network, what the address asks for, the browser's graphics, a
+ * scene that the server cannot load, a place whose region it cannot make.
+ */
+export type Kind = 'damaged' | 'newer' | 'network' | 'address' | 'webgl' | 'scene' | 'place' | 'other';
 
 /** An error that says in a sentence why something cannot be shown. */
 export class BundleError extends Error {

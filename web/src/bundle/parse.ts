@@ -8,6 +8,7 @@ import type {
   GroupEntry,
   Manifest,
   MapEntry,
+  MapLayout,
   MovingEntry,
   Point,
   RegionEntry,
@@ -27,13 +28,24 @@ const [LAST_CODE, MOST_EXPONENT] = [65534, 600] as const;
 /** Greatest coordinate, metres, and greatest radius. */
 const FARTHEST = 1e12;
 
+/** Reads the entry of a ring; the number of tiles of a map bounds those that it changes. */
+type ReadRing = (place: string, value: unknown, order: number, tiles: number) => RingEntry;
+
 export function parseManifest(source: string): Manifest {
-  let parsed: unknown;
+  return readManifest(parseJson('manifest.json', source));
+}
+
+/** What was parsed of a document. */
+export function parseJson(name: string, source: string): unknown {
   try {
-    parsed = JSON.parse(source);
+    return JSON.parse(source) as unknown;
   } catch {
-    throw new BundleError('manifest.json: expected JSON, got something else');
+    throw new BundleError(`${name}: expected JSON, got something else`);
   }
+}
+
+/** Read a manifest; `readRing` reads the rings, which an outline of a region does not have yet. */
+export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manifest {
   const all = object('manifest', parsed);
   if (all['format'] !== FORMAT) throw new BundleError(`manifest.json: expected the format ${FORMAT}, got another one`);
   const version = integer('version', all['version'], 1);
@@ -48,7 +60,7 @@ export function parseManifest(source: string): Manifest {
   const kind = choice('morph.kind', morph?.['kind'], ['blend', 'cylinder'] as const);
   const unit = choice('unit', all['unit'] ?? 'object', ['object', 'triangle'] as const);
   const across = integer('map.across', map?.['across'], 1, Math.floor(MOST_PIXELS / tile));
-  const tiles = FACES * (face / tile) ** 2;
+  const tiles = tilesOf({ face_size: face, tile, across });
   const files = object('files', all['files']);
   const entries = list('regions', all['regions'], object);
   if (entries.length === 0 || entries.length > MOST_REGIONS) {
@@ -67,16 +79,26 @@ export function parseManifest(source: string): Manifest {
     map: { face_size: face, tile, across },
     regions: entries.map((entry, number) => {
       const place = `regions[${number}]`;
-      return cutBy(unit, place, region(place, entry, tiles, number, entries.length));
+      return cutBy(unit, place, region(place, entry, tiles, number, entries.length, readRing));
     }),
     dynamic: optional('dynamic', all['dynamic'], moving),
     notes: list('notes', all['notes'], text),
-    files: Object.fromEntries(
-      Object.entries(files).map(([name, value]) => [fileName('files', name), described(name, value)]),
-    ),
+    files: readFiles(files),
   };
   checkListed(manifest);
   return manifest;
+}
+
+/** The files that a document lists. */
+export function readFiles(files: Fields): Record<string, Described> {
+  return Object.fromEntries(
+    Object.entries(files).map(([name, value]) => [fileName('files', name), described(name, value)]),
+  );
+}
+
+/** The number of tiles of a map. */
+export function tilesOf({ face_size: face, tile }: MapLayout): number {
+  return FACES * (face / tile) ** 2;
 }
 
 function described(place: string, value: unknown): Described {
@@ -103,13 +125,20 @@ function checkListed({ regions, dynamic, files }: Manifest): void {
   }
 }
 
-function point(place: string, value: unknown): Point {
+export function point(place: string, value: unknown): Point {
   return list(place, value, (name, item) => number(name, item, -FARTHEST, FARTHEST), 3) as unknown as Point;
 }
 
-function region(place: string, value: Fields, tiles: number, own: number, count: number): RegionEntry {
+function region(
+  place: string,
+  value: Fields,
+  tiles: number,
+  own: number,
+  count: number,
+  readRing: ReadRing,
+): RegionEntry {
   const range = object(`${place}.range`, value['range']);
-  const rings = list(`${place}.rings`, value['rings'], (name, item, number) => ring(name, item, number, tiles));
+  const rings = list(`${place}.rings`, value['rings'], (name, item, number) => readRing(name, item, number, tiles));
   const radii = rings.map(({ radius }) => radius);
   const doAscend = radii[0] === 0 && radii.every((radius, number) => number === 0 || radius > (radii[number - 1] ?? 0));
   if (rings.length < 2 || rings.length > MOST_RINGS || !doAscend) {
@@ -142,13 +171,20 @@ function cutBy(unit: 'object' | 'triangle', place: string, entry: RegionEntry): 
   return { ...entry, cut: entry.rings[1]?.radius ?? Infinity };
 }
 
-function ring(place: string, value: unknown, order: number, tiles: number): RingEntry {
+export function ring(place: string, value: unknown, order: number, tiles: number): RingEntry {
   const entry = object(place, value);
   return {
     ...group(place, entry),
     radius: number(`${place}.radius`, entry['radius'], 0, FARTHEST),
     map: mapOf(`${place}.map`, entry['map'], order, tiles),
   };
+}
+
+/** A ring of which nothing is made yet. */
+export function outlinedRing(place: string, value: unknown): RingEntry {
+  const { objects, triangles } = group(place, value);
+  const radius = number(`${place}.radius`, object(place, value)['radius'], 0, FARTHEST);
+  return { objects, triangles, geometry: null, parts: [], radius, map: null };
 }
 
 function group(place: string, value: unknown): GroupEntry {

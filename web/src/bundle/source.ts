@@ -10,14 +10,15 @@ import { type Network, NETWORK, transfer } from './transfer';
 const PAUSES = [0.5, 1, 2, 4] as const;
 /** Files that are fetched at the same time. */
 const AT_ONCE = 6;
+/** The document by which a page begins. */
+const DOCUMENT = 'manifest.json';
 /** Greatest size of a manifest, bytes: a thousand regions take a fifth of it. */
-const MOST_MANIFEST = 64 * 2 ** 20;
+export const MOST_MANIFEST = 64 * 2 ** 20;
 
 /** Is told how many bytes came; of a broken transfer, which begins anew, how many of them count no longer (below 0). */
 export type Received = (bytes: number) => void;
 
-export interface Source {
-  readonly manifest: Manifest;
+export interface Files {
   /**
    * The content of a file, as long as the manifest says. One request serves all who ask for a file at the same time;
    * each gets bytes of its own. Files come in the order in which they are asked for, some at the same time.
@@ -27,6 +28,53 @@ export interface Source {
   readonly distrust: (name: string) => void;
 }
 
+export interface Source extends Files {
+  readonly manifest: Manifest;
+}
+
+/** The document by which a page begins, from below a base URL. */
+export async function readDocument(
+  base: URL,
+  received: Received,
+  signal: AbortSignal,
+  network: Network = NETWORK,
+): Promise<string> {
+  const limits = { name: DOCUMENT, bytes: null, most: MOST_MANIFEST };
+  const content = await withTrials(DOCUMENT, signal, network, (again) =>
+    transfer(new URL(DOCUMENT, base), limits, received, signal, again, network),
+  );
+  return new TextDecoder().decode(content);
+}
+
+/** Files below a base URL, of known sizes; `received` is told of the bytes of all. */
+export function createFiles(
+  base: URL,
+  sizeOf: (name: string) => number | undefined,
+  received: Received,
+  network: Network = NETWORK,
+): Files {
+  const distrusted = new Set<string>();
+  const slots = createSlots(AT_ONCE);
+  const shared = createShared((name: string, own, told) => {
+    const bytes = sizeOf(name);
+    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
+    const both: Received = (more) => {
+      received(more);
+      told(more);
+    };
+    return slots(own, () =>
+      withTrials(name, own, network, (again) => {
+        const isRenewed = distrusted.delete(name) || again;
+        return transfer(new URL(name, base), { name, bytes, most: bytes }, both, own, isRenewed, network);
+      }),
+    );
+  });
+  return {
+    fetch: (name, own, told = () => undefined) => shared(name, own, told),
+    distrust: (name) => distrusted.add(name),
+  };
+}
+
 /** Open a bundle whose manifest lies below a base URL; `received` is told of the bytes of all files. */
 export async function openSource(
   base: URL,
@@ -34,34 +82,11 @@ export async function openSource(
   signal: AbortSignal,
   network: Network = NETWORK,
 ): Promise<Source> {
-  const distrusted = new Set<string>();
-  /** `bytes` is the size of the file, where it is known, and `most` the greatest that it may have. */
-  const load = (name: string, bytes: number | null, most: number, own: AbortSignal, told: Received) => {
-    const limits = { name, bytes, most };
-    return withTrials(name, own, network, (again) => {
-      const isRenewed = distrusted.delete(name) || again;
-      return transfer(new URL(name, base), limits, told, own, isRenewed, network);
-    });
-  };
-  const text = await load('manifest.json', null, MOST_MANIFEST, signal, received);
-  const manifest = parseManifest(new TextDecoder().decode(text));
-  const slots = createSlots(AT_ONCE);
-  const shared = createShared((name: string, own, told) => {
-    const bytes = manifest.files[name]?.bytes;
-    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
-    return slots(own, () => load(name, bytes, bytes, own, (more) => {
-      received(more);
-      told(more);
-    }));
-  });
-  return {
-    manifest,
-    fetch: (name, own, told = () => undefined) => shared(name, own, told),
-    distrust: (name) => distrusted.add(name),
-  };
+  const manifest = parseManifest(await readDocument(base, received, signal, network));
+  return { manifest, ...createFiles(base, (name) => manifest.files[name]?.bytes, received, network) };
 }
 
-async function withTrials<T>(
+export async function withTrials<T>(
   name: string,
   signal: AbortSignal,
   network: Network,

@@ -1,14 +1,19 @@
 /** The regions that are open: what is loaded of each, and what it would show. */
+import type { Coming } from '../bundle/coming';
 import { bytesOf, filesOfRegion } from '../bundle/contents';
+import type { RingEntry } from '../bundle/manifest';
 import type { Kept } from '../decode/messages';
 import type { Grown } from './growth';
 import type { Regions } from './journey';
-import { loadRegion, type Loading } from './loader';
+import type { Loading } from './job';
+import { loadRegion } from './loader';
 import { createRegion, type Region } from './region';
 import { createStage, type Manner, type Shown, type Stage } from './stage';
 import { tell } from './told';
+import type { World } from './world';
 
 export interface AtlasSettings {
+  readonly world: World;
   readonly loading: Loading;
   readonly manner: Manner;
   /** Loading a region has failed. */
@@ -21,14 +26,26 @@ export interface Open {
   readonly region: Region;
   readonly stage: Stage;
   readonly stop: AbortController;
+  /** Names of its files that are known of. */
+  readonly needed: () => ReadonlySet<string>;
   /** Last ring that is there; −1 before ring 0. */
   arrived: number;
   /** Its picture now, or the last one. */
   shown: Shown | null;
-  /** Bytes of its files that are here, and of all of them. */
+  /** Bytes of its files that are here, and of all that are known of. */
   received: number;
   readonly expected: number;
   state: 'loading' | 'complete' | 'failed';
+  /** Its next ring cannot be fetched yet, so that others may go on. */
+  isIdle: boolean;
+}
+
+/** A region that was asked for, and of which nothing is known yet. */
+interface Pending {
+  readonly stop: AbortController;
+  /** The state that it is to begin with; null where it is not to be shown. */
+  from: Grown | null;
+  hasFailed: boolean;
 }
 
 export interface Holding {
@@ -49,17 +66,18 @@ export interface Atlas extends Regions {
   dispose(): void;
 }
 
-export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
-  const { manifest, renderer, store } = loading;
-  const nearShare = manifest.morph.near_share;
+export function createAtlas({ world, loading, manner, failed }: AtlasSettings): Atlas {
+  const { renderer, store } = loading;
+  const { nearShare } = world;
   const opens = new Map<number, Open>();
+  const pendings = new Map<number, Pending>();
   let order: readonly number[] = [];
   let waiting: { region: number; done: () => void }[] = [];
   let kept: readonly Kept[] = [];
 
   /** Let the first region that is not complete go on. */
   function call(): void {
-    const next = order.find((region) => opens.get(region)?.state === 'loading');
+    const next = order.find((region) => isLoading(opens.get(region)));
     const called = waiting.filter(({ region }) => region === next);
     waiting = waiting.filter(({ region }) => region !== next);
     for (const { done } of called) done();
@@ -73,13 +91,43 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
     });
   }
 
-  function begin(number: number): void {
-    const entry = manifest.regions[number];
-    if (!entry) throw new Error(`there is no region ${number}`);
+  /** A ring of a region, when it can be fetched and it is the region's turn. */
+  async function ready(open: Open, coming: Coming, ring: number, signal: AbortSignal): Promise<RingEntry> {
+    const entry = coming.ring(ring);
+    if (entry instanceof Promise) {
+      open.isIdle = true;
+      call();
+      await entry;
+      open.isIdle = false;
+    }
+    await turn(open.number, signal);
+    return entry;
+  }
+
+  function ask(number: number): void {
+    const pending: Pending = { stop: new AbortController(), from: null, hasFailed: false };
+    const { signal } = pending.stop;
+    pendings.set(number, pending);
+    world.open(number, signal).then(
+      (coming) => {
+        if (signal.aborted) return;
+        pendings.delete(number);
+        begin(number, coming, pending.stop);
+        if (pending.from) found(number).stage.enter(pending.from);
+      },
+      (reason: unknown) => {
+        if (signal.aborted) return;
+        pending.hasFailed = true;
+        failed(number, asError(reason));
+      },
+    );
+  }
+
+  function begin(number: number, coming: Coming, stop: AbortController): void {
+    const { entry, manifest } = coming;
     const radii = entry.rings.slice(1).map((ring) => ring.radius);
     const stage = createStage({ ...manifest.growth, radii, nearShare }, manner);
     const region = createRegion(renderer, entry, manifest.map.face_size, store, loading.shared);
-    const stop = new AbortController();
     const open: Open = {
       number,
       region,
@@ -88,8 +136,12 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       arrived: -1,
       shown: null,
       received: 0,
-      expected: bytesOf(manifest, filesOfRegion(manifest, entry)),
+      get expected() {
+        return bytesOf(manifest, filesOfRegion(manifest, entry));
+      },
       state: 'loading',
+      isIdle: false,
+      needed: () => filesOfRegion(manifest, entry),
     };
     opens.set(number, open);
     const ended = (state: Open['state']): void => {
@@ -97,6 +149,7 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       call();
     };
     loadRegion(loading, {
+      manifest,
       region,
       number,
       arrived(ring) {
@@ -107,7 +160,7 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       received: (bytes) => {
         open.received += bytes;
       },
-      turn: (signal) => turn(number, signal),
+      turn: (ring, signal) => ready(open, coming, ring, signal),
       mayReplace: (ring) => stage.replaceable(ring),
       signal: stop.signal,
     }).then(
@@ -115,7 +168,7 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       (reason: unknown) => {
         if (stop.signal.aborted) return;
         ended('failed');
-        failed(number, reason instanceof Error ? reason : new Error(String(reason)));
+        failed(number, asError(reason));
       },
     );
   }
@@ -125,7 +178,7 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
     open.stop.abort();
     open.region.dispose();
     waiting = waiting.filter(({ region }) => region !== open.number);
-    const needed = [...opens.values()].flatMap(({ region }) => [...filesOfRegion(manifest, region.entry)]);
+    const needed = [...opens.values()].flatMap((other) => [...other.needed()]);
     const request = { kind: 'forget', buffers: store.keep(new Set(needed)), region: open.number } as const;
     Promise.all([loading.geometry(request), loading.maps(request)]).then(
       (answers) => {
@@ -134,6 +187,12 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       // A worker that stopped is told of by what waits for it.
       () => undefined,
     );
+  }
+
+  function again(number: number, from: Grown | null): void {
+    ask(number);
+    const pending = pendings.get(number);
+    if (pending) pending.from = from;
   }
 
   function found(region: number): Open {
@@ -145,9 +204,11 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
   return {
     find: (region) => opens.get(region) ?? null,
     open(region) {
-      if (!opens.has(region)) begin(region);
+      if (!opens.has(region) && !pendings.has(region)) ask(region);
     },
     close(region) {
+      pendings.get(region)?.stop.abort();
+      pendings.delete(region);
       const open = opens.get(region);
       if (open) end(open);
     },
@@ -157,7 +218,13 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
     },
     offer: (region, from) => opens.get(region)?.stage.offer(from) ?? null,
     isComplete: (region) => opens.get(region)?.state === 'complete',
+    isCoarse: (region) => opens.get(region)?.region.entry.isCoarse ?? false,
     enter(region, from) {
+      const pending = pendings.get(region);
+      if (pending) {
+        pending.from = from;
+        return;
+      }
       const open = found(region);
       open.stage.enter(from);
       open.shown = null;
@@ -169,7 +236,9 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
     },
     grown: (region): Grown | null => opens.get(region)?.shown?.grown ?? null,
     advance(region, seconds, least) {
-      const open = found(region);
+      const open = opens.get(region);
+      // Nothing is known of it yet.
+      if (!open) return null;
       const before = lastOf(open.shown);
       open.shown = open.stage.advance(seconds, least);
       const ring = lastOf(open.shown);
@@ -180,18 +249,32 @@ export function createAtlas({ loading, manner, failed }: AtlasSettings): Atlas {
       for (const open of [...opens.values()].filter(({ state }) => state === 'failed')) {
         const { grown } = open.shown ?? {};
         end(open);
-        begin(open.number);
-        if (grown) found(open.number).stage.enter(grown);
+        again(open.number, grown ?? null);
+      }
+      for (const [number, { hasFailed, from }] of pendings) {
+        if (hasFailed) again(number, from);
       }
     },
     get holding() {
-      const isLoading = [...opens.values()].some(({ state }) => state === 'loading');
-      return { regions: [...opens.keys()], isLoading, kept };
+      const isWaiting = [...pendings.values()].some(({ hasFailed }) => !hasFailed);
+      const areLoading = [...opens.values()].some(({ state }) => state === 'loading');
+      return { regions: [...opens.keys(), ...pendings.keys()], isLoading: isWaiting || areLoading, kept };
     },
     dispose() {
+      for (const { stop } of pendings.values()) stop.abort();
+      pendings.clear();
       for (const open of [...opens.values()]) end(open);
     },
   };
+}
+
+/** Whether a region has something to do. */
+function isLoading(open: Open | undefined): boolean {
+  return open?.state === 'loading' && !open.isIdle;
+}
+
+function asError(reason: unknown): Error {
+  return reason instanceof Error ? reason : new Error(String(reason));
 }
 
 /** The last ring in a picture; −1 for none. */

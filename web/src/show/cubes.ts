@@ -1,5 +1,6 @@
 /** A cube map on the GPU: colour, and from ring 1 on the codes of range. Tiles of it can be replaced. */
 import { CubeTexture, type WebGLRenderer } from 'three';
+import type { MapLayout, RangeScale } from '../bundle/manifest';
 import type { MapUpdate } from '../decode/messages';
 import { type Step, STEP_BYTES } from './uploads';
 
@@ -10,21 +11,28 @@ export interface Cube {
   holds: number | null;
   /** Whether it has codes. */
   hasRange: boolean;
+  /** Texels along a face, and the scale of its codes. */
+  readonly size: number;
+  readonly scale: RangeScale;
   dispose(): void;
 }
 
 export const FACES = 6;
+/** Of a map without codes. */
+const NO_SCALE: RangeScale = { least: 1, step: 1 };
 
-export function createCube(renderer: WebGLRenderer, faceSize: number): Cube {
+export function createCube(renderer: WebGLRenderer, size: number, scale: RangeScale = NO_SCALE): Cube {
   const gl = renderer.getContext() as WebGL2RenderingContext;
-  const color = wrapped(renderer, allocated(gl, faceSize, gl.SRGB8_ALPHA8, gl.LINEAR));
-  const codes = wrapped(renderer, allocated(gl, faceSize, gl.R16UI, gl.NEAREST));
+  const color = wrapped(renderer, allocated(gl, size, gl.SRGB8_ALPHA8, gl.LINEAR));
+  const codes = wrapped(renderer, allocated(gl, size, gl.R16UI, gl.NEAREST));
   renderer.resetState();
   return {
     color,
     codes,
     holds: null,
     hasRange: false,
+    size,
+    scale,
     dispose() {
       for (const texture of [color, codes]) {
         gl.deleteTexture(handleOf(renderer, texture));
@@ -65,7 +73,7 @@ export function* cubeSteps(
   cube: Cube,
   update: MapUpdate,
   ring: number,
-  layout: { readonly face_size: number; readonly tile: number },
+  layout: MapLayout,
 ): Generator<Step> {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const { face_size: size, tile } = layout;

@@ -3,16 +3,12 @@
  * from another one by a cross-fade, and only where neither picture folds; until then the user stays where the picture
  * that is shown does not fold.
  */
-import type { RegionEntry } from '../bundle/manifest';
 import { type Bounds, distance, FREE, type Limit, within } from '../control/limit';
 import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
 import { type Grown, NOTHING_NEAR } from './growth';
+import { apartOf, type Places } from './places';
 
-/** A region is loaded ahead when the border is nearer than this part of the way from the centre to it, or metres. */
-const [AHEAD_SHARE, AHEAD_METRES, AHEAD_MOST] = [0.5, 4, 0.9] as const;
-/** A region that is loaded ahead is kept until the border is farther than that by this part of the way. */
-const KEPT_SHARE = 0.25;
 /** How much nearer another centre must be before it takes over: a part of their distance, metres at most. */
 const [GAP_SHARE, GAP_MOST] = [0.1, 2] as const;
 /** Part of a region's limit that must be left before it takes over by being nearer, so that it is not left at once. */
@@ -35,6 +31,8 @@ export interface Regions {
   offer(region: number, from: Grown): Grown | null;
   /** All rings are there. */
   isComplete(region: number): boolean;
+  /** Its maps are coarse, and finer ones are to come. */
+  isCoarse(region: number): boolean;
   /** Show it from now on, as much like a state of another region as it can. */
   enter(region: number, from: Grown): void;
   /** Show it no more. */
@@ -44,7 +42,7 @@ export interface Regions {
 }
 
 export interface JourneySettings {
-  readonly regions: readonly Pick<RegionEntry, 'center' | 'fold_margin'>[];
+  readonly places: Places;
   /** Of a radius of the morph: how far from the centre its picture does not fold. */
   readonly marginShare: number;
   /** Seconds of a cross-fade. */
@@ -76,34 +74,19 @@ export interface Journey {
   readonly least: number;
 }
 
-/** The region whose centre is nearest to a place, of equally near ones the first; null if there is no other than `but`. */
-export function nearestOf(regions: readonly Pick<RegionEntry, 'center'>[], place: Vector, but = -1): number | null {
-  let best: number | null = null;
-  let least = Number.POSITIVE_INFINITY;
-  regions.forEach(({ center }, region) => {
-    const apart = apartOf(center, place);
-    if (region === but || apart >= least) return;
-    [best, least] = [region, apart];
-  });
-  return best;
-}
-
-function apartOf(a: Vector, b: Vector): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 export function createJourney(settings: JourneySettings, regions: Regions, first: number): Journey {
   let current = first;
   let ahead: number | null = null;
   let leaving: { region: number; pose: Pose | null; since: number } | null = null;
   let going: { region: number; target: Pose } | null = null;
   let user: Pose | null = null;
+  let opened: readonly number[] = [first];
 
-  const entry = (region: number) => settings.regions[region] as JourneySettings['regions'][number];
+  const { places } = settings;
 
   /** Where a state of a region does not fold: anywhere within its margin while nothing is near yet. */
   function limitOf(region: number, grown: Grown | null): Limit {
-    const { center, fold_margin } = entry(region);
+    const { center, fold_margin } = places.of(region);
     return { center, metres: grown && grown.strength > 0 ? settings.marginShare * grown.radius : fold_margin };
   }
 
@@ -111,26 +94,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     return limit.metres - distance(place, limit);
   }
 
-  const far = (region: number, place: Vector): number => apartOf(entry(region).center, place);
-
-  /** Metres from the current region to another one, and from the user to the border between them; below 0 beyond it. */
-  function borderTo(other: number, place: Vector): { apart: number; border: number } {
-    const apart = Math.max(far(other, entry(current).center), 1e-6);
-    return { apart, border: (far(other, place) ** 2 - far(current, place) ** 2) / (2 * apart) };
-  }
-
-  /** The region that is loaded ahead: the nearest other one; the one before, while it is about as near. */
-  function chooseAhead(place: Vector): number | null {
-    const other = nearestOf(settings.regions, place, current);
-    if (other === null) return null;
-    const { apart, border } = borderTo(other, place);
-    const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MOST * apart) / 2, AHEAD_METRES));
-    if (ahead !== null && ahead !== current) {
-      const isAsNear = far(ahead, place) < far(other, place) + KEPT_SHARE * apart;
-      if (isAsNear && borderTo(ahead, place).border < lead + (KEPT_SHARE * apart) / 2) return ahead;
-    }
-    return border < lead ? other : null;
-  }
+  const far = (region: number, place: Vector): number => apartOf(places.of(region).center, place);
 
   /** The state that the region ahead would show now; null if it cannot take over. */
   function offered(region: number): Grown | null {
@@ -145,10 +109,11 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   function mayCross(next: number, place: Vector): boolean {
     const [from, offer] = [regions.grown(current), offered(next)];
     if (!from || !offer) return false;
-    const gap = Math.min(GAP_SHARE * borderTo(next, place).apart, GAP_MOST);
+    const gap = Math.min(GAP_SHARE * far(next, places.of(current).center), GAP_MOST);
     const [here, there] = [limitOf(current, from), limitOf(next, offer)];
     const isNearer = far(next, place) + gap <= far(current, place);
-    const isAlike = from.strength === 0 || offer.radius >= from.radius || regions.isComplete(next);
+    const isAsLarge = offer.radius >= from.radius && !regions.isCoarse(next);
+    const isAlike = from.strength === 0 || isAsLarge || regions.isComplete(next);
     if (isNearer && isAlike && room(there, place) >= ROOM_SHARE * there.metres) return true;
     // At its edge the picture is given up for one that is less like it.
     const isAtEdge = room(here, place) < (1 - FREE) * here.metres;
@@ -192,15 +157,16 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const goal = going?.region ?? null;
     // While two are shown, there is no third.
     if (leaving) ahead = leaving.region === current ? null : leaving.region;
-    else ahead = goal === null ? chooseAhead(place) : null;
+    else ahead = goal === null ? places.ahead({ place, current, ahead, limit: limitOf(current, regions.grown(current)) }) : null;
     const other = leaving ? ahead : (goal ?? ahead);
     const wanted = [...new Set([current, other ?? current])];
     const isAwaited = goal !== null && !leaving;
     if (other !== null && (isAwaited || far(other, place) < far(current, place))) wanted.reverse();
-    for (let region = 0; region < settings.regions.length; region++) {
+    for (const region of opened) {
       if (!wanted.includes(region)) regions.close(region);
     }
     for (const region of wanted) regions.open(region);
+    opened = wanted;
     regions.prefer(wanted);
   }
 
@@ -227,7 +193,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
       return { region: current, leaving: leaving && { region: leaving.region, pose: leaving.pose, share } };
     },
     go(target) {
-      const region = nearestOf(settings.regions, target.position) ?? current;
+      const region = places.nearest(target.position);
       const here = limitOf(current, regions.grown(current));
       // Near the centre the region that is there serves at once; a nearer one takes over later.
       const isHere = room(here, target.position) >= HERE_SHARE * here.metres;
@@ -250,7 +216,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
       return going?.region ?? null;
     },
     get least() {
-      const { center, fold_margin } = entry(current);
+      const { center, fold_margin } = places.of(current);
       const away = user ? distance(user.position, { center, metres: fold_margin }) : 0;
       return (ROUNDED * Math.min(away + SLACK, fold_margin)) / settings.marginShare;
     },

@@ -3,7 +3,7 @@ import { type Camera, Mesh, type Object3D, Scene, type WebGLRenderer } from 'thr
 import type { Point } from '../bundle/manifest';
 import type { Cube } from './cubes';
 import { farMaterial, type Shared } from './materials';
-import { cubeOf, meshesOf, type Region } from './region';
+import { cubeOf, hasMap, meshesOf, type Region } from './region';
 import { covering } from './veil';
 
 /** The state that a picture shows. */
@@ -31,7 +31,6 @@ export function createPainter(
   renderer: WebGLRenderer,
   shared: Shared,
   nearShare: number,
-  faceSize: number,
   blank: () => Cube,
   place: (center: Point) => void,
 ): Painter {
@@ -46,15 +45,15 @@ export function createPainter(
     draw(picture, camera, opacity, withMap = true) {
       const { region, ring, radius, strength } = picture;
       place(region.entry.center);
-      const cube = region.entry.rings[ring]?.map ? cubeOf(region, ring) : blank();
+      const cube = hasMap(region, ring) ? cubeOf(region, ring) : blank();
       const inner = nearShare * radius;
       // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 at any distance.
       const slope = radius > 0 ? 1 / (radius - inner) : 1;
       shared.radii.value.set(inner, radius, slope, strength ?? -1);
       shared.map.value = cube.color;
       shared.codes.value = cube.codes;
-      const { least, step } = region.entry.range;
-      shared.coding.value.set(least, step, faceSize, cube.hasRange ? 1 : 0);
+      const { least, step } = cube.scale;
+      shared.coding.value.set(least, step, cube.size, cube.hasRange ? 1 : 0);
       shared.opacity.value = opacity;
       near.children = region.groups.slice(0, ring + 1) as Object3D[];
       renderer.clearDepth();

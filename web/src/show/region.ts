@@ -20,7 +20,7 @@ export interface Region {
   /** Triangles of each group that is whole. */
   readonly triangles: Triangles[];
   /** Two cubes in turn: the one of the ring that is shown, and the one that is being made. */
-  readonly cubes: readonly [Cube, Cube];
+  readonly cubes: [Cube, Cube];
   dispose(): void;
 }
 
@@ -33,7 +33,8 @@ export function createRegion(
 ): Region {
   const groups = entry.rings.map(() => Object.assign(new Group(), { visible: false }));
   const materials = createMaterials(shared);
-  const cubes = [createCube(renderer, faceSize), createCube(renderer, faceSize)] as const;
+  const make = (): Cube => createCube(renderer, faceSize, entry.range);
+  const cubes: Region['cubes'] = [make(), make()];
   return {
     entry,
     groups,
@@ -56,6 +57,17 @@ export function cubeOf(region: Region, ring: number): Cube {
   const found = region.cubes.find((cube) => cube.holds === ring);
   if (!found) throw new Error(`the map of ring ${ring} is not there`);
   return found;
+}
+
+/** Whether there is a map with a ring. */
+export function hasMap({ entry }: Region, ring: number): boolean {
+  const { map, sharper } = entry.rings[ring] ?? {};
+  return Boolean(map ?? sharper);
+}
+
+/** The number of the cube in which a ring's map is made. */
+export function turnOf(ring: number): 0 | 1 {
+  return ring % 2 === 0 ? 0 : 1;
 }
 
 export function meshesOf(group: Group): PieceMesh[] {

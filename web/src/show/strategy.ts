@@ -7,18 +7,20 @@ import type { Manner } from './stage';
 export interface Strategy extends Manner {
   /** The bundle as it is loaded. */
   readonly arrange: (manifest: Manifest) => Manifest;
+  /** It loads the rings of the bundle, as servers make them on demand. */
+  readonly isByRings: boolean;
 }
 
 const asItIs = (manifest: Manifest): Manifest => manifest;
 
 const STRATEGIES: Readonly<Record<string, Strategy>> = {
-  clovr: { isSmooth: true, isWhole: false, arrange: asItIs },
+  clovr: { isSmooth: true, isWhole: false, arrange: asItIs, isByRings: true },
   // Rings at once instead of smoothly.
-  clovrd: { isSmooth: false, isWhole: false, arrange: asItIs },
+  clovrd: { isSmooth: false, isWhole: false, arrange: asItIs, isByRings: true },
   // Nothing until all that the centre sees is there.
-  vis0: { isSmooth: false, isWhole: true, arrange: byFootprint },
+  vis0: { isSmooth: false, isWhole: true, arrange: byFootprint, isByRings: false },
   // Objects as they come, the largest footprints first.
-  vis1: { isSmooth: false, isWhole: false, arrange: byFootprint },
+  vis1: { isSmooth: false, isWhole: false, arrange: byFootprint, isByRings: false },
 };
 
 /** The strategy of a name, as addresses have it; clovr if there is none. */

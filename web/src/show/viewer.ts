@@ -1,7 +1,7 @@
 /** The picture on the screen, one frame after the other. */
 import { type Group, type PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { BundleError } from '../bundle/error';
-import type { Manifest } from '../bundle/manifest';
+import type { RegionEntry } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
@@ -12,7 +12,7 @@ import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
 import { createFlight } from './flight';
 import { createJourney, type Journey, type Leg } from './journey';
-import type { Fetch, Loading } from './loader';
+import type { Fetch, Loading } from './job';
 import { watchLoss } from './loss';
 import { createShared } from './materials';
 import { pick } from './pick';
@@ -24,6 +24,7 @@ import { createStore } from './store';
 import { createUploads, type Uploads } from './uploads';
 import { createVeil } from './veil';
 import { createViewpoint } from './viewpoint';
+import type { World } from './world';
 import type { Floor } from '../xr/floor';
 import type { MapLayer } from '../xr/layer';
 import { resolveOnce } from '../xr/samples';
@@ -31,7 +32,7 @@ import { resolveOnce } from '../xr/samples';
 /** Milliseconds of a frame that uploads and answers of workers may take: docs/view.md. */
 export const UPLOAD_BUDGET = 3;
 export interface Settings extends Manner {
-  readonly manifest: Manifest;
+  readonly world: World;
   readonly fetch: Fetch;
   readonly worker: URL;
   /** Vertical field of view, degrees. */
@@ -82,6 +83,8 @@ export interface Viewer {
 /** The panel's facts of the picture. */
 export interface Facts extends Holding {
   readonly region: number;
+  /** Its entry; null while nothing is known of it. */
+  readonly entry: RegionEntry | null;
   /** Region of the place that the user is about to go to; null for none. */
   readonly goal: number | null;
   readonly shown: Shown | null;
@@ -101,9 +104,7 @@ export interface Facts extends Holding {
 }
 
 export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Viewer {
-  const { manifest } = settings;
-  const faceSize = manifest.map.face_size;
-  const nearShare = manifest.morph.near_share;
+  const { faceSize, fade, marginShare, nearShare, places } = settings.world;
   const renderer = createRenderer(canvas, settings.antialias);
   const viewpoint = createViewpoint(settings.angle);
   const { camera, rig, setPose, stand } = viewpoint;
@@ -118,13 +119,12 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const uploads = createUploads(() => performance.now(), flight);
   const start = (): Worked => startDecoder(settings.worker, uploads.spend);
   const workers: Worked[] = [start(), start()];
-  const painter = createPainter(renderer, shared, nearShare, faceSize, () => blank, viewpoint.place);
+  const painter = createPainter(renderer, shared, nearShare, () => blank, viewpoint.place);
   painter.prepare(camera);
   const programs = createPrograms(renderer, camera, shared, uploads);
   const warming = new Scene();
   const store = createStore();
   const loading: Loading = {
-    manifest,
     renderer,
     shared,
     store,
@@ -143,6 +143,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     },
   };
   const atlas = createAtlas({
+    world: settings.world,
     loading,
     manner: settings,
     failed(region, reason) {
@@ -189,8 +190,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       user = pose;
       settings.moved(pose);
     };
-    const { regions, growth } = manifest;
-    journey = createJourney({ regions, marginShare: marginShare(manifest), fade: growth.fade, moved }, atlas, number);
+    journey = createJourney({ places, marginShare, fade, moved }, atlas, number);
   }
 
   function fit(): void {
@@ -270,6 +270,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       const ring = open?.shown?.fading?.ring ?? open?.shown?.ring ?? 0;
       return {
         region,
+        entry: open?.region.entry ?? null,
         goal: journey?.goal ?? null,
         leaving: leg?.leaving?.region ?? null,
         shown: open?.shown ?? null,
@@ -309,11 +310,4 @@ function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRen
   // Asking waits for the GPU; `programs` asks when that takes no time.
   renderer.debug.checkShaderErrors = false;
   return renderer;
-}
-
-/** The fold margin as a share of the morph's radius: of the cylinder it is its near part, at any radius. */
-function marginShare({ morph, regions }: Manifest): number {
-  const [first] = regions;
-  if (!first || !Number.isFinite(first.cut)) return morph.near_share;
-  return Math.max(first.fold_margin / first.cut, Number.EPSILON);
 }

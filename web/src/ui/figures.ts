@@ -14,7 +14,7 @@ export function linesOf(status: Status): Readonly<Record<string, string>> {
     Triangles: `${count(triangles)} of ${count(sceneTriangles)}`,
     'Split into': drawn > triangles ? count(drawn) : UNUSED,
     Frame: `${milliseconds(frame)}, at most ${milliseconds(longest)}`,
-    Region: `${status.region + 1} of ${status.regions}`,
+    ...placeOf(status),
     'From centre': `${metres(status.away)} of ${metres(status.foldMargin)}`,
   };
 }
@@ -22,12 +22,35 @@ export function linesOf(status: Status): Readonly<Record<string, string>> {
 const UNUSED = '–';
 
 /** Every ring is shown and every byte is here. */
-export function isComplete({ ring, rings, received, expected }: Status): boolean {
-  return ring >= rings && received >= expected;
+export function isComplete({ ring, rings, received, expected, isSharp }: Status): boolean {
+  return ring >= rings && received >= expected && isSharp;
+}
+
+/** How far the server is with the place, in a few words; null where nothing is made. */
+export function madeOf({ making, isSharp }: Status): string | null {
+  if (!making) return null;
+  const { stage } = making;
+  if (stage === 'waiting') return making.before > 0 ? `waiting, ${making.before} before` : 'being made';
+  if (stage === 'busy') return `server busy, again in ${making.seconds} s`;
+  if (stage === 'asked') return 'asked for';
+  return isSharp ? 'refined' : 'coarse';
+}
+
+/** Whether other places come before the one that is wanted, or the server is busy. */
+export function isHeld({ making }: Status): boolean {
+  return making?.stage === 'busy' || (making?.stage === 'waiting' && making.before > 0);
+}
+
+function placeOf(status: Status): Readonly<Record<string, string>> {
+  const made = madeOf(status);
+  if (made !== null) return { Place: made };
+  return { Region: `${status.region + 1} of ${status.regions ?? 1}` };
 }
 
 /** In a few words, for where there is little room. */
 export function shortly(status: Status): string {
+  const made = madeOf(status);
+  if (status.rings === 0 && made !== null) return `place: ${made}`;
   return `${percent(status.received, status.expected)} loaded, ring ${status.ring} of ${status.rings}`;
 }
 

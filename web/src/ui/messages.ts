@@ -20,6 +20,14 @@ export interface Message {
 
 /** Failures after which there is nothing to show. */
 export const FATAL = {
+  scene: {
+    title: 'The server cannot load the scene',
+    text: 'Tell whoever runs the server what stands below. The page shows the scene as soon as the server has it.',
+  },
+  place: {
+    title: 'The server cannot show this place',
+    text: 'Remove the place from the address of this page, or tell whoever sent you here what stands below.',
+  },
   webgl: {
     title: 'This browser cannot draw the scene',
     text:

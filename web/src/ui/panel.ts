@@ -2,7 +2,7 @@
 import type { Mode } from '../control/controls';
 import { icon, make, write } from './dom';
 import { MIDDLE } from './divider';
-import { createFigures, isComplete, shortly } from './figures';
+import { createFigures, isComplete, isHeld, madeOf, shortly } from './figures';
 import { createHelp } from './help';
 import { ICONS } from './icons';
 import { showProblems } from './messages';
@@ -38,6 +38,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
   let isDivided = false;
   let wasRing = -1;
   let wasComplete = false;
+  let wasMade: string | null = null;
   let problems = '';
   let noteEnds = 0;
 
@@ -179,6 +180,10 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     if (complete && !wasComplete) speak('All rings are shown');
     else if (status.ring !== wasRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
     [wasRing, wasComplete] = [status.ring, complete];
+    const made = madeOf(status);
+    // People wait for others, or for the server.
+    if (made !== null && made !== wasMade && isHeld(status)) announce(`The place is not there yet: ${made}`);
+    wasMade = made;
     const texts = status.problems.join('\n');
     if (texts !== problems) showProblems(status.problems, () => run('retry'));
     problems = texts;
@@ -196,7 +201,8 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     update(status) {
       tell(status);
       figures.update(status);
-      const share = status.expected > 0 ? Math.min(status.received / status.expected, 1) : 1;
+      const none = status.making ? 0 : 1;
+      const share = status.expected > 0 ? Math.min(status.received / status.expected, 1) : none;
       line.hidden = wasComplete;
       line.dataset['stuck'] = String(problems !== '');
       line.style.setProperty('--share', share.toFixed(4));

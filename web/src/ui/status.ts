@@ -1,8 +1,14 @@
+import type { Making } from '../demand/place';
+
 /** The panel's content; the viewer makes one a few times a second. */
 export interface Status {
   /** Last ring that is shown, and the number of rings; ring 0 is the map alone. */
   readonly ring: number;
   readonly rings: number;
+  /** The maps that are shown are not to be followed by finer ones. */
+  readonly isSharp: boolean;
+  /** How far the server is with the place that is shown, or that the user is about to go to; null where nothing is made. */
+  readonly making: Making | null;
   /** Radius of the morph, metres. */
   readonly radius: number;
   /** Bytes that have arrived, and all that this region needs. */
@@ -17,9 +23,9 @@ export interface Status {
   readonly triangles: number;
   readonly drawn: number;
   readonly sceneTriangles: number;
-  /** Region in which the user is, and the number of regions. */
+  /** Region in which the user is, and the number of regions; null where there are places everywhere. */
   readonly region: number;
-  readonly regions: number;
+  readonly regions: number | null;
   /** Metres from the centre, and metres at which the picture folds. */
   readonly away: number;
   readonly foldMargin: number;

@@ -2,9 +2,9 @@
 import WORKER from 'worker-text';
 import { createControls } from '../control/controls';
 import type { Pose } from '../control/pose';
-import { nearestOf } from '../show/journey';
 import { strategyOf } from '../show/strategy';
 import { createViewer, type Viewer } from '../show/viewer';
+import { worldOf } from '../show/world';
 import { type KernelSource, openKernel } from './kernel';
 import { createMirror } from './mirror';
 import type { Model } from './model';
@@ -79,12 +79,12 @@ function createView(model: Model, el: HTMLElement): View {
 function show(model: Model, view: View, source: KernelSource, failed: (reason: Error) => void): () => void {
   const { canvas, host } = view;
   const { arrange, isSmooth, isWhole } = strategyOf(String(model.get('strategy')));
-  const manifest = arrange(source.manifest);
+  const world = worldOf(arrange(source.manifest));
   const script = URL.createObjectURL(new Blob([WORKER], { type: 'text/javascript' }));
   const asked = (): Pose => Object.fromEntries(POSE.map((name) => [name, model.get(name)])) as unknown as Pose;
   const controls = createControls(canvas, { start: asked(), keys: canvas });
   const viewer = createViewer(canvas, {
-    manifest,
+    world,
     fetch: source.fetch,
     worker: new URL(script),
     angle: Number(model.get('angle')),
@@ -99,14 +99,14 @@ function show(model: Model, view: View, source: KernelSource, failed: (reason: E
   const mirror = createMirror(model);
   mirror.hear(POSE, () => {
     const target = asked();
-    if ((nearestOf(manifest.regions, target.position) ?? 0) === viewer.facts.region) controls.setPose(target);
+    if (world.places.nearest(target.position) === viewer.facts.region) controls.setPose(target);
     else viewer.go(target);
   });
   mirror.hear(['angle'], () => {
     viewer.camera.fov = Number(model.get('angle'));
     viewer.camera.updateProjectionMatrix();
   });
-  viewer.open(nearestOf(manifest.regions, asked().position) ?? 0);
+  viewer.open(world.places.nearest(asked().position));
   let isSeen = true;
   // Of all notebooks that are open only what is on the screen is drawn.
   const watch = new IntersectionObserver((entries) => {
@@ -120,9 +120,9 @@ function show(model: Model, view: View, source: KernelSource, failed: (reason: E
     if (!isSeen) return;
     const pose = controls.update(seconds);
     viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
-    const { bounds, shown, region, goal, arrived } = viewer.facts;
+    const { bounds, shown, region, entry, goal, arrived } = viewer.facts;
     controls.setBounds(bounds);
-    const rings = (manifest.regions[region]?.rings.length ?? 1) - 1;
+    const rings = (entry?.rings.length ?? 1) - 1;
     if (arrived >= 0) view.say(arrived < rings ? `Ring ${arrived} of ${rings}` : '');
     const { radius, strength } = shown?.grown ?? { radius: 0, strength: 0 };
     const state = { region, ring: shown?.ring ?? -1, radius, strength };

@@ -1,0 +1,155 @@
+/** The region of a place that a server makes on demand, from the lines by which it tells of the parts. */
+import { choice, type Fields, integer, object, text } from '../bundle/checks';
+import { type Coming, thereOf } from '../bundle/coming';
+import { BundleError } from '../bundle/error';
+import type { Described, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
+import { outlinedRing, readFiles, readManifest, ring as readRing, tilesOf } from '../bundle/parse';
+import { upTo } from '../bundle/up_to';
+import { type Awaited, createAwaited } from './awaited';
+
+/** How far the server is with a place. */
+export type Making =
+  /** Nothing is known; coarse maps come; all is there. */
+  | { readonly stage: 'asked' | 'coarse' | 'full' }
+  /** So many places are made before this one. */
+  | { readonly stage: 'waiting'; readonly before: number }
+  /** The server is busy, and is asked again after some seconds. */
+  | { readonly stage: 'busy'; readonly seconds: number };
+
+export interface Listener {
+  /** These files can be fetched from now on. */
+  readonly listed: (files: Readonly<Record<string, Described>>) => void;
+  readonly making: (making: Making) => void;
+}
+
+type Lines = AsyncIterator<unknown>;
+
+const EVENTS = ['waiting', 'begin', 'ring', 'end', 'whole', 'failed'] as const;
+const [COARSE, FULL] = [0, 1] as const;
+const NOTHING = { objects: 0, triangles: 0, geometry: null, parts: [], map: null } as const;
+
+interface Line {
+  readonly event: (typeof EVENTS)[number];
+  readonly told: Fields;
+}
+
+/**
+ * Read the lines of a place; resolves when its centre and its rings are known, and goes on reading then. `last` is the
+ * last ring that is wanted, as text; null for all.
+ */
+export async function readPlace(lines: Lines, last: string | null, listener: Listener): Promise<Coming> {
+  const { event, told } = await nextLine(lines, listener);
+  if (event === 'whole') {
+    const manifest = upTo(last, readManifest(told['manifest']));
+    listener.listed(manifest.files);
+    listener.making({ stage: 'full' });
+    return thereOf(manifest, 0);
+  }
+  if (event !== 'begin') throw unexpected(event);
+  const outline = upTo(last, readManifest(told['manifest'], outlinedRing));
+  const place = createPlace(outline, listener);
+  listener.making({ stage: 'coarse' });
+  readOn(lines, place, listener).catch(place.fail);
+  return place.coming;
+}
+
+async function readOn(lines: Lines, place: Place, listener: Listener): Promise<void> {
+  for (;;) {
+    const { event, told } = await nextLine(lines, listener);
+    if (event === 'begin') place.beginFull(readManifest(told['manifest'], outlinedRing));
+    else if (event === 'ring') place.add(told);
+    else if (event === 'end') {
+      place.end();
+      listener.making({ stage: 'full' });
+      return;
+    } else throw unexpected(event);
+  }
+}
+
+async function nextLine(lines: Lines, listener: Listener): Promise<Line> {
+  for (;;) {
+    const { done, value } = await lines.next();
+    if (done) throw new BundleError('the server broke off before the place was there', 'network');
+    const told = object('parts', value);
+    const event = choice('parts.event', told['event'], EVENTS);
+    if (event === 'failed') throw new BundleError(text('parts.reason', told['reason']), 'place');
+    if (event !== 'waiting') return { event, told };
+    listener.making({ stage: 'waiting', before: integer('parts.before', told['before'], 0) });
+  }
+}
+
+interface Place {
+  readonly coming: Coming;
+  /** Maps of full size begin. */
+  beginFull(outline: Manifest): void;
+  /** A ring of either stage is there. */
+  add(told: Fields): void;
+  end(): void;
+  fail(reason: unknown): void;
+}
+
+function createPlace(outline: Manifest, listener: Listener): Place {
+  const [entry] = outline.regions;
+  if (!entry) throw new Error('a manifest has regions');
+  const files: Record<string, Described> = {};
+  const count = entry.rings.length;
+  // The last ring once more, with maps of full size.
+  const rings: RingEntry[] = [...entry.rings, { ...NOTHING, radius: entry.rings.at(-1)?.radius ?? 0 }];
+  const region = { ...entry, rings, isCoarse: true };
+  const coming: Manifest = { ...outline, files, regions: [region] };
+  const awaited: readonly Awaited<RingEntry>[] = rings.map(() => createAwaited<RingEntry>());
+  const maps: MapEntry[] = [];
+  let full: Manifest | null = null;
+
+  function list(more: Readonly<Record<string, Described>>): void {
+    Object.assign(files, more);
+    listener.listed(more);
+  }
+
+  function put(number: number, ring: RingEntry): void {
+    rings[number] = ring;
+    awaited[number]?.done(ring);
+  }
+
+  list(outline.files);
+  return {
+    coming: {
+      manifest: coming,
+      entry: region,
+      ring(number) {
+        const ring = awaited[number];
+        if (!ring) throw new Error(`the place has no ring ${number}`);
+        return ring.now ?? ring.promise;
+      },
+    },
+    beginFull(manifest) {
+      full = manifest;
+      list(manifest.files);
+    },
+    add(told) {
+      const stage = integer('parts.stage', told['stage'], COARSE, FULL);
+      const number = integer('parts.ring', told['ring'], 0);
+      const layout = stage === COARSE ? outline.map : full?.map;
+      if (!layout || (stage === FULL && number !== maps.length && number < count)) throw unexpected('ring');
+      // Rings beyond the last that is wanted.
+      if (number >= count) return;
+      const ring = readRing(`ring ${number}`, told['entry'], number, tilesOf(layout));
+      list(readFiles(object('parts.files', told['files'])));
+      if (stage === COARSE) put(number, ring);
+      else if (ring.map) maps.push(ring.map);
+    },
+    end() {
+      const [scaled] = full?.regions ?? [];
+      if (!full || !scaled || maps.length !== count) throw unexpected('end');
+      const sharper = { layout: full.map, range: scaled.range, maps };
+      put(count, { ...NOTHING, radius: rings[count]?.radius ?? 0, sharper });
+    },
+    fail(reason) {
+      for (const ring of awaited) ring.failed(reason);
+    },
+  };
+}
+
+function unexpected(event: string): BundleError {
+  return new BundleError(`parts: expected another event, got ${event}`);
+}

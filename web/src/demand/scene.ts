@@ -1,0 +1,73 @@
+/** The documents by which a page on a scene begins: a manifest, and one on the scene, which may still be loaded. */
+import { fileName, integer, list, number, object, optional, text } from '../bundle/checks';
+import { BundleError } from '../bundle/error';
+import type { Point } from '../bundle/manifest';
+import { parseJson, point } from '../bundle/parse';
+import type { Network } from '../bundle/transfer';
+import { ask } from './ask';
+
+const [FORMAT, SCENE, VERSION] = ['nearfar.on_demand', 'nearfar.scene', 1] as const;
+
+/** The manifest of a site whose regions are made on demand. */
+export interface Site {
+  readonly title: string;
+  /** Spacing of the grid of places, metres. */
+  readonly grid: number;
+  /** Name of the document on the scene. */
+  readonly scene: string;
+}
+
+export interface SceneFacts {
+  readonly triangles: number;
+  readonly bounds: readonly [Point, Point];
+  /** Where the page begins, if its address names no place. */
+  readonly start: { readonly position: Point; readonly yaw: number };
+  readonly faceSize: number;
+  readonly nearShare: number;
+  readonly fade: number;
+  /** Nothing moves. */
+  readonly isStatic: boolean;
+}
+
+/** Whether a document is the manifest of such a site; others are those of bundles. */
+export function isSite(document: unknown): boolean {
+  return typeof document === 'object' && document !== null && (document as { format?: unknown }).format === FORMAT;
+}
+
+export function readSite(document: unknown): Site {
+  const all = object('manifest', document);
+  checkVersion(all['version']);
+  return {
+    title: text('title', all['title']),
+    grid: number('grid', all['grid'], 1e-3, 1e6),
+    scene: fileName('scene', all['scene']),
+  };
+}
+
+/** The document on a scene, which comes when the server has loaded it. */
+export async function readScene(base: URL, { scene }: Site, signal: AbortSignal, network: Network): Promise<SceneFacts> {
+  const answer = await ask(new URL(scene, base), 'scene', () => undefined, signal, network);
+  const all = object('scene', parseJson('scene', await answer.text()));
+  if (all['format'] !== SCENE) throw new BundleError(`${scene}: expected the format ${SCENE}, got another one`);
+  checkVersion(all['version']);
+  const failed = optional('failed', all['failed'], text);
+  if (failed !== null) throw new BundleError(failed, 'scene');
+  const [start, growth] = [object('start', all['start']), object('growth', all['growth'])];
+  return {
+    triangles: integer('triangles', all['triangles'], 0),
+    bounds: list('bounds', all['bounds'], point, 2) as [Point, Point],
+    start: { position: point('start.position', start['position']), yaw: number('start.yaw', start['yaw'], -7, 7) },
+    faceSize: integer('face_size', all['face_size'], 1, 4096),
+    nearShare: number('near_share', all['near_share'], 0, 1 - 1e-9),
+    fade: number('growth.fade', growth['fade'], 0),
+    isStatic: all['is_static'] === true,
+  };
+}
+
+function checkVersion(value: unknown): void {
+  const version = integer('version', value, 1);
+  if (version > VERSION) {
+    const versions = `it has version ${version}, this page reads ${VERSION}`;
+    throw new BundleError(`this server runs a newer nearfar (${versions}): reload the page`, 'newer');
+  }
+}

@@ -1,0 +1,91 @@
+/** Opens what the address of the page names: a bundle, or a scene whose regions a server makes on demand. */
+import { BundleError } from './bundle/error';
+import type { Point } from './bundle/manifest';
+import { parseJson, readManifest } from './bundle/parse';
+import { createFiles, type Files, readDocument, type Received } from './bundle/source';
+import { NETWORK } from './bundle/transfer';
+import { upTo } from './bundle/up_to';
+import type { Pose } from './control/pose';
+import { type Making } from './demand/place';
+import { isSite, readScene, readSite } from './demand/scene';
+import { createDemandWorld } from './demand/world';
+import type { Strategy } from './show/strategy';
+import { type World, worldOf } from './show/world';
+
+export interface Opened {
+  readonly world: World;
+  readonly files: Files;
+  /** Triangles of the whole scene. */
+  readonly triangles: number;
+  readonly isStatic: boolean;
+  /** Where the page begins, if its address names no place. */
+  readonly start: Pose;
+  /** Centres of all regions; null where there are places everywhere. */
+  readonly centers: readonly Point[] | null;
+  /** How far the server is with a region; null where nothing is made. */
+  makingOf(region: number): Making | null;
+}
+
+/** `waits` is told when the server still loads the scene. */
+export async function openAddress(
+  base: URL,
+  query: URLSearchParams,
+  strategy: Strategy,
+  received: Received,
+  waits: () => void,
+): Promise<Opened> {
+  const { signal } = new AbortController();
+  const document = parseJson('manifest.json', await readDocument(base, received, signal));
+  return isSite(document)
+    ? openScene(base, document, query.get('rings'), strategy, received, waits)
+    : openBundle(base, document, query.get('rings'), strategy, received);
+}
+
+function openBundle(
+  base: URL,
+  document: unknown,
+  last: string | null,
+  strategy: Strategy,
+  received: Received,
+): Opened {
+  const whole = readManifest(document);
+  const manifest = upTo(last, strategy.arrange(whole));
+  const { dynamic, regions, triangles } = manifest;
+  const [first] = regions;
+  if (!first) throw new BundleError('manifest.json: expected a region, got none');
+  return {
+    world: worldOf(manifest),
+    files: createFiles(base, (name) => whole.files[name]?.bytes, received),
+    triangles,
+    isStatic: dynamic === null,
+    start: { position: first.center, yaw: 0, pitch: 0 },
+    centers: regions.map(({ center }) => center),
+    makingOf: () => null,
+  };
+}
+
+async function openScene(
+  base: URL,
+  document: unknown,
+  last: string | null,
+  { isByRings }: Strategy,
+  received: Received,
+  waits: () => void,
+): Promise<Opened> {
+  if (!isByRings) {
+    throw new BundleError('strategy: expected clovr or clovrd with a scene whose regions are made on demand', 'address');
+  }
+  const site = readSite(document);
+  waits();
+  const scene = await readScene(base, site, new AbortController().signal, NETWORK);
+  const world = createDemandWorld({ base, site, scene, last, received, network: NETWORK });
+  return {
+    world,
+    files: world.files,
+    triangles: scene.triangles,
+    isStatic: scene.isStatic,
+    start: { ...scene.start, pitch: 0 },
+    centers: null,
+    makingOf: world.makingOf,
+  };
+}

@@ -1,0 +1,277 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { BundleError } from '../src/bundle/error';
+import type { Described } from '../src/bundle/manifest';
+import type { Network } from '../src/bundle/transfer';
+import { ask } from '../src/demand/ask';
+import { createGrid } from '../src/demand/grid';
+import { linesOf } from '../src/demand/lines';
+import { type Making, readPlace } from '../src/demand/place';
+import { isSite, readScene, readSite } from '../src/demand/scene';
+import { FACES, FILE, manifest } from './support/manifest';
+
+const OTHER = 'files/fedcba9876543210.webp';
+const BASE = new URL('http://example.test/site/');
+const described = { bytes: 3, sha256: 'a'.repeat(64) };
+
+/** Lines that come when they are sent. */
+function createChannel() {
+  const waiting: ((line: IteratorResult<unknown>) => void)[] = [];
+  const sent: IteratorResult<unknown>[] = [];
+  const give = (line: IteratorResult<unknown>): void => {
+    const next = waiting.shift();
+    if (next) next(line);
+    else sent.push(line);
+  };
+  const lines: AsyncIterator<unknown> = {
+    next: () => {
+      const line = sent.shift();
+      return line ? Promise.resolve(line) : new Promise((done) => waiting.push(done));
+    },
+  };
+  return {
+    lines,
+    send: (...more: unknown[]) => more.forEach((value) => give({ done: false, value })),
+    end: () => give({ done: true, value: undefined }),
+  };
+}
+
+function createListener() {
+  const makings: Making[] = [];
+  const files: Record<string, Described> = {};
+  return {
+    makings,
+    files,
+    listener: {
+      listed: (more: Readonly<Record<string, Described>>) => void Object.assign(files, more),
+      making: (making: Making) => void makings.push(making),
+    },
+  };
+}
+
+/** The manifest with which a stage begins, whose maps have so many texels. */
+function outline(face: number): Record<string, unknown> {
+  const whole = manifest() as { regions: Record<string, unknown>[]; files: unknown };
+  const rings = (whole.regions[0]?.['rings'] as object[]).map((ring) => ({ ...ring, geometry: null, parts: [], map: null }));
+  const map = { face_size: face, tile: 64, across: 16 };
+  return { ...whole, map, regions: [{ ...whole.regions[0], range: { least: face, step: 0.001 }, rings }], files: {} };
+}
+
+const begin = (stage: number) => ({ event: 'begin', stage, manifest: outline(64 * (stage + 1)), files: {} });
+
+function ring(stage: number, number: number, file = FILE): unknown {
+  const entry = ((manifest() as any).regions[0].rings as any[])[number];
+  return { event: 'ring', stage, ring: number, entry: JSON.parse(JSON.stringify(entry).replaceAll(FILE, file)), files: { [file]: described } };
+}
+
+const settled = (): Promise<void> => new Promise((done) => setTimeout(done, 1));
+
+test('rings can be fetched as they come, and maps of full size take the place of coarse ones', async () => {
+  const { lines, send, end } = createChannel();
+  const { files, listener, makings } = createListener();
+  send({ event: 'waiting', before: 2 }, begin(0));
+  const coming = await readPlace(lines, null, listener);
+  assert.deepEqual(makings, [{ stage: 'waiting', before: 2 }, { stage: 'coarse' }]);
+  assert.deepEqual(coming.entry.rings.map(({ radius }) => radius), [0, 10, 22, 22]);
+  assert.ok(coming.entry.isCoarse);
+  const first = coming.ring(0);
+  assert.ok(first instanceof Promise);
+  assert.deepEqual(files, {});
+  send(ring(0, 0));
+  assert.deepEqual((await first).map?.color, FACES);
+  assert.deepEqual(Object.keys(files), [FILE]);
+  // From now on at once.
+  assert.deepEqual(coming.ring(0), coming.entry.rings[0]);
+  assert.equal(coming.manifest.map.face_size, 64);
+  const last = coming.ring(3);
+  send(ring(0, 1), ring(0, 2), begin(1), ring(1, 0, OTHER), ring(1, 1, OTHER), ring(1, 2));
+  await settled();
+  assert.equal(coming.entry.rings[3]?.sharper, undefined);
+  send({ event: 'end', stage: 1 });
+  const { sharper, map, geometry } = await last;
+  assert.deepEqual([map, geometry], [null, null]);
+  assert.deepEqual([sharper?.layout.face_size, sharper?.range.least, sharper?.maps.length], [128, 128, 3]);
+  assert.equal(makings.at(-1)?.stage, 'full');
+  end();
+});
+
+test('a place that was made before comes whole', async () => {
+  const { lines, send } = createChannel();
+  const { files, listener, makings } = createListener();
+  send({ event: 'whole', manifest: manifest() });
+  const coming = await readPlace(lines, null, listener);
+  assert.equal(coming.entry.isCoarse, undefined);
+  assert.equal(coming.ring(2), coming.entry.rings[2]);
+  assert.deepEqual(makings, [{ stage: 'full' }]);
+  assert.deepEqual(Object.keys(files), [FILE]);
+});
+
+test('rings beyond the last that is wanted are left out', async () => {
+  const { lines, send } = createChannel();
+  send(begin(0), ring(0, 0), ring(0, 1), ring(0, 2), begin(1), ring(1, 0), ring(1, 1), ring(1, 2), { event: 'end' });
+  const coming = await readPlace(lines, '1', createListener().listener);
+  assert.equal(coming.entry.rings.length, 3);
+  assert.equal((await coming.ring(2)).sharper?.maps.length, 2);
+});
+
+test('a reason, an end and damage are told to who waits', async () => {
+  const cases: [lines: unknown[], kind: string, message: RegExp][] = [
+    [[{ event: 'failed', reason: 'center: expected one with objects around it' }], 'place', /^center: expected one/],
+    [[], 'network', /broke off/],
+    [[{ event: 'other' }], 'damaged', /parts\.event: expected waiting or begin/],
+    [['text'], 'damaged', /parts: expected an object/],
+    [[{ event: 'end', stage: 1 }], 'damaged', /expected another event, got end/],
+    [[{ event: 'begin', manifest: null }], 'damaged', /manifest: expected an object/],
+  ];
+  for (const [lines, kind, message] of cases) {
+    const early = createChannel();
+    early.send(...lines);
+    early.end();
+    await assert.rejects(readPlace(early.lines, null, createListener().listener), (error: BundleError) => {
+      assert.match(error.message, message);
+      return error.kind === kind;
+    });
+  }
+  const later: [lines: unknown[], message: RegExp][] = [
+    [[{ event: 'failed', reason: 'the disk is gone' }], /the disk is gone$/],
+    [[], /broke off/],
+    [[ring(1, 0)], /got ring/],
+    [[begin(1), ring(1, 1)], /got ring/],
+    [[{ event: 'end' }], /got end/],
+    [[begin(1), ring(1, 0), { event: 'end' }], /got end/],
+    [[{ ...(ring(0, 0) as object), files: { '../secret': described } }], /files/],
+    [[{ ...(ring(0, 0) as object), entry: { radius: 0 } }], /ring 0\.objects/],
+  ];
+  for (const [lines, message] of later) {
+    const { lines: read, send, end } = createChannel();
+    send(begin(0));
+    const coming = await readPlace(read, null, createListener().listener);
+    send(...lines);
+    end();
+    await assert.rejects(Promise.resolve(coming.ring(3)), message);
+  }
+});
+
+test('lines are yielded when they are whole, however they are cut', async () => {
+  const bytes = new TextEncoder().encode('{"a":"ä"}\n[1]\n2');
+  for (const size of [1, 3, 100]) {
+    const pieces = Array.from({ length: Math.ceil(bytes.length / size) }, (_, n) => bytes.slice(n * size, (n + 1) * size));
+    const body = new ReadableStream({
+      start(control) {
+        for (const piece of pieces) control.enqueue(piece);
+        control.close();
+      },
+    });
+    const found = [];
+    for await (const line of linesOf('parts', new Response(body), 100)) found.push(line);
+    assert.deepEqual(found, [{ a: 'ä' }, [1], 2]);
+  }
+  await assert.rejects(async () => {
+    for await (const line of linesOf('parts', new Response('x'.repeat(101)), 100)) assert.fail(String(line));
+  }, /expected lines of at most 100/);
+  await assert.rejects(async () => {
+    for await (const line of linesOf('parts', new Response('{"a":\n'), 100)) assert.fail(String(line));
+  }, /parts: expected JSON/);
+});
+
+/** A network that answers in turn, and counts seconds. */
+function createNetwork(...answers: (Response | Error)[]) {
+  const waits: number[] = [];
+  const network: Network = {
+    fetch: async () => {
+      const answer = answers.shift();
+      if (answer instanceof Response) return answer;
+      throw answer ?? new Error('nobody listens');
+    },
+    wait: async (seconds) => void waits.push(seconds),
+  };
+  return { network, waits };
+}
+
+test('a busy server is asked again when it says, one that is not reached a few times', async () => {
+  const { signal } = new AbortController();
+  const later = (status: number, seconds?: string) =>
+    new Response('', { status, headers: seconds === undefined ? {} : { 'retry-after': seconds } });
+  const busy: number[] = [];
+  const first = createNetwork(later(429, '3'), later(503), later(503, 'Tomorrow'), later(503, '9999'), new Error('lost'), new Response('yes'));
+  const answer = await ask(BASE, 'place', (seconds) => void busy.push(seconds), signal, first.network);
+  assert.equal(await answer.text(), 'yes');
+  assert.deepEqual(busy, [3, 2, 2, 60]);
+  assert.deepEqual(first.waits, [3, 2, 2, 60, 0.5]);
+  const second = createNetwork();
+  await assert.rejects(ask(BASE, 'place', () => undefined, signal, second.network), /cannot be reached: nobody listens/);
+  assert.deepEqual(second.waits, [0.5, 1, 2, 4]);
+  const third = createNetwork(new Response('400 Bad Request: expected three numbers\n', { status: 400 }));
+  await assert.rejects(ask(BASE, 'place', () => undefined, signal, third.network), (error: BundleError) => {
+    return error.kind === 'place' && error.message === 'expected three numbers';
+  });
+});
+
+test('a place on the grid has one number, and its margin when it is known', () => {
+  const grid = createGrid(2);
+  const first = grid.nearest([0.9, 1.7, -0.9]);
+  assert.deepEqual(grid.of(first).center.join(), '0,1.75,0');
+  assert.equal(grid.nearest([-0.6, 1.76, 0.3]), first);
+  assert.notEqual(grid.nearest([1.1, 1.7, 0]), first);
+  grid.know(first, { center: [0, 1.75, 0], fold_margin: 44 });
+  assert.equal(grid.of(first).fold_margin, 44);
+});
+
+test('the next place is asked for where the user is when half of the limit is left, and kept while it serves', () => {
+  const grid = createGrid(2);
+  const current = grid.nearest([0, 1.75, 0]);
+  const at = (z: number, ahead: number | null, metres = 44) => {
+    return grid.ahead({ place: [0, 1.75, z], current, ahead, limit: { center: [0, 1.75, 0], metres } });
+  };
+  assert.equal(at(21, null), null);
+  const next = at(23, null) as number;
+  assert.deepEqual(grid.of(next).center, [0, 1.75, 24]);
+  // Going on, and back a little.
+  assert.equal(at(30, next), next);
+  assert.equal(at(19, next), next);
+  assert.equal(at(17, next), null);
+  // Aside of it another one serves better.
+  const aside = grid.ahead({ place: [18, 1.75, 18], current, ahead: next, limit: { center: [0, 1.75, 0], metres: 44 } });
+  assert.deepEqual(grid.of(aside as number).center, [18, 1.75, 18]);
+  // The limit grew with the picture that is shown.
+  assert.deepEqual(grid.of(at(5.2, null, 7) as number).center, [0, 1.75, 6]);
+  assert.equal(at(5, null), null);
+  assert.equal(at(0.5, null, 0.6), null);
+});
+
+const SITE = { format: 'nearfar.on_demand', version: 1, title: 'a city', grid: 2, scene: 'files/0123456789abcdef.json' };
+const SCENE = {
+  format: 'nearfar.scene',
+  version: 1,
+  triangles: 12,
+  bounds: [[0, 0, 0], [1, 1, 1]],
+  start: { position: [0, 1.7, 0], yaw: 1 },
+  face_size: 1024,
+  near_share: 0.7,
+  growth: { speed: 0.7, reach: 1, fade: 0.5 },
+  is_static: true,
+};
+
+test('the documents of a scene are read, and damage is named', async () => {
+  const { signal } = new AbortController();
+  assert.ok(isSite(SITE));
+  assert.ok(![manifest(), null, 3, []].some(isSite));
+  const site = readSite(SITE);
+  const read = (document: unknown) => {
+    return readScene(BASE, site, signal, createNetwork(new Response(JSON.stringify(document))).network);
+  };
+  assert.deepEqual((await read(SCENE)).start, { position: [0, 1.7, 0], yaw: 1 });
+  const wrong: [change: object, message: RegExp][] = [
+    [{ format: 'nearfar.bundle' }, /expected the format nearfar\.scene/],
+    [{ version: 2 }, /newer nearfar/],
+    [{ start: { position: [0, 1], yaw: 0 } }, /start\.position/],
+    [{ growth: null }, /growth/],
+    [{ face_size: 1e6 }, /face_size/],
+    [{ near_share: 1 }, /near_share/],
+    [{ failed: 'scene.glb: the scene cannot be loaded' }, /scene\.glb: the scene cannot be loaded$/],
+  ];
+  for (const [change, message] of wrong) await assert.rejects(read({ ...SCENE, ...change }), message);
+  for (const change of [{ version: 2 }, { grid: 0 }, { scene: '../x.json' }, { title: 3 }]) {
+    assert.throws(() => readSite({ ...SITE, ...change }), BundleError);
+  }
+});
