@@ -41,8 +41,7 @@ async function main(): Promise<void> {
   const base = new URL(query.get('bundle') ?? '.', location.href);
   const strategy = strategyOf(query.get('strategy'));
   const wait = createWait(root);
-  const opened = await openAddress(base, query, strategy, meter.receive, wait.begin);
-  wait.end();
+  const opened = await openAddress(base, query, strategy, meter.receive, wait.begin).finally(wait.end);
   meter.restart();
   const { centers, files, world } = opened;
   let headset: Headset | null = null;

@@ -33,7 +33,7 @@ export function madeOf({ making, isSharp }: Status): string | null {
   if (stage === 'waiting') return making.before > 0 ? `waiting, ${making.before} before` : 'being made';
   if (stage === 'busy') return `server busy, again in ${making.seconds} s`;
   if (stage === 'asked') return 'asked for';
-  return isSharp ? 'refined' : 'coarse';
+  return isSharp ? 'refined' : 'coarse, being refined';
 }
 
 /** Whether other places come before the one that is wanted, or the server is busy. */
