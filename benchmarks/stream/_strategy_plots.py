@@ -47,26 +47,31 @@ def quality(path: Path, places: dict[str, Lines]) -> None:
     _save(figure, path)
 
 
-def times(path: Path, places: dict[str, Lines]) -> None:
-    """Fig. 6: seconds until the picture is complete and until all is there. Fig. 7: seconds until each radius."""
-    figure, (left, right) = _pyplot().subplots(1, 2, figsize=(11, 3.8), layout="constrained")
+def times(path: Path, places: dict[str, Lines], others: dict[str, dict[str, list[float]]]) -> None:
+    """Fig. 6: seconds until the picture is complete and until all is there. Fig. 7: seconds until each radius.
+
+    `others` has those of vis0 and vis1 by place.
+    """
+    figure, grid = _pyplot().subplots(1, 1 + len(places), figsize=(3.6 + 2.7 * len(places), 3.8), layout="constrained")
+    left = grid[0]
     width = 0.8 / len(COLORS)
     for number, name in enumerate(COLORS):
         at = np.arange(len(places)) + (number - 1.5) * width
         chosen = [lines[name] for lines in places.values()]
         left.bar(at, [line.total for line in chosen], width, color=COLORS[name], alpha=0.45)
         left.bar(at, [line.picture for line in chosen], width, color=COLORS[name], label=name)
-    left.set_xticks(range(len(places)), [place.replace(", ", ",\n") for place in places], fontsize="small")
-    left.set(ylabel="seconds: complete picture, and all (pale)")
-    left.legend(fontsize="small")
-    for number, (place, lines) in enumerate(places.items()):
-        for name, style in (("clovrd", "-"), ("clovr", "--")):
-            line = lines[name]
-            right.plot(line.radii, line.ring_times[1:], style, color=f"C{number}", marker=".",
-                       label=f"{place}, {name}")  # fmt: skip
-        right.plot(lines["vis0"].radii[-1:], [lines["vis0"].total], "x", color=f"C{number}")
-    right.set(xlabel="R in metres", ylabel="seconds until ring R is there; × vis0")
-    right.legend(fontsize="x-small")
+    left.set_xticks(range(len(places)), [place.replace(", ", ",\n") for place in places], fontsize="x-small")
+    left.set(ylabel="seconds: complete picture, and all (pale)", xlabel=" ", ylim=(0.0, 1.25 * left.get_ylim()[1]))
+    left.legend(fontsize="small", ncols=4, loc="upper center", columnspacing=0.8, handlelength=1.0)
+    for axes, (place, lines) in zip(grid[1:], places.items(), strict=True):
+        for name in COLORS:
+            seconds = others[place].get(name, lines[name].ring_times[1:])
+            # vis1 lies on vis0: both end with the same files.
+            axes.plot(lines["clovrd"].radii, seconds, "--" if name == "vis1" else "-", color=COLORS[name], marker=".",
+                      label=name)  # fmt: skip
+        axes.set(title=place, xlabel="R in metres", ylim=(0.0, None))
+    grid[1].set(ylabel="seconds until all within R is there")
+    grid[1].legend(fontsize="small")
     _save(figure, path)
 
 

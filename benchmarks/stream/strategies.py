@@ -1,6 +1,6 @@
 """The four strategies of CloVR (2024) simulated: times, what users see, and tests of the differences.
 
-python -m benchmarks.stream.strategies [--quick] [--place NUMBER] [--part NAME] [--plots out/bench]
+python -m benchmarks.stream.strategies [--quick] [--place NUMBER] [--part NAME] [--gzip] [--plots out/bench]
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ import argparse
 import math
 import tempfile
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -51,42 +52,65 @@ def exported(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
 def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -> Case:
     """A place's bundle; without instances also without compression."""
     scene = place.make(instanced=instanced)
-    bundle = nf.stream.export(
-        scene,
-        folder,
-        center=place.center,
-        radii=PUBLISHED,
-        face_size=128 if quick else 1024,
-        by_footprint=True,
-        compression="meshopt" if instanced else None,
-    )
+    bundle = written(scene, place, folder, PUBLISHED, quick, compression="meshopt" if instanced else None)
     name = place.name if instanced else f"{place.name}, copies, plain"
     return Case(replace(place, name=name), scene, bundle)
 
 
-def lines_of(case: Case, link: nf.stream.Link) -> plots.Lines:
+def written(
+    scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, **settings: str | None
+) -> nf.stream.Bundle:
+    """A bundle with some radii."""
+    return nf.stream.export(
+        scene,
+        folder,
+        center=place.center,
+        radii=radii,
+        face_size=128 if quick else 1024,
+        by_footprint=True,
+        **settings,  # type: ignore[arg-type]
+    )
+
+
+def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
     """All strategies over a link."""
     return {
         name: nf.stream.simulate(
-            case.bundle, link=link, strategy=name, frame_ms=0.0, triangles_per_second=TRIANGLES_PER_SECOND
+            case.bundle, link=link, strategy=name, gzip=gzip, frame_ms=0.0, triangles_per_second=TRIANGLES_PER_SECOND
         )
         for name in STRATEGIES
     }
 
 
-def print_times(cases: list[Case], link: nf.stream.Link) -> None:
+def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[str, list[float]]:
+    """Seconds of vis0 and vis1 until all is there, by the last radius: each has a bundle of its own."""
+    found: dict[str, list[float]] = {"vis0": [], "vis1": []}
+    for count in range(1, len(PUBLISHED) + 1):
+        with tempfile.TemporaryDirectory() as folder:
+            bundle = written(case.scene, case.place, Path(folder) / "bundle", PUBLISHED[:count], quick)
+            for name, times in found.items():
+                times.append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
+    return found
+
+
+def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
     """Times of all strategies at all places."""
     rows = []
     for case in cases:
         start = time.perf_counter()
-        lines = lines_of(case, link)
+        lines = lines_of(case, link, gzip)
         took = time.perf_counter() - start
         for name, line in lines.items():
             sent, ends = f"{line.received[-1, 1] / 1e6:.2f}", (line.picture, line.first_ring, line.total, line.grown)
             rows.append([case.place.name, name, sent, *(f"{end:.2f}" for end in ends)])
         rows[-1].append(f"{took:.2f}")
     header = ["place", "strategy", "MB", "picture, s", "near geometry", "all", "grown", "real s of the four"]
-    print(table(f"{MBPS:g} Mb/s, {link.rtt_ms:g} ms, loss {link.loss:g}", header, [[*row, ""][:8] for row in rows]))
+    packed = ", compressed" if gzip else ""
+    print(
+        table(
+            f"{MBPS:g} Mb/s, {link.rtt_ms:g} ms, loss {link.loss:g}{packed}", header, [[*row, ""][:8] for row in rows]
+        )
+    )
 
 
 def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, every: float) -> dict[str, plots.Lines]:
@@ -143,9 +167,10 @@ def main() -> None:
     parse.add_argument("--quick", action="store_true", help="smaller scenes and pictures")
     parse.add_argument("--place", type=int, choices=range(4), help="one of the four places")
     parse.add_argument("--part", choices=PARTS, help="one part of the tables")
+    parse.add_argument("--gzip", action="store_true", help="from a server that compresses, as nearfar's does")
     parse.add_argument("--plots", type=Path, help="folder for plots")
     arguments = parse.parse_args()
-    quick, plots_to = arguments.quick, arguments.plots
+    quick, plots_to, gzip = arguments.quick, arguments.plots, arguments.gzip
     parts = PARTS if arguments.part is None else (arguments.part,)
     print(machine())
     link = nf.stream.Link(MBPS, rtt_ms=RTT)
@@ -153,14 +178,15 @@ def main() -> None:
         plots_to.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         cases = exported(quick, arguments.place, Path(folder))
-        lines = {case.place.name: lines_of(case, link) for case in cases}
+        lines = {case.place.name: lines_of(case, link, gzip) for case in cases}
         if "times" in parts:
             for other in (nf.stream.Link(MBPS), link, nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):
-                print_times(cases, other)
+                print_times(cases, other, gzip)
             if arguments.place in (None, 2):
-                print_times([export(places(quick)[2], Path(folder) / "plain", quick, instanced=False)], link)
+                print_times([export(places(quick)[2], Path(folder) / "plain", quick, instanced=False)], link, gzip)
             if plots_to:
-                plots.times(plots_to / "strategies_times.png", lines)
+                others = {case.place.name: by_radius(case, link, gzip, quick) for case in cases}
+                plots.times(plots_to / "strategies_times.png", lines, others)
                 plots.rates(plots_to / "strategies_rates.png", lines, DISPLAY)
         if "seen" in parts:
             seen = print_seen(cases, lines, 32 if quick else 96, 20.0 if quick else 10.0)

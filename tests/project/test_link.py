@@ -226,9 +226,11 @@ def test_an_unknown_congestion_control_is_refused() -> None:
 
 
 HOLDER = """
-import sys, time
+import signal, time
 import nearfar as nf
 from benchmarks.harness.link import shaped
+# Programs in the background of a shell ignore it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 with shaped(nf.stream.Link(50)) as link:
     print(link._process.pid, flush=True)
     time.sleep(600)

@@ -76,6 +76,15 @@ def lost(server: Server, reason: str) -> float:
     return 0.0
 
 
+@pytest.mark.parametrize("begin", [b"", b"\x16\x03\x01\x02\x00\x01", b"GET / HT"])
+def test_a_client_that_never_ends_its_handshake_is_let_go(server: Server, begin: bytes) -> None:
+    where = urlsplit(server.url)
+    with socket.create_connection((where.hostname, where.port), timeout=60) as plain:
+        plain.sendall(begin)
+        while plain.recv(1 << 16):
+            pass
+
+
 def test_a_client_that_asks_for_nothing_is_let_go(server: Server) -> None:
     before = lost(server, "idle")
     with line(server) as (encrypted, state):
