@@ -249,16 +249,25 @@ def test_a_place_that_cannot_be_made_leaves_the_picture(chromium: Any, city: nf.
     # Radii are chosen for each centre, and there are none where nothing is.
     settings = {**SETTINGS, "radii": None, "face_size": 64}
     scene = LoadedScene(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **settings)
+    asked: list[str] = []
     with Server({"": Site.of_scene(scene, None)}) as server, opened(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0")
         shown.wait_for_function("() => window.nearfar?.viewer.facts.shown", timeout=60e3)
         assert np.allclose(shown.evaluate("() => window.nearfar.pose.position"), START)
-        shown.evaluate("(target) => window.nearfar.viewer.go(target)", pose(90_000.0, 0.0))
+        shown.on("request", lambda request: asked.append(request.url.removeprefix(server.url)))
+        shown.evaluate("(address) => location.assign(address)", link(pose(90_000.0, 0.0)))
         wait_until(shown, lambda: shown.evaluate(MESSAGE))
         assert "center: expected one with objects around it" in shown.evaluate(MESSAGE)
         wait_until(shown, lambda: shown.evaluate("() => window.nearfar.viewer.facts.goal === null"))
         assert shown.evaluate("() => window.nearfar.viewer.facts.region") == 0
         assert shown.evaluate("() => Boolean(window.nearfar.viewer.facts.shown)")
+        # Trying again asks again, and another place makes up for it.
+        shown.keyboard.press("r")
+        wait_until(shown, lambda: asked.count("at/90000,1.75,0/parts") == 2)
+        wait_until(shown, lambda: shown.evaluate(MESSAGE))
+        shown.evaluate("(address) => location.assign(address)", link(pose(-42.0, 36.0)))
+        wait_until(shown, lambda: shown.evaluate("() => window.nearfar.pose.position[0]") == -42.0)
+        wait_until(shown, lambda: not shown.evaluate(MESSAGE))
 
 
 def test_a_busy_server_is_asked_again(chromium: Any, server: Server) -> None:

@@ -46,6 +46,12 @@ async function main(): Promise<void> {
   const { centers, files, world } = opened;
   let headset: Headset | null = null;
   let problems: readonly string[] = [];
+  /** Where the user is about to go, and where that has failed. */
+  let [wanted, missed]: (Pose | null)[] = [null, null];
+  const go = (target: Pose): void => {
+    wanted = target;
+    viewer.go(target);
+  };
   const retry = (): void => {
     // Browsers that keep the graphics to themselves give them to a page that begins anew.
     if (problems.includes(LOST)) {
@@ -56,6 +62,8 @@ async function main(): Promise<void> {
     problems = [];
     clearMessage();
     viewer.retry();
+    if (missed) go(missed);
+    missed = null;
   };
   const viewer = createViewer(canvas, {
     world,
@@ -67,6 +75,7 @@ async function main(): Promise<void> {
     isWhole: strategy.isWhole,
     failed(reason) {
       problems = [reason.message];
+      if (viewer.facts.goal === null) [wanted, missed] = [null, wanted];
       const file = damagedFile(reason);
       if (file !== null) files.distrust(file);
       // Without ring 0 there is no picture to keep.
@@ -78,6 +87,9 @@ async function main(): Promise<void> {
       if (isLost && headset?.isPresenting) void headset.toggle();
     },
     moved(pose) {
+      // Nobody misses the other place any more.
+      if (missed) problems = [];
+      wanted = missed = null;
       controls.setPose(pose);
       headset?.place(pose);
     },
@@ -90,7 +102,7 @@ async function main(): Promise<void> {
     onThumb: thumb.show,
     onGo(x, y) {
       const direction = directionTo(pose, [x, y], Math.tan((ANGLE * Math.PI) / 360), viewer.camera.aspect);
-      viewer.go({ ...pose, position: placeFor(pose.position, direction, viewer.pointAt(x, y)) });
+      go({ ...pose, position: placeFor(pose.position, direction, viewer.pointAt(x, y)) });
     },
   });
   let pose = controls.update(0);
@@ -101,7 +113,7 @@ async function main(): Promise<void> {
       return pose;
     },
   };
-  window.addEventListener('hashchange', () => viewer.go(readLink(location.hash) ?? pose));
+  window.addEventListener('hashchange', () => go(readLink(location.hash) ?? pose));
   const divider = createDivider(root, (share) => {
     viewer.setDivider(share);
     panel.reflect({ isDivided: share !== null });
@@ -109,7 +121,7 @@ async function main(): Promise<void> {
   const commands: Commands = {
     setDivider: divider.set,
     setMode: controls.setMode,
-    home: () => viewer.go(homeOf(viewer.facts.region)),
+    home: () => go(homeOf(viewer.facts.region)),
     lookAround: controls.lookAround,
     screenshot: viewer.photo,
     link: () => new URL(writeLink(pose), location.href).href,
@@ -118,7 +130,7 @@ async function main(): Promise<void> {
   if (centers && centers.length > 1) {
     commands.next = () => {
       const place = (world.places.nearest(pose.position) + 1) % centers.length;
-      viewer.go(homeOf(place));
+      go(homeOf(place));
       panel.announce(`Place ${place + 1} of ${centers.length}`);
     };
   }

@@ -301,3 +301,23 @@ test('a region that cannot be loaded is not waited for', () => {
   assert.equal(walk.journey.goal, null);
   assert.deepEqual([...walk.opened.keys()], [0]);
 });
+
+test('coarse maps do not take the place of fine ones, but at the edge', () => {
+  const walk = world([0, 16]);
+  frames(walk, 72 * 12, STILL);
+  walk.coarse.add(1);
+  frames(walk, Math.round(72 * (8 / 1.4)), EAST);
+  const loaded = walk.opened.get(1) as Loaded;
+  // All rings but for the one that makes it fine.
+  loaded.ring = RADII.length - 1;
+  [0, 1, 2].forEach((ring) => loaded.stage.arrive(ring));
+  walk.stalled.add(1);
+  while (walk.place()[0] < 11) walk.frame(EAST);
+  assert.equal(walk.journey.region, 0);
+  let entered = 0;
+  for (let n = 0; n < 72 * 12 && !entered; n++) {
+    walk.frame(EAST);
+    if (walk.journey.region > 0) [entered] = walk.place();
+  }
+  assert.ok(entered >= 0.8 * MARGIN - 0.1 && entered < MARGIN, `${entered}`);
+});
