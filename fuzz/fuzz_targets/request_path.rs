@@ -4,7 +4,8 @@
 
 use std::sync::LazyLock;
 
-use axum::http::{HeaderMap, StatusCode, Uri};
+use axum::http::header::LOCATION;
+use axum::http::{HeaderMap, HeaderValue, StatusCode, Uri};
 use libfuzzer_sys::fuzz_target;
 use nearfar_fuzz::served::Served;
 
@@ -41,7 +42,12 @@ fn check(served: &Served, target: &[u8]) {
     let path = path.and_then(decoded);
     match path.as_ref().and_then(|path| served.listed.get(path)) {
         Some(content) => assert_eq!((answer.status, &answer.body[..]), (StatusCode::OK, &content[..]), "{path:?}"),
-        None if path.is_some_and(|path| served.is_of_region(&path)) => {}
+        None if path.as_ref().is_some_and(|path| path == "metrics" || served.is_of_region(path)) => {}
+        None if path.is_some_and(|path| served.sites.contains(&path.as_str())) => {
+            let location = answer.headers.get(LOCATION).map(HeaderValue::as_bytes);
+            assert_eq!(location, Some(format!("{}/", uri.path()).as_bytes()));
+            assert!(!uri.path().starts_with("//"), "another server");
+        }
         None => assert!(answer.status.is_client_error(), "{uri}: {}", answer.status),
     }
 }

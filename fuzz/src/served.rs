@@ -37,6 +37,8 @@ pub struct Served {
     router: Arc<Router>,
     /// Documents by their path without its leading slash.
     pub listed: BTreeMap<String, Vec<u8>>,
+    /// Names of sites below the root.
+    pub sites: &'static [&'static str],
     /// Path of the site that makes regions on demand.
     pub scene: &'static str,
 }
@@ -75,7 +77,8 @@ impl Served {
         let hosts = Some([NAME.to_owned()].into());
         let router = Router::new(Answering { sites, hosts, headers: Vec::new(), origin: None });
         let runtime = tokio::runtime::Builder::new_current_thread().build().expect("a runtime");
-        Served { runtime, router: Arc::new(router), listed, scene }
+        let names: &[&str] = if is_single { &[] } else { &["memory", "disk", "scene"] };
+        Served { runtime, router: Arc::new(router), listed, sites: names, scene }
     }
 
     /// Ask, and see that no secret comes.
@@ -154,8 +157,9 @@ fn on_disk(folder: &Path) -> Listed {
 
 fn on_demand(folder: &Path) -> Demand {
     let cache = Cache::open(folder, 1 << 14).expect("an empty folder");
+    assert!(cache.is_some(), "another process uses {}", folder.display());
     let limits = Limits { memory: 1 << 14, ..Limits::default() };
-    Demand::start(Box::new(Trivial), 2.0, Some(cache), limits).expect("threads start")
+    Demand::start(Box::new(Trivial), 2.0, cache, limits).expect("threads start")
 }
 
 /// Regions of one file.

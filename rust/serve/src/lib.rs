@@ -5,9 +5,11 @@
 mod clients;
 mod connection;
 pub mod demand;
+mod file;
 mod flow;
 pub mod log;
 mod metrics;
+mod open;
 mod packed;
 mod ranges;
 mod record;

@@ -9,7 +9,7 @@ use axum::http::header;
 use axum::http::{Response, StatusCode};
 use futures_util::stream;
 
-use crate::demand::{Answer, Demand, Event, Kept, Outcome, Place, Refusal, Ticket};
+use crate::demand::{Answer, Demand, Event, Kept, Outcome, Place, Refusal, Ticket, Whole};
 use crate::respond::{self, Asked};
 use crate::site::{Content, Document};
 
@@ -45,7 +45,7 @@ pub async fn answer(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Opti
 fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<Body> {
     let lines = match demand.ask(client, place) {
         Err(refusal) => return refused(refusal),
-        Ok(Answer::Whole(kept)) => Body::from_stream(stream::once(whole(kept))),
+        Ok(Answer::Whole(region)) => whole(region).into(),
         Ok(Answer::Coming(ticket)) => Body::from_stream(stream::unfold(Some(ticket), next_lines)),
     };
     let head = Response::builder().header(header::CONTENT_TYPE, "application/x-ndjson");
@@ -53,16 +53,12 @@ fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<Body> {
 }
 
 /// The manifest of a region that is complete, as one line.
-async fn whole(kept: Kept) -> Result<Bytes, std::io::Error> {
-    let manifest = match kept {
-        Kept::InMemory(region) => region.file("manifest.json").unwrap_or_default(),
-        Kept::Content(data) => data,
-        Kept::OnDisk(path, _) => tokio::fs::read(path).await?.into(),
+fn whole(region: Whole) -> Vec<u8> {
+    let manifest = match region {
+        Whole::InMemory(region) => region.file("manifest.json").unwrap_or_default(),
+        Whole::Manifest(data) => data,
     };
-    let mut line = b"{\"event\":\"whole\",\"manifest\":".to_vec();
-    line.extend(manifest.trim_ascii_end());
-    line.extend(b"}\n");
-    Ok(line.into())
+    [b"{\"event\":\"whole\",\"manifest\":", manifest.trim_ascii_end(), b"}\n"].concat()
 }
 
 async fn next_lines(ticket: Option<Ticket>) -> Option<(Result<Bytes, Infallible>, Option<Ticket>)> {
@@ -80,18 +76,17 @@ async fn next_lines(ticket: Option<Ticket>) -> Option<(Result<Bytes, Infallible>
 
 /// A document of a complete region, which is waited for.
 async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<'_>) -> Response<Body> {
-    let kept = match demand.ask(asked.client, place) {
+    let region = match demand.ask(asked.client, place) {
         Err(refusal) => return refused(refusal),
-        Ok(Answer::Whole(kept)) => kept,
+        Ok(Answer::Whole(region)) => region,
         Ok(Answer::Coming(ticket)) => match ticket.whole().await {
-            Ok(kept) => kept,
+            Ok(region) => region,
             Err(reason) => return respond::refusal(StatusCode::UNPROCESSABLE_ENTITY, &reason),
         },
     };
-    let data = match kept {
-        Kept::InMemory(region) => region.file(name),
-        Kept::OnDisk(path, _) if name == "manifest.json" => tokio::fs::read(path).await.ok().map(Bytes::from),
-        Kept::OnDisk(..) | Kept::Content(_) => None,
+    let data = match region {
+        Whole::InMemory(region) => region.file(name),
+        Whole::Manifest(data) => (name == "manifest.json").then_some(data),
     };
     match data {
         Some(data) => respond::document(asked, &Document::changing(data, media_of(name))).await,
@@ -103,7 +98,7 @@ async fn file(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Response<B
     let content = match demand.file(name) {
         Some(Kept::Content(data)) => Content::Bytes(data),
         Some(Kept::OnDisk(path, bytes)) => Content::File(path, bytes),
-        Some(Kept::InMemory(_)) | None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
+        None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
     };
     respond::document(asked, &Document::named(name, content, media_of(name))).await
 }

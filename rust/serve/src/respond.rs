@@ -3,24 +3,20 @@
 use std::io;
 use std::net::IpAddr;
 use std::ops::Range;
-use std::path::Path;
 
 use axum::body::Body;
 use axum::http::header::{self, HeaderMap, HeaderValue};
 use axum::http::response::Builder;
 use axum::http::{Method, Response, StatusCode};
 use bytes::Bytes;
-use tokio::io::{AsyncReadExt, AsyncSeekExt};
-use tokio_util::io::ReaderStream;
 
+use crate::file;
 use crate::packed::Packed;
 use crate::ranges::{Wanted, wanted};
 use crate::site::{Content, Document};
 
 /// For documents that are named by their content.
 const FOREVER: &str = "public, max-age=31536000, immutable";
-/// Bytes that are read from a file at once.
-const PIECE: usize = 1 << 18;
 
 /// What a client asks for.
 pub struct Asked<'a> {
@@ -140,21 +136,13 @@ fn takes_gzip(asked: &HeaderMap) -> bool {
 /// Content that can be read.
 enum Opened {
     Bytes(Bytes),
-    File(tokio::fs::File),
+    File(file::Opened),
 }
 
 async fn open(content: &Content) -> io::Result<(u64, Opened)> {
     match content {
         Content::Bytes(data) => Ok((data.len() as u64, Opened::Bytes(data.clone()))),
-        Content::File(path, bytes) => {
-            let file = open_file(path).await?;
-            let found = file.metadata().await?;
-            if !found.is_file() || found.len() != *bytes {
-                let message = format!("{}: expected {bytes} bytes, got {}", path.display(), found.len());
-                return Err(io::Error::new(io::ErrorKind::InvalidData, message));
-            }
-            Ok((*bytes, Opened::File(file)))
-        }
+        Content::File(path, bytes) => Ok((*bytes, Opened::File(file::open(path, *bytes).await?))),
         Content::Elsewhere(read) => {
             let read = read.clone();
             let data = tokio::task::spawn_blocking(move || read()).await.map_err(io::Error::other)??;
@@ -163,24 +151,11 @@ async fn open(content: &Content) -> io::Result<(u64, Opened)> {
     }
 }
 
-/// Open a file; a link in its place may lead out of the bundle.
-async fn open_file(path: &Path) -> io::Result<tokio::fs::File> {
-    let mut options = tokio::fs::OpenOptions::new();
-    options.read(true);
-    #[cfg(unix)]
-    options.custom_flags(libc::O_NOFOLLOW);
-    options.open(path).await
-}
-
 impl Opened {
     async fn all(self, bytes: u64) -> io::Result<Bytes> {
         match self {
             Opened::Bytes(data) => Ok(data),
-            Opened::File(mut file) => {
-                let mut data = Vec::with_capacity(usize::try_from(bytes).unwrap_or_default());
-                file.read_to_end(&mut data).await?;
-                Ok(data.into())
-            }
+            Opened::File(file) => file.bytes(0..bytes).await,
         }
     }
 
@@ -190,11 +165,7 @@ impl Opened {
                 let place = |value: u64| usize::try_from(value).unwrap_or(usize::MAX).min(data.len());
                 Ok(Body::from(data.slice(place(part.start)..place(part.end))))
             }
-            Opened::File(mut file) => {
-                file.seek(io::SeekFrom::Start(part.start)).await?;
-                let reader = file.take(part.end - part.start);
-                Ok(Body::from_stream(ReaderStream::with_capacity(reader, PIECE)))
-            }
+            Opened::File(file) => file.body(part).await,
         }
     }
 }

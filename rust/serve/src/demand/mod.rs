@@ -11,7 +11,7 @@ mod region;
 mod ticket;
 mod workers;
 
-pub use cache::{Cache, Kept};
+pub use cache::{Cache, Kept, Whole};
 pub use figures::Figures;
 pub use place::Place;
 pub use region::{News, Outcome, Region};

@@ -7,7 +7,7 @@ use bytes::Bytes;
 use tokio::sync::watch;
 
 use super::Place;
-use super::cache::Kept;
+use super::cache::Whole;
 use super::region::{Outcome, Region};
 use super::workers::Shared;
 
@@ -65,10 +65,10 @@ impl Ticket {
     }
 
     /// Wait until the region is complete.
-    pub async fn whole(mut self) -> Result<Kept, String> {
+    pub async fn whole(mut self) -> Result<Whole, String> {
         loop {
             match self.event().await {
-                Event::End(Outcome::Complete) => return Ok(Kept::InMemory(Arc::clone(&self.region))),
+                Event::End(Outcome::Complete) => return Ok(Whole::InMemory(Arc::clone(&self.region))),
                 Event::End(Outcome::Failed(reason)) => return Err(reason),
                 Event::Before(_) | Event::Lines(_) => {}
             }

@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::SystemTime;
@@ -15,6 +15,7 @@ use bytes::Bytes;
 use sha2::{Digest, Sha256};
 
 use super::Region;
+use crate::open::open;
 
 /// Names of documents in regions, and of the folders of a cache.
 const MANIFEST: &str = "manifest.json";
@@ -26,14 +27,21 @@ const ASIDE: &str = ".part";
 /// Hexadecimal digits of a manifest's hash in its name.
 const DIGITS: usize = 16;
 
-/// A region that is complete, or a file of one.
+/// A region that is complete.
+#[derive(Clone)]
+pub enum Whole {
+    /// One that is not on disk.
+    InMemory(Arc<Region>),
+    /// The manifest of one that is on disk.
+    Manifest(Bytes),
+}
+
+/// A file of a region.
 #[derive(Clone)]
 pub enum Kept {
-    /// A region that is not on disk.
-    InMemory(Arc<Region>),
-    /// The content of a file.
+    /// Its content.
     Content(Bytes),
-    /// A file with its size in bytes.
+    /// A file on disk with its size in bytes.
     OnDisk(PathBuf, u64),
 }
 
@@ -74,6 +82,8 @@ impl Cache {
         for name in [FILES, PLACES] {
             fs::create_dir_all(folder.join(name))?;
         }
+        // Links on the way to it were meant; later ones are not followed.
+        let folder = &fs::canonicalize(folder)?;
         let lock = File::create(folder.join(LOCK))?;
         match lock.try_lock() {
             Err(TryLockError::WouldBlock) => {
@@ -96,41 +106,45 @@ impl Cache {
     }
 
     /// The manifest of a place, if its region is here and undamaged.
-    pub fn find(&self, key: &str) -> Option<Kept> {
+    pub fn find(&self, key: &str) -> Option<Bytes> {
         let mut index = self.index();
-        let names = index.places.get(key)?.files.clone();
-        let unchecked: Vec<(String, Stored)> = names
-            .iter()
-            .filter_map(|name| Some((name.clone(), index.files.get(name)?.clone())))
-            .filter(|(_, stored)| !stored.is_checked)
-            .collect();
-        for (name, stored) in unchecked {
-            if !self.is_whole(&name, &stored) {
-                tracing::warn!(place = key, file = name, "a file of the cache is damaged, its regions are made anew");
-                self.drop_users(&mut index, &name);
-                return None;
-            }
-            index.files.get_mut(&name)?.is_checked = true;
+        for name in index.places.get(key)?.files.clone() {
+            self.checked(&mut index, &name)?;
         }
         let entry = index.places.get_mut(key)?;
+        let manifest = read(&entry.manifest).ok().filter(|manifest| is_named(&entry.manifest, manifest));
+        let Some(manifest) = manifest else {
+            tracing::warn!(place = key, "a manifest of the cache is damaged, its region is made anew");
+            if let Err(error) = self.remove(&mut index, key) {
+                tracing::warn!(place = key, %error, "a damaged region cannot be removed from the cache");
+            }
+            return None;
+        };
         entry.used = SystemTime::now();
         // The order of use outlives the server; if it cannot be written, the older one does.
         let _ = File::options().append(true).open(&entry.manifest).and_then(|file| file.set_modified(entry.used));
-        Some(Kept::OnDisk(entry.manifest.clone(), entry.bytes))
+        Some(manifest.into())
     }
 
     /// A file of a region that is here.
     pub fn file(&self, name: &str) -> Option<Kept> {
-        let mut index = self.index();
-        let stored = index.files.get(name)?.clone();
-        if !stored.is_checked {
-            if !self.is_whole(name, &stored) {
-                self.drop_users(&mut index, name);
-                return None;
-            }
-            index.files.get_mut(name)?.is_checked = true;
+        let bytes = self.checked(&mut self.index(), name)?;
+        Some(Kept::OnDisk(self.path_of(name), bytes))
+    }
+
+    /// The size of a file, which is compared with its hash the first time. A damaged one goes, with all regions that
+    /// need it.
+    fn checked(&self, index: &mut Index, name: &str) -> Option<u64> {
+        let stored = index.files.get_mut(name)?;
+        let path = self.path_of(name);
+        let is_fine = if stored.is_checked { has_bytes(&path, stored.bytes) } else { is_whole(&path, stored) };
+        if is_fine {
+            stored.is_checked = true;
+            return Some(stored.bytes);
         }
-        Some(Kept::OnDisk(self.path_of(name), stored.bytes))
+        tracing::warn!(file = name, "a file of the cache is damaged, its regions are made anew");
+        self.drop_users(index, name);
+        None
     }
 
     /// Keep a region: its manifest, and the files that it lists.
@@ -174,16 +188,10 @@ impl Cache {
     /// Take up a manifest that an earlier run has left; none if it or one of its files is not as it should be.
     fn read_entry(&self, path: &Path) -> Option<()> {
         let name = path.file_name()?.to_str()?.strip_suffix(".json")?;
-        let (key, digits) = name.rsplit_once('.')?;
-        let manifest = fs::read(path).ok()?;
-        if hash(&manifest)[..DIGITS] != *digits {
-            return None;
-        }
+        let (key, _) = name.rsplit_once('.')?;
+        let manifest = read(path).ok().filter(|manifest| is_named(path, manifest))?;
         let listed = listed(&manifest)?;
-        let is_there = |(name, bytes, _): &(String, u64, String)| {
-            fs::symlink_metadata(self.path_of(name)).is_ok_and(|found| found.is_file() && found.len() == *bytes)
-        };
-        if !listed.iter().all(is_there) {
+        if !listed.iter().all(|(name, bytes, _)| has_bytes(&self.path_of(name), *bytes)) {
             return None;
         }
         let mut index = self.index();
@@ -242,10 +250,6 @@ impl Cache {
             }
         }
     }
-
-    fn is_whole(&self, name: &str, stored: &Stored) -> bool {
-        fs::read(self.path_of(name)).is_ok_and(|data| data.len() as u64 == stored.bytes && hash(&data) == stored.sha256)
-    }
 }
 
 impl Index {
@@ -286,6 +290,25 @@ fn listed(manifest: &[u8]) -> Option<Vec<(String, u64, String)>> {
         .into_iter()
         .map(|(name, Described { bytes, sha256 })| is_plain(&name).then_some((name, bytes, sha256)))
         .collect()
+}
+
+/// Whether the name of a manifest's file tells its hash.
+fn is_named(path: &Path, manifest: &[u8]) -> bool {
+    path.to_string_lossy().ends_with(&format!(".{}.json", &hash(manifest)[..DIGITS]))
+}
+
+fn has_bytes(path: &Path, bytes: u64) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|found| found.is_file() && found.len() == bytes)
+}
+
+fn is_whole(path: &Path, stored: &Stored) -> bool {
+    has_bytes(path, stored.bytes) && read(path).is_ok_and(|data| hash(&data) == stored.sha256)
+}
+
+fn read(path: &Path) -> io::Result<Vec<u8>> {
+    let mut data = Vec::new();
+    open(path)?.read_to_end(&mut data)?;
+    Ok(data)
 }
 
 fn hash(data: &[u8]) -> String {

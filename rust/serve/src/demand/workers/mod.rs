@@ -8,7 +8,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Instant;
 
-use super::cache::{Cache, Kept};
+use super::cache::{Cache, Kept, Whole};
 use super::figures::Figures;
 use super::queue::{Queue, Waiting};
 use super::region::{Outcome, Region};
@@ -51,7 +51,7 @@ pub enum Refusal {
 /// How a request is served.
 pub enum Answer {
     /// The region is complete.
-    Whole(Kept),
+    Whole(Whole),
     /// It is being made.
     Coming(Ticket),
 }
@@ -128,16 +128,16 @@ impl Demand {
         let kept = self.shared.cache.as_ref().and_then(|cache| cache.find(&key));
         let limits = self.shared.limits;
         let mut state = self.shared.state();
-        if let Some(kept) = kept {
+        if let Some(manifest) = kept {
             state.figures.found += 1;
-            return Ok(Answer::Whole(kept));
+            return Ok(Answer::Whole(Whole::Manifest(manifest)));
         }
         if self.shared.is_closing() {
             return Err(Refusal::Closing);
         }
         if let Some(region) = state.in_memory.iter().find(|region| region.place == place).cloned() {
             state.figures.found += 1;
-            return Ok(Answer::Whole(Kept::InMemory(region)));
+            return Ok(Answer::Whole(Whole::InMemory(region)));
         }
         let own = state.entries.values().filter(|entry| entry.clients.contains(&client)).count();
         let is_new = !state.entries.contains_key(&key);

@@ -110,7 +110,7 @@ async fn a_place_that_several_ask_for_is_made_once_and_told_to_all() {
     }
     assert_eq!(kitchen.begun.load(Ordering::SeqCst), 1);
     // Without a disk it stays in memory.
-    assert!(matches!(kitchen.demand.ask(ANN, Place([4.0, 1.7, 0.0])), Ok(Answer::Whole(Kept::InMemory(_)))));
+    assert!(matches!(kitchen.demand.ask(ANN, Place([4.0, 1.7, 0.0])), Ok(Answer::Whole(Whole::InMemory(_)))));
     assert!(kitchen.demand.file("files/4-0").is_some() && kitchen.demand.file("files/5-0").is_none());
 }
 
@@ -220,7 +220,7 @@ async fn complete_regions_come_from_the_disk() {
     kitchen.permit.send(()).unwrap();
     kitchen.permit.send(()).unwrap();
     assert_eq!(all(ticket).await.1, Outcome::Complete);
-    assert!(matches!(kitchen.demand.ask(BOB, Place([0.0; 3])), Ok(Answer::Whole(Kept::OnDisk(..)))));
+    assert!(matches!(kitchen.demand.ask(BOB, Place([0.0; 3])), Ok(Answer::Whole(Whole::Manifest(_)))));
     assert_eq!(kitchen.begun.load(Ordering::SeqCst), 1);
 }
 

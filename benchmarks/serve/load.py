@@ -1,0 +1,161 @@
+"""Requests per second, times and memory of the server beside nginx: the same files, generator and machine.
+
+python -m benchmarks.serve.load [--quick]
+
+Needs wrk on the PATH, and compares with nginx if that is there, too. Generator and server share the machine's cores.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from benchmarks.harness.timing import machine, table
+
+SMALL, TYPICAL = ("small.bin", 5_000), ("typical.bin", 300_000)
+"""Names and bytes of files: a ring's list of texels, and a ring's geometry."""
+ASKED = {
+    "5 kB": (SMALL[0], None),
+    "300 kB": (TYPICAL[0], None),
+    "10 kB of 300 kB": (TYPICAL[0], "bytes=100000-109999"),
+}
+CONNECTIONS = (100, 1000)
+SECONDS = 8
+HEADER = ["", "server", "connections", "requests/s", "MB/s", "median ms", "99th percentile ms", "errors"]
+
+NEARFAR = """
+import sys
+from pathlib import Path
+from nearfar.serve._server import Server
+from nearfar.serve._site import Site
+folder = Path(sys.argv[1])
+files = {f"files/{path.name}": (str(path), path.stat().st_size) for path in (folder / "files").iterdir()}
+with Server({"": Site(files)}) as server:
+    print(server.url, flush=True)
+    sys.stdin.read()
+"""
+
+NGINX = """
+daemon off; worker_processes 2; pid {folder}/nginx.pid; error_log stderr crit;
+events {{ worker_connections 4096; }}
+http {{
+  access_log off; sendfile on; tcp_nopush on; keepalive_requests 1000000000; default_type application/octet-stream;
+  client_body_temp_path {folder}/t1; proxy_temp_path {folder}/t2; fastcgi_temp_path {folder}/t3;
+  uwsgi_temp_path {folder}/t4; scgi_temp_path {folder}/t5;
+  server {{ listen 127.0.0.1:{port} backlog=4096; root {folder}; }}
+}}
+"""
+
+
+@contextmanager
+def nearfar(folder: Path) -> Iterator[tuple[str, int]]:
+    """Serve a folder's files; the address and the process."""
+    command = [sys.executable, "-c", NEARFAR, str(folder)]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
+        assert running.stdout
+        yield running.stdout.readline().strip(), running.pid
+        running.terminate()
+
+
+@contextmanager
+def nginx(folder: Path) -> Iterator[tuple[str, int]]:
+    """Serve a folder's files; the address and the process."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    settings = folder / "nginx.conf"
+    settings.write_text(NGINX.format(folder=folder, port=port))
+    command = ["nginx", "-e", "stderr", "-p", str(folder), "-c", str(settings)]
+    with subprocess.Popen(command) as running:
+        while running.poll() is None and not answers(port):
+            time.sleep(0.05)
+        yield f"http://127.0.0.1:{port}/", running.pid
+        running.terminate()
+
+
+def answers(port: int) -> bool:
+    """Whether something listens."""
+    with socket.socket() as line:
+        return line.connect_ex(("127.0.0.1", port)) == 0
+
+
+def resident(process: int) -> float:
+    """Megabytes of memory of a process and those that it began."""
+    children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
+    texts = [Path(f"/proc/{each}/status").read_text() for each in (process, *children)]
+    return sum(int(re.findall(r"VmRSS:\s+(\d+)", text)[0]) for text in texts) / 1000
+
+
+def load(url: str, connections: int, seconds: int, part: str | None) -> tuple[float, float, float, float, int]:
+    """Requests and megabytes a second, median and 99th percentile in milliseconds, errors."""
+    headers = [] if part is None else ["-H", f"Range: {part}"]
+    command = ["wrk", "-t", "1", "-c", str(connections), "-d", f"{seconds}s", "--latency", *headers, url]
+    told = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    units = {"us": 1e-3, "ms": 1.0, "s": 1e3, "m": 6e4}
+
+    def milliseconds(share: int) -> float:
+        value, unit = re.findall(rf"{share}%\s+([\d.]+)(us|ms|s|m)\b", told)[0]
+        return float(value) * units[unit]
+
+    count, taken = re.findall(r"(\d+) requests in ([\d.]+)s", told)[0]
+    size, unit = re.findall(r"Transfer/sec:\s+([\d.]+)([KMG]?)B", told)[0]
+    rate = float(size) * 1024 ** " KMG".index(unit or " ") / 1e6
+    bad = re.findall(r"Socket errors: connect (\d+), read (\d+), write (\d+), timeout (\d+)", told)
+    refused = re.findall(r"Non-2xx or 3xx responses: (\d+)", told)
+    errors = sum(int(number) for numbers in bad for number in numbers) + sum(int(number) for number in refused)
+    return int(count) / float(taken), rate, milliseconds(50), milliseconds(99), errors
+
+
+def run(folder: Path, seconds: int) -> None:
+    """Load the servers in turn, and print the table and memory."""
+    servers = {"nearfar": nearfar, **({"nginx": nginx} if shutil.which("nginx") else {})}
+    rows: list[list[str]] = []
+    memory: list[list[str]] = []
+    for name, server in servers.items():
+        with server(folder) as (url, process):
+            load(f"{url}files/{SMALL[0]}", 10, 1, None)
+            before = resident(process)
+            for what, (file, part) in ASKED.items():
+                for connections in CONNECTIONS:
+                    found = load(f"{url}files/{file}", connections, seconds, part)
+                    rate, megabytes, middle, high, errors = found
+                    numbers = [f"{rate:,.0f}", f"{megabytes:,.0f}", f"{middle:.1f}", f"{high:.1f}", str(errors)]
+                    rows.append([what, name, str(connections), *numbers])
+            memory.append([name, f"{before:.0f}", f"{resident(process):.0f}"])
+    order = list(ASKED)
+    print(table("Load", HEADER, sorted(rows, key=lambda row: (order.index(row[0]), int(row[2])))))
+    print(table("Memory", ["server", "MB before", "MB after"], memory))
+    if "nginx" not in servers:
+        print("nginx is not on the PATH: nothing to compare with")
+
+
+def main() -> None:
+    """Parse the arguments and run."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="a second for each figure")
+    arguments = parser.parse_args()
+    if not shutil.which("wrk"):
+        sys.exit("wrk: expected it on the PATH")
+    print(machine())
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "files").mkdir()
+        for file, count in (SMALL, TYPICAL):
+            (folder / "files" / file).write_bytes(hashlib.shake_128(file.encode()).digest(count))
+        # nginx's workers run as another user where it is started by root.
+        folder.chmod(0o755)
+        run(folder, 1 if arguments.quick else SECONDS)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,138 @@
+//! Files on disk as bodies of answers. A thread that may wait for the disk helps only where the system would wait.
+
+use std::fs::File;
+use std::io;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+
+use axum::body::Body;
+use bytes::Bytes;
+use futures_util::stream;
+
+use crate::open;
+
+/// Bytes that are read at once.
+const PIECE: u64 = 1 << 18;
+
+/// A file that is open and has the length that it should have.
+pub struct Opened(Arc<File>);
+
+/// Open a file that has so many bytes.
+pub async fn open(path: &Path, bytes: u64) -> io::Result<Opened> {
+    let file = match open::open_now(path) {
+        Some(opened) => opened?,
+        None => {
+            let path = path.to_path_buf();
+            in_thread(move || open::open(&path)).await?
+        }
+    };
+    let found = file.metadata()?;
+    if !found.is_file() || found.len() != bytes {
+        let message = format!("{}: expected a file of {bytes} bytes, got {}", path.display(), found.len());
+        return Err(io::Error::new(io::ErrorKind::InvalidData, message));
+    }
+    Ok(Opened(Arc::new(file)))
+}
+
+impl Opened {
+    /// Some bytes.
+    pub async fn bytes(&self, part: Range<u64>) -> io::Result<Bytes> {
+        let count = usize::try_from(part.end - part.start).map_err(io::Error::other)?;
+        let mut data = vec![0; count];
+        let mut ready = 0;
+        while ready < count {
+            match open::read_now(&self.0, &mut data[ready..], part.start + ready as u64) {
+                Some(read) if read > 0 => ready += read,
+                _ => break,
+            }
+        }
+        if ready == count {
+            return Ok(data.into());
+        }
+        let file = Arc::clone(&self.0);
+        let rest = move || read_exact_at(&file, &mut data[ready..], part.start + ready as u64).map(|()| data.into());
+        in_thread(rest).await
+    }
+
+    /// A body of some bytes; those that fit are read now, so that an error is told in the answer's head.
+    pub async fn body(self, part: Range<u64>) -> io::Result<Body> {
+        let first = self.bytes(piece(&part)).await?;
+        if first.len() as u64 == part.end - part.start {
+            return Ok(first.into());
+        }
+        let rest = part.start + first.len() as u64..part.end;
+        Ok(Body::from_stream(stream::unfold((self, Some(first), rest), next)))
+    }
+}
+
+/// What comes next of a body: a piece that has been read, or one of the rest.
+type State = (Opened, Option<Bytes>, Range<u64>);
+
+async fn next((file, first, rest): State) -> Option<(io::Result<Bytes>, State)> {
+    if let Some(first) = first {
+        return Some((Ok(first), (file, None, rest)));
+    }
+    if rest.is_empty() {
+        return None;
+    }
+    let read = piece(&rest);
+    let after = if read.end < rest.end { read.end..rest.end } else { rest.end..rest.end };
+    match file.bytes(read).await {
+        Ok(data) => Some((Ok(data), (file, None, after))),
+        Err(error) => Some((Err(error), (file, None, rest.end..rest.end))),
+    }
+}
+
+/// The first bytes of a part that are read at once.
+fn piece(part: &Range<u64>) -> Range<u64> {
+    part.start..part.end.min(part.start + PIECE)
+}
+
+async fn in_thread<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send + 'static) -> io::Result<T> {
+    tokio::task::spawn_blocking(work).await.map_err(io::Error::other)?
+}
+
+#[cfg(unix)]
+fn read_exact_at(file: &File, into: &mut [u8], place: u64) -> io::Result<()> {
+    std::os::unix::fs::FileExt::read_exact_at(file, into, place)
+}
+
+#[cfg(not(unix))]
+fn read_exact_at(mut file: &File, into: &mut [u8], place: u64) -> io::Result<()> {
+    use std::io::{Read, Seek, SeekFrom};
+    file.seek(SeekFrom::Start(place))?;
+    file.read_exact(into)
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use axum::body::to_bytes;
+
+    use super::*;
+
+    #[tokio::test]
+    async fn parts_of_any_length_are_those_of_the_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().canonicalize().unwrap().join("file");
+        let content: Vec<u8> = (0..3 * PIECE + 7).map(|place| (place % 251) as u8).collect();
+        std::fs::write(&path, &content).unwrap();
+        let bytes = content.len() as u64;
+        for part in [0..bytes, 0..0, 5..9, 0..PIECE, 1..PIECE + 1, PIECE - 1..3 * PIECE, bytes - 1..bytes] {
+            let body = open(&path, bytes).await.unwrap().body(part.clone()).await.unwrap();
+            let found = to_bytes(body, usize::MAX).await.unwrap();
+            assert!(found == content[part.start as usize..part.end as usize], "{part:?}");
+        }
+    }
+
+    #[tokio::test]
+    async fn a_file_that_becomes_shorter_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().canonicalize().unwrap().join("file");
+        std::fs::write(&path, vec![1; 3 * PIECE as usize]).unwrap();
+        assert!(open(&path, 5).await.is_err());
+        let body = open(&path, 3 * PIECE).await.unwrap().body(0..3 * PIECE).await.unwrap();
+        std::fs::File::options().write(true).open(&path).unwrap().set_len(PIECE + 5).unwrap();
+        assert!(to_bytes(body, usize::MAX).await.is_err());
+    }
+}

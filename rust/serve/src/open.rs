@@ -1,0 +1,131 @@
+//! Opens files without following links, whether in a file's place or above it: a link may lead anywhere.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::Path;
+
+/// Open a file by its whole path. It may wait for the disk.
+pub fn open(path: &Path) -> io::Result<File> {
+    system::open(path).unwrap_or_else(|| open_checked(path))
+}
+
+/// Open a file if the system has its path in memory; none if that is not known.
+pub fn open_now(path: &Path) -> Option<io::Result<File>> {
+    system::open_now(path)
+}
+
+/// Read bytes that the system has in memory; none if it would wait for the disk.
+pub fn read_now(file: &File, into: &mut [u8], place: u64) -> Option<usize> {
+    system::read_now(file, into, place)
+}
+
+/// For systems that cannot refuse links on the way: each folder is looked at first.
+fn open_checked(path: &Path) -> io::Result<File> {
+    for above in path.ancestors().filter(|above| !above.as_os_str().is_empty()) {
+        if fs::symlink_metadata(above)?.is_symlink() {
+            return Err(io::Error::other(format!("{}: expected no link", above.display())));
+        }
+    }
+    let mut options = File::options();
+    options.read(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, libc::O_NOFOLLOW | libc::O_NONBLOCK);
+    options.open(path)
+}
+
+#[cfg(target_os = "linux")]
+mod system {
+    use std::fs::File;
+    use std::io::{self, IoSliceMut};
+    use std::path::Path;
+
+    use rustix::fs::{CWD, Mode, OFlags, ResolveFlags, openat2};
+    use rustix::io::{Errno, ReadWriteFlags, preadv2};
+
+    /// None where the kernel, or what confines the process, does not know the call.
+    pub fn open(path: &Path) -> Option<io::Result<File>> {
+        match resolved(path, ResolveFlags::empty()) {
+            Err(Errno::NOSYS | Errno::PERM) => None,
+            found => Some(found.map_err(io::Error::from)),
+        }
+    }
+
+    pub fn open_now(path: &Path) -> Option<io::Result<File>> {
+        match resolved(path, ResolveFlags::CACHED) {
+            Err(Errno::AGAIN | Errno::INVAL | Errno::NOSYS | Errno::PERM) => None,
+            found => Some(found.map_err(io::Error::from)),
+        }
+    }
+
+    /// A pipe in the place of a file must not be waited for.
+    fn resolved(path: &Path, how: ResolveFlags) -> Result<File, Errno> {
+        let flags = OFlags::RDONLY | OFlags::CLOEXEC | OFlags::NOCTTY | OFlags::NONBLOCK;
+        openat2(CWD, path, flags, Mode::empty(), how | ResolveFlags::NO_SYMLINKS).map(File::from)
+    }
+
+    pub fn read_now(file: &File, into: &mut [u8], place: u64) -> Option<usize> {
+        preadv2(file, &mut [IoSliceMut::new(into)], place, ReadWriteFlags::NOWAIT).ok()
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+mod system {
+    use std::fs::File;
+    use std::io;
+    use std::path::Path;
+
+    pub fn open(_: &Path) -> Option<io::Result<File>> {
+        None
+    }
+
+    pub fn open_now(_: &Path) -> Option<io::Result<File>> {
+        None
+    }
+
+    pub fn read_now(_: &File, _: &mut [u8], _: u64) -> Option<usize> {
+        None
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::io::Read;
+    use std::os::unix::fs::symlink;
+
+    use super::*;
+
+    type Open = fn(&Path) -> io::Result<File>;
+
+    /// By the system's call, by the way for other systems, and without waiting.
+    const WAYS: [Open; 3] = [open, open_checked, |path| open_now(path).unwrap_or_else(|| open(path))];
+
+    #[test]
+    fn files_are_opened_and_links_are_not_followed() {
+        let folder = tempfile::tempdir().unwrap();
+        let top = folder.path().canonicalize().unwrap();
+        fs::create_dir_all(top.join("real/files")).unwrap();
+        fs::write(top.join("real/files/a"), "content").unwrap();
+        symlink(top.join("real/files/a"), top.join("real/files/link")).unwrap();
+        symlink("real", top.join("above")).unwrap();
+        for way in WAYS {
+            let mut text = String::new();
+            way(&top.join("real/files/a")).unwrap().read_to_string(&mut text).unwrap();
+            assert_eq!(text, "content");
+            for refused in ["real/files/link", "above/files/a", "above/files/link", "real/files/none", "real/files/a/b"]
+            {
+                assert!(way(&top.join(refused)).is_err(), "{refused}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_pipe_is_not_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().canonicalize().unwrap().join("pipe");
+        let made = std::process::Command::new("mkfifo").arg(&path).status().unwrap();
+        assert!(made.success());
+        for way in WAYS {
+            assert!(!way(&path).unwrap().metadata().unwrap().is_file());
+        }
+    }
+}
