@@ -131,6 +131,8 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       help.toggle();
     } else if (name === 'retry' && problems) {
       commands.retry();
+      // The same may go wrong again before the next update.
+      problems = '';
       announce('Trying again');
     } else if (name === 'headset') {
       await headsetOf(commands)?.toggle();
