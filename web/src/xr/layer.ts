@@ -53,6 +53,8 @@ export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLa
 
   return {
     show(cube, yaw) {
+      // Coarse maps of a scene have fewer texels than the layer.
+      if (cube.size !== faceSize) return false;
       const isNew = [hold(cube), orient(yaw), !session.renderState.layers?.includes(layer)];
       // Changes of a frame may be shown from the next one on only.
       return !isNew.includes(true);
