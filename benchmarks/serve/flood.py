@@ -9,11 +9,13 @@ import argparse
 import http.client
 import itertools
 import json
+import multiprocessing
 import statistics
 import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 from urllib.parse import urlsplit
 
 import nearfar as nf
@@ -27,44 +29,45 @@ ADDRESSES, CLIENTS = 8, 6
 HEADER = ["", "file, median ms", "file, 99th percentile ms", "first ring, median s", "refused", "accepted"]
 
 
-class Flood:
-    """Clients that ask for one new place after the other."""
+@contextmanager
+def flood(url: str) -> Iterator[tuple[Any, Any]]:
+    """Let a process ask for one new place after the other meanwhile; counts of refused and accepted requests."""
+    context = multiprocessing.get_context("spawn")
+    refused, accepted = context.Value("i", 0), context.Value("i", 0)
+    process = context.Process(target=_flood, args=(url, refused, accepted))
+    process.start()
+    try:
+        # Until all places that the addresses may wait for are taken.
+        while not refused.value:
+            time.sleep(0.05)
+        yield refused, accepted
+    finally:
+        process.kill()
+        process.join()
 
-    def __init__(self, url: str) -> None:
-        self.refused = self.accepted = 0
-        self._url, self._ends = url, threading.Event()
-        self._places = itertools.count(1000)
-        self._threads = [
-            threading.Thread(target=self._ask, args=(f"127.0.3.{address + 1}",))
-            for address in range(ADDRESSES)
-            for _ in range(CLIENTS)
-        ]
 
-    @contextmanager
-    def going(self) -> Iterator[None]:
-        """Flood meanwhile."""
-        for thread in self._threads:
-            thread.start()
-        yield
-        self._ends.set()
-        for thread in self._threads:
-            thread.join()
+def _flood(url: str, refused: Any, accepted: Any) -> None:
+    places = itertools.count()
+    clients = [f"127.0.3.{address + 1}" for address in range(ADDRESSES) for _ in range(CLIENTS)]
+    threads = [threading.Thread(target=_ask, args=(url, client, places, refused, accepted)) for client in clients]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
 
-    def _ask(self, address: str) -> None:
-        while not self._ends.is_set():
-            place = f"{next(self._places) % 200 - 100},1.75,{next(self._places) % 160 - 80}"
-            line = http.client.HTTPConnection(urlsplit(self._url).netloc, timeout=300, source_address=(address, 0))
-            line.request("GET", f"/at/{place}/parts")
-            answer = line.getresponse()
-            if answer.status == 200:
-                self.accepted += 1
-                while not self._ends.is_set() and answer.readline():
-                    pass
-            else:
-                self.refused += 1
-                time.sleep(0.02)
-            answer.close()
-            line.close()
+
+def _ask(url: str, address: str, places: Iterator[int], refused: Any, accepted: Any) -> None:
+    while True:
+        number = next(places)
+        line = http.client.HTTPConnection(urlsplit(url).netloc, timeout=300, source_address=(address, 0))
+        line.request("GET", f"/at/{2 * (number % 97) - 96},1.75,{2 * (number % 79) - 78}/parts")
+        answer = line.getresponse()
+        with (accepted if answer.status == 200 else refused).get_lock():
+            (accepted if answer.status == 200 else refused).value += 1
+        if answer.status != 200:
+            time.sleep(0.02)
+        answer.read()
+        line.close()
 
 
 def file_times(url: str, count: int) -> list[float]:
@@ -94,6 +97,14 @@ def first_ring(url: str, number: int) -> float:
     return taken
 
 
+def measured(url: str, first: int) -> list[str]:
+    """Cells of a row: times of a file, and of five new clients."""
+    rings = [first_ring(url, number) for number in range(first, first + 5)]
+    times = file_times(url, 300)
+    high = statistics.quantiles(times, n=100)[98]
+    return [f"{statistics.median(times):.1f}", f"{high:.1f}", f"{statistics.median(rings):.2f}"]
+
+
 def main() -> None:
     """Parse the arguments and run."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -103,17 +114,9 @@ def main() -> None:
     print(machine())
     rows = []
     with Server({"": Site.of_scene(OnDemand(scene), None)}) as server:
-        flood = Flood(server.url)
-        for name in ("alone", "beside the flood"):
-            with flood.going() if name != "alone" else threading.Lock():
-                if name != "alone":
-                    time.sleep(1)
-                offset = 0 if name == "alone" else 5
-                rings = [first_ring(server.url, number + offset) for number in range(5)]
-                times = file_times(server.url, 300)
-            high = statistics.quantiles(times, n=100)[98]
-            numbers = [f"{statistics.median(times):.1f}", f"{high:.1f}", f"{statistics.median(rings):.2f}"]
-            rows.append([name, *numbers, str(flood.refused), str(flood.accepted)])
+        rows.append(["alone", *measured(server.url, 0), "0", "0"])
+        with flood(server.url) as (refused, accepted):
+            rows.append(["beside the flood", *measured(server.url, 5), str(refused.value), str(accepted.value)])
     print(table(f"{ADDRESSES} addresses with {CLIENTS} requests each at once", HEADER, rows))
 
 
