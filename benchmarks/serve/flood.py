@@ -1,4 +1,4 @@
-"""What others notice of a flood of requests for regions: time of a file and of a new client's first ring.
+"""Latency for others during a flood of requests for regions: of a file, and of a new client's first ring.
 
 python -m benchmarks.serve.flood [--quick]
 """

@@ -226,7 +226,7 @@ fuzz_target!(|input: Input| {
         assert!(answer.status == StatusCode::FORBIDDEN || is_own || !is_set, "{name:?}");
         headers.remove(HOST);
     }
-    // What is told of a region's parts differs from request to request.
+    // Lines on a region's parts differ from request to request.
     let Some(own) = plain.headers.get(ETAG).and_then(|value| value.to_str().ok()) else { return };
     if let Some(encodings) = &input.encodings {
         check_encodings(encodings, &uri, content);

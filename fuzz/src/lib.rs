@@ -1,3 +1,3 @@
-//! What fuzz targets share.
+//! Parts that fuzz targets share.
 
 pub mod served;

@@ -43,7 +43,7 @@ def serving(*arguments: object) -> Iterator[tuple[subprocess.Popen[str], str]]:
 
 
 def rest_of(running: subprocess.Popen[str]) -> tuple[str, str]:
-    """What it tells and logs until it ends. (`communicate` would lose what was read ahead with the first line.)"""
+    """The rest of its output and of its log. (`communicate` would lose what was read ahead with the first line.)"""
     assert running.stdout is not None
     assert running.stderr is not None
     return running.stdout.read(), running.stderr.read()

@@ -34,7 +34,7 @@ def ask(server: Server, path: str) -> tuple[int, dict[str, str], bytes]:
 
 
 def document(server: Server, site: str = "") -> dict[str, Any]:
-    """What the page reads of a scene."""
+    """The document on a scene that the page reads."""
     manifest = json.loads(ask(server, f"{site}/manifest.json")[2])
     assert valid(manifest, "on_demand")
     found: dict[str, Any] = json.loads(ask(server, f"{site}/{manifest['scene']}")[2])

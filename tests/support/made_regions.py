@@ -13,23 +13,13 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
+from nearfar.stream._on_demand import Part
 
 FILES, BYTES = 40, 200_000
-
-
-@dataclass(frozen=True)
-class Part:
-    """What the server takes up of a region."""
-
-    stage: int
-    line: bytes
-    files: dict[str, bytes]
-    next: int | None
 
 
 def files_of(center: list[float]) -> dict[str, bytes]:

@@ -30,7 +30,7 @@ PLACE = """() => {
   const lines = [...document.querySelectorAll('dt')];
   return lines.find((line) => line.textContent === 'Place').nextSibling.textContent;
 }"""
-"""What the panel says of the place."""
+"""The panel's row on the place."""
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +73,7 @@ def is_refined(told: dict[str, Any]) -> bool:
 
 
 def grown(page: SteppedPage, place: dict[str, Any]) -> tuple[dict[str, Any], NDArray[np.uint8]]:
-    """What is told, and the picture, when nothing changes any more."""
+    """The page's state and its picture when nothing changes any more."""
     until(page, place, is_refined)
     for _ in range(8):
         page.frame(place, 60.0)

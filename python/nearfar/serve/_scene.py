@@ -146,7 +146,7 @@ class LoadedScene:
         )
 
     def _result(self, work: background.Later[Result]) -> Result:
-        """What work on the scene returned, which is waited for; ValueError with a sentence if it failed."""
+        """Result of work on the scene, which is waited for; ValueError with a sentence if it failed."""
         try:
             return work.result()
         except Exception as error:

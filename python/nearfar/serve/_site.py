@@ -36,7 +36,7 @@ class Site:
     demand: Made | None = None
     """Maker of regions on demand."""
     title: str = ""
-    """What it shows, in a few words."""
+    """The scene, in a few words."""
     has_page: bool = True
     """Whether the page that shows a scene lies at its root."""
 

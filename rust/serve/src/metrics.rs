@@ -107,7 +107,7 @@ impl Metrics {
     }
 }
 
-/// What makes regions on demand, by the names of sites.
+/// Makers of regions on demand, by the names of sites.
 struct Demands(Vec<(String, Arc<Demand>)>);
 
 impl fmt::Debug for Demands {

@@ -18,7 +18,7 @@ use crate::site::{Content, Document};
 /// For documents that are named by their content.
 const FOREVER: &str = "public, max-age=31536000, immutable";
 
-/// What a client asks for.
+/// A client's request for a document.
 pub struct Asked<'a> {
     /// The client's address.
     pub client: IpAddr,

@@ -134,7 +134,7 @@ fn moved_below(path: &str) -> Response<Body> {
     answer
 }
 
-/// What a page of another site may ask for.
+/// Methods and headers that a page of another site may use.
 fn preflight() -> Response<Body> {
     let head = Response::builder().status(StatusCode::NO_CONTENT);
     let head = head.header(header::ACCESS_CONTROL_ALLOW_METHODS, "GET, HEAD");

@@ -35,7 +35,7 @@ export function parseManifest(source: string): Manifest {
   return readManifest(parseJson('manifest.json', source));
 }
 
-/** What was parsed of a document. */
+/** The parsed parts of a document. */
 export function parseJson(name: string, source: string): unknown {
   try {
     return JSON.parse(source) as unknown;

@@ -22,7 +22,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// What became of requests, by names.
+    /// Counts of requests by their outcomes.
     pub fn outcomes(&self) -> [(&'static str, u64); 6] {
         [
             ("found", self.found),
