@@ -14,15 +14,7 @@ import httpx
 import pytest
 from typer.testing import CliRunner
 
-import nearfar as nf
 from nearfar.cli._app import app
-
-
-@pytest.fixture(scope="module")
-def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("serve") / "room"
-    nf.stream.export(nf.datasets.room(), folder, center=(0.3, 1.6, 0.2), radii=[1.5], face_size=64, samples=1)
-    return folder
 
 
 @pytest.fixture(autouse=True)

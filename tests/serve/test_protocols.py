@@ -23,13 +23,6 @@ from nearfar.serve._site import Site
 
 
 @pytest.fixture(scope="module")
-def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("serve") / "room"
-    nf.stream.export(nf.datasets.room(), folder, center=(0.3, 1.6, 0.2), radii=[1.5, 3.0], face_size=64, samples=1)
-    return folder
-
-
-@pytest.fixture(scope="module")
 def certificate(tmp_path_factory: pytest.TempPathFactory) -> Certificate:
     return Certificate.self_signed(tmp_path_factory.mktemp("tls"), ["localhost", "127.0.0.1"])
 

@@ -20,13 +20,6 @@ from nearfar.serve._server import Server
 
 
 @pytest.fixture(scope="module")
-def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("view") / "bundle"
-    nf.stream.export(nf.datasets.room(), folder, center=(0.3, 1.6, 0.2), radii=[1.5, 3.0], face_size=64, samples=1)
-    return folder
-
-
-@pytest.fixture(scope="module")
 def server(place: Path) -> Iterator[Server]:
     with Server.of_bundle(place) as running:
         yield running
