@@ -160,12 +160,14 @@ class Geometry:
 
     def __init__(self, groups: Groups, files: Files, textures: Textures, *, step: float, compressed: bool) -> None:
         self._groups, self._files, self._textures = groups, files, textures
+        # Only those of moving objects are written, and there may be millions.
+        most = int(groups.scene._core.moving_objects().max(initial=-1)) + 1
         with progress.bar("encoding geometry") as report:
             self._export = _core.Export(
                 groups.scene._core,
                 groups.codes(),
                 groups.count + 2,
-                names=list(groups.scene.object_names),
+                names=list(groups.scene.object_names[:most]),
                 images=[_beside(name) for name, _ in textures],
                 step=step,
                 compressed=compressed,

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._scene.report import count
+from nearfar._scene.units import extent_note
 from nearfar._trace.behind import from_behind
 from nearfar._trace.rays import cast_rays
 from nearfar.stream._assign import Rings
@@ -26,7 +27,7 @@ MOST_NAMED = 3
 
 def findings_of(rings: Rings) -> list[str]:
     """Say what makes the bundle of a scene's rings show little: units, the centre, empty rings, endless objects."""
-    note = rings.scene.report.unit_note
+    note = extent_note(rings.scene.bounds)
     found = [_outside(rings), _inside(rings), _empty(rings), _endless(rings)]
     return [note] * bool(note) + [sentence for sentence in found if sentence]
 

@@ -20,9 +20,10 @@ from nearfar.stream._detail import Detail
 from nearfar.stream._encode import Files, Geometry, TextureFiles
 from nearfar.stream._growth import Growth
 from nearfar.stream._notes import findings_of
-from nearfar.stream._radii import chosen
+from nearfar.stream._radii import REACH, chosen
 from nearfar.stream._region import NOTHING, Writer, manifest_of
 from nearfar.stream._settings import Settings
+from nearfar.stream._tiles import Tiles
 
 COARSE = 512
 """Texels along a face of the maps that are shown until those of full size are there; they have one sample each."""
@@ -90,12 +91,14 @@ class OnDemand:
         speed: SupportsFloat = 0.7,
     ) -> None:
         core_of(scene)
-        self.scene = scene
         self.grid = check.within("grid", grid, 1e-3, 1e6)
         self._radii = None if radii is None else ascending("radii", radii)
         fine = Settings.checked(face_size, samples, quality, range_error, step, compression, pixels_per_degree, False)
         coarse = replace(fine, face_size=min(COARSE, fine.face_size), samples=1)
         self._stages = (coarse, fine)
+        # After the settings are checked, because it takes seconds.
+        self._tiles = Tiles.of(scene)
+        self.scene = scene = self._tiles.scene
         reach = Growth.reach + math.sqrt(0.5) * self.grid
         self._detail = Detail.of(scene, lod, fine.pixels_per_degree, reach)
         self._speed = check.positive("speed", speed)
@@ -127,8 +130,9 @@ class OnDemand:
             For a centre that is not finite, and one with nothing around it if radii are to be chosen.
         """
         place = self.snapped(center)
-        radii = chosen(self.scene, np.array([place]))[0] if self._radii is None else self._radii
-        rings = assign(self.scene, center=place, radii=radii)
+        scene = self._tiles.about(place, REACH if self._radii is None else self._radii[-1])
+        radii = chosen(scene, np.array([place]))[0] if self._radii is None else self._radii
+        rings = assign(scene, center=place, radii=radii)
         geometry, sent = Files(dict(self._moving.content)), set[str]()
         near: Iterable[dict[str, Any]] = self._near(rings, geometry)
         last = len(self._stages) - 1

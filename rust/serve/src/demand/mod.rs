@@ -5,6 +5,7 @@
 
 mod cache;
 mod figures;
+mod leftover;
 mod place;
 mod queue;
 mod region;

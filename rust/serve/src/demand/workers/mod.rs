@@ -10,6 +10,7 @@ use std::time::Instant;
 
 use super::cache::{Cache, Kept, Whole};
 use super::figures::Figures;
+use super::leftover::Leftover;
 use super::queue::{Queue, Waiting};
 use super::region::{Outcome, Region};
 use super::ticket::Ticket;
@@ -78,6 +79,7 @@ struct State {
     queue: Queue<Work, IpAddr>,
     /// Complete regions that the disk did not take, oldest first.
     in_memory: VecDeque<Arc<Region>>,
+    leftover: Leftover,
     requests: u64,
     figures: Figures,
 }
@@ -159,7 +161,7 @@ impl Demand {
     pub fn file(&self, name: &str) -> Option<Kept> {
         let state = self.shared.state();
         let in_memory = state.entries.values().map(|entry| &entry.region).chain(&state.in_memory);
-        let found = in_memory.filter_map(|region| region.file(name)).next();
+        let found = in_memory.filter_map(|region| region.file(name)).next().or_else(|| state.leftover.file(name));
         drop(state);
         found.map(Kept::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
     }
@@ -348,7 +350,11 @@ impl Shared {
         if let Some(Err(error)) = &kept {
             tracing::warn!(place = %region.place, %error, "a region cannot be kept on disk");
         }
-        if !matches!(kept, Some(Ok(()))) {
+        if let (Some(Ok(())), Some(cache)) = (&kept, &self.cache) {
+            let mut rest = region.files();
+            rest.retain(|name, _| name.starts_with("files/") && cache.file(name).is_none());
+            self.state().leftover.add(rest);
+        } else {
             let mut state = self.state();
             state.in_memory.push_back(Arc::clone(region));
             let mut held: u64 = state.in_memory.iter().map(|region| region.bytes()).sum();

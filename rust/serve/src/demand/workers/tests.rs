@@ -115,6 +115,19 @@ async fn a_place_that_several_ask_for_is_made_once_and_told_to_all() {
 }
 
 #[tokio::test]
+async fn a_slow_client_finds_maps_that_came_first_when_full_ones_are_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let kitchen = kitchen(Cache::open(folder.path(), 1 << 20).unwrap(), one());
+    let ticket = coming(kitchen.demand.ask(ANN, Place([4.0, 1.75, 0.0])));
+    kitchen.permit.send(()).unwrap();
+    kitchen.permit.send(()).unwrap();
+    assert_eq!(all(ticket).await.1, Outcome::Complete);
+    assert!(matches!(kitchen.demand.ask(ANN, Place([4.0, 1.75, 0.0])), Ok(Answer::Whole(Whole::Manifest(_)))));
+    assert!(matches!(kitchen.demand.file("files/4-0"), Some(Kept::Content(_))));
+    assert!(kitchen.demand.file("manifest.json").is_none());
+}
+
+#[tokio::test]
 async fn a_new_client_is_served_before_late_stages_of_others() {
     let kitchen = kitchen(None, one());
     let flood: Vec<Ticket> =

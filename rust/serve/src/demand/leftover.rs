@@ -1,0 +1,55 @@
+//! Files of complete regions that their manifests do not list: coarse maps, which clients that are slower than the
+//! makers fetch after full ones are made.
+
+use std::collections::{HashMap, VecDeque};
+
+use bytes::Bytes;
+
+/// Bytes of them that are kept, a few dozen regions' worth.
+const BUDGET: usize = 32 << 20;
+
+/// Files by name, of the regions that were completed last.
+#[derive(Default)]
+pub struct Leftover {
+    /// Oldest first.
+    regions: VecDeque<HashMap<String, Bytes>>,
+    bytes: usize,
+}
+
+impl Leftover {
+    /// Add what is left of a region; the oldest go when there is no room for all.
+    pub fn add(&mut self, files: HashMap<String, Bytes>) {
+        self.bytes += size(&files);
+        self.regions.push_back(files);
+        while self.bytes > BUDGET {
+            self.bytes -= self.regions.pop_front().map_or(self.bytes, |files| size(&files));
+        }
+    }
+
+    /// The content of a file.
+    pub fn file(&self, name: &str) -> Option<Bytes> {
+        self.regions.iter().find_map(|files| files.get(name).cloned())
+    }
+}
+
+fn size(files: &HashMap<String, Bytes>) -> usize {
+    files.values().map(Bytes::len).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_oldest_go_when_the_budget_is_full() {
+        let mut leftover = Leftover::default();
+        let third = Bytes::from(vec![1; BUDGET / 3]);
+        for name in ["a", "b", "c", "d"] {
+            leftover.add(HashMap::from([(name.to_owned(), third.clone())]));
+        }
+        assert_eq!(leftover.file("a"), None);
+        assert!(["b", "c", "d"].iter().all(|name| leftover.file(name).is_some()));
+        leftover.add(HashMap::from([("large".to_owned(), Bytes::from(vec![1; BUDGET + 1]))]));
+        assert_eq!((leftover.file("d"), leftover.file("large"), leftover.bytes), (None, None, 0));
+    }
+}
