@@ -67,6 +67,15 @@ def one_glb(scene: nf.Scene) -> bytes:
     return bytes(data)
 
 
+def write_script(name: str, path: Path) -> None:
+    """Write a module of this folder, with the packages that it uses, as one script."""
+    esbuild = CHECKOUT / "web" / "node_modules" / ".bin" / "esbuild"
+    source = CHECKOUT / "benchmarks" / "view" / name
+    command = [str(esbuild), str(source), "--bundle", "--minify", "--format=esm", f"--outfile={path}"]
+    # In a module of its own folder, packages are looked up where NODE_PATH tells.
+    subprocess.run(command, check=True, capture_output=True, env={**os.environ, "NODE_PATH": str(READERS)})
+
+
 def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
     """Write all files that are served; their bytes."""
     bundle = nf.stream.export(scene, folder / "bundle", center=CENTER)
@@ -74,11 +83,7 @@ def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
     (folder / "scene.glb").write_bytes(one_glb(scene))
     (folder / "view.json").write_text(json.dumps({"eye": CENTER, "target": TARGET, "angle": ANGLE}))
     (folder / "index.html").write_text('<body style="margin:0"><script type="module" src="peers.js"></script>')
-    esbuild = CHECKOUT / "web" / "node_modules" / ".bin" / "esbuild"
-    source = CHECKOUT / "benchmarks" / "view" / "_peers.mjs"
-    command = [str(esbuild), str(source), "--bundle", "--minify", "--format=esm", f"--outfile={folder / 'peers.js'}"]
-    # In a module of its own folder, packages are looked up where NODE_PATH tells.
-    subprocess.run(command, check=True, env={**os.environ, "NODE_PATH": str(READERS)})
+    write_script("_peers.mjs", folder / "peers.js")
     rows = bundle.summary()
     kinds = ("dynamic", "geometry", "color", "range")
     return {

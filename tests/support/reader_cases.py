@@ -22,6 +22,11 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 SECONDS = 300
 """After which a program that does not answer is stopped."""
 
+# WebGL 2 without a graphics card.
+SOFTWARE = "--use-angle=swiftshader --enable-unsafe-swiftshader"
+DRAWING = os.environ.get("NEARFAR_BROWSER_DRAWING", SOFTWARE)
+"""The flags by which browsers draw, such as "--use-angle=vulkan --enable-features=Vulkan" where a graphics card is."""
+
 BROWSER_FLAGS = (
     "--headless",
     "--no-sandbox",
@@ -31,9 +36,7 @@ BROWSER_FLAGS = (
     "--disable-dev-shm-usage",
     "--disable-background-networking",
     "--disable-component-update",
-    # WebGL 2 without a graphics card.
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
+    *DRAWING.split(),
 )
 
 

@@ -1,0 +1,74 @@
+"""Frames of the page while a bundle loads."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.loads import Network
+from benchmarks.stream._loaded import BEFORE, DONE, plan
+from tests.support.reader_cases import SECONDS
+
+WINDOW = 0.5
+"""Seconds that a rate is taken over."""
+
+# The head turns by 15 degrees a second. A frame: when it begins, and the ring that is shown, -1 for none.
+WATCH = """(() => {
+  const frames = [];
+  window.loadFrames = frames;
+  const watch = (now) => {
+    const { nearfar } = window;
+    if (nearfar) {
+      frames.push([now, nearfar.viewer.facts.shown?.ring ?? -1]);
+      nearfar.setPose({ ...nearfar.pose, yaw: ((now - frames[0][0]) / 1000) * Math.PI / 12, pitch: 0 });
+    }
+    requestAnimationFrame(watch);
+  };
+  requestAnimationFrame(watch);
+})()"""
+
+
+@dataclass(frozen=True)
+class Loading:
+    """A load, from the first frame on until the last ring is shown."""
+
+    seconds: float
+    picture: float
+    """Seconds until something is shown."""
+    rates: list[float]
+    """Frames a second in each window."""
+    longest: float
+    """Milliseconds of the longest frame."""
+
+
+def rates(begins: Sequence[float]) -> list[float]:
+    """Frames a second in windows, from when each frame begins, seconds; the last window is whole."""
+    at = np.array(begins) - begins[0]
+    counts = np.bincount((at / WINDOW).astype(int))[: max(int(at[-1] / WINDOW), 1)]
+    return [*map(float, counts / WINDOW)]
+
+
+def loading(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str, size: Any) -> Loading:
+    """Open a bundle's page by a strategy, and watch until all is shown."""
+    last = len(plan(bundle, strategy).radii)
+    with way.page(chromium, size) as page:
+        page.add_init_script(BEFORE)
+        page.add_init_script(WATCH)
+        page.goto(f"{url}?strategy={strategy}")
+        deadline = time.monotonic() + SECONDS
+        while (found := page.evaluate(DONE, last)) != "done":
+            if found or time.monotonic() > deadline:
+                raise RuntimeError(f"{strategy}: {found or 'the last ring does not come'}")
+            time.sleep(0.1)
+        frames = page.evaluate("() => window.loadFrames")
+    times = [now / 1e3 for now, _ in frames]
+    first = next(now / 1e3 for now, ring in frames if ring >= 0)
+    # The frame that shows the last ring may be the last one.
+    end = next((place for place, (_, ring) in enumerate(frames) if ring >= last), len(frames) - 1)
+    times = times[: end + 1]
+    return Loading(times[-1] - times[0], first - times[0], rates(times), float(np.diff(times).max(initial=0.0)) * 1e3)

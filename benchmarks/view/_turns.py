@@ -1,0 +1,160 @@
+"""A head that turns once in a page, and the times of its frames."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tests.support.browser import opened, wait_until
+from tests.support.reader_cases import DRAWING, SOFTWARE
+
+SECTORS = 12
+"""Of a turn; each has a rate of its own."""
+UNLIMITED = ("--disable-gpu-vsync", "--disable-frame-rate-limit") if DRAWING != SOFTWARE else ()
+"""Flags by which browsers draw the next frame as soon as they can, not sixty times a second. Programs that draw without
+pause leave no time to what decodes."""
+
+# The page's viewer as what `_whole.mjs` offers.
+OF_PAGE = """([position]) => {
+  const { nearfar } = window;
+  const { viewer } = nearfar;
+  const { info } = viewer.renderer;
+  const { frame } = viewer;
+  const rates = {
+    gl: viewer.renderer.getContext(),
+    script: [],
+    triangles: [],
+    look: (yaw) => nearfar.setPose({ position, yaw, pitch: 0 }),
+    draw: (yaw) => viewer.frame({ position, yaw, pitch: 0 }, 0.01),
+  };
+  info.autoReset = false;
+  viewer.frame = (pose, seconds) => {
+    info.reset();
+    const begun = performance.now();
+    frame(pose, seconds);
+    rates.script.push(performance.now() - begun);
+    rates.triangles.push(info.render.triangles);
+  };
+  window.rates = rates;
+}"""
+
+COMPLETE = """() => {
+  const { shown, entry } = window.nearfar?.viewer.facts ?? {};
+  return Boolean(shown) && shown.ring === entry.rings.length - 1 && !shown.fading && shown.grown.strength === 1;
+}"""
+
+TURN = """async ([seconds, isWaitedFor]) => {
+  const { gl, look, draw, script, triangles } = window.rates;
+  script.length = triangles.length = 0;
+  const whole = 2 * Math.PI;
+  const frames = [];
+  const begin = performance.now();
+  const next = () => {
+    const now = performance.now();
+    const yaw = (whole * (now - begin)) / 1000 / seconds;
+    frames.push([yaw, now]);
+    return yaw;
+  };
+  if (isWaitedFor) {
+    const pixel = new Uint8Array(4);
+    for (let yaw = next(); yaw < whole; yaw = next()) {
+      draw(yaw);
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    }
+  } else {
+    await new Promise((done) => {
+      const step = () => {
+        const yaw = next();
+        if (yaw >= whole) return done();
+        look(yaw);
+        requestAnimationFrame(step);
+      };
+      requestAnimationFrame(step);
+    });
+  }
+  const mean = (values) => values.reduce((sum, each) => sum + each, 0) / values.length;
+  return { frames, script: mean(script), triangles: mean(triangles) };
+}"""
+
+PHOTO = """(yaw) => {
+  const { gl, draw } = window.rates;
+  draw(yaw);
+  return gl.canvas.toDataURL('image/jpeg', 0.85).split(',')[1];
+}"""
+
+RENDERER = """() => {
+  const { gl } = window.rates;
+  const known = gl.getExtension('WEBGL_debug_renderer_info');
+  return gl.getParameter(known ? known.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+}"""
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A turn of the head."""
+
+    shown: list[float]
+    """Frames a second of each sector, as the browser shows them."""
+    waited: list[float]
+    """The same, each frame drawn and waited for, and none shown."""
+    script: float
+    """Milliseconds of a frame that the page's script takes."""
+    triangles: float
+    """Drawn in a frame, mean."""
+
+
+def rates(frames: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
+    """Frames a second in each sector of a turn, from the angle and the milliseconds at which each frame begins."""
+    yaw, time = np.array(frames).T
+    sector = (yaw[:-1] / (2.0 * np.pi) * SECTORS).astype(int)
+    counts = np.bincount(sector, minlength=SECTORS)
+    seconds = np.bincount(sector, np.diff(time) / 1e3, SECTORS)
+    return np.asarray(counts[counts > 0] / seconds[counts > 0])
+
+
+def turned(page: Any, seconds: float) -> Turn:
+    """Turn the head twice: frames are shown, then waited for."""
+    shown, waited = (page.evaluate(TURN, [seconds, is_waited_for]) for is_waited_for in (False, True))
+    return Turn(
+        [*map(float, rates(shown["frames"]))],
+        [*map(float, rates(waited["frames"]))],
+        shown["script"],
+        shown["triangles"],
+    )
+
+
+def renderer(page: Any) -> str:
+    """The name of what draws."""
+    return str(page.evaluate(RENDERER))
+
+
+def photo(page: Any, path: Path, yaw: float = 0.0) -> None:
+    """Save what the page draws as JPEG."""
+    path.write_bytes(base64.b64decode(page.evaluate(PHOTO, yaw)))
+
+
+@contextmanager
+def of_page(chromium: Any, url: str, size: tuple[int, int], eye: Sequence[float]) -> Iterator[Any]:
+    """A bundle's page, all of which is there, for a user at a place."""
+    with opened(chromium, *size) as page:
+        # Without growth, which takes a while.
+        page.goto(f"{url}?strategy=clovrd")
+        wait_until(page, lambda: page.evaluate(COMPLETE))
+        page.evaluate(OF_PAGE, [list(eye)])
+        yield page
+
+
+@contextmanager
+def of_whole(chromium: Any, url: str, size: tuple[int, int]) -> Iterator[Any]:
+    """The page of a whole scene."""
+    with opened(chromium, *size) as page:
+        page.goto(url)
+        wait_until(page, lambda: page.evaluate("() => Boolean(window.rates)"))
+        yield page

@@ -1,0 +1,250 @@
+"""Frames a second of the page and of whole scenes in plain three.js, after loading and while a bundle loads.
+
+python -m benchmarks.view.rates [--quick] [--place WORD] [--folder DIR] [--pictures DIR] [--json FILE]
+
+The city and the factory at two centres each. After loading, a head turns once, level, a metre beside the centre (the
+city) or half a metre (the factory): frames as the browser shows them, as fast as it can, and frames that are drawn,
+waited for and not shown. Whole scenes are one GLB, from where the user of the first centre stands: with a node for each
+copy of a mesh, and with copies as meshes of their own, as scenes without instances have them. While loading, bundles
+come over 50 Mbit/s and 20 ms, by each strategy. Chromium draws by programs, at most 60 frames a second, unless
+NEARFAR_BROWSER_DRAWING has other flags, such as "--use-angle=vulkan --enable-features=Vulkan --disable-vulkan-surface
+--ignore-gpu-blocklist"; a line says by what it draws.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.loads import Network, network
+from benchmarks.harness.timing import machine, table
+from benchmarks.stream._near import Place
+from benchmarks.stream.real import LINK, STRATEGIES, all_places
+from benchmarks.view._loading import Loading, loading
+from benchmarks.view._turns import UNLIMITED, Turn, of_page, of_whole, photo, renderer, turned
+from benchmarks.view.load import ANGLE, one_glb, write_script
+from tests.support.browser import started
+
+SCREEN = (1920, 1080)
+EYES = (3664, 1920)
+"""One picture, which stands for those of a headset's two eyes of 1832 × 1920: it has as many pixels."""
+COPIES = {"whole, instances": True, "whole, copies": False}
+LOCAL = Network(nf.stream.Link(1000), None)
+"""No link between server and page."""
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A turn in a scene."""
+
+    place: str
+    drawn: str
+    size: str
+    turn: Turn
+
+
+@dataclass(frozen=True)
+class Load:
+    """A load at a place."""
+
+    place: str
+    strategy: str
+    load: Loading
+
+
+class Files:
+    """Bundles and whole scenes in a folder; made unless they are there."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def bundle(self, place: Place) -> nf.stream.Bundle:
+        """A place's bundle."""
+        folder = self._folder / _name(place.name)
+        if (folder / "manifest.json").exists():
+            return nf.stream.open(folder)
+        return nf.stream.export(place.make(), folder, center=place.center, by_footprint=True)
+
+    def whole(self, place: Place, *, instanced: bool) -> Path:
+        """A folder with the page of a whole scene."""
+        folder = self._folder / _name(f"{place.name} whole {'instances' if instanced else 'copies'}")
+        folder.mkdir(parents=True, exist_ok=True)
+        if not (folder / "scene.glb").exists():
+            (folder / "scene.glb").write_bytes(one_glb(place.make(instanced=instanced)))
+        if not (folder / "whole.js").exists():
+            write_script("_whole.mjs", folder / "whole.js")
+        (folder / "view.json").write_text(json.dumps({"eye": eye(place), "angle": ANGLE}))
+        (folder / "index.html").write_text('<body style="margin:0"><script type="module" src="whole.js"></script>')
+        return folder
+
+
+def _name(text: str) -> str:
+    return text.replace(",", "").replace(" ", "-")
+
+
+def eye(place: Place) -> list[float]:
+    """Where the user stands."""
+    return [*map(float, np.add(place.center, place.users[0]))]
+
+
+class Run:
+    """What is measured, and how."""
+
+    def __init__(self, files: Files, pictures: Path | None, *, quick: bool) -> None:
+        self.files, self._pictures = files, pictures
+        self._seconds = 3.0 if quick else 8.0
+        self._sizes = [(width // 4, height // 4) if quick else (width, height) for width, height in (SCREEN, EYES)]
+        self.renderer = ""
+        """Name of what draws, as WebGL tells it."""
+        self.seen, self.loads = list[Seen](), list[Load]()
+
+    def figures(self) -> dict[str, Any]:
+        """All of it, for a file."""
+        return {
+            "renderer": self.renderer,
+            "turns": [asdict(one) for one in self.seen],
+            "loads": [asdict(one) for one in self.loads],
+        }
+
+    def turn(self, place: str, drawn: str, page: Any) -> None:
+        """Turn the head in a page."""
+        width, height = page.viewport_size["width"], page.viewport_size["height"]
+        if not self.renderer:
+            self.renderer = renderer(page)
+            print(self.renderer, flush=True)
+        if self._pictures:
+            photo(page, self._pictures / f"{_name(f'{place} {drawn} {width}')}.jpg")
+        self.seen.append(Seen(place, drawn, f"{width} × {height}", turned(page, self._seconds)))
+        print(place, drawn, width, rate(self.seen[-1].turn.shown), flush=True)
+
+    def reduced(self, chromium: Any, place: Place) -> None:
+        """Turn in the page of a bundle."""
+        bundle = self.files.bundle(place)
+        with LOCAL.shown(Path(bundle._reader.place)) as url:
+            for size in self._sizes:
+                with of_page(chromium, url, size, eye(place)) as page:
+                    self.turn(place.name, "nearfar", page)
+
+    def whole(self, chromium: Any, place: Place) -> None:
+        """Turn in whole scenes."""
+        for drawn, instanced in COPIES.items():
+            with LOCAL.served(self.files.whole(place, instanced=instanced)) as url:
+                for size in self._sizes:
+                    with of_whole(chromium, url, size) as page:
+                        self.turn(place.name, drawn, page)
+
+    def loading(self, place: Place) -> None:
+        """Load a bundle by each strategy."""
+        bundle = self.files.bundle(place)
+        folder = Path(bundle._reader.place)
+        with network(LINK) as way, way.shown(folder) as url, way.browser(url, UNLIMITED) as chromium:
+            print(place.name, way.name)
+            once = partial(loading, way, chromium, url, bundle, size=self._sizes[0])
+            # The first load of a browser also compiles its shaders.
+            once("clovrd")
+            for strategy in STRATEGIES:
+                found = once(strategy)
+                self.loads.append(Load(place.name, strategy, found))
+                print(place.name, strategy, rate(found.rates), flush=True)
+
+
+def rate(values: Sequence[float]) -> str:
+    """Mean and standard deviation."""
+    return f"{np.mean(values):.1f} ± {np.std(values):.1f}"
+
+
+def of_turns(seen: list[Seen]) -> str:
+    """Table of turns."""
+    rows = [
+        [
+            one.place,
+            one.drawn,
+            one.size,
+            rate(one.turn.shown),
+            rate(one.turn.waited),
+            f"{one.turn.script:.2f}",
+            f"{one.turn.triangles / 1e6:.2f}",
+        ]
+        for one in seen
+    ]
+    header = ["", "", "pixels", "shown", "drawn and waited for", "ms of script", "M triangles drawn"]
+    return table("Frames a second after loading, mean ± sd of a turn's sectors", header, rows)
+
+
+def of_loads(loads: list[Load]) -> str:
+    """Table of loads."""
+    rows = [
+        [
+            one.place,
+            one.strategy,
+            f"{one.load.picture:.2f}",
+            f"{one.load.seconds:.2f}",
+            rate(one.load.rates),
+            f"{min(one.load.rates):.0f}",
+            f"{one.load.longest:.0f}",
+        ]
+        for one in loads
+    ]
+    header = ["", "", "first picture, s", "all, s", "frames a second", "least in half a second", "longest frame, ms"]
+    return table("Frames while loading", header, rows)
+
+
+@contextmanager
+def folder_of(given: Path | None) -> Iterator[Path]:
+    """The folder that was named, or one for this run."""
+    if given is None:
+        with tempfile.TemporaryDirectory() as name:
+            yield Path(name)
+    else:
+        given.mkdir(parents=True, exist_ok=True)
+        yield given
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="small scenes, short turns")
+    parser.add_argument("--place", default="", help="places whose names have this in them, such as factory")
+    parser.add_argument("--parts", nargs="+", choices=("reduced", "whole", "loading"), help="by default all of them")
+    parser.add_argument("--folder", type=Path, help="folder that keeps bundles and scenes for the next run")
+    parser.add_argument("--pictures", type=Path, help="folder for pictures of each page")
+    parser.add_argument("--json", type=Path, help="file for all figures")
+    given = parser.parse_args()
+    parts = given.parts or ("reduced", "whole", "loading")
+    print(machine(), flush=True)
+    if given.pictures:
+        given.pictures.mkdir(parents=True, exist_ok=True)
+    with folder_of(given.folder) as folder:
+        run = Run(Files(folder), given.pictures, quick=given.quick)
+        firsts = set[object]()
+        for place in all_places(given.quick):
+            is_first = place.make not in firsts
+            firsts.add(place.make)
+            if given.place not in place.name:
+                continue
+            with started(flags=UNLIMITED) as chromium:
+                if "reduced" in parts:
+                    run.reduced(chromium, place)
+                if "whole" in parts and is_first:
+                    run.whole(chromium, place)
+            if "loading" in parts:
+                run.loading(place)
+            if given.json:
+                given.json.write_text(json.dumps(run.figures(), indent=1) + "\n")
+    if run.seen:
+        print(of_turns(run.seen))
+    if run.loads:
+        print(of_loads(run.loads))
+
+
+if __name__ == "__main__":
+    main()
