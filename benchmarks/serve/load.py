@@ -1,8 +1,9 @@
 """Requests per second, times and memory of the server beside nginx: the same files, generator and machine.
 
-python -m benchmarks.serve.load [--quick]
+python -m benchmarks.serve.load [--quick] [--rounds N]
 
 Needs wrk on the PATH, and compares with nginx if that is there, too. Generator and server share the machine's cores.
+Memory is told after each round of loads.
 """
 
 from __future__ import annotations
@@ -116,7 +117,17 @@ def load(url: str, connections: int, seconds: int, part: str | None) -> tuple[fl
     return int(count) / float(taken), rate, milliseconds(50), milliseconds(99), errors
 
 
-def run(folder: Path, seconds: int) -> None:
+def row(url: str, server: str, what: str, connections: int, seconds: int) -> list[str]:
+    """Cells of a row of a load."""
+    file, part = ASKED[what]
+    rate, megabytes, middle, high, errors = load(f"{url}files/{file}", connections, seconds, part)
+    return [
+        *(what, server, str(connections)),
+        *(f"{rate:,.0f}", f"{megabytes:,.0f}", f"{middle:.1f}", f"{high:.1f}", str(errors)),
+    ]
+
+
+def run(folder: Path, seconds: int, rounds: int) -> None:
     """Load the servers in turn, and print the table and memory."""
     servers = {"nearfar": nearfar, **({"nginx": nginx} if shutil.which("nginx") else {})}
     rows: list[list[str]] = []
@@ -124,17 +135,15 @@ def run(folder: Path, seconds: int) -> None:
     for name, server in servers.items():
         with server(folder) as (url, process):
             load(f"{url}files/{SMALL[0]}", 10, 1, None)
-            before = resident(process)
-            for what, (file, part) in ASKED.items():
-                for connections in CONNECTIONS:
-                    found = load(f"{url}files/{file}", connections, seconds, part)
-                    rate, megabytes, middle, high, errors = found
-                    numbers = [f"{rate:,.0f}", f"{megabytes:,.0f}", f"{middle:.1f}", f"{high:.1f}", str(errors)]
-                    rows.append([what, name, str(connections), *numbers])
-            memory.append([name, f"{before:.0f}", f"{resident(process):.0f}"])
+            sizes = [resident(process)]
+            for number in range(rounds):
+                found = [row(url, name, what, connections, seconds) for what in ASKED for connections in CONNECTIONS]
+                rows += [] if number else found
+                sizes.append(resident(process))
+            memory.append([name, *(f"{size:.0f}" for size in (sizes[0], *sizes[1:2], max(sizes), sizes[-1]))])
     order = list(ASKED)
-    print(table("Load", HEADER, sorted(rows, key=lambda row: (order.index(row[0]), int(row[2])))))
-    print(table("Memory", ["server", "MB before", "MB after"], memory))
+    print(table("Load", HEADER, sorted(rows, key=lambda cells: (order.index(cells[0]), int(cells[2])))))
+    print(table("Memory", ["server", "MB before", "after a round", "most", f"after {rounds}"], memory))
     if "nginx" not in servers:
         print("nginx is not on the PATH: nothing to compare with")
 
@@ -143,6 +152,7 @@ def main() -> None:
     """Parse the arguments and run."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="a second for each figure")
+    parser.add_argument("--rounds", type=int, default=1, help="rounds of loads; rates are those of the first one")
     arguments = parser.parse_args()
     if not shutil.which("wrk"):
         sys.exit("wrk: expected it on the PATH")
@@ -154,7 +164,7 @@ def main() -> None:
             (folder / "files" / file).write_bytes(hashlib.shake_128(file.encode()).digest(count))
         # nginx's workers run as another user where it is started by root.
         folder.chmod(0o755)
-        run(folder, 1 if arguments.quick else SECONDS)
+        run(folder, 1 if arguments.quick else SECONDS, arguments.rounds)
 
 
 if __name__ == "__main__":

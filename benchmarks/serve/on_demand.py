@@ -1,6 +1,6 @@
 """Seconds from a request for a new centre until its rings are there, for one client and for two at once.
 
-python -m benchmarks.serve.on_demand [--quick]
+python -m benchmarks.serve.on_demand [--quick | --tokyo]
 """
 
 from __future__ import annotations
@@ -8,14 +8,18 @@ from __future__ import annotations
 import argparse
 import http.client
 import json
+import resource
 import statistics
 import time
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from urllib.parse import urlsplit
 
 import numpy as np
+import psutil
 
 import nearfar as nf
+from benchmarks.harness import tokyo
 from benchmarks.harness.timing import machine, table
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
@@ -24,15 +28,42 @@ from nearfar.stream._radii import PUBLISHED
 
 HEADER = ["", "ring 0, coarse", "last ring, coarse", "ring 0", "last ring", "kB, coarse", "kB after it"]
 
+Place = tuple[float, float, float]
+
+STREETS: tuple[Place, ...] = (
+    (0.0, 1.75, 0.0),
+    (-42.0, 1.75, -64.0),
+    (30.0, 1.75, 2.0),
+    (60.0, 1.75, -60.0),
+    (2.0, 1.75, 40.0),
+    (-60.0, 1.75, 0.0),
+    (90.0, 1.75, 60.0),
+    (-20.0, 1.75, 62.0),
+)
+"""Places in the procedural city."""
+
+WARDS: tuple[Place, ...] = (
+    (-28.0, 1.75, -8.0),
+    (-6010.0, 1.75, -1078.0),
+    (-10214.0, 1.75, -6254.0),
+    (-218.0, 50.5, 1110.0),
+    (-5918.0, 1.75, 2574.0),
+    (916.0, 1.75, -3610.0),
+    (2654.0, 1.75, -3720.0),
+    (-10288.0, 1.75, 3866.0),
+)
+"""Open places in Tokyo, metres from its station: beside the station, in streets of Shinjuku and Nerima, on a roof in
+Ginza; in streets of Shibuya, Ueno, Asakusa and Setagaya."""
+
 Times = tuple[float, ...]
 """Seconds until the coarse ring 0, the last coarse ring, the ring 0 and the last ring of full size."""
 
 
-def ask(url: str, place: tuple[float, float]) -> tuple[Times, tuple[int, int]]:
+def ask(url: str, place: Place) -> tuple[Times, tuple[int, int]]:
     """Ask for a place, and fetch each file as soon as its part tells of it; seconds, and bytes of both stages."""
     connection = http.client.HTTPConnection(urlsplit(url).netloc)
     start = time.perf_counter()
-    connection.request("GET", f"/at/{place[0]},1.75,{place[1]}/parts")
+    connection.request("GET", "/at/{},{},{}/parts".format(*place))
     answer = connection.getresponse()
     came: dict[tuple[int, int], float] = {}
     sizes = [0, 0]
@@ -62,39 +93,50 @@ def row(name: str, found: list[tuple[Times, tuple[int, int]]]) -> list[str]:
     return [name, *(f"{value:.2f}" for value in seconds), *(f"{value:,.0f}" for value in sizes)]
 
 
-def measured(name: str, scene: nf.Scene, places: list[tuple[float, float]]) -> list[list[str]]:
+def measured(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...]) -> list[list[str]]:
     """Rows of a scene: one client after the other, then two at once; no place is asked for twice."""
-    nf.cast_rays(scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
-    with Server({"": Site.of_scene(OnDemand(scene, radii=PUBLISHED), None)}) as server, ThreadPoolExecutor(2) as pool:
+    start = time.perf_counter()
+    maker = OnDemand(load(), radii=PUBLISHED)
+    nf.cast_rays(maker.scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
+    seconds = time.perf_counter() - start
+    name = f"{name}, {maker.scene.triangle_count / 1e6:.1f} M triangles"
+    with Server({"": Site.of_scene(maker, None)}) as server, ThreadPoolExecutor(2) as pool:
         half = len(places) // 2
         alone = [ask(server.url, place) for place in places[:half]]
         pairs = zip(places[half::2], places[half + 1 :: 2], strict=True)
         both = [found for pair in pairs for found in pool.map(lambda place: ask(server.url, place), pair)]
+    memory, peak = psutil.Process().memory_info().rss / 1e9, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
+    print(
+        f"{name}: there with its trees after {seconds:.1f} s; {memory:.1f} GB at the end, {peak:.1f} GB at most so far"
+    )
+    for place, (times, _) in zip(places, alone + both, strict=True):
+        print(f"  {place}: {', '.join(f'{value:.2f}' for value in times)} s", flush=True)
     return [row(name, alone), row(f"{name}, two clients at once", both)]
+
+
+def whole_of_tokyo() -> nf.Scene:
+    """Each building an object; SystemExit without the data."""
+    arrays = tokyo.with_buildings()
+    if arrays is None:
+        raise SystemExit("--tokyo: expected NEARFAR_DATA to name a folder of data beside tools/tokyo.py")
+    return nf.Scene.from_arrays(arrays[0], arrays[1], face_object=arrays[2])
 
 
 def main() -> None:
     """Print the table."""
     parse = argparse.ArgumentParser(description=__doc__)
-    parse.add_argument("--quick", action="store_true", help="a small city alone")
-    quick = parse.parse_args().quick
-    places = [
-        (0.0, 0.0),
-        (-42.0, -64.0),
-        (30.0, 2.0),
-        (60.0, -60.0),
-        (2.0, 40.0),
-        (-60.0, 0.0),
-        (90.0, 60.0),
-        (-20.0, 62.0),
-    ]
+    scenes = parse.add_mutually_exclusive_group()
+    scenes.add_argument("--quick", action="store_true", help="a small city alone")
+    scenes.add_argument("--tokyo", action="store_true", help="the whole of Tokyo alone, 29.8 million triangles")
+    given = parse.parse_args()
     print(machine(), flush=True)
-    rows = []
-    for name, blocks, detail in [("city, small", 3, 0)] if quick else [("city", 12, 2), ("city", 9, 3)]:
-        scene = nf.datasets.city(blocks=blocks, detail=detail)
-        rows += measured(
-            f"{name}, {scene.triangle_count / 1e6:.1f} M triangles", scene, places[:4] if quick else places
-        )
+    if given.tokyo:
+        rows = measured("whole of Tokyo", whole_of_tokyo, WARDS)
+    elif given.quick:
+        rows = measured("city, small", lambda: nf.datasets.city(blocks=3, detail=0), STREETS[:4])
+    else:
+        rows = measured("city", lambda: nf.datasets.city(blocks=12, detail=2), STREETS)
+        rows += measured("city", lambda: nf.datasets.city(blocks=9, detail=3), STREETS)
     print(table("seconds from the request, maps of 6 × 1024², 4 samples", HEADER, rows))
 
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import psutil
 import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.tokyo import whole
+from benchmarks.harness.tokyo import whole, with_buildings
+from nearfar.stream._on_demand import OnDemand
 from tests.support import need
 
 pytestmark = pytest.mark.stress
@@ -94,6 +97,23 @@ def test_the_map_of_a_whole_city_is_what_rays_meet(tokyo: nf.Scene) -> None:
         far &= np.isfinite(truth)
         # One float32 step of the range, met from two starting points.
         np.testing.assert_allclose(baked[far], truth[far], rtol=2e-7)
+
+
+def test_regions_on_demand_of_a_whole_city_have_its_rings_and_look_at_few_buildings() -> None:
+    need("tokyo")
+    found = with_buildings()
+    assert found is not None
+    scene, radii = nf.Scene.from_arrays(found[0], found[1], face_object=found[2]), (10.0, 22.0, 63.0)
+    maker = OnDemand(scene, radii=radii, face_size=64, samples=1)
+    for place in ((-28.0, 1.75, -8.0), (-10214.0, 1.75, -6254.0)):
+        expected = nf.stream.assign(scene, center=place, radii=radii)
+        (region,) = json.loads(next(maker.parts(place)).line)["manifest"]["regions"]
+        counts = [[ring[key] for key in ("objects", "triangles")] for ring in region["rings"][1:]]
+        assert counts == [[row[key] for key in ("objects", "triangles")] for row in expected.summary()[:3]]
+        rings = nf.stream.assign(maker._tiles.about(place, radii[-1]), center=place, radii=radii)
+        np.testing.assert_array_equal(rings.ring, expected.ring)
+        # The others lie in tiles whose boxes are beyond the last radius.
+        assert rings.measured < 0.01 * scene.triangle_count
 
 
 def test_a_city_of_hundreds_of_millions_by_instances() -> None:

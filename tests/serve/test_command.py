@@ -93,9 +93,33 @@ def test_a_scene_that_cannot_be_loaded_is_told_and_others_are_served(place: Path
 
 
 def test_what_would_be_served_is_told(place: Path) -> None:
-    told = CliRunner().invoke(app, ["serve", str(place), "--check", "--port", "0"])
+    told = CliRunner().invoke(app, ["serve", f"files={place}", "room", "--check", "--port", "0"])
     assert told.exit_code == 0
-    assert f"shows {place}" in told.stdout
+    bundle, scene, loaded = told.stdout.splitlines()
+    assert "/files/ can be served: 1 region, " in bundle
+    assert scene.endswith("/room/ can be served: regions are made where you go")
+    assert loaded.startswith("room is loaded: ")
+
+
+def test_names_are_told_as_addresses(place: Path) -> None:
+    names = ("--name", "Example.org", "--name", "[::1]")
+    with serving(place, *names, "--log", "off") as (running, url):
+        port = url.rstrip("/").rpartition(":")[2]
+        assert url == f"http://example.org:{port}/"
+        for host, code in [("example.org", 200), ("[::1]", 200), ("localhost", 403)]:
+            here = f"http://127.0.0.1:{port}/healthz"
+            assert httpx.get(here, headers={"host": f"{host}:{port}"}).status_code == code
+        running.terminate()
+        told, _ = rest_of(running)
+    assert told == f"  also http://[::1]:{port}/\n"
+
+
+def test_a_folder_with_nothing_to_show_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from nearfar.cli._app import run
+
+    for command in (["serve", str(tmp_path), "--check"], ["view", str(tmp_path), "--no-browser"]):
+        assert run(command) == 1
+        assert f"{tmp_path}: expected a folder that `nearfar export` or" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
@@ -109,6 +133,12 @@ def test_what_would_be_served_is_told(place: Path) -> None:
         (("--certificate", "c.pem", "--key", "k.pem"), "c.pem: expected a certificate in PEM"),
         (("room",), "expected different names, got 'room' twice"),
         (("nothing",), "nothing"),
+        (("healthz=room",), "sites: expected names without a slash, but not healthz, metrics, "),
+        (("--origin", "example.org"), "origin: expected one such as https://example.org"),
+        (("--origin", "https://example.org/"), "origin: expected one such as https://example.org"),
+        (("--name", "https://example.org"), "names: expected names of hosts"),
+        (("--name", "example.org:443"), "names: expected names of hosts"),
+        (("--name", ""), "names: expected names of hosts"),
     ],
 )
 def test_what_cannot_be_used_is_named(

@@ -287,7 +287,7 @@ def check_fuzzed(folder: Path, mutate: Callable[[Path, st.DataObject], None], da
 QUICK = settings(
     max_examples=30, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
-MANY = settings(QUICK, max_examples=3000)
+MANY = settings(QUICK, max_examples=1000)
 
 
 @pytest.mark.parametrize("mutate", [Fuzz.manifest, Fuzz.file])

@@ -29,6 +29,10 @@ FRAME = """([pose, seconds, isRead]) => {
 }"""
 
 
+PAUSE = 50
+"""Milliseconds between frames while something loads."""
+
+
 class SteppedPage:
     """A page whose frames are drawn when the test asks for them."""
 
@@ -55,7 +59,8 @@ class SteppedPage:
             if not told["isLoading"]:
                 assert self.page.evaluate("() => document.querySelector('#message').textContent") == ""
                 return told
-            self.page.wait_for_timeout(10)
+            # Drawing in software takes cores from the workers that decode.
+            self.page.wait_for_timeout(PAUSE)
         raise AssertionError(f"loading does not end: {self.page.printed}")
 
 

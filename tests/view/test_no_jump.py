@@ -19,7 +19,7 @@ pytestmark = pytest.mark.slow
 SIZE = (640, 400)
 RATE = 72.0
 RADII = (10.0, 17.0, 22.0, 32.0, 63.0)
-PAIRS = 8
+PAIRS = 5
 """Pairs of consecutive frames that are looked at in a cross-fade, and while the morph grows for a ring."""
 SMOOTH = 0.999
 """Least continuity: that of bent rays in the same growth is 0.99902 (docs/stream.md)."""

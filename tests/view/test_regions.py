@@ -93,7 +93,7 @@ def at_the_border(page: Any, url: str, yaw: float) -> SteppedPage:
     return stepped
 
 
-@pytest.mark.parametrize("yaw", [-np.pi / 2, 0.3, 2.0])
+@pytest.mark.parametrize("yaw", [-np.pi / 2, 2.0])
 def test_a_crossing_changes_less_than_a_step(chromium: Any, city: nf.Scene, two: Path, yaw: float) -> None:
     xs = [5.9 + WALK / RATE * step for step in range(90)]
     with Server.of_bundle(two) as server, opened(chromium, *SIZE) as shown:
@@ -172,8 +172,8 @@ def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None
 
         walked = []
         for place in range(PLACES):
-            for step in range(1, 11) if place else ():
-                stepped.frame(stand(gallery.center(place - 1)[0] + gallery.STEP * step / 10), 0.2)
+            for step in range(1, 5) if place else ():
+                stepped.frame(stand(gallery.center(place - 1)[0] + gallery.STEP * step / 4), 0.5)
             walked.append(arrive(place))
         # Files that regions share are here; faces of maps that are equal by chance come again.
         asked = Counter(requests)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
@@ -17,8 +17,9 @@ from nearfar.cli._options import option
 from nearfar.serve import _addresses, _log
 from nearfar.serve._certificate import Certificate
 from nearfar.serve._limits import Limits
+from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
-from nearfar.serve._site import CACHE_BYTES
+from nearfar.serve._site import CACHE_BYTES, Site
 
 _DEFAULT = Limits()
 
@@ -39,7 +40,12 @@ def serve(
     port: Annotated[int, option("--port", "NUMBER", "Port to listen at; 0 for any that is free.")] = 8080,
     name: Annotated[
         list[str] | None,
-        option("--name", "HOST", "Name by which clients may call the server; repeat it. By default any of its own."),
+        option(
+            "--name",
+            "HOST",
+            "Name by which alone clients may call the server, such as example.org; repeat it for more. By default "
+            "localhost if only this machine reaches it, else any.",
+        ),
     ] = None,
     certificate: Annotated[
         str | None, option("--certificate", "FILE", "Certificate of the server in PEM, with those that signed it.")
@@ -96,11 +102,10 @@ def serve(
         _ended() as end,
         Server(sites, host=host, port=port, names=name, certificate=used, origin=origin, limits=limits) as server,
     ):
-        _tell(server, sources, used)
         if only_check:
-            for scene in scenes:
-                scene.wait()
+            _tell_what_is_there(server, sites, scenes)
             return
+        _tell(server, sources, used)
         _sites.tell_of(scenes)
         end.wait()
 
@@ -127,6 +132,14 @@ def _tell(server: Server, sources: list[str], certificate: Certificate | None) -
     if certificate is not None:
         typer.echo(f"certificate {certificate.certificate}, {certificate.days} days left, SHA-256:")
         typer.echo(f"  {certificate.fingerprint}")
+
+
+def _tell_what_is_there(server: Server, sites: Mapping[str, Site], scenes: Sequence[LoadedScene]) -> None:
+    """Tell of all that can be served; ValueError for a scene that cannot."""
+    for name, site in sites.items():
+        typer.echo(f"{server.url}{f'{name}/' if name else ''} can be served: {site.title}")
+    for scene in scenes:
+        typer.echo(_sites.loaded(scene))
 
 
 @contextmanager

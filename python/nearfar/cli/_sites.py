@@ -60,13 +60,17 @@ def read(sources: Sequence[str], loading: Loading, regions: Regions) -> tuple[di
     return (sites if len(sites) > 1 else {"": sites[names[0]]}), scenes
 
 
+def loaded(scene: LoadedScene) -> str:
+    """Wait for a scene, and tell of it in a sentence; ValueError with another one if it cannot be loaded."""
+    return f"{scene.title} is loaded: {scene.wait().triangle_count:,} triangles"
+
+
 def tell_of(scenes: Sequence[LoadedScene]) -> None:
     """Say of each scene when it is there, or why it is not, while the server answers."""
 
     def tell(scene: LoadedScene) -> None:
         try:
-            triangles = scene.wait().triangle_count
-            typer.echo(f"{scene.title} is loaded: {triangles:,} triangles")
+            typer.echo(loaded(scene))
         except ValueError as error:
             typer.echo(f"nearfar: {error}", err=True)
 

@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 import ipaddress
+import re
 import socket
+from collections.abc import Sequence
 
 from nearfar._base import check
 
 LOCAL = "127.0.0.1"
 NAMES = (LOCAL, "localhost", "[::1]")
 """Names by which browsers may call a server on this machine alone: another name is another site's that points here."""
+
+
+HOST = re.compile(r"[\w.-]+|\[[0-9a-f:.]+\]", re.ASCII)
+"""Name of a host without a port, as browsers send it in lower case."""
+
+ORIGIN = re.compile(rf"[a-z][a-z0-9+.-]*://(?:{HOST.pattern})(?::\d+)?", re.ASCII)
+"""Origin of a page, as browsers send it."""
 
 
 def address(host: str) -> str:
@@ -41,6 +50,26 @@ def reached(listened: str) -> list[str]:
     return list(dict.fromkeys(host for host in found if host))
 
 
+def names(given: Sequence[str]) -> list[str]:
+    """Check names of hosts and return them in lower case; ValueError for what no browser sends as one."""
+    found = [name.lower() for name in check.texts("names", given)]
+    for name in found:
+        if not HOST.fullmatch(name):
+            got = check.shortened(name)
+            raise ValueError(f"names: expected names of hosts without a port, such as example.org, got {got}")
+    return found
+
+
+def origin(given: str) -> str:
+    """Check whose pages may read the files; ValueError for what no browser sends as an origin."""
+    if check.text("origin", given) != "*" and not ORIGIN.fullmatch(given):
+        got = check.shortened(given)
+        raise ValueError(
+            f"origin: expected one such as https://example.org without a slash at its end, or *, got {got}"
+        )
+    return given
+
+
 def _outward() -> str | None:
     """Return the address of this machine in its network; None without a network. Nothing is sent."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
@@ -54,4 +83,4 @@ def _outward() -> str | None:
 
 def in_url(host: str) -> str:
     """Write a host as it stands in an address of the web."""
-    return f"[{host}]" if ":" in host else host
+    return f"[{host}]" if ":" in host and not host.startswith("[") else host

@@ -142,7 +142,7 @@ class LoadedScene:
             near_share=NEAR_SHARE,
             growth=Growth((1.0,), speed=made._speed).described(),
             is_static=not scene.poses,
-            notes=list(scene.report.notes),
+            notes=list(scene._notes),
         )
 
     def _result(self, work: background.Later[Result]) -> Result:

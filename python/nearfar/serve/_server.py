@@ -82,12 +82,13 @@ class Server:
             check.instance("certificate", certificate, Certificate)
         chosen = Limits() if limits is None else check.instance("limits", limits, Limits)
         self._certificate, self._host = certificate, listened
+        self._names = None if names is None else _addresses.names(names)
         try:
             self._server = _core.Server(
                 [(name, site.documents(), site.demand) for name, site in found.items()],
                 host=listened,
                 port=number,
-                hosts=_hosts(names, listened),
+                hosts=_hosts(self._names, listened),
                 headers=list(_headers(origin).items()),
                 origin=origin,
                 certificate=None if certificate is None else certificate.files,
@@ -116,8 +117,8 @@ class Server:
 
     @property
     def urls(self) -> list[str]:
-        """Addresses at which clients reach the server, the likeliest first."""
-        return [self._address(host) for host in _addresses.reached(self._host)]
+        """Addresses at which clients reach the server, the likeliest first; with the names that it was given alone."""
+        return [self._address(host) for host in self._names or _addresses.reached(self._host)]
 
     @property
     def port(self) -> int:
@@ -149,7 +150,8 @@ def _checked(sites: Mapping[str, Site]) -> dict[str, Site]:
     for name, site in found.items():
         check.instance("sites", site, Site)
         if name in RESERVED or "/" in name or name in (".", ".."):
-            raise ValueError(f"sites: expected names without a slash that the server has not itself, got {name!r}")
+            taken = ", ".join(RESERVED)
+            raise ValueError(f"sites: expected names without a slash, but not {taken}, . or .., got {name!r}")
     if not found:
         raise ValueError("sites: expected one or more, got none")
     if len(found) > 1 and "" not in found:
@@ -160,12 +162,12 @@ def _checked(sites: Mapping[str, Site]) -> dict[str, Site]:
 
 def _hosts(names: Sequence[str] | None, listened: str) -> list[str] | None:
     if names is not None:
-        return [name.lower() for name in check.texts("names", names)]
+        return list(names)
     return list(_addresses.NAMES) if _addresses.is_local(listened) else None
 
 
 def _headers(origin: str | None) -> dict[str, str]:
     if origin is None:
         return HEADERS
-    check.text("origin", origin)
+    _addresses.origin(origin)
     return {**HEADERS, "cross-origin-resource-policy": "cross-origin"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -10,7 +11,7 @@ from pathlib import Path
 from nearfar import stream
 from nearfar.serve._scene import LoadedScene
 from nearfar.stream._on_demand import OnDemand, next_part
-from nearfar.stream._store import FOLDER, is_url
+from nearfar.stream._store import FOLDER, MANIFEST, is_url
 from nearfar.view._content import of_bundle, opened, reduced_folder
 from nearfar.view._page import INDEX, TYPES, page_files
 
@@ -45,6 +46,7 @@ class Site:
         """Show a bundle or a reduced scene; errors as `nearfar.stream.open` and `ReducedScene.load` raise them."""
         if reduced_folder(path) is not None:
             return cls(opened(path), title="reduced scene")
+        _check_folder(path)
         bundle = stream.open(path)
         content: dict[str, Source] = dict(of_bundle(bundle, bundle._reader.read))
         return cls(content if is_url(path) else {**content, **_local_files(bundle)}, title=_title(bundle))
@@ -71,6 +73,15 @@ class Site:
             is_named = name.startswith(f"{FOLDER}/")
             listed.append((name, _media(name), is_named, source if is_named else _read(source)))
         return listed
+
+
+def _check_folder(path: str | os.PathLike[str]) -> None:
+    """FileNotFoundError for a folder that is there, but has nothing to show."""
+    if not is_url(path) and Path(path).is_dir() and not (Path(path) / MANIFEST).exists():
+        what = (
+            "expected a folder that `nearfar export` or `nearfar reduce` wrote; it has no manifest.json or reduced.json"
+        )
+        raise FileNotFoundError(errno.ENOENT, what, os.fspath(path))
 
 
 def _read(source: Source) -> Source:

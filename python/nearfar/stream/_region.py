@@ -93,6 +93,6 @@ def manifest_of(scene: Scene, settings: Settings, *, growth: Growth, files: File
         display={"pixels_per_degree": settings.pixels_per_degree, "split_px": settings.split_px},
         map={"face_size": settings.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
         **parts,
-        notes=list(scene.report.notes),
+        notes=list(scene._notes),
         files=files.listed(),
     )
