@@ -9,7 +9,7 @@ waited for and not shown. Whole scenes are one GLB without textures, from where 
 with a node for each copy of a mesh, and with copies as meshes of their own, as scenes without instances have them.
 While loading, bundles come over 50 Mbit/s and 20 ms, by each strategy. Chromium draws by programs unless
 NEARFAR_BROWSER_DRAWING has other flags, such as "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist"; a line says
-by what it draws. Pictures are taken after turns: look whether all is in them.
+by what it draws. Each turn has a browser of its own, and pictures are taken after turns: look whether all is in them.
 """
 
 from __future__ import annotations
@@ -127,20 +127,20 @@ class Run:
             photo(page, self._pictures / f"{_name(f'{place} {drawn} {width}')}.jpg")
         print(place, drawn, width, rate(self.seen[-1].turn.shown), flush=True)
 
-    def reduced(self, chromium: Any, place: Place) -> None:
+    def reduced(self, place: Place) -> None:
         """Turn in the page of a bundle."""
         bundle = self.files.bundle(place)
         with LOCAL.shown(Path(bundle._reader.place)) as url:
             for size in self._sizes:
-                with of_page(chromium, url, size, eye(place)) as page:
+                with started() as chromium, of_page(chromium, url, size, eye(place)) as page:
                     self.turn(place.name, "nearfar", page)
 
-    def whole(self, chromium: Any, place: Place) -> None:
+    def whole(self, place: Place) -> None:
         """Turn in whole scenes."""
         for drawn, instanced in COPIES.items():
             with LOCAL.served(self.files.whole(place, instanced=instanced)) as url:
                 for size in self._sizes:
-                    with of_whole(chromium, url, size) as page:
+                    with started() as chromium, of_whole(chromium, url, size) as page:
                         self.turn(place.name, drawn, page)
 
     def loading(self, place: Place) -> None:
@@ -232,11 +232,10 @@ def main() -> None:
             firsts.add(place.make)
             if given.place not in place.name:
                 continue
-            with started() as chromium:
-                if "reduced" in parts:
-                    run.reduced(chromium, place)
-                if "whole" in parts and is_first:
-                    run.whole(chromium, place)
+            if "reduced" in parts:
+                run.reduced(place)
+            if "whole" in parts and is_first:
+                run.whole(place)
             if "loading" in parts:
                 run.loading(place)
             if given.json:
