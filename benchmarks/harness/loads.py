@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
@@ -62,10 +62,10 @@ class Network:
                 server.terminate()
 
     @contextmanager
-    def browser(self, url: str, flags: Sequence[str] = ()) -> Iterator[Any]:
+    def browser(self, url: str) -> Iterator[Any]:
         """Chromium at the client's side; pages from the address may do what a server with TLS allows them."""
         origin = "{0.scheme}://{0.netloc}".format(urlsplit(url))
-        flags = (f"--unsafely-treat-insecure-origin-as-secure={origin}", "--ignore-certificate-errors", *flags)
+        flags = (f"--unsafely-treat-insecure-origin-as-secure={origin}", "--ignore-certificate-errors")
         path = browser()
         if self.real is not None and path is not None:
             path = self.real.program("client", path)

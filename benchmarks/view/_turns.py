@@ -13,13 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.support.browser import opened, wait_until
-from tests.support.reader_cases import DRAWING, SOFTWARE
 
 SECTORS = 12
 """Of a turn; each has a rate of its own."""
-UNLIMITED = ("--disable-gpu-vsync", "--disable-frame-rate-limit") if DRAWING != SOFTWARE else ()
-"""Flags by which browsers draw the next frame as soon as they can, not sixty times a second. Programs that draw without
-pause leave no time to what decodes."""
 
 # The page's viewer as what `_whole.mjs` offers.
 OF_PAGE = """([position]) => {
@@ -120,8 +116,8 @@ def rates(frames: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
 
 
 def turned(page: Any, seconds: float) -> Turn:
-    """Turn the head twice: frames are shown, then waited for."""
-    shown, waited = (page.evaluate(TURN, [seconds, is_waited_for]) for is_waited_for in (False, True))
+    """Turn the head twice: frames are shown, then, in half the time, waited for."""
+    shown, waited = page.evaluate(TURN, [seconds, False]), page.evaluate(TURN, [seconds / 2.0, True])
     return Turn(
         [*map(float, rates(shown["frames"]))],
         [*map(float, rates(waited["frames"]))],

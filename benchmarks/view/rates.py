@@ -1,14 +1,15 @@
 """Frames a second of the page and of whole scenes in plain three.js, after loading and while a bundle loads.
 
-python -m benchmarks.view.rates [--quick] [--place WORD] [--folder DIR] [--pictures DIR] [--json FILE]
+python -m benchmarks.view.rates [--quick] [--place WORD] [--parts PART …] [--seconds S] [--json FILE] [--pictures DIR]
+    [--folder DIR]
 
 The city and the factory at two centres each. After loading, a head turns once, level, a metre beside the centre (the
-city) or half a metre (the factory): frames as the browser shows them, as fast as it can, and frames that are drawn,
-waited for and not shown. Whole scenes are one GLB, from where the user of the first centre stands: with a node for each
-copy of a mesh, and with copies as meshes of their own, as scenes without instances have them. While loading, bundles
-come over 50 Mbit/s and 20 ms, by each strategy. Chromium draws by programs, at most 60 frames a second, unless
-NEARFAR_BROWSER_DRAWING has other flags, such as "--use-angle=vulkan --enable-features=Vulkan --disable-vulkan-surface
---ignore-gpu-blocklist"; a line says by what it draws.
+city) or half a metre (the factory): frames as the browser shows them, at most 60 a second, and frames that are drawn,
+waited for and not shown. Whole scenes are one GLB without textures, from where the user of the first centre stands:
+with a node for each copy of a mesh, and with copies as meshes of their own, as scenes without instances have them.
+While loading, bundles come over 50 Mbit/s and 20 ms, by each strategy. Chromium draws by programs unless
+NEARFAR_BROWSER_DRAWING has other flags, such as "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist"; a line says
+by what it draws. Pictures are taken after turns: look whether all is in them.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ from benchmarks.harness.timing import machine, table
 from benchmarks.stream._near import Place
 from benchmarks.stream.real import LINK, STRATEGIES, all_places
 from benchmarks.view._loading import Loading, loading
-from benchmarks.view._turns import UNLIMITED, Turn, of_page, of_whole, photo, renderer, turned
+from benchmarks.view._turns import Turn, of_page, of_whole, photo, renderer, turned
 from benchmarks.view.load import ANGLE, one_glb, write_script
 from tests.support.browser import started
 
@@ -100,9 +101,8 @@ def eye(place: Place) -> list[float]:
 class Run:
     """What is measured, and how."""
 
-    def __init__(self, files: Files, pictures: Path | None, *, quick: bool) -> None:
-        self.files, self._pictures = files, pictures
-        self._seconds = 3.0 if quick else 8.0
+    def __init__(self, files: Files, pictures: Path | None, seconds: float, *, quick: bool) -> None:
+        self.files, self._pictures, self._seconds = files, pictures, seconds
         self._sizes = [(width // 4, height // 4) if quick else (width, height) for width, height in (SCREEN, EYES)]
         self.renderer = ""
         """Name of what draws, as WebGL tells it."""
@@ -122,9 +122,9 @@ class Run:
         if not self.renderer:
             self.renderer = renderer(page)
             print(self.renderer, flush=True)
+        self.seen.append(Seen(place, drawn, f"{width} × {height}", turned(page, self._seconds)))
         if self._pictures:
             photo(page, self._pictures / f"{_name(f'{place} {drawn} {width}')}.jpg")
-        self.seen.append(Seen(place, drawn, f"{width} × {height}", turned(page, self._seconds)))
         print(place, drawn, width, rate(self.seen[-1].turn.shown), flush=True)
 
     def reduced(self, chromium: Any, place: Place) -> None:
@@ -147,7 +147,7 @@ class Run:
         """Load a bundle by each strategy."""
         bundle = self.files.bundle(place)
         folder = Path(bundle._reader.place)
-        with network(LINK) as way, way.shown(folder) as url, way.browser(url, UNLIMITED) as chromium:
+        with network(LINK) as way, way.shown(folder) as url, way.browser(url) as chromium:
             print(place.name, way.name)
             once = partial(loading, way, chromium, url, bundle, size=self._sizes[0])
             # The first load of a browser also compiles its shaders.
@@ -212,9 +212,10 @@ def folder_of(given: Path | None) -> Iterator[Path]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="small scenes, short turns")
+    parser.add_argument("--quick", action="store_true", help="small scenes and pictures")
     parser.add_argument("--place", default="", help="places whose names have this in them, such as factory")
     parser.add_argument("--parts", nargs="+", choices=("reduced", "whole", "loading"), help="by default all of them")
+    parser.add_argument("--seconds", type=float, default=6.0, help="of a turn; half of it where frames are waited for")
     parser.add_argument("--folder", type=Path, help="folder that keeps bundles and scenes for the next run")
     parser.add_argument("--pictures", type=Path, help="folder for pictures of each page")
     parser.add_argument("--json", type=Path, help="file for all figures")
@@ -224,14 +225,14 @@ def main() -> None:
     if given.pictures:
         given.pictures.mkdir(parents=True, exist_ok=True)
     with folder_of(given.folder) as folder:
-        run = Run(Files(folder), given.pictures, quick=given.quick)
+        run = Run(Files(folder), given.pictures, given.seconds, quick=given.quick)
         firsts = set[object]()
         for place in all_places(given.quick):
             is_first = place.make not in firsts
             firsts.add(place.make)
             if given.place not in place.name:
                 continue
-            with started(flags=UNLIMITED) as chromium:
+            with started() as chromium:
                 if "reduced" in parts:
                     run.reduced(chromium, place)
                 if "whole" in parts and is_first:

@@ -25,7 +25,7 @@ SECONDS = 300
 # WebGL 2 without a graphics card.
 SOFTWARE = "--use-angle=swiftshader --enable-unsafe-swiftshader"
 DRAWING = os.environ.get("NEARFAR_BROWSER_DRAWING", SOFTWARE)
-"""The flags by which browsers draw, such as "--use-angle=vulkan --enable-features=Vulkan" where a graphics card is."""
+"""The flags by which browsers draw; on a graphics card "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist"."""
 
 BROWSER_FLAGS = (
     "--headless",
