@@ -94,6 +94,7 @@ def test_coarse_maps_come_first_and_then_the_picture_of_the_bundle(
         assert (told["arrived"], told["shown"]["ring"]) == (0, 0)
         _, coarse = page.picture(here, 0.0)
         assert (coarse.max(axis=-1) > 0).mean() > 0.999
+        assert shown.title() == "city – nearfar"
         told, refined = grown(page, here)
         assert told["shown"]["ring"] == told["arrived"] == RINGS + 1
         assert told["shown"]["grown"] == {"radius": SETTINGS["radii"][-1], "strength": 1}

@@ -15,6 +15,8 @@ import { type World, worldOf } from './show/world';
 export interface Opened {
   readonly world: World;
   readonly files: Files;
+  /** Name of the scene; null where none is told. */
+  readonly title: string | null;
   /** Triangles of the whole scene. */
   readonly triangles: number;
   readonly isStatic: boolean;
@@ -56,6 +58,7 @@ function openBundle(
   return {
     world: worldOf(manifest),
     files: createFiles(base, (name) => whole.files[name]?.bytes, received),
+    title: null,
     triangles,
     isStatic: dynamic === null,
     start: { position: first.center, yaw: 0, pitch: 0 },
@@ -82,6 +85,7 @@ async function openScene(
   return {
     world,
     files: world.files,
+    title: site.title,
     triangles: scene.triangles,
     isStatic: scene.isStatic,
     start: { ...scene.start, pitch: 0 },

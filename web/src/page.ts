@@ -44,6 +44,7 @@ async function main(): Promise<void> {
   const opened = await openAddress(base, query, strategy, meter.receive, wait.begin).finally(wait.end);
   meter.restart();
   const { centers, files, world } = opened;
+  if (opened.title !== null) document.title = `${opened.title} – nearfar`;
   let headset: Headset | null = null;
   let problems: readonly string[] = [];
   /** Where the user is about to go, and where that has failed. */

@@ -1,5 +1,5 @@
 /** The documents by which a page on a scene begins: a manifest, and one on the scene, which may still be loaded. */
-import { fileName, integer, list, number, object, optional, text } from '../bundle/checks';
+import { fileName, integer, number, object, optional, text } from '../bundle/checks';
 import { BundleError } from '../bundle/error';
 import type { Point } from '../bundle/manifest';
 import { parseJson, point } from '../bundle/parse';
@@ -19,7 +19,6 @@ export interface Site {
 
 export interface SceneFacts {
   readonly triangles: number;
-  readonly bounds: readonly [Point, Point];
   /** Where the page begins, if its address names no place. */
   readonly start: { readonly position: Point; readonly yaw: number };
   readonly faceSize: number;
@@ -55,7 +54,6 @@ export async function readScene(base: URL, { scene }: Site, signal: AbortSignal,
   const [start, growth] = [object('start', all['start']), object('growth', all['growth'])];
   return {
     triangles: integer('triangles', all['triangles'], 0),
-    bounds: list('bounds', all['bounds'], point, 2) as [Point, Point],
     start: { position: point('start.position', start['position']), yaw: number('start.yaw', start['yaw'], -7, 7) },
     faceSize: integer('face_size', all['face_size'], 1, 4096),
     nearShare: number('near_share', all['near_share'], 0, 1 - 1e-9),
