@@ -73,6 +73,10 @@ def test_a_place_is_a_bundle(server: Server, scene: nf.Scene, tmp_path: Path) ->
         # Again, from memory; the page shows it from the same address.
         assert nf.stream.open(f"{alone.url}at/4,1.7,-2").files == expected.files
         assert ask(alone, "/")[0] == 200
+    with Server({"": Site.of_scene(OnDemand(still, **SETTINGS), tmp_path / "cache")}) as alone:
+        # The first time while it is made, then from disk.
+        for _ in range(2):
+            nf.stream.open(f"{alone.url}at/4,1.75,-2").verify()
 
 
 def test_regions_that_are_complete_are_kept_on_disk(scene: nf.Scene, tmp_path: Path) -> None:

@@ -235,5 +235,6 @@ impl Making for Region {
 /// The sentence of an error.
 fn told(py: Python<'_>, error: &PyErr) -> String {
     let sentence = error.value(py).to_string();
-    if error.is_instance_of::<PyValueError>(py) { sentence } else { format!("{}: {sentence}", error.get_type(py)) }
+    let name = error.get_type(py).name().map_or_else(|_| "an error".into(), |name| name.to_string());
+    if error.is_instance_of::<PyValueError>(py) { sentence } else { format!("{name}: {sentence}") }
 }

@@ -1,7 +1,7 @@
-//! How many connections each client has.
+//! Clients by their addresses, and how many connections each has.
 
 use std::collections::HashMap;
-use std::net::IpAddr;
+use std::net::{IpAddr, Ipv6Addr};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Connections by the addresses of clients.
@@ -12,6 +12,17 @@ pub struct Clients(Mutex<HashMap<IpAddr, usize>>);
 pub struct Entered {
     clients: Arc<Clients>,
     client: IpAddr,
+}
+
+/// Bits of an IPv6 address that tell clients apart: who has one address of a network has all others of it.
+const NETWORK: u32 = 64;
+
+/// The address by which a client is counted.
+pub fn counted(address: IpAddr) -> IpAddr {
+    match address.to_canonical() {
+        IpAddr::V6(own) if !own.is_loopback() => Ipv6Addr::from_bits(own.to_bits() >> NETWORK << NETWORK).into(),
+        other => other,
+    }
 }
 
 impl Clients {
@@ -42,6 +53,16 @@ impl Drop for Entered {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn addresses_of_one_network_are_one_client() {
+        let of = |text: &str| counted(text.parse().expect("an address"));
+        assert_eq!(of("2001:db8::1:2:3:4"), of("2001:db8::9"));
+        assert_ne!(of("2001:db8::1"), of("2001:db8:0:1::1"));
+        assert_ne!(of("10.0.0.1"), of("10.0.0.2"));
+        assert_eq!(of("::ffff:10.0.0.1"), of("10.0.0.1"));
+        assert!(of("::1").is_loopback());
+    }
 
     #[test]
     fn a_client_has_so_many_connections_and_no_more() {

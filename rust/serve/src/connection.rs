@@ -53,7 +53,7 @@ pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, ends: Wat
     match timeout(limits.headers, stream.peek(&mut first)).await {
         Err(_) => return Err("headers"),
         Ok(Err(_) | Ok(0)) => return Ok(()),
-        Ok(Ok(_)) if first[0] != HANDSHAKE => return elsewhere(shared, limited(stream, limits), ends).await,
+        Ok(Ok(_)) if first[0] != HANDSHAKE => return to_https(shared, limited(stream, limits), ends).await,
         Ok(Ok(_)) => {}
     }
     let stream = match timeout(limits.headers, tls.accept(limited(stream, limits))).await {
@@ -135,7 +135,7 @@ where
 }
 
 /// Lead clients that do not encrypt to the encrypted address.
-async fn elsewhere(shared: &Shared, stream: Limited, ends: Watcher) -> Result<(), &'static str> {
+async fn to_https(shared: &Shared, stream: Limited, ends: Watcher) -> Result<(), &'static str> {
     let router = Arc::clone(&shared.router);
     let answer = service_fn(move |request: Request<Incoming>| {
         let answer = moved(&router, &request);

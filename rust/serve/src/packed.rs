@@ -18,6 +18,9 @@ const WORTH: f64 = 0.95;
 /// Copies that are made at the same time.
 const AT_ONCE: usize = 2;
 
+/// Bytes of memory that a tag takes besides its copy, roughly.
+const ENTRY: u64 = 200;
+
 /// A copy, or that it is not worth having.
 type Copy = Option<Bytes>;
 
@@ -30,8 +33,19 @@ pub struct Packed {
 
 #[derive(Default)]
 struct State {
-    copies: HashMap<String, (Arc<OnceCell<Copy>>, u64)>,
+    copies: HashMap<String, Entry>,
+    /// Bytes of all entries.
+    held: u64,
     uses: u64,
+}
+
+#[derive(Default)]
+struct Entry {
+    cell: Arc<OnceCell<Copy>>,
+    /// Number of its last use.
+    used: u64,
+    /// Bytes that it takes; 0 until its copy is made.
+    bytes: u64,
 }
 
 impl Packed {
@@ -48,9 +62,13 @@ impl Packed {
             let data = read.await?;
             tokio::task::spawn_blocking(move || packed(&data)).await.map_err(io::Error::other)?
         });
-        let copy = copy.await?.clone();
-        self.state().trim(self.budget, tag);
-        Ok(copy)
+        let copy = copy.await.cloned();
+        let mut state = self.state();
+        match &copy {
+            Ok(copy) => state.hold(self.budget, tag, copy),
+            Err(_) => state.forget(tag),
+        }
+        copy
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
@@ -61,21 +79,29 @@ impl Packed {
 impl State {
     fn cell(&mut self, tag: &str) -> Arc<OnceCell<Copy>> {
         self.uses += 1;
-        let (cell, used) = self.copies.entry(tag.to_owned()).or_default();
-        *used = self.uses;
-        Arc::clone(cell)
+        let entry = self.copies.entry(tag.to_owned()).or_default();
+        entry.used = self.uses;
+        Arc::clone(&entry.cell)
+    }
+
+    /// Count a copy that was made, and make room for it.
+    fn hold(&mut self, budget: u64, tag: &str, copy: &Copy) {
+        let Some(entry) = self.copies.get_mut(tag).filter(|entry| entry.bytes == 0) else { return };
+        entry.bytes = ENTRY + copy.as_ref().map_or(0, |copy| copy.len() as u64);
+        self.held += entry.bytes;
+        self.trim(budget, tag);
+    }
+
+    fn forget(&mut self, tag: &str) {
+        self.held -= self.copies.remove(tag).map_or(0, |entry| entry.bytes);
     }
 
     /// Forget what was not used for longest, but one document, until the rest fits the budget.
     fn trim(&mut self, budget: u64, but: &str) {
-        let bytes = |(cell, _): &(Arc<OnceCell<Copy>>, u64)| {
-            cell.get().and_then(Option::as_ref).map_or(0, |copy| copy.len() as u64)
-        };
-        let mut held: u64 = self.copies.values().map(bytes).sum();
-        while held > budget {
-            let others = self.copies.iter().filter(|(tag, copy)| tag.as_str() != but && bytes(copy) > 0);
-            let Some(tag) = others.min_by_key(|(_, (_, used))| *used).map(|(tag, _)| tag.clone()) else { break };
-            held -= self.copies.remove(&tag).as_ref().map_or(0, bytes);
+        while self.held > budget {
+            let others = self.copies.iter().filter(|(tag, entry)| tag.as_str() != but && entry.bytes > 0);
+            let Some(tag) = others.min_by_key(|(_, entry)| entry.used).map(|(tag, _)| tag.clone()) else { break };
+            self.forget(&tag);
         }
     }
 }
@@ -99,7 +125,7 @@ mod tests {
     #[tokio::test]
     async fn copies_are_made_once_and_the_oldest_go() {
         static TEXT: [u8; 5000] = [b'a'; 5000];
-        let packed = Packed::new(100);
+        let packed = Packed::new(2 * ENTRY);
         let copy = get(&packed, "a", &TEXT).await.expect("equal letters are packed");
         let mut read = Vec::new();
         io::copy(&mut flate2::read::GzDecoder::new(&copy[..]), &mut read).expect("what was packed is unpacked");
@@ -110,7 +136,13 @@ mod tests {
         }
         let held: Vec<_> = packed.state().copies.keys().cloned().collect();
         assert!(held.contains(&"e".to_owned()) && !held.contains(&"a".to_owned()), "{held:?}");
-        assert_eq!(get(&packed, "short", b"unlike").await, None);
+        // What is not worth having takes room, too.
+        for tag in ["short", "shorter", "shortest"] {
+            assert_eq!(get(&packed, tag, b"unlike").await, None);
+        }
+        let state = packed.state();
+        assert_eq!(state.held, state.copies.values().map(|entry| entry.bytes).sum::<u64>());
+        assert!(state.held <= 2 * ENTRY && state.copies.len() <= 2, "{} {}", state.held, state.copies.len());
     }
 
     #[tokio::test]
@@ -118,6 +150,7 @@ mod tests {
         let packed = Packed::new(100);
         let failed = packed.get("a", async { Err(io::Error::other("no")) }).await;
         assert!(failed.is_err());
+        assert!(packed.state().copies.is_empty());
         assert!(get(&packed, "a", &[b'a'; 2000]).await.is_some());
     }
 }

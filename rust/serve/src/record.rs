@@ -117,7 +117,7 @@ impl Drop for Exchange {
             target: "nearfar_serve::answers",
             client = %self.client,
             method = %self.method,
-            path = ?self.path,
+            path = self.path.as_str(),
             version = ?self.version,
             code = self.code,
             bytes = self.sent,

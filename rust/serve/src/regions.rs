@@ -9,6 +9,7 @@ use axum::http::header;
 use axum::http::{Response, StatusCode};
 use futures_util::stream;
 
+use crate::clients::counted;
 use crate::demand::{Answer, Demand, Event, Kept, Outcome, Place, Refusal, Ticket, Whole};
 use crate::respond::{self, Asked};
 use crate::site::{Content, Document};
@@ -34,7 +35,7 @@ pub async fn answer(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Opti
         Err(reason) => return Some(respond::refusal(StatusCode::BAD_REQUEST, &reason)),
     };
     match name {
-        "parts" => Some(parts(demand, asked.client, place)),
+        "parts" => Some(parts(demand, asked.client, place).await),
         "manifest.json" | "tileset.json" => Some(document(demand, place, name, asked).await),
         _ if name.starts_with("files/") => Some(file(demand, name, asked).await),
         _ => None,
@@ -42,14 +43,27 @@ pub async fn answer(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Opti
 }
 
 /// Lines of JSON that tell of parts as they are ready; the last one tells how it ended.
-fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<Body> {
-    let lines = match demand.ask(client, place) {
+async fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<Body> {
+    let lines = match ask(demand, client, place).await {
         Err(refusal) => return refused(refusal),
         Ok(Answer::Whole(region)) => whole(region).into(),
         Ok(Answer::Coming(ticket)) => Body::from_stream(stream::unfold(Some(ticket), next_lines)),
     };
     let head = Response::builder().header(header::CONTENT_TYPE, "application/x-ndjson");
     respond::finished(head.header(header::CACHE_CONTROL, "no-store").body(lines))
+}
+
+/// Ask for a region in a thread that may wait for the disk.
+async fn ask(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
+    let demand = Arc::clone(demand);
+    let asked = tokio::task::spawn_blocking(move || demand.ask(counted(client), place));
+    asked.await.unwrap_or(Err(Refusal::Closing))
+}
+
+/// Look for a file of regions in a thread that may wait for the disk.
+async fn look(demand: &Arc<Demand>, find: impl FnOnce(&Demand) -> Option<Kept> + Send + 'static) -> Option<Kept> {
+    let demand = Arc::clone(demand);
+    tokio::task::spawn_blocking(move || find(&demand)).await.ok()?
 }
 
 /// The manifest of a region that is complete, as one line.
@@ -76,7 +90,7 @@ async fn next_lines(ticket: Option<Ticket>) -> Option<(Result<Bytes, Infallible>
 
 /// A document of a complete region, which is waited for.
 async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<'_>) -> Response<Body> {
-    let region = match demand.ask(asked.client, place) {
+    let region = match ask(demand, asked.client, place).await {
         Err(refusal) => return refused(refusal),
         Ok(Answer::Whole(region)) => region,
         Ok(Answer::Coming(ticket)) => match ticket.whole().await {
@@ -84,18 +98,26 @@ async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<
             Err(reason) => return respond::refusal(StatusCode::UNPROCESSABLE_ENTITY, &reason),
         },
     };
-    let data = match region {
-        Whole::InMemory(region) => region.file(name),
-        Whole::Manifest(data) => (name == "manifest.json").then_some(data),
+    let content = match region {
+        Whole::InMemory(region) => region.file(name).map(Kept::Content),
+        Whole::Manifest(data) if name == "manifest.json" => Some(Kept::Content(data)),
+        Whole::Manifest(data) => look(demand, move |demand| demand.tileset(&data)).await,
     };
-    match data {
-        Some(data) => respond::document(asked, &Document::changing(data, media_of(name))).await,
-        None => respond::refusal(StatusCode::NOT_FOUND, "no such file"),
-    }
+    let document = match content {
+        Some(Kept::Content(data)) => Document::changing(data, media_of(name)),
+        Some(Kept::OnDisk(path, bytes)) => {
+            let tag = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let found = Document::named(&tag, Content::File(path, bytes), media_of(name));
+            Document { is_immutable: false, ..found }
+        }
+        None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
+    };
+    respond::document(asked, &document).await
 }
 
 async fn file(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Response<Body> {
-    let content = match demand.file(name) {
+    let own = name.to_owned();
+    let content = match look(demand, move |demand| demand.file(&own)).await {
         Some(Kept::Content(data)) => Content::Bytes(data),
         Some(Kept::OnDisk(path, bytes)) => Content::File(path, bytes),
         None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),

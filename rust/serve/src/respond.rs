@@ -70,7 +70,7 @@ fn head(document: &Document, tag: &str) -> Builder {
         .header(header::ETAG, tag)
         .header(header::CACHE_CONTROL, if document.is_immutable { FOREVER } else { "no-cache" })
         .header(header::ACCEPT_RANGES, "bytes");
-    if document.is_loose { head.header(header::VARY, "accept-encoding") } else { head }
+    if document.is_compressible { head.header(header::VARY, "accept-encoding") } else { head }
 }
 
 async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Response<Body>> {

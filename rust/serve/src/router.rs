@@ -89,7 +89,9 @@ impl Router {
             "healthz" => return respond::refusal(StatusCode::OK, "the server runs"),
             "metrics" => {
                 let text = self.metrics.text();
-                return respond::document(&asked, &Document::changing(text.into(), metrics::MEDIA)).await;
+                // Each text is another one: copies would be of no use.
+                let document = Document { is_compressible: false, ..Document::changing(text.into(), metrics::MEDIA) };
+                return respond::document(&asked, &document).await;
             }
             _ => {}
         }

@@ -12,7 +12,7 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot};
 use tokio_rustls::TlsAcceptor;
 
-use crate::clients::Clients;
+use crate::clients::{Clients, counted};
 use crate::connection::{self, Shared};
 use crate::router::Router;
 use crate::tls::Current;
@@ -27,7 +27,7 @@ const LOOK: Duration = Duration::from_secs(60);
 pub struct Limits {
     /// Connections at the same time; others wait until one ends.
     pub connections: usize,
-    /// Connections of one address at the same time; more are closed at once. Programs on this machine, such as a proxy,
+    /// Connections of one client at the same time; more are closed at once. Programs on this machine, such as a proxy,
     /// may have all.
     pub per_client: usize,
     /// Time for a handshake, for the headers of a request, and between two requests.
@@ -144,7 +144,7 @@ async fn listen(listener: TcpListener, shared: Arc<Shared>, mut ended: oneshot::
             }
         };
         let address = address.ip().to_canonical();
-        let Some(client) = Clients::enter(&clients, address, limits.per_client) else {
+        let Some(client) = Clients::enter(&clients, counted(address), limits.per_client) else {
             shared.router.metrics.lost("connections");
             continue;
         };

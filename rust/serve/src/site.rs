@@ -41,7 +41,7 @@ pub struct Document {
     /// Its name is that of its content: clients may keep it for ever.
     pub is_immutable: bool,
     /// Its content is not compressed yet.
-    pub is_loose: bool,
+    pub is_compressible: bool,
     /// Tells versions of it apart.
     pub tag: String,
 }
@@ -50,8 +50,8 @@ impl Document {
     /// A document whose name is that of its content.
     pub fn named(name: &str, content: Content, media: &str) -> Self {
         let tag = format!("\"{}\"", name.rsplit('/').next().unwrap_or(name));
-        let is_loose = !COMPRESSED.iter().any(|end| name.ends_with(end));
-        Document { content, media: media.to_owned(), is_immutable: true, is_loose, tag }
+        let is_compressible = !COMPRESSED.iter().any(|end| name.ends_with(end));
+        Document { content, media: media.to_owned(), is_immutable: true, is_compressible, tag }
     }
 
     /// A document that may change.
@@ -61,7 +61,13 @@ impl Document {
             let _ = write!(tag, "{byte:02x}");
         }
         tag.push('"');
-        Document { content: Content::Bytes(data), media: media.to_owned(), is_immutable: false, is_loose: true, tag }
+        Document {
+            content: Content::Bytes(data),
+            media: media.to_owned(),
+            is_immutable: false,
+            is_compressible: true,
+            tag,
+        }
     }
 
     /// Whether a compressed copy may be worth making.
@@ -72,7 +78,7 @@ impl Document {
             // Not known until it is read.
             Content::Elsewhere(_) => packed::LEAST,
         };
-        self.is_loose && (packed::LEAST..=packed::MOST).contains(&bytes)
+        self.is_compressible && (packed::LEAST..=packed::MOST).contains(&bytes)
     }
 }
 

@@ -7,7 +7,7 @@ use std::time::SystemTime;
 
 use rcgen::{CertificateParams, DnType, KeyPair};
 use rustls::crypto::ring;
-use rustls::pki_types::pem::PemObject;
+use rustls::pki_types::pem::{self, PemObject};
 use rustls::pki_types::{CertificateDer, PrivateKeyDer};
 use rustls::server::{ClientHello, ResolvesServerCert};
 use rustls::sign::CertifiedKey;
@@ -35,9 +35,13 @@ impl Identity {
     /// Read a chain of certificates and its key, both in PEM.
     pub fn read(certificate: &Path, key: &Path) -> Result<Self, String> {
         let of = |path: &Path, what: &str, got: &str| format!("{}: expected {what} in PEM, got {got}", path.display());
+        let unread = |path: &Path, what: &str, error: pem::Error| match error {
+            pem::Error::Io(error) => format!("{}: expected {what} in PEM: {error}", path.display()),
+            other => of(path, what, &other.to_string()),
+        };
         let chain = CertificateDer::pem_file_iter(certificate).and_then(Iterator::collect::<Result<Vec<_>, _>>);
-        let chain = chain.map_err(|error| of(certificate, "a certificate", &error.to_string()))?;
-        let secret = PrivateKeyDer::from_pem_file(key).map_err(|error| of(key, "a key", &error.to_string()))?;
+        let chain = chain.map_err(|error| unread(certificate, "a certificate", error))?;
+        let secret = PrivateKeyDer::from_pem_file(key).map_err(|error| unread(key, "a key", error))?;
         let first = chain.first().ok_or_else(|| of(certificate, "a certificate", "none"))?.clone();
         let wrong = |error: &dyn std::fmt::Display| of(certificate, "a certificate", &error.to_string());
         let (_, parsed) = X509Certificate::from_der(&first).map_err(|error| wrong(&error))?;
@@ -184,7 +188,7 @@ mod tests {
         let reason = Identity::read(&key, &key).expect_err("no certificate");
         assert!(reason.contains("one.key: expected a certificate in PEM"), "{reason}");
         let reason = Identity::read(&certificate, &folder.path().join("none")).expect_err("no file");
-        assert!(reason.contains("none: expected a key in PEM"), "{reason}");
+        assert!(reason.contains("none: expected a key in PEM: No such file"), "{reason}");
         let old = rcgen::date_time_ymd(2020, 1, 1);
         let mut asked = CertificateParams::new(vec!["localhost".into()]).expect("a name");
         (asked.not_before, asked.not_after) = (old, old + Duration::DAY);

@@ -19,12 +19,13 @@ use crate::open::open;
 
 /// Names of documents in regions, and of the folders of a cache.
 const MANIFEST: &str = "manifest.json";
+const TILESET: &str = "tileset.json";
 const FILES: &str = "files";
 const PLACES: &str = "at";
 const LOCK: &str = "lock";
 /// End of the names of files that are not complete.
 const ASIDE: &str = ".part";
-/// Hexadecimal digits of a manifest's hash in its name.
+/// Hexadecimal digits of the hash of a manifest or a tileset in its name.
 const DIGITS: usize = 16;
 
 /// A region that is complete.
@@ -132,6 +133,12 @@ impl Cache {
         Some(Kept::OnDisk(self.path_of(name), bytes))
     }
 
+    /// The tileset of a region that is here, which its manifest describes.
+    pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
+        let listed = listed(manifest)?;
+        self.file(&listed.iter().find(|file| file.document() == TILESET)?.name)
+    }
+
     /// The size of a file, which is compared with its hash the first time. A damaged one goes, with all regions that
     /// need it.
     fn checked(&self, index: &mut Index, name: &str) -> Option<u64> {
@@ -153,14 +160,19 @@ impl Cache {
         let manifest = content.get(MANIFEST).ok_or_else(|| wrong("the manifest"))?;
         let listed = listed(manifest).ok_or_else(|| wrong("the list of files"))?;
         let mut index = self.index();
-        for (name, _, _) in &listed {
-            if !index.files.contains_key(name) {
-                let data = content.get(name).ok_or_else(|| wrong(name))?;
-                write_whole(&self.path_of(name), data)?;
-            }
-        }
         let path = self.folder.join(PLACES).join(format!("{key}.{}.json", &hash(manifest)[..DIGITS]));
-        write_whole(&path, manifest)?;
+        let new: Vec<&Listed> = listed.iter().filter(|file| !index.files.contains_key(&file.name)).collect();
+        let written = new.iter().try_for_each(|file| {
+            let data = content.get(file.document()).ok_or_else(|| wrong(&file.name))?;
+            write_whole(&self.path_of(&file.name), data)
+        });
+        if let Err(error) = written.and_then(|()| write_whole(&path, manifest)) {
+            for file in new {
+                // On a full disk they would take room for nothing.
+                let _ = fs::remove_file(self.path_of(&file.name));
+            }
+            return Err(error);
+        }
         index.add(key, path, manifest.len() as u64, listed, true);
         drop(index);
         self.trim(Some(key))
@@ -191,7 +203,7 @@ impl Cache {
         let (key, _) = name.rsplit_once('.')?;
         let manifest = read(path).ok().filter(|manifest| is_named(path, manifest))?;
         let listed = listed(&manifest)?;
-        if !listed.iter().all(|(name, bytes, _)| has_bytes(&self.path_of(name), *bytes)) {
+        if !listed.iter().all(|file| has_bytes(&self.path_of(&file.name), file.bytes)) {
             return None;
         }
         let mut index = self.index();
@@ -253,12 +265,12 @@ impl Cache {
 }
 
 impl Index {
-    fn add(&mut self, key: &str, manifest: PathBuf, bytes: u64, listed: Vec<(String, u64, String)>, is_checked: bool) {
-        for (name, bytes, sha256) in &listed {
-            let stored = Stored { bytes: *bytes, sha256: sha256.clone(), users: 0, is_checked };
-            self.files.entry(name.clone()).or_insert(stored).users += 1;
+    fn add(&mut self, key: &str, manifest: PathBuf, bytes: u64, listed: Vec<Listed>, is_checked: bool) {
+        for file in &listed {
+            let stored = Stored { bytes: file.bytes, sha256: file.sha256.clone(), users: 0, is_checked };
+            self.files.entry(file.name.clone()).or_insert(stored).users += 1;
         }
-        let files = listed.into_iter().map(|(name, _, _)| name).collect();
+        let files = listed.into_iter().map(|file| file.name).collect();
         self.places.insert(key.to_owned(), Entry { manifest, bytes, files, used: SystemTime::now() });
     }
 
@@ -268,8 +280,23 @@ impl Index {
     }
 }
 
-/// Name, size and hash of each file that a manifest lists; none if it is no manifest.
-fn listed(manifest: &[u8]) -> Option<Vec<(String, u64, String)>> {
+/// A file that a manifest lists, or its tileset.
+struct Listed {
+    /// Name below the folder.
+    name: String,
+    bytes: u64,
+    sha256: String,
+}
+
+impl Listed {
+    /// Name of its content in a region.
+    fn document(&self) -> &str {
+        if self.name.ends_with(TILESET) { TILESET } else { &self.name }
+    }
+}
+
+/// Each file that a manifest lists, and its tileset; none if it is no manifest.
+fn listed(manifest: &[u8]) -> Option<Vec<Listed>> {
     #[derive(serde::Deserialize)]
     struct Described {
         bytes: u64,
@@ -278,8 +305,13 @@ fn listed(manifest: &[u8]) -> Option<Vec<(String, u64, String)>> {
     #[derive(serde::Deserialize)]
     struct Manifest {
         files: BTreeMap<String, Described>,
+        tileset: Option<Described>,
     }
-    let Manifest { files } = serde_json::from_slice(manifest).ok()?;
+    let Manifest { mut files, tileset } = serde_json::from_slice(manifest).ok()?;
+    if let Some(tileset) = tileset {
+        // Regions have tilesets of one name and different contents.
+        files.insert(format!("{FILES}/{}.{TILESET}", tileset.sha256.get(..DIGITS)?), tileset);
+    }
     let is_plain = |name: &str| {
         let own = name.strip_prefix("files/").unwrap_or_default();
         !own.starts_with('.')
@@ -288,7 +320,7 @@ fn listed(manifest: &[u8]) -> Option<Vec<(String, u64, String)>> {
     };
     files
         .into_iter()
-        .map(|(name, Described { bytes, sha256 })| is_plain(&name).then_some((name, bytes, sha256)))
+        .map(|(name, Described { bytes, sha256 })| is_plain(&name).then_some(Listed { name, bytes, sha256 }))
         .collect()
 }
 

@@ -133,7 +133,29 @@ fn names_that_leave_the_folder_are_refused() {
 }
 
 #[test]
-fn a_region_that_the_disk_does_not_take_leaves_nothing_that_is_used() {
+fn tilesets_of_regions_are_kept_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let texts = ["one", "another"];
+    let content = texts.map(|text| {
+        let tileset = serde_json::json!({"bytes": text.len(), "sha256": hash(text.as_bytes())});
+        let manifest = serde_json::to_vec(&serde_json::json!({"files": {}, "tileset": tileset})).unwrap();
+        HashMap::from([(MANIFEST.into(), manifest.into()), (TILESET.into(), Bytes::from_static(text.as_bytes()))])
+    });
+    for again in [true, false] {
+        let cache = open(folder.path(), 1 << 20);
+        for (place, (text, content)) in texts.iter().zip(&content).enumerate() {
+            if again {
+                cache.keep(&format!("{place},0,0"), content).unwrap();
+            }
+            let manifest = cache.find(&format!("{place},0,0")).unwrap();
+            assert_eq!(read(&cache.tileset(&manifest).unwrap()), text.as_bytes());
+        }
+        assert!(cache.tileset(&region(&[])[MANIFEST]).is_none());
+    }
+}
+
+#[test]
+fn a_region_that_the_disk_does_not_take_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let cache = open(folder.path(), 1 << 20);
     let content = region(&[("a.glb", "geometry"), ("b.bin", "numbers")]);
@@ -141,6 +163,7 @@ fn a_region_that_the_disk_does_not_take_leaves_nothing_that_is_used() {
     fs::create_dir(folder.path().join("files/b.bin")).unwrap();
     cache.keep("1,2,3", &content).unwrap_err();
     assert!(cache.find("1,2,3").is_none());
+    assert!(!folder.path().join("files/a.glb").exists() && cache.bytes() == 0);
     fs::remove_dir(folder.path().join("files/b.bin")).unwrap();
     cache.keep("1,2,3", &content).unwrap();
     assert!(cache.find("1,2,3").is_some());

@@ -118,7 +118,7 @@ impl Demand {
     }
 
     /// The place whose region serves a place (`nf.stream.snap`, of heights too).
-    pub fn snapped(&self, Place([x, y, z]): Place) -> Place {
+    fn snapped(&self, Place([x, y, z]): Place) -> Place {
         let nearest = |value: f64, step: f64| step * (value / step).round_ties_even();
         Place([nearest(x, self.grid), nearest(y, HEIGHT_STEP), nearest(z, self.grid)])
     }
@@ -164,6 +164,11 @@ impl Demand {
         let found = in_memory.filter_map(|region| region.file(name)).next().or_else(|| state.leftover.file(name));
         drop(state);
         found.map(Kept::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
+    }
+
+    /// The tileset of a region on disk, by its manifest.
+    pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
+        self.shared.cache.as_ref()?.tileset(manifest)
     }
 
     /// Regions that are waited for.
@@ -372,7 +377,10 @@ impl Shared {
             state.entries.remove(&region.place.to_string());
             match &outcome {
                 Outcome::Complete => state.figures.made += 1,
-                Outcome::Failed(_) => state.figures.failed += 1,
+                Outcome::Failed(reason) => {
+                    state.figures.failed += 1;
+                    tracing::warn!(place = %region.place, %reason, "a region cannot be made");
+                }
             }
         }
         drop(state);
