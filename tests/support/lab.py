@@ -32,6 +32,11 @@ RUN = """async (number) => {
   return cell.outputs.toJSON();
 }"""
 
+VIEWS = """() => [...document.querySelectorAll('.nearfar-view')].map((host) => {
+  const { arrived, isLoading, shown } = host.nearfar?.viewer?.facts ?? {};
+  return { arrived, isLoading, ring: shown?.ring };
+})"""
+
 PHOTO = """async (number) => {
   const host = document.querySelectorAll('.nearfar-view')[number];
   const blob = await host.nearfar.viewer.photo();
@@ -114,4 +119,10 @@ class Notebook:
 
     def until(self, condition: str) -> None:
         """Wait for a condition in the page."""
-        self.page.wait_for_function(condition, timeout=SECONDS * 1e3)
+        from playwright.sync_api import TimeoutError as Late
+
+        try:
+            self.page.wait_for_function(condition, timeout=SECONDS * 1e3)
+        except Late:
+            views, printed = self.page.evaluate(VIEWS), getattr(self.page, "printed", [])
+            raise AssertionError(f"it does not happen: {condition}; views: {views}; printed: {printed}") from None

@@ -20,6 +20,8 @@ pytestmark = pytest.mark.slow
 
 CENTER = (3.0, 1.7, -2.0)
 SIZE = (320, 200)
+ROOM = (1000, 1600)
+"""Size of a page that shows all cells: JupyterLab takes others out of it."""
 CANVAS = ".nearfar-view canvas"
 VIEWER = "document.querySelector('.nearfar-view')?.nearfar?.viewer"
 
@@ -54,7 +56,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def notebook(folder: Path) -> Iterator[Any]:
     from tests.support.lab import Notebook, server
 
-    with server(folder) as url, started() as program, opened(program, 1000, 800) as page:
+    with server(folder) as url, started() as program, opened(program, *ROOM) as page:
         notebook = Notebook(page, url, folder, CELLS)
         notebook.run(0)
         notebook.until(f"() => {VIEWER}?.facts.arrived === 2")
