@@ -21,7 +21,7 @@ pytestmark = pytest.mark.slow
 CENTER = (3.0, 1.7, -2.0)
 SIZE = (320, 200)
 ROOM = (1000, 1600)
-"""Size of a page that shows all cells: JupyterLab takes others out of it."""
+"""Size of a page that shows all cells: views that are not on the screen are not drawn, and do not load."""
 CANVAS = ".nearfar-view canvas"
 VIEWER = "document.querySelector('.nearfar-view')?.nearfar?.viewer"
 
