@@ -88,44 +88,4 @@ mod system {
 }
 
 #[cfg(all(test, unix))]
-mod tests {
-    use std::io::Read;
-    use std::os::unix::fs::symlink;
-
-    use super::*;
-
-    type Open = fn(&Path) -> io::Result<File>;
-
-    /// By the system's call, by the way for other systems, and without waiting.
-    const WAYS: [Open; 3] = [open, open_checked, |path| open_now(path).unwrap_or_else(|| open(path))];
-
-    #[test]
-    fn files_are_opened_and_links_are_not_followed() {
-        let folder = tempfile::tempdir().unwrap();
-        let top = folder.path().canonicalize().unwrap();
-        fs::create_dir_all(top.join("real/files")).unwrap();
-        fs::write(top.join("real/files/a"), "content").unwrap();
-        symlink(top.join("real/files/a"), top.join("real/files/link")).unwrap();
-        symlink("real", top.join("above")).unwrap();
-        for way in WAYS {
-            let mut text = String::new();
-            way(&top.join("real/files/a")).unwrap().read_to_string(&mut text).unwrap();
-            assert_eq!(text, "content");
-            for refused in ["real/files/link", "above/files/a", "above/files/link", "real/files/none", "real/files/a/b"]
-            {
-                assert!(way(&top.join(refused)).is_err(), "{refused}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_pipe_is_not_waited_for() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().canonicalize().unwrap().join("pipe");
-        let made = std::process::Command::new("mkfifo").arg(&path).status().unwrap();
-        assert!(made.success());
-        for way in WAYS {
-            assert!(!way(&path).unwrap().metadata().unwrap().is_file());
-        }
-    }
-}
+mod tests;
