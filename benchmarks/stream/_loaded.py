@@ -74,18 +74,23 @@ def files_until(steps: Plan, ring: int) -> set[str]:
     return names
 
 
+def show(page: Any, url: str, strategy: str, last: int) -> None:
+    """Open a bundle's page by a strategy, and wait until the last ring is shown."""
+    page.goto(f"{url}?strategy={strategy}")
+    deadline = time.monotonic() + SECONDS
+    while (found := page.evaluate(DONE, last)) != "done":
+        if found or time.monotonic() > deadline:
+            raise RuntimeError(f"{strategy}: {found or 'the last ring does not come'}")
+        time.sleep(0.25)
+
+
 def load(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str) -> Loaded:
     """Open the page by a strategy and wait until all is shown."""
     steps = plan(bundle, strategy)
     last = len(steps.radii)
     with way.page(chromium, SIZE) as page:
         page.add_init_script(BEFORE)
-        page.goto(f"{url}?strategy={strategy}")
-        deadline = time.monotonic() + SECONDS
-        while (found := page.evaluate(DONE, last)) != "done":
-            if found or time.monotonic() > deadline:
-                raise RuntimeError(f"{strategy}: {found or 'the last ring does not come'}")
-            time.sleep(0.25)
+        show(page, url, strategy, last)
         told = page.evaluate(TOLD)
     return _loaded(told, steps, strategy, last)
 

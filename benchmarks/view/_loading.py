@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -11,8 +10,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.loads import Network
-from benchmarks.stream._loaded import BEFORE, DONE, plan
-from tests.support.reader_cases import SECONDS
+from benchmarks.stream._loaded import plan, show
 
 WINDOW = 0.5
 """Seconds that a rate is taken over."""
@@ -57,14 +55,8 @@ def loading(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, str
     """Open a bundle's page by a strategy, and watch until all is shown."""
     last = len(plan(bundle, strategy).radii)
     with way.page(chromium, size) as page:
-        page.add_init_script(BEFORE)
         page.add_init_script(WATCH)
-        page.goto(f"{url}?strategy={strategy}")
-        deadline = time.monotonic() + SECONDS
-        while (found := page.evaluate(DONE, last)) != "done":
-            if found or time.monotonic() > deadline:
-                raise RuntimeError(f"{strategy}: {found or 'the last ring does not come'}")
-            time.sleep(0.1)
+        show(page, url, strategy, last)
         frames = page.evaluate("() => window.loadFrames")
     times = [now / 1e3 for now, _ in frames]
     first = next(now / 1e3 for now, ring in frames if ring >= 0)
