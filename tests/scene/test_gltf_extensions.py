@@ -29,9 +29,9 @@ def load(folder: Path, data: bytes) -> nf.Scene:
 
 
 def without_decoder(monkeypatch: pytest.MonkeyPatch) -> None:
-    from nearfar._scene import gltf_extensions
+    from nearfar._scene.gltf import extensions
 
-    monkeypatch.setattr(gltf_extensions, "find_spec", lambda name: None)
+    monkeypatch.setattr(extensions, "find_spec", lambda name: None)
 
 
 def wild(name: str) -> Path:

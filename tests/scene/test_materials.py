@@ -19,15 +19,15 @@ from nearfar._base import data as data_files, glb
 from nearfar._scene import load
 from nearfar._scene.budget import Budget
 from nearfar._scene.builder import SceneBuilder
+from nearfar._scene.content import Content, Shape
 from nearfar._scene.materials import BaseColor, colors_of
-from nearfar._scene.source import Shape, Source
 from nearfar._scene.srgb import to_linear, to_srgb
 from tests.support import need
 
 PBR = trimesh.visual.material.PBRMaterial
 
 
-def source_of(path: Path) -> Source:
+def source_of(path: Path) -> Content:
     return load._read(str(path), path, path.read_bytes(), Budget())
 
 

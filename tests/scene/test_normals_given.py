@@ -16,8 +16,8 @@ from nearfar._base.glb import Reader
 from nearfar._scene import glb, load
 from nearfar._scene.budget import Budget
 from nearfar._scene.builder import SceneBuilder
+from nearfar._scene.content import Shape
 from nearfar._scene.names import Names
-from nearfar._scene.source import Shape
 from tests.support import data
 from tests.support.normal_cases import TURN, Array, ball, camera, colors, scene_of
 

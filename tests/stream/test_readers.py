@@ -20,7 +20,7 @@ from trimesh.resolvers import FilePathResolver
 import nearfar as nf
 from nearfar._base import glb
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf_buffers import Buffers
+from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.srgb import to_srgb
 from tests.support import need, valid
 from tests.support.bundled_scenes import NAMES, SCENES, bundled_scenes, export_all, farthest

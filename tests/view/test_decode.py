@@ -14,7 +14,7 @@ from trimesh.resolvers import FilePathResolver
 import nearfar as nf
 from nearfar._base import glb
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf_buffers import Buffers
+from nearfar._scene.gltf.buffers import Buffers
 from tests.support import need
 from tests.support.bundled_scenes import NAMES, farthest
 from tests.support.web_cases import run

@@ -16,11 +16,12 @@ from typing import Any
 
 from nearfar._base import background, check
 from nearfar._base.errors import SceneError, UnusableError
-from nearfar._scene import load_gltf, load_trimesh, load_wavefront, quiet, threemf
+from nearfar._scene import load_trimesh, load_wavefront, quiet, threemf
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.budget import Budget, read_file, resolver as budget_resolver
+from nearfar._scene.content import UP, Content, assemble
+from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.materials import Materials
-from nearfar._scene.source import UP, Source, assemble
 
 
 def load(
@@ -50,9 +51,9 @@ def _load(path: Path, budget: Budget, **how: Any) -> Assembled:
     with _explained(label, passed=OSError):
         data = read_file(path, budget)  # a missing file and missing permissions raise OSError
     with quiet.silence() as messages, _explained(label):
-        source = _read(label, path, data, budget)
-        source.notes += [message for message in dict.fromkeys(messages) if message not in source.notes]
-        return assemble(source, budget=budget, **how)
+        content = _read(label, path, data, budget)
+        content.notes += [message for message in dict.fromkeys(messages) if message not in content.notes]
+        return assemble(content, budget=budget, **how)
 
 
 def _folder(path: Path) -> str:
@@ -62,7 +63,7 @@ def _folder(path: Path) -> str:
     return "expected a file, got a folder" + (f", which holds {', '.join(files[:3])}" if files else "")
 
 
-def _read(label: str, path: Path, data: bytes, budget: Budget) -> Source:
+def _read(label: str, path: Path, data: bytes, budget: Budget) -> Content:
     import trimesh
 
     kind = path.suffix.lower().lstrip(".")
@@ -85,14 +86,14 @@ def _read(label: str, path: Path, data: bytes, budget: Budget) -> Source:
         threemf.check_instances(data, budget)
     resolver, materials = budget_resolver(path, budget), Materials(budget)
     if kind in ("glb", "gltf"):
-        return load_gltf.read(label, data, kind, resolver, materials, budget)
+        return read_gltf(label, data, kind, resolver, materials, budget)
     if kind == "obj":
-        source = load_wavefront.read(label, data, resolver, materials, budget)
+        content = load_wavefront.read(label, data, resolver, materials, budget)
     else:
-        source = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
-    if len(source.nodes.objects) == 1 and source.nodes.objects[0] in (path.name, "geometry_0", "geometry"):
-        source.nodes = replace(source.nodes, objects=[name])
-    return source
+        content = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
+    if len(content.nodes.objects) == 1 and content.nodes.objects[0] in (path.name, "geometry_0", "geometry"):
+        content.nodes = replace(content.nodes, objects=[name])
+    return content
 
 
 _COMMON = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".3mf", ".dae"}

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import background
+from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.materials import BaseColor, Materials, colors_of
 from nearfar._scene.report import count
-from nearfar._scene.source import Nodes, Shape, Source
 from nearfar._scene.srgb import to_linear
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def parsed(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
     return trimesh.load_scene(io.BytesIO(data), file_type=kind, resolver=resolver, process=False, **options)
 
 
-def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materials | None = None) -> Source:
+def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materials | None = None) -> Content:
     """Read a mesh or a scene; its nodes become objects. One with `materials` comes from a file, without own normals."""
     trimesh = background.module("trimesh")
     if isinstance(loaded, trimesh.Trimesh):
@@ -45,7 +45,7 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
     other = len(loaded.geometry) - len(shapes)
     notes = [f"{count(other, 'geometry', 'geometries')} without triangles ignored"] if other else []
     units = [str(mesh.units or "") for mesh in meshes.values()]
-    return Source(label, shapes, _nodes(loaded, shapes), notes, units)
+    return Content(label, shapes, _nodes(loaded, shapes), notes, units)
 
 
 def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:

@@ -14,13 +14,13 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene.budget import Budget
+from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.materials import Materials, colors_of
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
-from nearfar._scene.source import Nodes, Shape, Source
 
 
-def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: Budget) -> Source:
+def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: Budget) -> Content:
     """Read an OBJ with its materials; notes say which of them cannot be read."""
     try:
         columns, libraries, names, parts, skipped = _core.read_wavefront(_encoded(data))
@@ -46,7 +46,7 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
         elif rgba is not None:
             shape.colors = rgba[rows[:, 0]]
     identities = np.broadcast_to(np.eye(4), (len(objects), 4, 4))
-    return Source(label, shapes, Nodes(objects, identities, objects), notes)
+    return Content(label, shapes, Nodes(objects, identities, objects), notes)
 
 
 def _shape(columns: tuple[NDArray[np.float64], ...], rows: NDArray[np.uint32], faces: NDArray[np.uint32]) -> Shape:

@@ -131,10 +131,10 @@ class Scene(InPictures):
         TypeError
             Anything else than a mesh or a scene.
         """
-        from nearfar._scene import load_trimesh, source as sources
+        from nearfar._scene import content as contents, load_trimesh
 
-        source = load_trimesh.read("trimesh object", loaded)
-        return cls._from_assembled(sources.assemble(source, up=up, on_invalid=on_invalid, scale=scale))
+        content = load_trimesh.read("trimesh object", loaded)
+        return cls._from_assembled(contents.assemble(content, up=up, on_invalid=on_invalid, scale=scale))
 
     @classmethod
     def from_arrays(

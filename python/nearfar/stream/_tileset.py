@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from nearfar._base import formats, glb
 from nearfar._base.version import __version__
-from nearfar._scene import gltf_instances, gltf_nodes
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf_buffers import Buffers
+from nearfar._scene.gltf import instances, nodes
+from nearfar._scene.gltf.buffers import Buffers
 
 VERSION = "1.1"
 """Of 3D Tiles."""
@@ -73,9 +73,9 @@ def box_of(data: bytes) -> NDArray[np.float64]:
     budget = Budget(len(data) << 20)  # our own file
     buffers = Buffers(document, glb.binary(data, end), None, budget)
     meshes = {number: [str(number)] for number in range(len(document["meshes"]))}
-    nodes = gltf_nodes.placed(document, meshes, gltf_instances.transforms(document, buffers, budget))
-    local = np.array([_mesh_box(document, mesh) for mesh in document["meshes"]])[[int(name) for name in nodes.shapes]]
-    linear, offset = nodes.transforms[:, :3, :3], nodes.transforms[:, :3, 3]
+    placed = nodes.placed(document, meshes, instances.transforms(document, buffers, budget))
+    local = np.array([_mesh_box(document, mesh) for mesh in document["meshes"]])[[int(name) for name in placed.shapes]]
+    linear, offset = placed.transforms[:, :3, :3], placed.transforms[:, :3, 3]
     middle = np.einsum("nij,nj->ni", linear, local.mean(axis=1)) + offset
     half = np.einsum("nij,nj->ni", np.abs(linear), np.ptp(local, axis=1) / 2)
     return np.array([(middle - half).min(axis=0), (middle + half).max(axis=0)])

@@ -6,9 +6,9 @@ from importlib.util import find_spec
 from typing import Any
 
 from nearfar._base.errors import UnusableError
-from nearfar._scene.gltf_buffers import IMAGE_EXTENSIONS
-from nearfar._scene.gltf_instances import INSTANCING
-from nearfar._scene.gltf_meshopt import MESHOPT
+from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS
+from nearfar._scene.gltf.instances import INSTANCING
+from nearfar._scene.gltf.meshopt import MESHOPT
 from nearfar._scene.undrawn import EXTENSIONS, TRANSFORM
 
 DRACO = "KHR_draco_mesh_compression"

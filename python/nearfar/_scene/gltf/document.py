@@ -8,33 +8,33 @@ from typing import Any
 
 from nearfar._base import glb
 from nearfar._base.errors import UnusableError
-from nearfar._scene import gltf_extensions, gltf_instances, gltf_nodes
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf_buffers import Buffers, name_files
-from nearfar._scene.gltf_primitives import MODES, Primitives, mode
+from nearfar._scene.content import Content, Shape
+from nearfar._scene.gltf import extensions, instances, nodes
+from nearfar._scene.gltf.buffers import Buffers, name_files
+from nearfar._scene.gltf.primitives import MODES, Primitives, mode
 from nearfar._scene.materials import Materials
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
-from nearfar._scene.source import Shape, Source
 
 _PLURALS = {"set of tangents": "sets of tangents"}
 
 
-def read(label: str, data: bytes, kind: str, resolver: Any, materials: Materials, budget: Budget) -> Source:
+def read(label: str, data: bytes, kind: str, resolver: Any, materials: Materials, budget: Budget) -> Content:
     """Read a GLB or the JSON of a glTF; the resolver loads its buffers and images."""
     header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
     version = str(header.get("asset", {}).get("version", "2.0"))
     if version.split(".")[0] != "2":
         raise UnusableError(f"it is glTF {version}, and only glTF 2 is read")
     notes = _notes(header)
-    gltf_nodes.check_trees(header)
-    gltf_extensions.choose_images(header)
-    gltf_extensions.check(header)
+    nodes.check_trees(header)
+    extensions.choose_images(header)
+    extensions.check(header)
     name_files(header, resolver)
     buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver, budget)
     shapes, names = _shapes(header, Primitives(header, buffers, resolver, materials, budget))
-    instances = gltf_instances.transforms(header, buffers, budget)
-    return Source(label, shapes, gltf_nodes.placed(header, names, instances), notes)
+    placed = nodes.placed(header, names, instances.transforms(header, buffers, budget))
+    return Content(label, shapes, placed, notes)
 
 
 def _shapes(header: dict[str, Any], primitives: Primitives) -> tuple[dict[str, Shape], dict[int, list[str]]]:
@@ -70,4 +70,4 @@ def _notes(header: dict[str, Any]) -> list[str]:
     notes = [
         f"{count(number, feature, _PLURALS.get(feature, ''))} ignored" for feature, number in ignored.items() if number
     ]
-    return notes + gltf_extensions.ignored(header)
+    return notes + extensions.ignored(header)

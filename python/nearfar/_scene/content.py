@@ -60,7 +60,7 @@ class Nodes:
 
 
 @dataclass
-class Source:
+class Content:
     """Content of a source that becomes part of a scene."""
 
     label: str
@@ -73,7 +73,7 @@ class Source:
 
 
 def assemble(
-    source: Source,
+    content: Content,
     *,
     up: str,
     on_invalid: str,
@@ -87,10 +87,10 @@ def assemble(
     """
     check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
-    _to_metres(source, scale)
-    nodes, flaws = _usable_nodes(source.nodes)
+    _to_metres(content, scale)
+    nodes, flaws = _usable_nodes(content.nodes)
     used = set(nodes.shapes)
-    shapes = {name: shape for name, shape in source.shapes.items() if name in used}
+    shapes = {name: shape for name, shape in content.shapes.items() if name in used}
     dropped = 0
     for name, shape in shapes.items():
         flaw, lost = _repair(shape)
@@ -100,10 +100,10 @@ def assemble(
     if flaws and on_invalid == "raise":
         more = f" and {len(flaws) - _MOST_NAMED} more" if len(flaws) > _MOST_NAMED else ""
         raise SceneError(
-            f"{source.label}: {', '.join(flaws[:_MOST_NAMED])}{more}; on_invalid='drop' leaves the faces out"
+            f"{content.label}: {', '.join(flaws[:_MOST_NAMED])}{more}; on_invalid='drop' leaves the faces out"
         )
     if not any(len(shape.faces) for shape in shapes.values()):
-        raise SceneError(f"{source.label}: no triangles" + "".join(f"; {note}" for note in source.notes))
+        raise SceneError(f"{content.label}: no triangles" + "".join(f"; {note}" for note in content.notes))
     builder = Assembly()
     handles = {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     # The opposite axis is turned by another half turn about x.
@@ -115,23 +115,23 @@ def assemble(
         builder._place(placed, transforms_of("transforms", transforms), nodes.objects)
         parts = builder._assemble(nodes.objects if moves else (), budget)
     except ValueError as error:
-        raise SceneError(f"{source.label}: {error}") from error
-    notes = [*source.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]
+        raise SceneError(f"{content.label}: {error}") from error
+    notes = [*content.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]
     return replace(parts, dropped=dropped, notes=tuple(notes))
 
 
-def _to_metres(source: Source, scale: float | None) -> None:
+def _to_metres(content: Content, scale: float | None) -> None:
     """Scale vertices and translations, so that rotations stay rotations and poses of objects have no scale."""
-    metres = metres_in(source.label, source.units) if scale is None else check.positive("scale", scale)
+    metres = metres_in(content.label, content.units) if scale is None else check.positive("scale", scale)
     if metres == 1.0:
         return
     if scale is None:
-        source.notes.append(f"unit '{source.units[0]}' converted, {metres:g} m")
-    for shape in source.shapes.values():
+        content.notes.append(f"unit '{content.units[0]}' converted, {metres:g} m")
+    for shape in content.shapes.values():
         shape.vertices = np.asarray(shape.vertices, np.float64) * metres
     factors = np.ones((4, 4))
     factors[:3, 3] = metres
-    source.nodes = replace(source.nodes, transforms=source.nodes.transforms * factors)
+    content.nodes = replace(content.nodes, transforms=content.nodes.transforms * factors)
 
 
 def _usable_nodes(nodes: Nodes) -> tuple[Nodes, list[str]]:

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
-from nearfar._scene import gltf_meshopt
 from nearfar._scene.budget import Budget, TooLargeError
+from nearfar._scene.gltf import meshopt
 from nearfar._scene.undrawn import EncodedImage, TextureSource
 
 COMPONENTS: dict[int, type[np.generic]] = {
@@ -121,7 +121,7 @@ class Buffers:
     def blob(self, view: int) -> bytes:
         """The bytes of a buffer view, one copy of each range."""
         described = entry(self._header, "bufferViews", view)
-        key = _range(gltf_meshopt.stream(described) or described)
+        key = _range(meshopt.stream(described) or described)
         if key not in self._blobs:
             data = self._view(view)
             self._budget.hold(len(data))
@@ -131,17 +131,17 @@ class Buffers:
     def _view(self, number: int) -> memoryview:
         """The bytes of a buffer view. Plain ones are preferred to compressed ones beside them."""
         described = entry(self._header, "bufferViews", number)
-        stream = gltf_meshopt.stream(described)
+        stream = meshopt.stream(described)
         if stream is None or not self._is_placeholder(described["buffer"]):
             return self._bytes(*_range(described))
         if number not in self._decoded:
             data = self._bytes(*_range(stream))
-            self._decoded[number] = gltf_meshopt.decoded(number, described, stream, data, self._budget)
+            self._decoded[number] = meshopt.decoded(number, described, stream, data, self._budget)
         return self._decoded[number]
 
     def _is_placeholder(self, buffer: int) -> bool:
         described = entry(self._header, "buffers", buffer)
-        return gltf_meshopt.is_placeholder(described, buffer, has_binary=bool(self._binary))
+        return meshopt.is_placeholder(described, buffer, has_binary=bool(self._binary))
 
     def _bytes(self, buffer: int, start: int, length: int) -> memoryview:
         if buffer not in self._buffers:

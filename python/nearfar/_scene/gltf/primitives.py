@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf_buffers import Buffers
-from nearfar._scene.gltf_extensions import DRACO
+from nearfar._scene.content import Shape
+from nearfar._scene.gltf.buffers import Buffers
+from nearfar._scene.gltf.extensions import DRACO
 from nearfar._scene.materials import Described, Materials, colors_of
-from nearfar._scene.source import Shape
 
 _TRIANGLES, _STRIP = 4, 5
 MODES = (_TRIANGLES, _STRIP)

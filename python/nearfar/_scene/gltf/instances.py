@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf_buffers import Buffers
-from nearfar._scene.gltf_nodes import composed
+from nearfar._scene.gltf.buffers import Buffers
+from nearfar._scene.gltf.nodes import composed
 
 INSTANCING = "EXT_mesh_gpu_instancing"
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
+from nearfar._scene.content import Nodes
 from nearfar._scene.names import distinct
-from nearfar._scene.source import Nodes
 
 Floats = NDArray[np.float64]
 
