@@ -12,12 +12,12 @@ import typer
 
 import nearfar as nf
 from nearfar._base import cache
+from nearfar._base.remote import is_url
 from nearfar._trace.viewpoint import Viewpoint
 from nearfar.cli import _options as options
 from nearfar.cli._viewpoint import choose
 from nearfar.serve._scene import LoadedScene
 from nearfar.serve._site import Site
-from nearfar.stream._store import is_url
 
 
 @dataclass(frozen=True)

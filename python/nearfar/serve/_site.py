@@ -9,9 +9,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from nearfar import stream
+from nearfar._base.remote import is_url
 from nearfar.serve._scene import LoadedScene
 from nearfar.stream._on_demand import OnDemand, next_part
-from nearfar.stream._store import FOLDER, MANIFEST, is_url
+from nearfar.stream._store import FOLDER, MANIFEST
 from nearfar.view._content import of_bundle, opened, reduced_folder
 from nearfar.view._page import INDEX, TYPES, page_files
 

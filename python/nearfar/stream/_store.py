@@ -4,30 +4,20 @@ from __future__ import annotations
 
 import errno
 import hashlib
-import importlib.util
 import os
-import urllib.parse
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, Protocol
 
-from nearfar._base import check, files, formats
+from nearfar._base import check, files, formats, remote
 from nearfar._base.errors import FormatError
+from nearfar._base.remote import READ_ONLY, as_os_errors, is_url, local
 
 MANIFEST = "manifest.json"
 TILESET = "tileset.json"
 FOLDER = "files"
 """Folder of the files that are named by their content."""
-
-LOCAL = ("file://", "local://")
-"""Beginnings of URLs of local paths."""
-
-READ_ONLY = {"http", "https"}
-"""File systems of fsspec that only read."""
-
-HTTP_PACKAGES = "'fsspec[http]'"
-"""Packages that pip installs for them."""
 
 
 def named(data: bytes, kind: str) -> str:
@@ -67,68 +57,16 @@ class _Folder:
 
 class _Remote:
     def __init__(self, url: str) -> None:
-        self._system, self._path = _system(url)
+        self._system, self._path = remote.system(url)
         self.place = url
 
     def read(self, name: str) -> bytes:
-        with _as_os_errors(f"{self.place}/{name}", "read"):
+        with as_os_errors(f"{self.place}/{name}", "read"):
             content: bytes = self._system.cat_file(f"{self._path}/{name}")
             return content
 
     def sizes(self) -> Mapping[str, int] | None:
         return None
-
-
-@contextmanager
-def _as_os_errors(url: str, deed: str) -> Iterator[None]:
-    """Turn the errors of libraries behind file systems into OSError that names the URL; missing files stay missing."""
-    try:
-        yield
-    except FileNotFoundError:
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), url) from None
-    except Exception as error:
-        reason = check.one_line(str(error), 180) or type(error).__name__
-        code = getattr(error, "errno", None) or errno.EIO
-        raise OSError(code, f"cannot be {deed}: {reason}", url) from error
-
-
-def is_url(path: object) -> bool:
-    """Whether a place is a URL, such as https://… or s3://…, but not file://…, which is a local path."""
-    return isinstance(path, str) and "://" in path and not path.startswith(LOCAL)
-
-
-def local(path: str | os.PathLike[str]) -> Path:
-    """The path of a local place; ValueError or TypeError if it cannot be one."""
-    if isinstance(path, str) and path.startswith(LOCAL):
-        kind, _, path = path.partition("://")
-        # `Path.as_uri` escapes spaces and letters beyond ASCII; fsspec's "local" has paths as they are.
-        path = urllib.parse.unquote(path) if kind == "file" else path
-    return check.path("path", path)
-
-
-def _system(url: str) -> tuple[Any, str]:
-    """The file system of a URL, and the path in it."""
-    check.text("path", url)
-    is_web = url.partition("://")[0] in READ_ONLY
-    if not importlib.util.find_spec("fsspec"):
-        command = f"pip install {HTTP_PACKAGES if is_web else 'fsspec'}"
-        raise ValueError(f"path: expected a folder, or fsspec installed ({command}), got {check.shortened(url)}")
-    import fsspec
-
-    try:
-        system, path = fsspec.core.url_to_fs(url)
-    except ImportError as error:
-        needed = f"pip install {HTTP_PACKAGES}" if is_web else check.one_line(str(error), 180)
-        raise ValueError(
-            f"path: expected what fsspec needs for such a URL ({needed}), got {check.shortened(url)}"
-        ) from None
-    except Exception as error:  # each file system has errors of its own
-        raise ValueError(
-            f"path: expected a URL that fsspec can open, got {check.shortened(url)}: {check.one_line(str(error), 180)}"
-        ) from None
-    if not path.strip("/"):
-        raise ValueError(f"path: expected a URL with a folder, got {check.shortened(url)}")
-    return system, path.rstrip("/")
 
 
 def reader(path: str | os.PathLike[str]) -> Reader:
@@ -160,7 +98,7 @@ def check_target(path: str | os.PathLike[str], wanted: str) -> None:
         For a local folder that cannot be written, has no folder above or contains other files.
     """
     if is_url(path):
-        _system(str(path))
+        remote.system(str(path))
         if str(path).partition("://")[0] in READ_ONLY:
             raise ValueError(f"path: expected a place that can be written, got {check.shortened(path)}")
         return
@@ -201,8 +139,8 @@ def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
             for name, data in content.items():
                 files.write(folder / name, data)
         return
-    system, root = _system(str(path))
-    with _as_os_errors(str(path), "written"):
+    system, root = remote.system(str(path))
+    with as_os_errors(str(path), "written"):
         system.makedirs(f"{root}/{FOLDER}", exist_ok=True)
         present = _sizes_at(system, f"{root}/{FOLDER}")
         for name in sorted(content, key=lambda name: (name == MANIFEST, name == TILESET, name)):

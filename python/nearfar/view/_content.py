@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from nearfar import stream
-from nearfar._base import formats
+from nearfar._base import formats, remote
 from nearfar._reduce import folder
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream import _store
@@ -29,9 +29,9 @@ def opened(path: str | os.PathLike[str]) -> Mapping[str, Read]:
 
 def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
     """The folder of a reduced scene at a place; None if there is none."""
-    if _store.is_url(path):
+    if remote.is_url(path):
         return None
-    place = _store.local(path)
+    place = remote.local(path)
     place = place.parent if place.name == folder.DOCUMENT else place
     return place if (place / folder.DOCUMENT).is_file() else None
 

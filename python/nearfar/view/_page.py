@@ -6,7 +6,7 @@ import os
 from functools import cache
 from importlib import resources
 
-from nearfar._base import files
+from nearfar._base import files, remote
 from nearfar.stream import _store
 from nearfar.view import _content
 
@@ -71,7 +71,7 @@ def write_page(path: str | os.PathLike[str]) -> None:
         If `path` is no path.
     """
     saved = _content.reduced_folder(path)
-    folder = _store.local(path) if saved is None else saved
+    folder = remote.local(path) if saved is None else saved
     made: dict[str, bytes] = {}
     if saved is None:
         (folder / _store.MANIFEST).stat()

@@ -1,0 +1,75 @@
+"""Places behind URLs, which fsspec opens, and the local paths that some URLs stand for."""
+
+from __future__ import annotations
+
+import errno
+import importlib.util
+import os
+import urllib.parse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from nearfar._base import check
+
+LOCAL = ("file://", "local://")
+"""Beginnings of URLs of local paths."""
+
+READ_ONLY = {"http", "https"}
+"""File systems of fsspec that only read."""
+
+HTTP_PACKAGES = "'fsspec[http]'"
+"""Packages that pip installs for them."""
+
+
+def is_url(path: object) -> bool:
+    """Whether a place is a URL, such as https://… or s3://…, but not file://…, which is a local path."""
+    return isinstance(path, str) and "://" in path and not path.startswith(LOCAL)
+
+
+def local(path: str | os.PathLike[str]) -> Path:
+    """The path of a local place; ValueError or TypeError if it cannot be one."""
+    if isinstance(path, str) and path.startswith(LOCAL):
+        kind, _, path = path.partition("://")
+        # `Path.as_uri` escapes spaces and letters beyond ASCII; fsspec's "local" has paths as they are.
+        path = urllib.parse.unquote(path) if kind == "file" else path
+    return check.path("path", path)
+
+
+def system(url: str) -> tuple[Any, str]:
+    """The file system of a URL, and the path in it."""
+    check.text("path", url)
+    is_web = url.partition("://")[0] in READ_ONLY
+    if not importlib.util.find_spec("fsspec"):
+        command = f"pip install {HTTP_PACKAGES if is_web else 'fsspec'}"
+        raise ValueError(f"path: expected a folder, or fsspec installed ({command}), got {check.shortened(url)}")
+    import fsspec
+
+    try:
+        found, path = fsspec.core.url_to_fs(url)
+    except ImportError as error:
+        needed = f"pip install {HTTP_PACKAGES}" if is_web else check.one_line(str(error), 180)
+        raise ValueError(
+            f"path: expected what fsspec needs for such a URL ({needed}), got {check.shortened(url)}"
+        ) from None
+    except Exception as error:  # each file system has errors of its own
+        raise ValueError(
+            f"path: expected a URL that fsspec can open, got {check.shortened(url)}: {check.one_line(str(error), 180)}"
+        ) from None
+    if not path.strip("/"):
+        raise ValueError(f"path: expected a URL with a folder, got {check.shortened(url)}")
+    return found, path.rstrip("/")
+
+
+@contextmanager
+def as_os_errors(url: str, deed: str) -> Iterator[None]:
+    """Turn the errors of libraries behind file systems into OSError that names the URL; missing files stay missing."""
+    try:
+        yield
+    except FileNotFoundError:
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), url) from None
+    except Exception as error:
+        reason = check.one_line(str(error), 180) or type(error).__name__
+        code = getattr(error, "errno", None) or errno.EIO
+        raise OSError(code, f"cannot be {deed}: {reason}", url) from error

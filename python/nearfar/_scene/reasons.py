@@ -1,0 +1,94 @@
+"""Reasons why a file cannot be used, each in one sentence, from the exceptions of readers."""
+
+from __future__ import annotations
+
+import gzip
+import re
+import zipfile
+import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from nearfar._base import check
+from nearfar._base.errors import SceneError, UnusableError
+
+
+@contextmanager
+def explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[None]:
+    """Convert a reader's exception to a SceneError that names the file and gives the reason in one sentence."""
+    try:
+        yield
+    except (SceneError, passed):
+        raise
+    except Exception as error:
+        raise SceneError(f"{label}: {check.one_line(sentence(error), LONGEST)}") from error
+
+
+def sentence(error: Exception) -> str:
+    """The reason of an exception that a reader raised."""
+    match error:
+        case UnusableError():
+            return str(error)
+        case ModuleNotFoundError(name=name) if name in _DETECTORS:
+            return "it is damaged, or its text is in an unknown encoding"
+        case ModuleNotFoundError():
+            return f"reading it needs the Python package '{error.name}', which is not installed"
+        case gzip.BadGzipFile() | EOFError() | zlib.error():
+            return f"its compressed data is damaged ({error})"
+        case OSError():
+            return f"a file that it refers to cannot be read: {Path(str(error.filename or error)).name}"
+        case UnicodeDecodeError():
+            return f"its text is not in a known encoding ({error.reason} at byte {error.start})"
+        case MemoryError():
+            return "it claims more data than fits into memory"
+        case RecursionError():
+            return "its parts are nested too deeply"
+        case KeyError():
+            return f"it lacks an entry that it needs: {error.args[0] if error.args else 'unknown'}"
+        case AssertionError():
+            return "lengths or offsets in it contradict each other" + (f" ({error})" if str(error) else "")
+        case IndexError():
+            return "it refers to something that it does not hold"
+        case zipfile.BadZipFile():
+            return f"its archive is damaged ({_first_line(error)})"
+        case ValueError() | RuntimeError():  # raised by trimesh for unknown versions and formats
+            return _reader_sentence(_first_line(error))
+        case AttributeError() | TypeError():
+            return "an entry of it has another type than it should"
+        case _:
+            return "it is not well-formed"
+
+
+def _reader_sentence(reason: str) -> str:
+    """Sentence for a reason that a reader gives; those of Python and NumPy speak of code, not of the file."""
+    for pattern, sentence in _REASONS:
+        if match := pattern.search(reason):
+            reason = sentence.format(*(group for group in match.groups() if group))
+            break
+    return f"it cannot be read: {reason or 'no reason given'}"
+
+
+def _first_line(error: Exception) -> str:
+    return next(iter(str(error).splitlines()), "")
+
+
+LONGEST = 300
+"""Greatest number of characters of a reason, which may repeat what stands in the file."""
+
+_DETECTORS = ("chardet", "charset_normalizer")
+"""Packages with which trimesh would guess the encoding of a text that is not UTF-8."""
+
+_REASONS = (
+    (
+        re.compile(r"could not convert string to \w+: (.+)|invalid literal for [^:]*: (.+)"),
+        "{} stands where a number belongs",
+    ),
+    (
+        re.compile(r"reshape array|array element|to unpack|unmatched data|operands could not|inhomogeneous|dimensions"),
+        "a row of it has too few or too many numbers",
+    ),
+    (re.compile(r"negative seek|buffer is smaller|buffer size|beyond the end"), "it is cut off"),
+    (re.compile(r"no field of name (\w+)"), "it lacks an entry that it needs: {}"),
+)
+"""Reasons of Python and NumPy, and what they say of a file."""
