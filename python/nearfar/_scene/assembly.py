@@ -51,6 +51,8 @@ class Assembled:
     """Number of the source's faces that were left out."""
     notes: tuple[str, ...] = ()
     """Parts of the source that are ignored or drawn differently, one sentence each."""
+    used: tuple[str, ...] = ()
+    """Parts of the source that the scene uses, one phrase each."""
     undrawn: Mapping[int, Undrawn] = field(default_factory=dict)
     """Properties of materials that are not drawn, by their tags in `core`."""
 

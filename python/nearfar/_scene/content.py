@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -68,6 +68,9 @@ class Content:
     shapes: dict[str, Shape]
     nodes: Nodes
     notes: list[str] = field(default_factory=list)
+    """Parts that are ignored or drawn differently, one sentence each."""
+    used: list[str] = field(default_factory=list)
+    """The format, and parts that the scene uses besides its meshes, one phrase each."""
     units: Sequence[str] = ()
     """Units that the meshes state, in trimesh's names and "" for none; without any the unit is the metre."""
 
@@ -117,7 +120,8 @@ def assemble(
     except ValueError as error:
         raise SceneError(f"{content.label}: {error}") from error
     notes = [*content.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]
-    return replace(parts, dropped=dropped, notes=tuple(notes))
+    held = (*content.used, *_inventory(shapes.values()))
+    return replace(parts, dropped=dropped, notes=tuple(notes), used=held)
 
 
 def _to_metres(content: Content, scale: float | None) -> None:
@@ -207,6 +211,25 @@ def _finite(normals: NDArray[Any]) -> NDArray[Any]:
     """Replace normals that are not finite by zeros: a file with damaged normals is still usable."""
     good = np.isfinite(normals).all(axis=1, keepdims=True)
     return normals if good.all() else np.where(good, normals, 0)
+
+
+def _inventory(shapes: Collection[Shape]) -> list[str]:
+    """Count shapes, their vertices, and those that have an attribute, one phrase each."""
+    vertices = sum(len(shape.vertices) for shape in shapes)
+    attributes = {
+        "vertex normals": sum(shape.normals is not None for shape in shapes),
+        "texture coordinates": sum(shape.uvs is not None for shape in shapes),
+        "vertex colours": sum(shape.colors is not None for shape in shapes),
+    }
+    whole = "all of them" if len(shapes) > 1 else "it"
+    return [
+        f"{count(len(shapes), 'mesh', 'meshes')} with {count(vertices, 'vertex', 'vertices')}",
+        *(
+            f"{name} of {whole if number == len(shapes) else f'{number:,} of them'}"
+            for name, number in attributes.items()
+            if number
+        ),
+    ]
 
 
 def _material_notes(shapes: Iterable[Shape]) -> list[str]:

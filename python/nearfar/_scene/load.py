@@ -86,6 +86,7 @@ def _read(label: str, path: Path, data: bytes, budget: Budget) -> Content:
         content = load_wavefront.read(label, data, resolver, materials, budget)
     else:
         content = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
+    content.used.insert(0, _FORMATS.get(kind, kind.upper()))
     if len(content.nodes.objects) == 1 and content.nodes.objects[0] in (path.name, "geometry_0", "geometry"):
         content.nodes = replace(content.nodes, objects=[name])
     return content
@@ -93,6 +94,9 @@ def _read(label: str, path: Path, data: bytes, budget: Budget) -> Content:
 
 _COMMON = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".3mf", ".dae"}
 """Suffixes of files that a folder is likely to be given for."""
+
+_FORMATS = {"obj": "Wavefront OBJ", "dae": "COLLADA", "step": "STEP", "stp": "STEP"}
+"""Names of formats that are called otherwise than their suffix."""
 
 _ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}
 

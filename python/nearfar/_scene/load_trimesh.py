@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,8 +45,43 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
     shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}
     other = len(loaded.geometry) - len(shapes)
     notes = [f"{count(other, 'geometry', 'geometries')} without triangles ignored"] if other else []
+    notes += _unused_properties(meshes.values())
     units = [str(mesh.units or "") for mesh in meshes.values()]
-    return Content(label, shapes, _nodes(loaded, shapes), notes, units)
+    return Content(label, shapes, _nodes(loaded, shapes), notes, units=units)
+
+
+_PLY_PROPERTIES = {
+    "vertex": {
+        "x",
+        "y",
+        "z",
+        "nx",
+        "ny",
+        "nz",
+        "red",
+        "green",
+        "blue",
+        "alpha",
+        "u",
+        "v",
+        "s",
+        "t",
+        "texture_u",
+        "texture_v",
+    },
+    "face": {"vertex_indices", "vertex_index", "red", "green", "blue", "alpha", "texcoord"},
+}
+"""Properties that trimesh takes from the elements of a PLY file."""
+
+
+def _unused_properties(meshes: Iterable[trimesh.Trimesh]) -> list[str]:
+    """Notes on the properties of PLY files that are ignored."""
+    elements = [item for mesh in meshes for item in mesh.metadata.get("_ply_raw", {}).items()]
+    unused = {
+        element: [name for name in described["properties"] if name not in _PLY_PROPERTIES.get(element, ())]
+        for element, described in elements
+    }
+    return [f"{element} property {name} ignored" for element, names in unused.items() for name in names]
 
 
 def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:

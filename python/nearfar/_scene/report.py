@@ -1,4 +1,4 @@
-"""Counts of a scene's contents, and notes on parts of its source that were dropped or are not drawn."""
+"""Counts of a scene's contents, and which parts of its source are used, dropped or not drawn."""
 
 from __future__ import annotations
 
@@ -32,6 +32,8 @@ class Report:
     """Number of faces with zero area, which are kept but never visible."""
     dropped_faces: int
     """Number of faces dropped because of non-finite or missing vertices (``on_invalid="drop"``)."""
+    used: tuple[str, ...] = ()
+    """The format of the source and the parts of it that the scene uses, one phrase each; empty without a source."""
     notes: tuple[str, ...] = ()
     """Parts of the source that are ignored or drawn differently, and its unit if not the metre, one sentence each."""
     unit_note: str = ""
@@ -43,7 +45,15 @@ class Report:
     """
 
     @classmethod
-    def of(cls, core: _core.Scene, objects: int, dynamic: int, dropped: int, notes: tuple[str, ...]) -> Report:
+    def of(
+        cls,
+        core: _core.Scene,
+        objects: int,
+        dynamic: int,
+        dropped: int,
+        notes: tuple[str, ...],
+        used: tuple[str, ...],
+    ) -> Report:
         """Count the parts of a scene."""
         return cls(
             triangles=core.triangle_count,
@@ -56,6 +66,7 @@ class Report:
             degenerate_faces=core.degenerate_count(),
             dropped_faces=dropped,
             notes=notes,
+            used=used,
             unit_note=extent_note(core.bounds()),
         )
 

@@ -46,18 +46,19 @@ class Scene(InPictures):
         rest: NDArray[np.float64] | None = None,
         dropped: int = 0,
         notes: tuple[str, ...] = (),
+        used: tuple[str, ...] = (),
         table: LevelTable | None = None,
         undrawn: Mapping[int, Undrawn] | None = None,
     ) -> None:
         self._core = check.instance("core", core, _core.Scene, "what Scene.load, from_arrays and others pass")
         self._names, self._frames = check.instance("names", names, Names, "what Scene.load and others pass"), frames
         self._rest = core.moving_placements() if rest is None else rest
-        self._dropped, self._notes, self._table = dropped, notes, table
+        self._dropped, self._notes, self._used, self._table = dropped, notes, used, table
         self._undrawn: Mapping[int, Undrawn] = {} if undrawn is None else undrawn
 
     @classmethod
     def _from_assembled(cls, parts: Assembled) -> Scene:
-        kept = {name: getattr(parts, name) for name in ("frames", "dropped", "notes", "undrawn")}
+        kept = {name: getattr(parts, name) for name in ("frames", "dropped", "notes", "used", "undrawn")}
         return cls(parts.core, Names(parts.names), **kept)
 
     @classmethod
@@ -199,8 +200,8 @@ class Scene(InPictures):
 
     @cached_property
     def report(self) -> Report:
-        """Counts of the scene's contents, and notes on parts of its source that were dropped or are not drawn."""
-        return Report.of(self._core, len(self._names), len(self._rest), self._dropped, self._notes)
+        """Counts of the scene's contents, and which parts of its source are used, dropped or not drawn."""
+        return Report.of(self._core, len(self._names), len(self._rest), self._dropped, self._notes, self._used)
 
     def triangles(self) -> NDArray[np.float32]:
         """Corners of all triangles (T, 3, 3), relative to `origin`; for exchange with other tools."""
@@ -358,7 +359,8 @@ class Scene(InPictures):
     @property
     def _own(self) -> dict[str, Any]:
         """Keyword arguments that make this scene of its core and its names."""
-        return {name: getattr(self, f"_{name}") for name in ("frames", "rest", "dropped", "notes", "table", "undrawn")}
+        names = ("frames", "rest", "dropped", "notes", "used", "table", "undrawn")
+        return {name: getattr(self, f"_{name}") for name in names}
 
     def __getstate__(self) -> dict[str, Any]:
         """Pickle a scene as arrays; its search trees are rebuilt after unpickling."""

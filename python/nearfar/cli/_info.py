@@ -64,7 +64,11 @@ def info(
     if preview is not None:
         document["preview"] = {"file": str(preview), "seconds": save_preview(loaded, scene, reduced, preview)}
     rows += [
-        *((key.replace("_", " "), _text(value)) for key, value in document["report"].items() if value),
+        *(
+            (_LABELS.get(key, key.replace("_", " ")), _text(value))
+            for key, value in document["report"].items()
+            if value
+        ),
         *((name, metres(corner)) for name, corner in zip(("from", "to"), document["bounds"] or (), strict=False)),
         ("origin", metres(document["origin"])),
         ("loaded in", f"{document['seconds']:.2f} s"),
@@ -75,6 +79,10 @@ def info(
         document["gpu"] = describe_adapters()
         rows += _adapter_rows(document["gpu"])
     show(document, rows, title=scene, as_json=as_json)
+
+
+_LABELS = {"notes": "not as in the file", "used": "used of the file"}
+"""Labels of parts of the report that are not their names."""
 
 
 def describe_adapters() -> dict[str, Any]:
@@ -177,4 +185,4 @@ def _text(value: Any) -> str:
         return count(value)
     if isinstance(value, dict):
         return "; ".join(f"{key}: {_text(item)}" for key, item in value.items())
-    return "; ".join(map(str, value)) if isinstance(value, list) else str(value)
+    return "\n".join(map(str, value)) if isinstance(value, list) else str(value)

@@ -10,7 +10,7 @@ from nearfar._base import glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Shape
-from nearfar._scene.gltf import extensions, instances, nodes
+from nearfar._scene.gltf import extensions, instances, inventory, nodes
 from nearfar._scene.gltf.buffers import Buffers, name_files
 from nearfar._scene.gltf.primitives import MODES, Primitives, mode
 from nearfar._scene.materials import Materials
@@ -34,7 +34,7 @@ def read(label: str, data: bytes, kind: str, resolver: Any, materials: Materials
     buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver, budget)
     shapes, names = _shapes(header, Primitives(header, buffers, resolver, materials, budget))
     placed = nodes.placed(header, names, instances.transforms(header, buffers, budget))
-    return Content(label, shapes, placed, notes)
+    return Content(label, shapes, placed, notes, used=inventory.used(header))
 
 
 def _shapes(header: dict[str, Any], primitives: Primitives) -> tuple[dict[str, Shape], dict[int, list[str]]]:

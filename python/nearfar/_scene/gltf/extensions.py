@@ -85,5 +85,13 @@ def choose_images(header: dict[str, Any]) -> bool:
 
 def ignored(header: dict[str, Any]) -> list[str]:
     """Notes on the extensions that are ignored."""
-    names = dict.fromkeys([*header.get("extensionsUsed", []), *header.get("extensionsRequired", [])])
-    return [f"extension {name} ignored" for name in names if name not in _SILENT]
+    return [f"extension {name} ignored" for name in _named(header) if name not in _SILENT]
+
+
+def used(header: dict[str, Any]) -> list[str]:
+    """The extensions that are read, for the list of what a scene uses."""
+    return [f"extension {name}" for name in _named(header) if name in _READ or name in IMAGE_EXTENSIONS]
+
+
+def _named(header: dict[str, Any]) -> list[str]:
+    return [*dict.fromkeys([*header.get("extensionsUsed", []), *header.get("extensionsRequired", [])])]
