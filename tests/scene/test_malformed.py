@@ -255,7 +255,7 @@ def accessor(**changes: object) -> list[dict[str, object]]:
         (triangle(extensionsRequired=["A\nB" * 300]), "needs the extension A B"),
         (triangle(nodes=[{"mesh": 0, "name": "a\nb" * 300, "scale": [float("nan"), 1, 1]}]), r"at node 'a\\nb"),
         (triangle(nodes=[{"mesh": 0, "name": "\ud800"}]), "a text in it holds a lone surrogate"),
-        (triangle(meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "mode": 6}]}]), "no triangles"),
+        (triangle(meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "mode": 3}]}]), "; 1 line primitive ignored"),
         (triangle(buffers=[{"byteLength": 36, "uri": "gone.bin"}]), "refers to cannot be read"),
         (triangle()[:-4], "cannot be read"),
         (glb([]), "its JSON is not an object"),
@@ -291,19 +291,19 @@ def test_a_deep_chain_of_nodes_is_fine(tmp_path: Path) -> None:
 def test_cameras_and_skipped_meshes_do_not_misplace_their_children(tmp_path: Path) -> None:
     nodes = [
         {"name": "eye", "camera": 0, "mesh": 0, "translation": [0, 5, 0], "children": [1]},
-        {"name": "fan", "mesh": 1, "translation": [7, 0, 0], "children": [2]},
+        {"name": "line", "mesh": 1, "translation": [7, 0, 0], "children": [2]},
         {"name": "leaf", "mesh": 0},
     ]
     cameras = [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}]
     corners = {"attributes": {"POSITION": 0}}
-    meshes = [{"primitives": [corners]}, {"primitives": [corners | {"mode": 6}]}]
+    meshes = [{"primitives": [corners]}, {"primitives": [corners | {"mode": 3}]}]
     (tmp_path / "a.glb").write_bytes(triangle(nodes=nodes, cameras=cameras, meshes=meshes))
     result = outcome(tmp_path / "a.glb")
     assert isinstance(result, nf.Scene)
     assert set(result.object_names) == {"eye", "leaf"}
     np.testing.assert_array_equal(result.subset(objects=["eye"]).bounds[0], [0, 5, 0])
     np.testing.assert_array_equal(result.subset(objects=["leaf"]).bounds[0], [7, 5, 0])
-    assert result.report.notes == ("1 camera ignored", "1 non-triangle primitive ignored")
+    assert result.report.notes == ("1 camera ignored", "1 line primitive ignored")
 
 
 def test_good_triangles_beside_bad_placements_can_be_kept(tmp_path: Path) -> None:

@@ -53,7 +53,10 @@ def saved_near(scene: nf.Scene, folder: Path) -> Path:
             "with the extension ACME_glow drawn and saved without it",
         ),
         (
-            {"normalTexture": {"index": 1, "texCoord": 1}},
+            {
+                "pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 2}},
+                "normalTexture": {"index": 1, "texCoord": 1},
+            },
             "with a map on other texture coordinates drawn and saved without it",
         ),
         ({"normalTexture": {"index": 77}}, "with an unreadable map saved without it"),

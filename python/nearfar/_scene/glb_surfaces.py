@@ -14,8 +14,9 @@ from PIL import Image
 from nearfar._base import glb
 from nearfar._scene import undrawn as undrawn_parts
 from nearfar._scene.arrays import MOST_CUTOFF
+from nearfar._scene.coordinates import TRANSFORM, is_texture
 from nearfar._scene.materials import MOST_TEXELS
-from nearfar._scene.undrawn import TRANSFORM, EncodedImage, TextureSource, Undrawn
+from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
 _SURFACE, _BASE = "pbrMetallicRoughness", "baseColorTexture"
 _PLAIN_KINDS = ("image/png", "image/jpeg")
@@ -92,7 +93,7 @@ class SurfaceWriter:
         for key, item in value.items():
             if not isinstance(item, dict):
                 continue
-            if not undrawn_parts.is_texture(key, item):
+            if not is_texture(key, item):
                 self._link(item, textures)
                 continue
             if TRANSFORM in item.get("extensions", {}):

@@ -10,6 +10,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from nearfar._scene.coordinates import TRANSFORM, Coordinates, drawn, is_texture, relative
+
 EXTENSIONS = frozenset(
     f"KHR_materials_{name}"
     for name in (
@@ -18,8 +20,6 @@ EXTENSIONS = frozenset(
     )
 )
 """Extensions of materials that refer to nothing but textures, so that they can be copied."""
-
-TRANSFORM = "KHR_texture_transform"
 
 _SURFACE = "pbrMetallicRoughness"
 _BASE = "baseColorTexture"
@@ -123,11 +123,6 @@ def without_textures(value: Any) -> Any:
     return {key: without_textures(item) for key, item in value.items() if not is_texture(key, item)}
 
 
-def is_texture(key: str, value: object) -> bool:
-    """Whether an entry of a material refers to a texture."""
-    return key.endswith("Texture") and isinstance(value, dict) and "index" in value
-
-
 class _Collector:
     """Copies the known entries of a material, and numbers the textures that they refer to."""
 
@@ -135,10 +130,12 @@ class _Collector:
         self._texture_of = texture_of
         self.textures: list[TextureSource] = []
         self.losses: list[str] = []
+        self._drawn: Coordinates | None = None
 
     def material(self, source: dict[str, Any]) -> dict[str, Any]:
         surface = source.get(_SURFACE)
         surface = surface if isinstance(surface, dict) else {}
+        self._drawn = drawn(source)
         kept: dict[str, Any] = {}
         if isinstance(source.get("name"), str):
             kept["name"] = source["name"]
@@ -167,13 +164,9 @@ class _Collector:
 
     def _info(self, name: str, source: dict[str, Any]) -> dict[str, Any] | None:
         """A reference to a texture; None if it cannot be written again."""
-        extensions = source.get("extensions")
-        transform = extensions.get(TRANSFORM) if isinstance(extensions, dict) else None
-        transform = transform if isinstance(transform, dict) and all(map(_is_plain, transform.values())) else {}
-        if transform.get("texCoord", source.get("texCoord", 0)) != 0:
-            # The base colour's was noted where it was read.
-            if name != _BASE:
-                self.losses.append("with a map on other texture coordinates drawn and saved without it")
+        transform = {} if name == _BASE else self._transform(source)
+        if transform is None:
+            self.losses.append("with a map on other texture coordinates drawn and saved without it")
             return None
         texture = self._texture_of(source["index"]) if isinstance(source["index"], int) else None
         if texture is None or (name != _BASE and texture.image is None):
@@ -187,6 +180,10 @@ class _Collector:
         info: dict[str, Any] = {"index": self.textures.index(texture)}
         info |= {key: source[key] for key in ("scale", "strength") if _is_number(source.get(key))}
         return info | ({"extensions": {TRANSFORM: transform}} if transform else {})
+
+    def _transform(self, source: dict[str, Any]) -> dict[str, Any] | None:
+        """A map's transform relative to the texture coordinates of the scene's meshes; None if there is none."""
+        return {} if self._drawn is None else relative(source, self._drawn)
 
 
 def _numbers(source: dict[str, Any], sizes: dict[str, int]) -> dict[str, Any]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from typing import Any
 
@@ -12,12 +11,16 @@ from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Shape
 from nearfar._scene.gltf import extensions, instances, inventory, nodes
 from nearfar._scene.gltf.buffers import Buffers, name_files
-from nearfar._scene.gltf.primitives import MODES, Primitives, mode
+from nearfar._scene.gltf.corners import MODES, OTHERS, mode
+from nearfar._scene.gltf.primitives import Primitives
 from nearfar._scene.materials import Materials
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
 
-_PLURALS = {"set of tangents": "sets of tangents"}
+_PLURALS = {
+    "set of tangents": "sets of tangents",
+    "primitive of an unknown mode": "primitives of unknown modes",
+}
 
 
 def read(label: str, data: bytes, kind: str, resolver: Any, materials: Materials, budget: Budget) -> Content:
@@ -61,11 +64,11 @@ def _notes(header: dict[str, Any]) -> list[str]:
     """Notes on the features of a glTF file that are ignored."""
     primitives = [primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"]]
     ignored = {name: len(header.get(f"{name}s", [])) for name in ("animation", "skin", "camera")}
-    ignored["non-triangle primitive"] = sum(mode(p) not in MODES for p in primitives)
+    kinds = Counter(mode(p) for p in primitives if mode(p) not in MODES)
+    for kind, number in kinds.items():
+        name = OTHERS.get(kind, "primitive of an unknown mode")
+        ignored[name] = ignored.get(name, 0) + number
     ignored["morphed primitive"] = sum("targets" in p for p in primitives)
-    materials = json.dumps(header.get("materials", []))
-    ignored["texture transform"] = materials.count('"KHR_texture_transform"')
-    ignored["second texture coordinate"] = materials.count('"texCoord": 1')
     ignored["set of tangents"] = sum("TANGENT" in p.get("attributes", {}) for p in primitives)
     notes = [
         f"{count(number, feature, _PLURALS.get(feature, ''))} ignored" for feature, number in ignored.items() if number

@@ -6,10 +6,11 @@ from importlib.util import find_spec
 from typing import Any
 
 from nearfar._base.errors import UnusableError
+from nearfar._scene.coordinates import TRANSFORM
 from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS
 from nearfar._scene.gltf.instances import INSTANCING
 from nearfar._scene.gltf.meshopt import MESHOPT
-from nearfar._scene.undrawn import EXTENSIONS, TRANSFORM
+from nearfar._scene.undrawn import EXTENSIONS
 
 DRACO = "KHR_draco_mesh_compression"
 _READ = {DRACO, "KHR_mesh_quantization", INSTANCING, *MESHOPT}

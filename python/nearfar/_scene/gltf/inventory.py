@@ -6,7 +6,7 @@ from typing import Any
 
 from nearfar._base import check
 from nearfar._scene.gltf import extensions
-from nearfar._scene.gltf.primitives import MODES, mode
+from nearfar._scene.gltf.corners import MODES, mode
 from nearfar._scene.report import count
 
 

@@ -11,26 +11,20 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
+from nearfar._scene import coordinates
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Shape
 from nearfar._scene.gltf.buffers import Buffers
+from nearfar._scene.gltf.corners import faces, mode
 from nearfar._scene.gltf.extensions import DRACO
 from nearfar._scene.materials import Described, Materials, colors_of
 
-_TRIANGLES, _STRIP = 4, 5
-MODES = (_TRIANGLES, _STRIP)
-"""Modes of primitives that are read."""
-
-_WIDTHS = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
+_WIDTHS = {"POSITION": 3, "NORMAL": 3}
+_UV_WIDTH = 2
 
 _GLOSS = "KHR_materials_pbrSpecularGlossiness"
 _GLOSS_BYTES = 128
 """Bytes for each texel while trimesh converts a material of that extension: four images, float64 RGBA."""
-
-
-def mode(primitive: dict[str, Any]) -> Any:
-    """The kind of a primitive."""
-    return primitive.get("mode", _TRIANGLES)
 
 
 class Primitives:
@@ -66,17 +60,21 @@ class Primitives:
         self._check_decoded(primitive, positions)
         count = len(positions)
         used: NDArray[np.int64] | slice = slice(None)
-        faces = self._faces(primitive, count)
+        triangles = self._faces(primitive, count)
         if is_shared and "indices" in primitive:
-            used, faces = _used(faces, count)
+            used, triangles = _used(triangles, count)
 
         def of(number: int) -> NDArray[Any]:
             rows = self._buffers.raw(number)
             return rows[used] if len(rows) == count else rows
 
-        rows = {name: self._attribute(name, numbers[name], of(numbers[name])) for name in _WIDTHS if name in numbers}
+        rows = {
+            name: self._attribute(name, width, numbers[name], of(numbers[name]))
+            for name, width in _WIDTHS.items()
+            if name in numbers
+        }
         vertices = rows["POSITION"]
-        shape = Shape(vertices, faces)
+        shape = Shape(vertices, triangles)
         normals = rows.get("NORMAL")
         if normals is not None and normals.shape == vertices.shape:
             shape.normals = normals
@@ -86,10 +84,12 @@ class Primitives:
             shape.materials = self._materials.of(
                 self._read_materials[number], described=Described(described, self._buffers.texture)
             )
-            uvs = rows.get("TEXCOORD_0")
-            if uvs is not None:
+            shown = coordinates.drawn(described)
+            name = "" if shown is None else f"TEXCOORD_{shown.number}"
+            if shown is not None and name in numbers:
+                uvs = self._attribute(name, _UV_WIDTH, numbers[name], of(numbers[name]))
                 # v points down in files.
-                shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]])
+                shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if shown.is_plain else shown.upwards(uvs)
         if "COLOR_0" in numbers:
             # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
             shape.colors = colors_of(of(numbers["COLOR_0"]), len(vertices), linear=True)
@@ -97,31 +97,17 @@ class Primitives:
         self._budget.hold(sum(rows.nbytes for rows in arrays if rows is not None))
         return shape
 
-    def _attribute(self, name: str, number: int, rows: NDArray[Any]) -> NDArray[Any]:
+    def _attribute(self, name: str, width: int, number: int, rows: NDArray[Any]) -> NDArray[Any]:
         """Rows of an attribute, which may be whole numbers with or without a unit (KHR_mesh_quantization)."""
-        if rows.shape[1] != _WIDTHS[name]:
-            raise UnusableError(f"expected {_WIDTHS[name]} numbers in each row of {name}, got {rows.shape[1]}")
+        if rows.shape[1] != width:
+            raise UnusableError(f"expected {width} numbers in each row of {name}, got {rows.shape[1]}")
         rows = self._buffers.fractions(number, rows)
-        if name == "TEXCOORD_0" and rows.dtype.kind != "f":
-            return rows.astype(np.float32)
-        return rows
+        return rows.astype(np.float32) if width == _UV_WIDTH and rows.dtype.kind != "f" else rows
 
     def _faces(self, primitive: dict[str, Any], vertex_count: int) -> NDArray[Any]:
-        if "indices" in primitive:
-            corners = self._buffers.raw(primitive["indices"]).reshape(-1)
-        else:
-            corners = np.arange(vertex_count)
-        if corners.dtype.kind == "f":
-            raise UnusableError("expected whole numbers as indices, got fractions")
-        if mode(primitive) == _TRIANGLES:
-            if len(corners) % 3:
-                raise UnusableError(f"expected three corners for each triangle, got {len(corners)}")
-            return corners.reshape(-1, 3)
-        count = max(len(corners) - 2, 0)
-        faces = np.column_stack([corners[:count], corners[1 : count + 1], corners[2 : count + 2]]).astype(np.int64)
-        # Each other triangle of a strip has its corners in the opposite order.
-        faces[1::2] = faces[1::2, ::-1]
-        return faces
+        is_indexed = "indices" in primitive
+        corners = self._buffers.raw(primitive["indices"]).reshape(-1) if is_indexed else np.arange(vertex_count)
+        return faces(mode(primitive), corners, is_indexed=is_indexed)
 
     def _decode(self, primitive: dict[str, Any]) -> None:
         """Let trimesh decode what Draco compresses; its warnings say why it did not."""

@@ -1,0 +1,147 @@
+"""Texture coordinates of glTF materials: which set a texture uses, and how KHR_texture_transform moves it.
+
+A scene's mesh has one set of texture coordinates. It is the one of the texture that is drawn, with its transform
+applied; the transforms of a material's other textures are stated relative to it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+TRANSFORM = "KHR_texture_transform"
+
+_GLOSS = "KHR_materials_pbrSpecularGlossiness"
+_SURFACE = "pbrMetallicRoughness"
+
+_EXACT = 1e-12
+"""Greatest error, relative to the size of a matrix, that its float64 product with an inverse has."""
+
+
+@dataclass(frozen=True, eq=False)
+class Coordinates:
+    """Texture coordinates of one texture."""
+
+    number: int
+    """Number of the set: n of TEXCOORD_n."""
+    matrix: NDArray[np.float64]
+    """Transform (2, 3) of its columns (u, v, 1), v pointing down."""
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether the set is used as it is."""
+        return np.array_equal(self.matrix, _IDENTITY)
+
+    def upwards(self, rows: NDArray[Any]) -> NDArray[np.float32]:
+        """Transform rows (N, 2) of the set in float64; v of the result (N, 2) points up."""
+        turned = rows.astype(np.float64) @ self.matrix[:, :2].T + self.matrix[:, 2]
+        with np.errstate(over="ignore"):  # too large for float32: infinite, as any texture coordinate may be
+            return np.column_stack([turned[:, 0], 1 - turned[:, 1]]).astype(np.float32)
+
+
+_IDENTITY = np.eye(2, 3)
+
+
+def of(info: dict[str, Any]) -> Coordinates:
+    """Coordinates that a reference to a texture states; entries of wrong types count as absent.
+
+    The rotation is counter-clockwise in an image whose v points down: the extension's example, the lower left quarter
+    turned by 90 degrees, and three.js, Babylon.js and Khronos' viewer agree on it.
+    """
+    transform = _entry(_entry(info, "extensions"), TRANSFORM)
+    number = transform.get("texCoord", info.get("texCoord", 0))
+    number = number if type(number) is int and number >= 0 else 0
+    (u, v), angle, (wide, high) = (_DEFAULTS | _stated(transform)).values()
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return Coordinates(number, np.array([[cosine * wide, sine * high, u], [-sine * wide, cosine * high, v]]))
+
+
+_DEFAULTS: dict[str, Any] = {"offset": [0.0, 0.0], "rotation": 0.0, "scale": [1.0, 1.0]}
+
+
+def _stated(transform: dict[str, Any]) -> dict[str, Any]:
+    """The parts of a transform that are what they should be."""
+
+    def is_usable(key: str, value: object) -> bool:
+        if key == "rotation":
+            return _is_number(value)
+        return isinstance(value, list) and len(value) == 2 and all(map(_is_number, value))
+
+    return {key: value for key, value in transform.items() if key in _DEFAULTS and is_usable(key, value)}
+
+
+def _is_number(value: object) -> bool:
+    try:
+        return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    except OverflowError:  # a whole number beyond float64
+        return False
+
+
+def drawn(material: dict[str, Any]) -> Coordinates | None:
+    """Coordinates of the texture that is drawn: the base colour's or else the emission's, with its transform.
+
+    A material with other textures only uses the first one's set as it is, and one without textures none.
+    """
+    shown, others = _infos(material)
+    if shown:
+        return of(shown[0])
+    return Coordinates(of(others[0]).number, _IDENTITY) if others else None
+
+
+def _infos(material: dict[str, Any]) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """References to textures that are drawn, and to others, each in the order of their importance."""
+    surface = _entry(material, _SURFACE)
+    extensions = _entry(material, "extensions")
+    gloss = _entry(extensions, _GLOSS)
+    shown = [gloss.get("diffuseTexture"), surface.get("baseColorTexture"), material.get("emissiveTexture")]
+    owners = [material, surface, *(item for item in extensions.values() if isinstance(item, dict))]
+    others = [value for owner in owners for key, value in owner.items() if is_texture(key, value)]
+    return [info for info in shown if isinstance(info, dict) and "index" in info], others
+
+
+def _entry(owner: dict[str, Any], key: str) -> dict[str, Any]:
+    value = owner.get(key)
+    return value if isinstance(value, dict) else {}
+
+
+def is_texture(key: str, value: object) -> bool:
+    """Whether an entry of a material refers to a texture."""
+    return key.endswith("Texture") and isinstance(value, dict) and "index" in value
+
+
+def relative(info: dict[str, Any], base: Coordinates) -> dict[str, Any] | None:
+    """KHR_texture_transform from the coordinates `base` to a texture's own; None if there is none of its form.
+
+    It scales, then rotates, then moves, so that it cannot express every product of one with the inverse of another.
+    """
+    own = of(info)
+    if own.number != base.number:
+        return None
+    if base.is_plain:
+        return _stated(_entry(_entry(info, "extensions"), TRANSFORM))
+    if np.array_equal(own.matrix, base.matrix):
+        return {}
+    before = np.vstack([base.matrix, [0, 0, 1]])
+    if abs(np.linalg.det(before)) <= _EXACT * np.abs(base.matrix[:, :2]).max() ** 2:
+        return None
+    product = own.matrix @ np.linalg.inv(before)
+    size = np.abs(product[:, :2]).max()
+    return _parts(np.where(np.abs(product) <= _EXACT * max(size, 1), 0.0, product))
+
+
+def _parts(matrix: NDArray[np.float64]) -> dict[str, Any] | None:
+    """Offset, rotation and scale of a transform (2, 3); None if its axes are not perpendicular."""
+    first, second, offset = matrix.T
+    wide, high = float(np.hypot(*first)), float(np.hypot(*second))
+    if not math.isfinite(wide * high) or abs(first @ second) > 1e-9 * wide * high:
+        return None
+    # The first column is wide · (cos, −sin), the second one high · (sin, cos).
+    angle = math.atan2(-first[1], first[0]) if wide else math.atan2(second[0], second[1])
+    if np.linalg.det(matrix[:, :2]) < 0:
+        high = -high
+    parts: dict[str, Any] = {"offset": offset.tolist(), "rotation": angle, "scale": [wide, high]}
+    return {key: value for key, value in parts.items() if value != _DEFAULTS[key]}

@@ -1,0 +1,266 @@
+"""Which texture coordinates of a glTF file are drawn, and what the maps that are not drawn keep of theirs."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, strategies as st
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._scene import coordinates
+from tests.support import data
+from tests.support.gltf_cases import decode, encode, gltf
+
+TRANSFORM = "KHR_texture_transform"
+FOV = nf.Fov(-1.2, 0.9, -1.1, 1.0)
+SETS = np.random.default_rng(7).random((3, 4, 2)).astype(np.float32)
+NUMBERS = st.floats(-4, 4, width=32)
+TRANSFORMS = st.fixed_dictionaries(
+    {}, optional={"offset": st.lists(NUMBERS, min_size=2, max_size=2), "rotation": NUMBERS,
+                  "scale": st.lists(NUMBERS, min_size=2, max_size=2)},
+)  # fmt: skip
+
+
+def info(number: int = 0, index: int = 0, **transform: Any) -> dict[str, Any]:
+    """A reference to a texture."""
+    extension = {"extensions": {TRANSFORM: transform}} if transform else {}
+    return {"index": index} | ({"texCoord": number} if number else {}) | extension
+
+
+def base(**stated: Any) -> dict[str, Any]:
+    return {"pbrMetallicRoughness": {"baseColorTexture": info(**stated)}}
+
+
+def content(materials: list[dict[str, Any]], sets: list[list[int]] | None = None, **changes: Any) -> bytes:
+    """Squares with one to three sets of texture coordinates; `sets` names those of each square."""
+    document, binary = split(gltf(materials))
+    start = len(binary)
+    document["bufferViews"].append({"buffer": 0, "byteOffset": start, "byteLength": SETS.nbytes})
+    document["buffers"][0]["byteLength"] = start + SETS.nbytes
+    view = len(document["bufferViews"]) - 1
+    first = len(document["accessors"])
+    for number in range(3):
+        place = {"bufferView": view, "byteOffset": 32 * number}
+        document["accessors"].append(place | {"componentType": 5126, "count": 4, "type": "VEC2"})
+    for square, mesh in enumerate(document["meshes"]):
+        chosen = [0, 1, 2] if sets is None else sets[square]
+        names = {f"TEXCOORD_{place}": first + number for place, number in enumerate(chosen)}
+        mesh["primitives"][0]["attributes"] = {"POSITION": 0} | names
+    return encode(document | changes, binary + SETS.tobytes())
+
+
+def split(file: bytes) -> tuple[dict[str, Any], bytes]:
+    import json
+
+    length = int.from_bytes(file[12:16], "little")
+    return json.loads(file[20 : 20 + length]), file[28 + length :]
+
+
+def load(folder: Path, file: bytes) -> nf.Scene:
+    (folder / "a.glb").write_bytes(file)
+    return nf.Scene.load(folder / "a.glb")
+
+
+def shown(scene: nf.Scene) -> NDArray[Any]:
+    """Texture coordinates (4, 2) of the first square's corners in their order in the file, v pointing down."""
+    parts = nf._core.mesh_parts(scene._core.merged())
+    corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    places = parts["positions"][:, :2] - parts["positions"][:, :2].min(axis=0)
+    rows = [int(np.argmin(np.abs(places - corner).sum(axis=1))) for corner in corners]
+    return np.asarray(parts["uvs"][rows]) * [1, -1] + [0, 1]
+
+
+def picture_of(scene: nf.Scene, view: nf.Camera) -> NDArray[np.float32]:
+    color = nf.render(scene, view, samples=16).color
+    assert color is not None
+    return color
+
+
+def moved(uv: Any, transform: dict[str, Any]) -> tuple[float, float]:
+    """One point, scaled, then turned counter-clockwise in an image whose v points down, then moved."""
+    u, v = (float(x) * s for x, s in zip(uv, transform.get("scale", (1, 1)), strict=True))
+    turn = complex(u, -v) * complex(math.cos(angle := transform.get("rotation", 0)), math.sin(angle))
+    offset = transform.get("offset", (0, 0))
+    return turn.real + offset[0], -turn.imag + offset[1]
+
+
+@given(TRANSFORMS, st.lists(NUMBERS, min_size=2, max_size=2))
+def test_points_move_as_the_extension_says(transform: dict[str, Any], uv: list[float]) -> None:
+    found = coordinates.of(info(**transform)).upwards(np.array([uv], np.float32))
+    u, v = moved(uv, transform)
+    # One rounding to float32 of numbers up to 4 · 4 · √2 + 4 + 1.
+    np.testing.assert_allclose(found, np.array([[u, 1 - v]]), rtol=0, atol=2**-19)
+
+
+def test_the_example_of_the_extension_shows_the_lower_left_quarter() -> None:
+    """Of the image, "rotated clockwise 90°": its lower left corner goes to the upper left one of the square."""
+    example = coordinates.of(info(offset=[0, 1], rotation=1.57079632679, scale=[0.5, 0.5]))
+    corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], np.float32)
+    found = example.upwards(corners) * [1, -1] + [0, 1]
+    np.testing.assert_allclose(found, np.array([[0, 1], [0, 0.5], [0.5, 0.5], [0.5, 1]]), atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("stated", "number"),
+    [({}, 0), ({"number": 1}, 1), ({"number": 2}, 2), ({"texCoord": 2}, 2), ({"number": 1, "texCoord": 0}, 0)],
+)
+@pytest.mark.parametrize("transform", [{}, {"offset": [0.25, -3], "rotation": 0.7, "scale": [2, -0.5]}])
+def test_the_base_colour_has_its_set_and_its_transform(
+    tmp_path: Path, stated: dict[str, Any], number: int, transform: dict[str, Any]
+) -> None:
+    scene = load(tmp_path, content([base(**stated, **transform)]))
+    assert scene.report.textures == 1
+    expected = [moved(uv, transform) for uv in SETS[number]]
+    np.testing.assert_allclose(shown(scene), expected, atol=1e-6)
+    assert not any("ignored" in note or "coordinates" in note for note in scene.report.notes)
+
+
+def test_a_picture_is_that_of_coordinates_that_were_moved_before(tmp_path: Path) -> None:
+    transform = {"offset": [0.1, 0.2], "rotation": 0.4, "scale": [3, 2]}
+    scene = load(tmp_path, content([base(number=1, **transform)]))
+    baked = np.array([moved(uv, transform) for uv in SETS[1]], np.float32)
+    document, binary = split(content([base()]))
+    start = document["bufferViews"][-1]["byteOffset"]
+    binary = binary[:start] + baked.tobytes() + binary[start + baked.nbytes :]
+    view = nf.Camera.look_at((0.5, 0.5, 1.2), (0.5, 0.5, 0), fov=FOV, size=(48, 40))
+    plain = load(tmp_path, encode(document, binary))
+    one, other = (picture_of(part, view) for part in (scene, plain))
+    np.testing.assert_allclose(one, other, atol=1e-4)
+    assert one.std() > 0.05
+
+
+def test_squares_that_share_a_material_use_their_own_sets(tmp_path: Path) -> None:
+    """The second square has other coordinates at the same place, and the third one none there."""
+    document, binary = split(content([base(number=1)] * 3, [[0, 1], [0, 2], [0]]))
+    for mesh in document["meshes"]:
+        mesh["primitives"][0]["material"] = 0
+    scene = load(tmp_path, encode(document, binary))
+    for square, number in ((0, 1), (1, 2)):
+        np.testing.assert_allclose(shown(scene.subset(objects=[f"square{square}"])), SETS[number], atol=1e-6)
+    assert scene.report.materials == 2  # with a texture and without
+
+
+def test_coordinates_of_small_whole_numbers_are_moved_in_full(tmp_path: Path) -> None:
+    """gltfpack writes whole numbers without a unit, which a scale of 1 / 4095 makes fractions."""
+    document, binary = split(content([base(scale=[1 / 4095] * 2)]))
+    rows = np.array([[0, 4095], [1, 2], [77, 3000], [4095, 0]], np.uint16)
+    place = document["bufferViews"][-1]["byteOffset"]
+    binary = binary[:place] + rows.tobytes() + binary[place + rows.nbytes :]
+    document["accessors"][3] |= {"componentType": 5123}
+    scene = load(tmp_path, encode(document, binary))
+    np.testing.assert_allclose(shown(scene), rows / 4095, atol=1e-7)
+
+
+@given(TRANSFORMS, TRANSFORMS, st.lists(NUMBERS, min_size=2, max_size=2))
+def test_maps_keep_their_place_on_the_shape(one: dict[str, Any], other: dict[str, Any], uv: list[float]) -> None:
+    """What is stated for a map leads from the base colour's coordinates to its own; or nothing is stated."""
+    shown_first, own = coordinates.of(info(**one)), coordinates.of(info(**other))
+    stated = coordinates.relative(info(**other), shown_first)
+    linear = shown_first.matrix[:, :2]
+    if stated is None:
+        # Only transforms that shear, and those of a shape whose coordinates lie on a line, cannot be stated.
+        if np.linalg.cond(linear) < 1e10:
+            first, second = (own.matrix[:, :2] @ np.linalg.inv(linear)).T
+            assert abs(first @ second) > 1e-10 * np.hypot(*first) * np.hypot(*second)
+        return
+    start = shown_first.matrix @ [*uv, 1]
+    end = own.matrix @ [*uv, 1]
+    size = max(1, np.abs(coordinates.of(info(**stated)).matrix).max())
+    np.testing.assert_allclose(moved(start, stated), end, atol=1e-6 * size)
+
+
+@pytest.mark.parametrize(
+    "transform",
+    [
+        {"scale": [2, 2], "rotation": 1, "offset": [3, 4]},
+        {"scale": [0.5, -3], "offset": [1, 0]},
+        {"scale": [-1, 1], "rotation": math.pi / 2},
+    ],
+)
+def test_turns_and_scales_can_be_stated(transform: dict[str, Any]) -> None:
+    assert coordinates.relative(info(), coordinates.of(info(**transform))) is not None
+    assert coordinates.relative(info(**transform), coordinates.of(info(**transform))) == {}
+    assert coordinates.relative(info(**transform), coordinates.of(info())) == transform
+
+
+def test_shears_and_lost_coordinates_cannot_be_stated() -> None:
+    turned = coordinates.of(info(rotation=0.5, scale=[1, 3]))
+    assert coordinates.relative(info(rotation=0.1), turned) is None
+    assert coordinates.relative(info(), coordinates.of(info(scale=[0, 1]))) is None
+    assert coordinates.relative(info(number=1), coordinates.of(info())) is None
+
+
+def test_files_written_from_a_scene_show_each_map_where_it_was(tmp_path: Path) -> None:
+    one, other = {"scale": [2, 2], "rotation": 0.3, "offset": [0.5, 0]}, {"scale": [4, 4], "rotation": -0.4}
+    material = base(number=1, **one) | {
+        "name": "wall",
+        "normalTexture": info(1, 1, **other),
+        "occlusionTexture": info(1, 2, **one),
+        "emissiveTexture": info(2, 3),
+        "emissiveFactor": [1.0, 1.0, 1.0],
+    }
+    scene = load(tmp_path, content([material]))
+    note = "1 material with a map on other texture coordinates drawn and saved without it"
+    assert note in scene.report.notes
+    nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
+    document, _ = decode(tmp_path / "written.glb")
+    (written,) = document["materials"]
+    assert "extensions" not in written["pbrMetallicRoughness"]["baseColorTexture"]
+    assert "extensions" not in written["occlusionTexture"]
+    assert "emissiveTexture" not in written
+    stated = written["normalTexture"]["extensions"][TRANSFORM]
+    assert document["extensionsUsed"] == [TRANSFORM]
+    for uv in SETS[1]:
+        np.testing.assert_allclose(moved(moved(uv, one), stated), moved(uv, other), atol=1e-6)
+    again = nf.Scene.load(tmp_path / "written.glb")
+    np.testing.assert_allclose(shown(again), [moved(uv, one) for uv in SETS[1]], atol=1e-6)
+
+
+def test_without_a_base_colour_the_emission_or_the_first_map_has_its_coordinates(tmp_path: Path) -> None:
+    moves: dict[str, Any] = {"scale": [2, 3], "offset": [1, 1]}
+    glow = {"emissiveTexture": info(1, **moves), "normalTexture": info(1, 1, **moves), "emissiveFactor": [1.0] * 3}
+    scene = load(tmp_path, content([glow]))
+    np.testing.assert_allclose(shown(scene), [moved(uv, moves) for uv in SETS[1]], atol=1e-6)
+    bumps = {"normalTexture": info(2, 1, **moves)}
+    scene = load(tmp_path, content([bumps]))
+    np.testing.assert_allclose(shown(scene), SETS[2], atol=1e-6)
+    nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
+    (written,) = decode(tmp_path / "written.glb")[0]["materials"]
+    assert written["normalTexture"]["extensions"] == {TRANSFORM: moves}
+
+
+@pytest.mark.parametrize(
+    "transform",
+    [
+        {"offset": "abc"}, {"offset": [1]}, {"offset": [1, None]}, {"rotation": [1]}, {"rotation": True},
+        {"scale": {}}, {"scale": [10**400, 1]}, {"texCoord": -1}, {"texCoord": 1.5}, {"rotation": float("nan")},
+    ],
+)  # fmt: skip
+def test_entries_of_wrong_types_count_as_absent(tmp_path: Path, transform: dict[str, Any]) -> None:
+    scene = load(tmp_path, content([base(**transform)]))
+    np.testing.assert_allclose(shown(scene), SETS[0], atol=1e-6)
+
+
+@pytest.mark.parametrize("scale", [1e30, 1e300])
+def test_huge_scales_are_drawn_somehow(tmp_path: Path, scale: float) -> None:
+    scene = load(tmp_path, content([base(scale=[scale, scale])]))
+    view = nf.Camera.look_at((0.5, 0.5, 1.2), (0.5, 0.5, 0), fov=FOV, size=(8, 8))
+    assert np.isfinite(picture_of(scene, view)).all()
+
+
+def test_packed_ducks_look_like_the_plain_one() -> None:
+    """Their coordinates have 12 and 15 bits, and a transform; 3 and 6 bits would move edges by whole pixels."""
+    folder = "wild/cesium-native/CesiumGltfReader/test/data/DucksMeshopt"
+    view = nf.Camera.look_at((2.2, 1.6, 2.2), (0.1, 0.8, 0), fov=nf.Fov.symmetric(50, 1), size=(160, 160))
+    plain = picture_of(nf.Scene.load(data(f"{folder}/Duck.glb")), view)
+    for bits in (12, 15):
+        packed = nf.Scene.load(data(f"{folder}/Duck-vp-{bits}-vt-{bits}-vn-{bits}.glb"))
+        found = picture_of(packed, view)
+        # The texture of the duck has hard edges around its eyes: few pixels may differ by more.
+        assert np.quantile(np.abs(found - plain), 0.99) < 0.02
+        assert np.abs(found - plain).mean() < 0.002
