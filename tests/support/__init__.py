@@ -84,6 +84,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "data": _data_folder,
     "DracoPy": _module("DracoPy"),
     "distributed": _module("distributed"),
+    "opengl_basisu": _module("opengl_basisu"),
     "fast_simplification": _module("fast_simplification"),
     "embreex": _module("embreex"),
     "fsspec": _module("fsspec"),

@@ -153,9 +153,9 @@ class Buffers:
         return data[start : start + length]
 
     def replace(self, number: int, rows: NDArray[Any]) -> None:
-        """Let an accessor stand for rows that an extension has decoded."""
-        self._budget.hold(rows.nbytes)
-        self._arrays[number] = rows
+        """Let an accessor stand for rows that an extension has decoded; its own sparse changes are applied to them."""
+        sparse = entry(self._header, "accessors", number).get("sparse")
+        self._arrays[number] = self._changed(rows, sparse) if sparse else rows
 
     def raw(self, number: int) -> NDArray[Any]:
         """Rows (N, K) of an accessor, in their own type."""
@@ -172,7 +172,7 @@ class Buffers:
 
     def _read(self, number: int) -> NDArray[Any]:
         described = entry(self._header, "accessors", number)
-        kind, width = _component(described), WIDTHS[described["type"]]
+        kind, width = component(described), WIDTHS[described["type"]]
         count = int(described["count"])
         if "bufferView" in described:
             rows = self._rows(described["bufferView"], described.get("byteOffset", 0), kind, count, width)
@@ -186,7 +186,7 @@ class Buffers:
 
     def _changed(self, rows: NDArray[Any], sparse: dict[str, Any]) -> NDArray[Any]:
         places, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
-        kind = _component(places)
+        kind = component(places)
         where = self._rows(places["bufferView"], places.get("byteOffset", 0), kind, count, 1)[:, 0]
         new = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
         if len(where) and not 0 <= int(where.min()) <= int(where.max()) < len(rows):
@@ -211,7 +211,7 @@ def _range(described: dict[str, Any]) -> tuple[int, int, int]:
     return described["buffer"], described.get("byteOffset", 0), described["byteLength"]
 
 
-def _component(described: dict[str, Any]) -> np.dtype[Any]:
+def component(described: dict[str, Any]) -> np.dtype[Any]:
     """The type of an accessor's numbers."""
     if described["componentType"] not in COMPONENTS:
         raise UnusableError(f"its accessors have the unknown type {check.shortened(described['componentType'])}")

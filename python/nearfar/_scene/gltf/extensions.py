@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from importlib.util import find_spec
 from typing import Any
 
 from nearfar._base.errors import UnusableError
+from nearfar._base.glb import entry
 from nearfar._scene.coordinates import TRANSFORM
+from nearfar._scene.gltf import draco
 from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS
 from nearfar._scene.gltf.instances import INSTANCING
+from nearfar._scene.gltf.ktx2 import BASISU
 from nearfar._scene.gltf.meshopt import MESHOPT
 from nearfar._scene.undrawn import EXTENSIONS
 
-DRACO = "KHR_draco_mesh_compression"
-_READ = {DRACO, "KHR_mesh_quantization", INSTANCING, *MESHOPT}
+_READ = {draco.DRACO, "KHR_mesh_quantization", INSTANCING, *MESHOPT}
 """Extensions of shapes that are read."""
 
 _REMEDIES = {
-    "KHR_texture_basisu": "which is not read: save its textures as PNG or JPEG",
     "MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG",
 }
 
@@ -28,7 +28,7 @@ _DISPENSABLE = {
 }
 """Extensions whose absence leaves the shapes and base colours of a file right."""
 
-_SILENT = {*_READ, TRANSFORM, *EXTENSIONS, *IMAGE_EXTENSIONS, *_REMEDIES}
+_SILENT = {*_READ, BASISU, TRANSFORM, *EXTENSIONS, *IMAGE_EXTENSIONS, *_REMEDIES}
 """Extensions that are read, refused, or noted where they are used."""
 
 
@@ -39,18 +39,11 @@ def check(header: dict[str, Any]) -> None:
             raise UnusableError(f"it needs the extension {name}, {_REMEDIES[name]}")
         if name in IMAGE_EXTENSIONS:
             _check_image_support(name)
-        elif name not in _DISPENSABLE | EXTENSIONS | _READ:
+        elif name not in _DISPENSABLE | EXTENSIONS | _READ | {BASISU}:
             raise UnusableError(f"it needs the extension {name}, which is not read: save the model without it")
-    for mesh in header.get("meshes", []):
-        for primitive in mesh["primitives"]:
-            if (
-                DRACO in primitive.get("extensions", {})
-                and without_data(primitive, header)
-                and not find_spec("DracoPy")
-            ):
-                raise UnusableError(
-                    f"it needs the extension {DRACO}, which the Python package DracoPy decodes: pip install DracoPy"
-                )
+    primitives = (primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"])
+    if any(needs_draco(primitive, header) for primitive in primitives):
+        draco.prepare()
 
 
 def _check_image_support(name: str) -> None:
@@ -63,13 +56,13 @@ def _check_image_support(name: str) -> None:
         )
 
 
-def without_data(primitive: dict[str, Any], header: dict[str, Any]) -> bool:
-    """Whether an attribute of a primitive, or its indices, have no bytes but those of an extension."""
+def needs_draco(primitive: dict[str, Any], header: dict[str, Any]) -> bool:
+    """Whether an attribute of a primitive, or its indices, have no bytes but those that Draco has compressed."""
+    if draco.DRACO not in primitive.get("extensions", {}):
+        return False
     numbers = [*primitive.get("attributes", {}).values()]
-    if "indices" in primitive:
-        numbers.append(primitive["indices"])
-    accessors = [header["accessors"][number] for number in numbers]
-    return any("bufferView" not in accessor and "sparse" not in accessor for accessor in accessors)
+    numbers += [primitive["indices"]] if "indices" in primitive else []
+    return any("bufferView" not in entry(header, "accessors", number) for number in numbers)
 
 
 def choose_images(header: dict[str, Any]) -> bool:
@@ -77,7 +70,7 @@ def choose_images(header: dict[str, Any]) -> bool:
     changed = False
     for texture in header.get("textures", []):
         if "source" not in texture:
-            for name in IMAGE_EXTENSIONS:
+            for name in (*IMAGE_EXTENSIONS, BASISU):
                 if name in texture.get("extensions", {}):
                     texture["source"] = texture["extensions"][name]["source"]
                     changed = True
@@ -91,7 +84,7 @@ def ignored(header: dict[str, Any]) -> list[str]:
 
 def used(header: dict[str, Any]) -> list[str]:
     """The extensions that are read, for the list of what a scene uses."""
-    return [f"extension {name}" for name in _named(header) if name in _READ or name in IMAGE_EXTENSIONS]
+    return [f"extension {name}" for name in _named(header) if name in {*_READ, *IMAGE_EXTENSIONS, BASISU, TRANSFORM}]
 
 
 def _named(header: dict[str, Any]) -> list[str]:

@@ -12,11 +12,13 @@ from numpy.typing import NDArray
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene import coordinates
-from nearfar._scene.budget import Budget
+from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.content import Shape
+from nearfar._scene.gltf import draco, ktx2
 from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.gltf.corners import faces, mode
-from nearfar._scene.gltf.extensions import DRACO
+from nearfar._scene.gltf.draco import DRACO
+from nearfar._scene.gltf.extensions import needs_draco
 from nearfar._scene.materials import Described, Materials, colors_of
 
 _WIDTHS = {"POSITION": 3, "NORMAL": 3}
@@ -49,10 +51,12 @@ class Primitives:
     ) -> None:
         self._header, self._buffers, self._resolver = header, buffers, resolver
         self._materials, self._budget = materials, budget
+        self._decoded: dict[Any, draco.Decoded] = {}
+        self._pictures: dict[int, Any] = {}
 
     def shape(self, primitive: dict[str, Any], *, is_shared: bool) -> Shape:
         """Read a primitive; one that shares its vertices with others keeps those that it uses."""
-        self._decode(primitive)
+        decoded = self._decoded_faces(primitive)
         numbers = primitive.get("attributes", {})
         if "POSITION" not in numbers:
             raise UnusableError("a primitive of its meshes has no POSITION")
@@ -60,8 +64,8 @@ class Primitives:
         self._check_decoded(primitive, positions)
         count = len(positions)
         used: NDArray[np.int64] | slice = slice(None)
-        triangles = self._faces(primitive, count)
-        if is_shared and "indices" in primitive:
+        triangles = self._faces(primitive, count) if decoded is None else decoded
+        if is_shared and "indices" in primitive and decoded is None:
             used, triangles = _used(triangles, count)
 
         def of(number: int) -> NDArray[Any]:
@@ -109,27 +113,17 @@ class Primitives:
         corners = self._buffers.raw(primitive["indices"]).reshape(-1) if is_indexed else np.arange(vertex_count)
         return faces(mode(primitive), corners, is_indexed=is_indexed)
 
-    def _decode(self, primitive: dict[str, Any]) -> None:
-        """Let trimesh decode what Draco compresses; its warnings say why it did not."""
-        if DRACO not in primitive.get("extensions", {}):
-            return
-        from trimesh.exchange.gltf import handle_extensions
-
-        numbers = [*primitive.get("attributes", {}).values()]
-        numbers += [primitive["indices"]] if "indices" in primitive else []
-        decoded: dict[int, NDArray[Any]] = {}
-        # A file with plain data beside the compressed one is read without a decoder.
-        if all("bufferView" in entry(self._header, "accessors", number) for number in numbers):
-            return
-        handle_extensions(
-            extensions=primitive["extensions"],
-            scope="primitive_preprocess",
-            primitive=primitive,
-            accessors=decoded,
-            views=_Views(self._buffers),
-        )
-        for number, rows in decoded.items():
-            self._buffers.replace(number, np.asarray(rows).reshape(len(rows), -1))
+    def _decoded_faces(self, primitive: dict[str, Any]) -> NDArray[Any] | None:
+        """The faces that Draco has compressed, whose vertices are decoded with them; None for plain ones."""
+        if not needs_draco(primitive, self._header):
+            return None
+        view = primitive["extensions"][DRACO]["bufferView"]
+        key = (view, *sorted(primitive["attributes"].items()))
+        if key not in self._decoded:
+            self._decoded[key] = draco.decoded(self._header, primitive, self._buffers.blob(view), self._budget)
+        for number, rows in self._decoded[key].rows.items():
+            self._buffers.replace(number, rows)
+        return self._decoded[key].faces
 
     def _check_decoded(self, primitive: dict[str, Any], vertices: NDArray[Any]) -> None:
         """Refuse the zeros that stand where an extension was not decoded."""
@@ -146,7 +140,35 @@ class Primitives:
             if isinstance(material, dict) and _GLOSS in (material.get("extensions") or ()):
                 self._count_gloss(material["extensions"][_GLOSS])
         materials: list[Any] = _parse_materials(self._header, _Views(self._buffers), self._resolver)
+        for described, material in zip(self._header.get("materials", []), materials, strict=True):
+            self._add_pictures(described, material)
         return materials
+
+    def _add_pictures(self, described: dict[str, Any], material: Any) -> None:
+        """Give a material those of its drawn textures that trimesh does not read."""
+        surface = described.get("pbrMetallicRoughness", {})
+        for owner, key in ((surface, "baseColorTexture"), (described, "emissiveTexture")):
+            if coordinates.is_texture(key, owner.get(key)):
+                picture = self._picture(owner[key]["index"])
+                if picture is not None:
+                    setattr(material, key, picture)
+
+    def _picture(self, number: Any) -> Any:
+        """The image of a texture that is a KTX 2 file; None for others."""
+        from PIL import Image
+
+        texture = self._buffers.texture(number)
+        if texture is None or texture.image is None or texture.image.kind != ktx2.KIND:
+            return None
+        if id(texture.image) not in self._pictures:
+            try:
+                texels = ktx2.decode(texture.image.data, self._budget)
+            except TooLargeError:
+                raise
+            except UnusableError as error:
+                raise UnusableError(f"its texture {number}, a KTX 2 image, {error}") from None
+            self._pictures[id(texture.image)] = Image.fromarray(texels)
+        return self._pictures[id(texture.image)]
 
     def _count_gloss(self, described: dict[str, Any]) -> None:
         """Count what trimesh needs to convert a material's images."""

@@ -1,0 +1,148 @@
+"""Primitives of glTF files that Draco has compressed: KHR_draco_mesh_compression."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base.errors import UnusableError
+from nearfar._base.glb import entry
+from nearfar._scene.budget import Budget
+from nearfar._scene.gltf import draco_client
+from nearfar._scene.gltf.buffers import WIDTHS, component
+from nearfar._scene.gltf.corners import TRIANGLES, mode
+
+DRACO = "KHR_draco_mesh_compression"
+
+_READ = re.compile("POSITION|NORMAL|TEXCOORD_[0-9]+|COLOR_0")
+"""Names of the attributes that are read."""
+
+_CORNERS, _ROW = 3, 12
+"""Corners and bytes of a face."""
+
+_SPARE = 2
+"""Bytes that are counted for each decoded one, because Draco takes up to six for it while it decodes."""
+
+_VERSION, _MESH, _SEQUENTIAL, _EDGEBREAKER = (2, 2), 1, 0, 1
+_HAS_METADATA = 0x8000
+
+
+def prepare() -> None:
+    """Start the decoder; UnusableError if it is not installed."""
+    if not find_spec("DracoPy"):
+        raise UnusableError(
+            f'it needs the extension {DRACO}, which the Python package DracoPy decodes: pip install "nearfar[formats]"'
+        )
+    draco_client.start()
+
+
+@dataclass(frozen=True)
+class Decoded:
+    """A decoded stream."""
+
+    faces: NDArray[np.uint32]
+    """Corners (F, 3)."""
+    rows: Mapping[int, NDArray[Any]]
+    """Rows (V, K) of attributes by the numbers of their accessors, in these accessors' types or as fractions."""
+
+
+def decoded(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budget: Budget) -> Decoded:
+    """Decode a primitive's stream, which must have the triangles that the document states.
+
+    COLLADA2GLTF states fewer vertices than its streams have, so that these tell their number.
+    """
+    identities = primitive["extensions"][DRACO]["attributes"]
+    numbers = {
+        name: number
+        for name, number in primitive.get("attributes", {}).items()
+        if name in identities and _READ.fullmatch(name)
+    }
+    if "POSITION" not in numbers:
+        raise _flaw("has no POSITION")
+    accessors = {name: entry(header, "accessors", number) for name, number in numbers.items()}
+    face_count = _face_count(header, primitive, data)
+    count = min(max(0, int(accessors["POSITION"]["count"])), _CORNERS * face_count)
+    width = sum(component(item).itemsize * WIDTHS[item["type"]] for item in accessors.values())
+    size = _ROW * face_count + width * count
+    budget.take(_SPARE * size)
+    mesh = draco_client.decode(data, size, face_count)
+    if len(mesh.faces) != face_count:
+        raise _flaw(f"has {len(mesh.faces)} triangles, and {face_count} are stated")
+    rows = {}
+    for name, number in numbers.items():
+        found = mesh.attributes.get(identities[name])
+        if found is None:
+            raise _flaw(f"lacks the attribute {identities[name]}, its {name}")
+        if found.ndim not in (1, 2) or len(found) != len(mesh.attributes[identities["POSITION"]]):
+            raise _flaw(f"has {len(found)} rows of {name}, and others of POSITION")
+        rows[number] = _typed(name, found.reshape(len(found), -1), accessors[name])
+    budget.hold(max(0, sum(item.nbytes for item in rows.values()) - width * count))
+    return Decoded(mesh.faces, rows)
+
+
+def _flaw(words: str) -> UnusableError:
+    return UnusableError(f"a Draco stream of its meshes {words}")
+
+
+def _face_count(header: dict[str, Any], primitive: dict[str, Any], data: bytes) -> int:
+    """Triangles that a stream should have: those of its primitive, with which its own header must agree."""
+    if not data.startswith(b"DRACO") or len(data) < 12:
+        raise _flaw("does not begin like one")
+    stated = _stated_faces(data)
+    if "indices" not in primitive or mode(primitive) != TRIANGLES:
+        if stated is None:
+            raise _flaw("states no number of triangles")
+        return stated
+    corners = int(entry(header, "accessors", primitive["indices"])["count"])
+    if corners < 0 or corners % 3 or stated not in (None, corners // 3):
+        raise _flaw(f"has {stated} triangles, and {corners / 3:g} are stated")
+    return corners // 3
+
+
+def _stated_faces(data: bytes) -> int | None:
+    """Triangles by a stream's header; None where it does not begin with them (Draco Bitstream Specification, 5)."""
+    version, kind, method, flags = (data[5], data[6]), data[7], data[8], int.from_bytes(data[9:11], "little")
+    if kind != _MESH or method not in (_SEQUENTIAL, _EDGEBREAKER):
+        raise _flaw("holds no mesh")
+    if version != _VERSION or flags & _HAS_METADATA:
+        return None
+    place = 11
+    if method == _EDGEBREAKER:
+        _, place = _varint(data, place + 1)  # the number of vertices, after the kind of traversal
+    return _varint(data, place)[0]
+
+
+def _varint(data: bytes, place: int) -> tuple[int, int]:
+    """A number of 7 bits a byte, and the place behind it."""
+    value = 0
+    for shift in range(0, 35, 7):
+        if place >= len(data):
+            raise _flaw("is cut off")
+        value |= (data[place] & 0x7F) << shift
+        place += 1
+        if not data[place - 1] & 0x80:
+            return value, place
+    raise _flaw("states a number of more than 32 bits")
+
+
+def _typed(name: str, rows: NDArray[Any], accessor: dict[str, Any]) -> NDArray[Any]:
+    """Rows in an accessor's type. DracoPy makes whole numbers with sign float32, and fractions of normalised ones."""
+    kind = component(accessor)
+    if rows.shape[1] != WIDTHS[accessor["type"]]:
+        raise _flaw(f"has {rows.shape[1]} numbers in each row of {name}, and {WIDTHS[accessor['type']]} are stated")
+    if kind.kind == "f":
+        return rows.astype(np.float32, copy=False)
+    if rows.dtype.kind == "f":
+        if accessor.get("normalized") and np.abs(rows).max(initial=0) <= 1:
+            return rows
+        rows = np.rint(rows)
+    limits = np.iinfo(kind)
+    if rows.size and not limits.min <= rows.min() <= rows.max() <= limits.max:
+        raise _flaw(f"has numbers of {name} that do not fit into {kind.name}")
+    return rows.astype(kind, copy=False)

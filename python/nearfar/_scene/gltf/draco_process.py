@@ -1,0 +1,93 @@
+"""Program of the process in which `draco.py` lets DracoPy decode; it imports nothing of nearfar.
+
+Damaged streams can keep Draco busy for half a minute or make it take much memory, and neither can be stopped in a
+process that has other work. Requests and answers are a line of JSON and bytes, on the standard streams.
+"""
+
+from __future__ import annotations
+
+import json
+import select
+import signal
+import sys
+from typing import Any, BinaryIO
+
+IDLE = 30.0
+"""Seconds without a request after which the process ends."""
+
+
+def main() -> None:
+    """Answer requests until there are no more."""
+    sys.path[:] = json.loads(sys.argv[1])
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    import DracoPy  # before the first limit: it imports NumPy
+
+    requests, answers = sys.stdin.buffer, sys.stdout.buffer
+    while _is_ready(requests):
+        line = requests.readline()
+        if not line:
+            return
+        request = json.loads(line)
+        data = requests.read(request["bytes"])
+        try:
+            with _Limits(request["seconds"], request["memory"]):
+                header, arrays = _described(DracoPy.decode(data))
+        except MemoryError:
+            header, arrays = {"error": "it takes too much memory"}, []
+        except Exception as error:  # DracoPy raises errors of several types
+            header, arrays = {"error": str(error)}, []
+        answers.write(json.dumps(header).encode() + b"\n")
+        for array in arrays:
+            answers.write(array.data)
+        answers.flush()
+
+
+def _is_ready(stream: BinaryIO) -> bool:
+    """Wait for a request; systems without `select` on pipes wait in `readline`."""
+    try:
+        return bool(select.select([stream], [], [], IDLE)[0])
+    except OSError:
+        return True
+
+
+class _Limits:
+    """Ends the process after so much time of the processor, and lets it take no more memory."""
+
+    def __init__(self, seconds: float, memory: int) -> None:
+        self._seconds, self._memory = seconds, memory
+
+    def __enter__(self) -> None:
+        if hasattr(signal, "setitimer"):
+            signal.signal(signal.SIGPROF, signal.SIG_DFL)
+            signal.setitimer(signal.ITIMER_PROF, self._seconds)
+        self._limit(self._memory)
+
+    def __exit__(self, *_: object) -> None:
+        if hasattr(signal, "setitimer"):
+            signal.setitimer(signal.ITIMER_PROF, 0)
+        self._limit(None)
+
+    @staticmethod
+    def _limit(memory: int | None) -> None:
+        try:
+            import resource
+
+            with open("/proc/self/statm") as file:
+                used = int(file.read().split()[0]) * resource.getpagesize()
+            most = resource.getrlimit(resource.RLIMIT_AS)[1]
+            resource.setrlimit(resource.RLIMIT_AS, (most if memory is None else used + memory, most))
+        except (ImportError, OSError, ValueError):
+            return  # not Linux, or the system allows less than that already
+
+
+def _described(mesh: Any) -> tuple[dict[str, Any], list[Any]]:
+    import numpy as np
+
+    faces = np.ascontiguousarray(getattr(mesh, "faces", np.zeros((0, 3))), np.uint32)
+    arrays = {item["unique_id"]: np.ascontiguousarray(item["data"]) for item in mesh.attributes}
+    described = [[number, rows.dtype.str, list(rows.shape)] for number, rows in arrays.items()]
+    return {"faces": len(faces), "attributes": described}, [faces, *arrays.values()]
+
+
+if __name__ == "__main__":
+    main()

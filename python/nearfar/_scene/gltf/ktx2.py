@@ -1,0 +1,175 @@
+"""Images in the container KTX 2: Basis Universal (KHR_texture_basisu), and pixels that are not compressed."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from dataclasses import dataclass
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base.errors import UnusableError
+from nearfar._scene.budget import Budget
+from nearfar._scene.materials import MOST_TEXELS
+from nearfar._scene.srgb import to_srgb
+
+BASISU = "KHR_texture_basisu"
+KIND = "image/ktx2"
+
+_START = struct.Struct("<12s9I4I2Q")
+_LEVEL = struct.Struct("<3Q")
+_MOST_LEVELS = 32
+_LEVELS = slice(40, 44)
+"""Where the number of levels stands."""
+
+_ETC1S, _UASTC = 163, 166
+_MODELS = {_ETC1S: "ETC1S", _UASTC: "UASTC"}
+"""Colour models of Basis Universal by their numbers in the Khronos Data Format."""
+
+_NO_SCHEME, _BASIS_LZ, _ZSTANDARD, _ZLIB = range(4)
+_BLOCK, _BLOCK_BYTES = 4, 16
+
+_HALF, _FULL = np.dtype("<f2"), np.dtype("<f4")
+_BYTE, _SHORT = np.dtype("u1"), np.dtype("<u2")
+_PIXELS: dict[int, tuple[np.dtype[Any], str]] = {
+    **dict.fromkeys((23, 29), (_BYTE, "RGB")),
+    **dict.fromkeys((30, 36), (_BYTE, "BGR")),
+    **dict.fromkeys((37, 43), (_BYTE, "RGBA")),
+    **dict.fromkeys((44, 50), (_BYTE, "BGRA")),
+    84: (_SHORT, "RGB"),
+    91: (_SHORT, "RGBA"),
+    90: (_HALF, "RGB"),
+    97: (_HALF, "RGBA"),
+    106: (_FULL, "RGB"),
+    109: (_FULL, "RGBA"),
+}
+"""Types and channels of the pixels that are read, by the numbers of Vulkan's formats."""
+
+_BLOCKS = ((131, 146, "BC"), (147, 156, "ETC2 or EAC"), (157, 184, "ASTC"), (1000066000, 1000066013, "ASTC"))
+"""Ranges of Vulkan's formats that are compressed by blocks."""
+
+
+@dataclass(frozen=True)
+class _Header:
+    format: int
+    width: int
+    height: int
+    scheme: int
+    model: int
+    start: int
+    length: int
+    """Place and bytes of the largest level."""
+    unpacked: int
+    """Its bytes without the scheme of supercompression."""
+    is_flipped: bool
+
+
+def decode(data: bytes, budget: Budget) -> NDArray[np.uint8]:
+    """Texels (H, W, 4) of the largest level, sRGB with linear alpha, row 0 on top; UnusableError with the reason.
+
+    All sizes are read and counted before anything is decoded. Whole numbers are taken as sRGB, as glTF says of colours;
+    fractions are linear.
+    """
+    header = _header(data)
+    budget.take(4 * header.width * header.height + header.unpacked)
+    texels = _basis(data, header) if header.model in _MODELS and header.format == 0 else _plain(data, header)
+    return texels[::-1] if header.is_flipped else texels
+
+
+def _header(data: bytes) -> _Header:
+    if len(data) < _START.size:
+        raise UnusableError("is cut off")
+    (_, kind, _, width, height, depth, layers, faces, levels, scheme, *places) = _START.unpack_from(data)
+    if not (width and height) or depth or layers or faces != 1:
+        raise UnusableError("is no single picture of two dimensions")
+    if width * height > MOST_TEXELS:
+        raise UnusableError(f"has {width} × {height} texels, and at most {MOST_TEXELS:,} are read")
+    if levels > _MOST_LEVELS or len(data) < _START.size + max(levels, 1) * _LEVEL.size:
+        raise UnusableError(f"is cut off before its {levels} levels, or they are too many")
+    start, length, unpacked = _LEVEL.unpack_from(data, _START.size)
+    described = _part(data, places[0], places[1])
+    if start + length > len(data) or len(described) < 16:
+        raise UnusableError("is cut off")
+    notes = _part(data, places[2], places[3])
+    if scheme in (_NO_SCHEME, _BASIS_LZ):
+        unpacked = 0 if scheme else length
+    is_flipped = b"KTXorientation\0ru" in notes
+    return _Header(kind, width, height, scheme, described[12], start, length, unpacked, is_flipped)
+
+
+def _part(data: bytes, start: int, length: int) -> bytes:
+    if start + length > len(data):
+        raise UnusableError("is cut off")
+    return data[start : start + length]
+
+
+def _basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
+    """Decode Basis Universal by the package opengl_basisu."""
+    name = _MODELS[header.model]
+    schemes = (_BASIS_LZ,) if header.model == _ETC1S else (_NO_SCHEME, _ZSTANDARD)
+    blocks = -(-header.width // _BLOCK) * -(-header.height // _BLOCK)
+    if header.scheme not in schemes or (header.model == _UASTC and header.unpacked != blocks * _BLOCK_BYTES):
+        raise UnusableError(f"has a level of another size than its {header.width} × {header.height} texels ({name})")
+    if not find_spec("opengl_basisu"):
+        raise UnusableError(
+            f"is compressed by Basis Universal ({name}), which the Python package opengl-basisu decodes: "
+            'pip install "nearfar[formats]"'
+        )
+    import opengl_basisu
+
+    if not int.from_bytes(data[_LEVELS], "little"):
+        # The file leaves it to its reader to make smaller levels, and has one. The package wants their number.
+        data = data[: _LEVELS.start] + (1).to_bytes(4, "little") + data[_LEVELS.stop :]
+    try:
+        texels: NDArray[Any] = opengl_basisu.open(data).transcode("rgba8").data
+    except Exception as error:  # its errors have no common type, and Cython adds those of C++
+        raise UnusableError(f"cannot be decoded: {error}") from None
+    if texels.shape != (header.height, header.width, 4):
+        raise UnusableError(f"has other sizes than its header's {header.width} × {header.height}")
+    return texels.astype(np.uint8, copy=False)
+
+
+def _plain(data: bytes, header: _Header) -> NDArray[np.uint8]:
+    """Read pixels that are not compressed by blocks."""
+    if header.format not in _PIXELS:
+        raise UnusableError(_unread(header.format, header.model))
+    kind, channels = _PIXELS[header.format]
+    size = header.width * header.height * len(channels) * kind.itemsize
+    level = data[header.start : header.start + header.length]
+    if header.scheme == _ZLIB:
+        level = _inflated(level, size)
+    elif header.scheme != _NO_SCHEME:
+        raise UnusableError("is packed by Zstandard, which is read for Basis Universal only: save it unpacked")
+    if len(level) != size:
+        raise UnusableError(f"has a level of {len(level)} bytes for {header.width} × {header.height} texels")
+    values = np.frombuffer(level, kind).reshape(header.height, header.width, len(channels))
+    texels = np.full((header.height, header.width, 4), 255, np.uint8)
+    for place, channel in enumerate("RGBA"):
+        if channel in channels:
+            texels[:, :, place] = _bytes(values[:, :, channels.index(channel)], is_alpha=channel == "A")
+    return texels
+
+
+def _inflated(level: bytes, size: int) -> bytes:
+    try:
+        return zlib.decompressobj().decompress(level, size + 1)
+    except zlib.error as error:
+        raise UnusableError(f"cannot be unpacked: {error}") from None
+
+
+def _bytes(values: NDArray[Any], *, is_alpha: bool) -> NDArray[np.uint8]:
+    if values.dtype == _SHORT:
+        return (values >> 8).astype(np.uint8)
+    if values.dtype == _BYTE:
+        return values
+    light = np.clip(np.nan_to_num(values.astype(np.float32)), 0, 1)
+    levels: NDArray[np.uint8] = np.rint((light if is_alpha else to_srgb(light)) * 255).astype(np.uint8)
+    return levels
+
+
+def _unread(number: int, model: int) -> str:
+    kind = next((name for first, last, name in _BLOCKS if first <= number <= last), f"colour model {model}")
+    return f"has {kind} (Vulkan's format {number}), which is not read: save it as PNG, JPEG or by Basis Universal"

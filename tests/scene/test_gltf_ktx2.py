@@ -1,0 +1,232 @@
+"""Textures in KTX 2: Basis Universal and plain pixels are drawn; all else is an error, before memory is taken."""
+
+from __future__ import annotations
+
+import io
+import os
+import struct
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PIL import Image
+
+import nearfar as nf
+from nearfar._scene.gltf import ktx2 as reader
+from tests.support import PEAK, data, need
+from tests.support.gltf_cases import decode, picture
+from tests.support.ktx2_cases import EXTENSION, glb, ktx2
+
+FILES = "wild/glTF-Transform/packages/extensions/test/in"
+KOTA = "wild/cesium-native/CesiumImage/test/data/ktx2"
+FOV = nf.Fov(-1.2, 0.9, -1.1, 1.0)
+DICE = np.random.default_rng(5)
+
+
+def load(folder: Path, content: bytes, **options: Any) -> nf.Scene:
+    (folder / "a.glb").write_bytes(content)
+    return nf.Scene.load(folder / "a.glb", **options)
+
+
+def drawn(scene: nf.Scene) -> NDArray[Any]:
+    """The scene's only texture."""
+    (texture,) = nf._core.scene_parts(scene._core)["textures"]
+    return np.asarray(texture)
+
+
+def gamma(light: NDArray[Any]) -> NDArray[Any]:
+    return np.where(light <= 0.0031308, 12.92 * light, 1.055 * np.maximum(light, 1e-9) ** (1 / 2.4) - 0.055)
+
+
+@pytest.mark.parametrize(
+    ("kind", "type_", "channels"),
+    [
+        (23, "u1", "RGB"), (29, "u1", "RGB"), (30, "u1", "BGR"), (37, "u1", "RGBA"), (43, "u1", "RGBA"),
+        (50, "u1", "BGRA"), (84, "u2", "RGB"), (91, "u2", "RGBA"), (90, "f2", "RGB"), (97, "f2", "RGBA"),
+        (106, "f4", "RGB"), (109, "f4", "RGBA"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("packed", [False, True])
+def test_plain_pixels_come_back(tmp_path: Path, kind: int, type_: str, channels: str, packed: bool) -> None:
+    shape = (5, 7, len(channels))
+    levels = DICE.random(shape)
+    pixels = levels.astype(type_) if type_[0] == "f" else (levels * np.iinfo(type_).max).astype(type_)
+    texels = drawn(load(tmp_path, glb(ktx2(pixels, kind, packed=packed))))
+    expected = levels if type_[0] != "f" else np.where(np.array([c == "A" for c in channels]), levels, gamma(levels))
+    for place, channel in enumerate(channels):
+        np.testing.assert_allclose(texels[..., "RGBA".index(channel)], 255 * expected[..., place], atol=1.01)
+    if "A" not in channels:
+        assert (texels[..., 3] == 255).all()
+
+
+def test_row_0_may_be_the_lowest(tmp_path: Path) -> None:
+    pixels = DICE.integers(0, 256, (3, 4, 4), np.uint8)
+    found = drawn(load(tmp_path, glb(ktx2(pixels, 43, notes=b"\x12\0\0\0KTXorientation\0ru\0\0"))))
+    np.testing.assert_array_equal(found, pixels[::-1])
+
+
+@pytest.mark.parametrize("name", ["kota-onelevel", "kota-mipmaps", "kota-automipmap"])
+def test_basis_pictures_look_like_their_source(tmp_path: Path, name: str) -> None:
+    need("opengl_basisu")
+    texels = drawn(load(tmp_path, glb(data(f"{KOTA}/{name}.ktx2").read_bytes())))
+    with Image.open(data(f"{KOTA}/kota.jpg")) as image:
+        source = np.asarray(image.convert("RGB"), np.float64)
+    assert texels.shape == (*source.shape[:2], 4)
+    # The codec is lossy, as is JPEG: 27 dB, and 8 dB for a picture upside down.
+    assert 10 * np.log10(255**2 / np.square(texels[..., :3] - source).mean()) > 27
+
+
+@pytest.mark.parametrize(("name", "color"), [("etc1s", (186, 150, 0)), ("uastc", (186, 150, 0))])
+def test_both_codecs_are_read(tmp_path: Path, name: str, color: tuple[int, int, int]) -> None:
+    need("opengl_basisu")
+    texels = drawn(load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes())))
+    assert texels.shape == (40, 40, 4)
+    np.testing.assert_allclose(np.median(texels, axis=(0, 1)), [*color, 255], atol=6)
+
+
+@pytest.mark.parametrize("name", ["rgb8", "rgba8", "rgba16_linear", "rgba32_linear"])
+def test_real_plain_pixels_are_green(tmp_path: Path, name: str) -> None:
+    texels = drawn(load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes())))
+    # All were made from one green, which was linear light or sRGB.
+    np.testing.assert_allclose(np.median(texels, axis=(0, 1)), [78, 178, 75, 255], atol=6)
+
+
+@pytest.mark.parametrize(("name", "words"), [("bc1", "BC"), ("bc7", "BC"), ("astc4x4", "ASTC")])
+def test_other_compressions_are_named(tmp_path: Path, name: str, words: str) -> None:
+    with pytest.raises(nf.SceneError, match=rf"a\.glb: its texture 0, a KTX 2 image, has {words} \(Vulkan.*not read"):
+        load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes()))
+
+
+def test_files_written_from_a_scene_hold_all_textures(tmp_path: Path) -> None:
+    """The base colour as PNG, as all are, and other maps as they were."""
+    pixels, other = DICE.integers(0, 256, (2, 6, 4, 3), np.uint8)
+    surface = {"metallicFactor": 0, "baseColorTexture": {"index": 0}}
+    material = {"pbrMetallicRoughness": surface, "normalTexture": {"index": 1}}
+    bumps = ktx2(other, 23)
+    scene = load(tmp_path, glb(ktx2(pixels, 29), bumps, materials=[material]))
+    np.testing.assert_array_equal(drawn(scene)[..., :3], pixels)
+    assert not any("texture" in note or "map saved" in note for note in scene.report.notes)
+    nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
+    document, binary = decode(tmp_path / "written.glb")
+    assert {image["mimeType"] for image in document["images"]} == {"image/png", "image/ktx2"}
+    assert document["extensionsRequired"] == [EXTENSION]
+    assert bumps in binary
+    again = nf.Scene.load(tmp_path / "written.glb")
+    np.testing.assert_array_equal(drawn(again), drawn(scene))
+
+
+def test_pictures_beside_it_need_no_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A plain picture beside the packed one, and packed maps that are not drawn."""
+    monkeypatch.setattr(reader, "find_spec", lambda name: None)
+    packed = data(f"{FILES}/2d_etc1s.ktx2").read_bytes()
+    plain = [{"source": 1, "extensions": {EXTENSION: {"source": 0}}}]
+    scene = load(tmp_path, glb(packed, picture(0, "png"), textures=plain))
+    assert drawn(scene).shape == (8, 6, 4)
+    bumps = [{"normalTexture": {"index": 0}, "pbrMetallicRoughness": {"metallicFactor": 0}}]
+    assert load(tmp_path, glb(packed, materials=bumps)).triangle_count == 2
+
+
+@pytest.mark.parametrize("name", ["etc1s", "uastc"])
+def test_without_the_package_the_line_that_brings_it_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    monkeypatch.setattr(reader, "find_spec", lambda name: None)
+    with pytest.raises(nf.SceneError, match=r'a\.glb: its texture 0.*Basis.*pip install "nearfar\[formats\]"'):
+        load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes()))
+
+
+SMALL = np.zeros((4, 4, 4), np.uint8)
+PLAIN = "no single picture of two dimensions"
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"width": 0}, PLAIN), ({"height": 0}, PLAIN), ({"depth": 1}, PLAIN), ({"layers": 1}, PLAIN),
+        ({"faces": 6}, PLAIN), ({"faces": 0}, PLAIN), ({"levels": 33}, "too many"), ({"levels": 7}, "level|cut off"),
+        ({"width": 2**32 - 1, "height": 2**32 - 1}, "at most 134,217,728 are read"),
+        ({"width": 2**13, "height": 2**13}, "unpacks to more than"),
+        ({"width": 5}, "has a level of 64 bytes for 5 × 4 texels"),
+        ({"start": 2**63}, "is cut off"), ({"length": 2**63}, "is cut off"), ({"length": 63}, "has a level of 63"),
+        ({"kind": 0}, "has colour model 1 "), ({"kind": 9}, "Vulkan's format 9"), ({"scheme": 2}, "by Zstandard"),
+        ({"scheme": 3}, "cannot be unpacked"), ({"scheme": 3, "unpacked": 2**60}, "unpacks to more than"),
+        ({"scheme": 77}, "Zstandard|not read"),
+    ],
+)  # fmt: skip
+def test_headers_that_lie_are_errors(tmp_path: Path, changes: dict[str, Any], words: str) -> None:
+    with pytest.raises(nf.SceneError, match=rf"a\.glb: .*({words})"):
+        load(tmp_path, glb(ktx2(SMALL, 43, **changes)))
+
+
+def test_zeros_that_unpack_to_much_are_errors(tmp_path: Path) -> None:
+    """64 MiB that zlib packs to 64 kB."""
+    bomb = ktx2(np.zeros((1, 1 << 26, 1), np.uint8), 43, packed=True, width=4, height=4, unpacked=64)
+    with pytest.raises(nf.SceneError, match=r"a\.glb: .*has a level of 65 bytes for 4 × 4 texels"):
+        load(tmp_path, glb(bomb))
+
+
+@pytest.mark.parametrize("name", ["etc1s", "uastc", "rgba8"])
+def test_files_that_are_cut_off_are_errors(tmp_path: Path, name: str) -> None:
+    need("opengl_basisu")
+    content = data(f"{FILES}/2d_{name}.ktx2").read_bytes()
+    for length in range(12, len(content), max(1, len(content) // 300)):
+        # Bytes are kept behind the largest level of some.
+        try:
+            assert drawn(load(tmp_path, glb(content[:length]))).shape == (40, 40, 4)
+        except nf.SceneError as error:
+            assert "a.glb: its texture 0, a KTX 2 image, " in str(error)  # noqa: PT017
+        else:
+            assert length > len(content) - 32
+
+
+@pytest.mark.parametrize("name", ["etc1s", "uastc"])
+def test_damaged_files_are_errors_or_other_pictures(tmp_path: Path, name: str) -> None:
+    need("opengl_basisu")
+    content = data(f"{FILES}/2d_{name}.ktx2").read_bytes()
+    refused = 0
+    for seed in range(500):
+        dice = np.random.default_rng(seed)
+        changed = bytearray(content)
+        for _ in range(dice.choice([1, 2, 8])):
+            place = int(dice.integers(12, 250 if dice.random() < 0.5 else len(content)))
+            changed[place] = int(dice.choice([changed[place] ^ 1 << int(dice.integers(8)), 0, 127, 128, 255]))
+        try:
+            load(tmp_path, glb(bytes(changed)))
+        except nf.SceneError as error:
+            assert str(error).startswith(str(tmp_path / "a.glb: "))  # noqa: PT017
+            refused += 1
+    assert 0 < refused < 500
+
+
+def test_absurd_sizes_take_no_memory(tmp_path: Path) -> None:
+    """Basis Universal of a size that its bytes do not have, which the default limit and a larger one refuse."""
+    need("linux")
+    need("opengl_basisu")
+    content = bytearray(data(f"{FILES}/2d_uastc.ktx2").read_bytes())
+    struct.pack_into("<2I", content, 20, 11_000, 11_000)
+    (tmp_path / "a.glb").write_bytes(glb(bytes(content)))
+    code = f"{PEAK}\nimport sys, nearfar as nf\nstart = peak()\nfor most in (None, 1 << 50):\n"
+    code += "    try: nf.Scene.load(sys.argv[1], max_bytes=most)\n"
+    code += "    except nf.SceneError as error: print(error)\nprint(peak() - start)"
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    command = [sys.executable, "-c", code, str(tmp_path / "a.glb")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=True, env=environment)
+    first, second, more = done.stdout.splitlines()
+    assert "a.glb: it unpacks to more than 268,435,456 bytes" in first
+    assert "has a level of another size than its 11000 × 11000 texels" in second
+    assert int(more) < 200e6
+
+
+def test_lossy_and_lossless_webp_are_drawn(tmp_path: Path) -> None:
+    source = np.kron(DICE.integers(0, 256, (4, 4, 3), np.uint8), np.ones((16, 16, 1), np.uint8))
+    for lossless, most in ((True, 0.0), (False, 12.0)):
+        file = io.BytesIO()
+        Image.fromarray(source).save(file, "webp", lossless=lossless, quality=95)
+        name = "EXT_texture_webp"
+        content = glb(file.getvalue(), textures=[{"extensions": {name: {"source": 0}}}], extensionsRequired=[name])
+        found = drawn(load(tmp_path, content))[..., :3].astype(float)
+        assert np.abs(found - source).mean() <= most
