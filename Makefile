@@ -33,8 +33,8 @@ demo: .venv/built
 test: lint test-rust .venv/built .venv/test
 	$(bin)/python -m pytest -n auto --dist worksteal
 
-# Tests that take seconds each: whole programs, notebooks, real scenes, other programs' readers. `make test` leaves them out.
-test-slow: .venv/built .venv/test .venv/readers .venv/web
+# Tests that take seconds each: whole programs, notebooks, real scenes, other programs' readers and exporters. `make test` leaves them out.
+test-slow: .venv/built .venv/test .venv/readers .venv/exporters .venv/web
 	$(bin)/python -m pytest -n auto --dist worksteal -m "slow and not stress"
 
 # Formatting, lints and types only.
@@ -78,7 +78,7 @@ notebooks: .venv/built .venv/test
 	$(bin)/python scripts/notebooks.py $(OUT)/notebooks
 
 # Large sizes and many random cases: the whole of Tokyo, tens of millions of triangles, thousands of examples.
-stress: .venv/built .venv/test .venv/readers .venv/web
+stress: .venv/built .venv/test .venv/readers .venv/exporters .venv/web
 	cargo test --release --quiet --workspace -- --include-ignored
 	NEARFAR_HYPOTHESIS=thorough $(bin)/python -m pytest -m "stress or not stress"
 
@@ -101,7 +101,7 @@ setup: .venv/built .venv/test
 
 # Remove what was built, installed and written.
 clean:
-	rm -rf .venv target $(OUT) python/nearfar/_core.abi3.so tests/readers/node_modules web/node_modules web/build
+	rm -rf .venv target $(OUT) python/nearfar/_core.abi3.so tests/readers/node_modules tests/exporters/node_modules web/node_modules web/build
 
 # The environment itself, once cargo is known to be there.
 .venv/made:
@@ -128,6 +128,12 @@ clean:
 	@if command -v npm > /dev/null; then \
 		npm ci --prefix tests/readers --ignore-scripts --no-audit --no-fund --loglevel=error && touch $@; \
 	else echo "readers: skipped; they need npm (scripts/system-packages.sh)"; fi
+
+# Exporters of glTF from npm; without it the tests of their files skip.
+.venv/exporters: .venv/made tests/exporters/package.json tests/exporters/package-lock.json
+	@if command -v npm > /dev/null; then \
+		npm ci --prefix tests/exporters --ignore-scripts --no-audit --no-fund --loglevel=error && touch $@; \
+	else echo "exporters: skipped; they need npm (scripts/system-packages.sh)"; fi
 
 # Tools that build and check the page; the package holds the built page, so that nobody else needs it.
 .venv/web: .venv/made web/package.json web/package-lock.json

@@ -4,12 +4,15 @@
 #   libegl1, libgl1, libosmesa6   off-screen OpenGL for pyrender, an independent renderer for comparisons
 #   libvulkan1, mesa-vulkan-drivers   software graphics adapters, which are tested like those of a graphics card
 #   glslang-tools                 a compiler of GLSL and HLSL, for the snippets of docs/engines
+#   assimp-utils, blender         exporters, whose files must look like those that they were made of; Debian's Blender
+#   python3-numpy                 recommends NumPy only, but exports no glTF without it
 #   npm, chromium                 other programs' readers of what nearfar writes, some of which need a browser; Ubuntu
 #                                 has Chromium as a snap only: install that, or Chrome, first
 # As root on Debian or Ubuntu it installs missing packages; elsewhere it prints the command and continues.
 set -euo pipefail
 
-packages=(g++ glslang-tools libegl1 libgl1 libosmesa6 libvulkan1 mesa-vulkan-drivers)
+packages=(assimp-utils blender g++ glslang-tools libegl1 libgl1 libosmesa6 libvulkan1 mesa-vulkan-drivers)
+packages+=(python3-numpy)
 command -v npm >/dev/null || packages+=(npm)
 command -v google-chrome >/dev/null || command -v chromium-browser >/dev/null || packages+=(chromium)
 

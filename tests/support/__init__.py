@@ -19,7 +19,7 @@ from referencing import Registry, Resource
 import nearfar as nf
 from benchmarks.harness.link import no_link
 from nearfar._base import data as data_files, formats
-from tests.support.reader_cases import no_browser, no_node, no_web
+from tests.support.reader_cases import no_blender, no_browser, no_exporters, no_node, no_web
 
 
 def _module(name: str) -> Callable[[], str]:
@@ -80,6 +80,8 @@ def _release() -> str:
 PARTS: dict[str, Callable[[], str]] = {
     "aiohttp": _module("aiohttp"),
     "anywidget": _module("anywidget"),
+    "assimp": lambda: "" if shutil.which("assimp") else "Assimp is not installed; see scripts/system-packages.sh",
+    "blender": no_blender,
     "browser": no_browser,
     "data": _data_folder,
     "DracoPy": _module("DracoPy"),
@@ -87,6 +89,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "opengl_basisu": _module("opengl_basisu"),
     "fast_simplification": _module("fast_simplification"),
     "embreex": _module("embreex"),
+    "exporters": no_exporters,
     "fsspec": _module("fsspec"),
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
     "git": _git,

@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 FOLDER = Path(__file__).resolve().parents[1] / "readers"
+EXPORTERS = FOLDER.with_name("exporters")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 SECONDS = 300
 """After which a program that does not answer is stopped."""
@@ -45,6 +46,22 @@ def no_node() -> str:
     if not shutil.which("node"):
         return "node is not installed"
     return "" if (FOLDER / "node_modules").is_dir() else "`npm ci --prefix tests/readers` has not run"
+
+
+def no_exporters() -> str:
+    """Return why exporters cannot run in Node, or "" if they can."""
+    if not shutil.which("node"):
+        return "node is not installed"
+    return "" if (EXPORTERS / "node_modules").is_dir() else "`npm ci --prefix tests/exporters` has not run"
+
+
+def no_blender() -> str:
+    """Return why models cannot be exported from Blender, or "" if they can; its operators change with its version."""
+    if not shutil.which("blender"):
+        return "Blender is not installed; see scripts/system-packages.sh"
+    command = ["blender", "--version"]
+    found = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False).stdout
+    return "" if found.startswith("Blender 3.") else f"Blender 3 is needed, found {found.partition(chr(10))[0]!r}"
 
 
 def no_web() -> str:
