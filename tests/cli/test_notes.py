@@ -38,7 +38,7 @@ def test_every_command_says_what_is_not_drawn(
     name: str, source: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     notes = list(nf.Scene.load(source).report.notes)
-    assert "1 material with emission drawn without it" in notes
+    assert "1 material with an occlusion map drawn without it" in notes
     arguments = [argument.replace("OUT", str(tmp_path)) for argument in COMMANDS[name]]
     status, out, err = command(capsys, name, "-i", source, *arguments, "--json")
     assert status == 0, err
@@ -46,7 +46,7 @@ def test_every_command_says_what_is_not_drawn(
     assert (found["report"]["notes"] if name == "info" else found["notes"]) == notes
     status, out, _ = command(capsys, name, "-i", source, *arguments)
     assert status == 0
-    assert "emission drawn without it" in " ".join(out.split())
+    assert "an occlusion map drawn without it" in " ".join(out.split())
     for report in ("reduced/report.md", "compared/report.md", "compared/report.html", "stereo/report.html"):
         if (tmp_path / report).exists():
             assert all(note in (tmp_path / report).read_text(encoding="utf-8") for note in notes)

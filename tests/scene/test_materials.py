@@ -139,7 +139,7 @@ def test_colours_of_faces_become_materials() -> None:
     ("lines", "notes"),
     [
         ("Ks 0.3 0.3 0.3\nNs 50\nTr 0\nd 1\nKe 0 0 0\nPm 0\nillum 2", []),
-        ("Ke 1 0.5 0", ["with emission drawn without it"]),
+        ("Ke 1 0.5 0", []),
         ("map_Ke glow.png", ["with a map of emission drawn and saved without it"]),
         ("map_Bump -bm 0.3 bumps.png", ["with a normal map drawn and saved without it"]),
         ("norm n.png\nbump b.png", ["with a normal map drawn and saved without it"]),

@@ -10,6 +10,7 @@ import numpy as np
 
 import nearfar as nf
 from tests.support import data
+from tests.support.reduce_cases import box
 
 HELMET = "objects/gltf/FlightHelmet/FlightHelmet.gltf"
 TOKYO = "city/tokyo23/tokyo_core_lod1.glb"
@@ -66,6 +67,34 @@ def helmet_room() -> nf.Scene:
     return builder.build()
 
 
+def lamps() -> nf.Scene:
+    """A floor, and boxes within and between radii: unlit with a texture, bright with one, with and without normals."""
+    builder = nf.SceneBuilder()
+    rows, columns = np.indices((64, 64))
+    stripes = np.stack([2 * rows, 3 * columns + 60, 255 - 2 * rows, np.full((64, 64), 255)], -1).astype(np.uint8)
+    dots = np.where(np.hypot(rows % 16 - 8, columns % 16 - 8)[..., None] < 6, 255, 20).astype(np.uint8)
+    windows = np.concatenate([np.tile(dots, (1, 1, 3)), np.full((64, 64, 1), 255, np.uint8)], -1)
+    floor = builder.material(base_color=(0.5, 0.55, 0.6, 1))
+    kinds = [
+        builder.material(texture=stripes, unlit=True),
+        builder.material((0.3, 0.3, 0.35, 1), stripes, emission=(1.6, 0.7, 0.2), emission_texture=windows),
+        builder.material((0.2, 0.2, 0.2, 1), emission=(0.1, 0.5, 0.2)),
+        builder.material((0.1, 0.1, 0.1, 1), emission=(0.4, 0.6, 1.0), emission_texture=windows),
+    ]
+    corners, faces = box((-12, -0.2, -12), (12, 0, 12))
+    builder.instance(builder.mesh(corners, faces, material=floor), name="floor")
+    for number in range(12):
+        angle, away = 2.1 * number, 1.2 + 0.3 * number
+        corners, faces = box((-0.3, 0, -0.3), (0.3, 2.4, 0.3))
+        uvs = corners[:, [0, 1]] + corners[:, [2, 2]] * 0.7
+        normals = corners * (1, 0, 1) if number % 3 == 0 else None
+        mesh = builder.mesh(corners, faces, material=kinds[number % 4], uvs=uvs, normals=normals)
+        matrix = np.eye(4)
+        matrix[:3, 3] = away * np.sin(angle), 0.0, away * np.cos(angle)
+        builder.instance(mesh, matrix, name=f"lamp {number}")
+    return builder.build()
+
+
 PAGE_SCENES = {
     "city": PageScene(
         lambda: nf.datasets.city(blocks=3, detail=1),
@@ -80,6 +109,13 @@ PAGE_SCENES = {
         (30.0, 50.0, 90.0),
         (((0.8, 0.1, -0.4), 0.3, 0.1), ((-0.5, 0.0, 0.9), 2.0, 0.1), ((2.0, 0.0, 1.0), 4.4, 0.1)),
         ((1, 30.0, 0.6), (2, 40.0, 1.0), (3, 90.0, 1.0)),
+    ),
+    "lamps": PageScene(
+        lamps,
+        (0.0, 1.6, 0.0),
+        (1.5, 2.5, 4.0),
+        (((0.2, 0.05, -0.3), -0.5, -0.25), ((-0.3, 0.0, 0.2), 2.0, -0.2), ((0.1, -0.1, 0.4), 4.4, -0.2)),
+        ((1, 1.5, 0.6), (2, 2.0, 1.0), (3, 4.0, 1.0)),
     ),
     "helmet": PageScene(
         helmet_room,

@@ -31,7 +31,7 @@ NADIR, HORIZON, ZENITH = np.array([0.24, 0.25, 0.26]), np.array([0.66, 0.74, 0.8
 
 @dataclass
 class Surface:
-    """A mesh with one base colour."""
+    """A mesh with one material."""
 
     vertices: Array
     faces: NDArray[np.int64]
@@ -41,7 +41,11 @@ class Surface:
     texture: NDArray[np.uint8] | None = None
     colors: NDArray[np.uint8] | None = None
     normals: Array | None = None
+    emission: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    emission_texture: NDArray[np.uint8] | None = None
+    unlit: bool = False
     levels: list[Array] = field(default_factory=list)
+    emission_levels: list[Array] = field(default_factory=list)
 
 
 @dataclass
@@ -230,14 +234,24 @@ def _shade(
     albedo = np.tile(np.array(surface.base_color[:3]), (len(u), 1))
     if surface.colors is not None:
         albedo = albedo * _blend(linear_from_srgb(surface.colors[face, :3]), u, v)
+    footprints = widths / np.sqrt(np.abs(cosine) * np.linalg.norm(cross))
     if surface.texture is not None and surface.uvs is not None:
         surface.levels = surface.levels or levels_of(surface.texture, surface.cutoff is not None)
-        ua, ub, uc = surface.uvs[face] * (surface.texture.shape[1], surface.texture.shape[0])
-        (bx, by), (cx, cy) = ub - ua, uc - ua
-        density = np.sqrt(abs(bx * cy - by * cx) / np.linalg.norm(cross))
-        level = np.log2(widths / np.sqrt(np.abs(cosine)) * density)
-        albedo = albedo * trilinear(surface.levels, _blend(surface.uvs[face], u, v), level)
-    return albedo * irradiance(_smooth(surface, face, u, v, outside, cosine, normals)), normals
+        albedo = albedo * _filtered(surface.levels, surface.uvs[face], u, v, footprints)
+    emission = np.array(surface.emission)
+    if surface.emission_texture is not None and surface.uvs is not None:
+        surface.emission_levels = surface.emission_levels or levels_of(surface.emission_texture, False)
+        emission = emission * _filtered(surface.emission_levels, surface.uvs[face], u, v, footprints)
+    light = 1.0 if surface.unlit else irradiance(_smooth(surface, face, u, v, outside, cosine, normals))
+    return albedo * light + emission, normals
+
+
+def _filtered(levels: list[Array], uvs: Array, u: Array, v: Array, footprints: Array) -> Array:
+    """Colours of a texture; a footprint is divided by the root of twice the face's area."""
+    height, width = levels[0].shape[:2]
+    ua, ub, uc = uvs * (width, height)
+    (bx, by), (cx, cy) = ub - ua, uc - ua
+    return trilinear(levels, _blend(uvs, u, v), np.log2(footprints * np.sqrt(abs(bx * cy - by * cx))))
 
 
 def _smooth(

@@ -125,12 +125,23 @@ def named(attributes: dict[str, int]) -> dict[str, int]:
 
 def expected_material(document: dict[str, Any], number: int) -> dict[str, Any]:
     entry = document["materials"][number]
-    surface, image = entry["pbrMetallicRoughness"], None
-    if "baseColorTexture" in surface:
-        texture = document["textures"][surface["baseColorTexture"]["index"]]
-        image = "files/" + document["images"][texture["extensions"]["EXT_texture_webp"]["source"]]["uri"]
-    cutoff = entry["alphaCutoff"] if entry.get("alphaMode") == "MASK" else None
-    return {"color": surface["baseColorFactor"], "image": image, "cutoff": cutoff}
+    surface, extensions = entry["pbrMetallicRoughness"], entry.get("extensions", {})
+
+    def image(info: dict[str, int] | None) -> str | None:
+        if info is None:
+            return None
+        texture = document["textures"][info["index"]]
+        return "files/" + str(document["images"][texture["extensions"]["EXT_texture_webp"]["source"]]["uri"])
+
+    strength = extensions.get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1)
+    return {
+        "color": surface["baseColorFactor"],
+        "image": image(surface.get("baseColorTexture")),
+        "cutoff": entry["alphaCutoff"] if entry.get("alphaMode") == "MASK" else None,
+        "emission": [strength * part for part in entry["emissiveFactor"]] if "emissiveFactor" in entry else None,
+        "glow": image(entry.get("emissiveTexture")),
+        "isUnlit": "KHR_materials_unlit" in extensions,
+    }
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -27,6 +27,8 @@ function decode(document: Json, arrays: Arrays, changes: Partial<GeometryRequest
   return decodeGeometry(requestOf(glbOf(document, arrays.chunk()), changes), new Map());
 }
 
+const PLAIN = { color: [1, 1, 1, 1], image: null, cutoff: null, emission: null, glow: null, isUnlit: false } as const;
+
 test('all attributes of a primitive', async () => {
   const arrays = createArrays();
   const geometry = await decode(documentOf(arrays, square(arrays), [{ mesh: 0 }]), arrays);
@@ -40,7 +42,7 @@ test('all attributes of a primitive', async () => {
   assert.deepEqual(piece.colors?.slice(0, 3), Uint16Array.of(0, 4000, 8000));
   assert.deepEqual(piece.indices, CORNERS);
   assert.equal(piece.placements, null);
-  assert.deepEqual(piece.material, { color: [0.5, 0.25, 1, 1], image: null, cutoff: null });
+  assert.deepEqual(piece.material, { ...PLAIN, color: [0.5, 0.25, 1, 1] });
 });
 
 test('far from the origin of the world positions are rounded once', async () => {
@@ -165,10 +167,31 @@ test('cut-outs, and pictures that the page has', async () => {
     images: [{ uri }],
   };
   const { pieces } = await decode(document, arrays, { known: [`files/${uri}`] });
-  assert.deepEqual(pieces[0]?.material, { color: [1, 1, 1, 1], image: `files/${uri}`, cutoff: 0.25 });
+  assert.deepEqual(pieces[0]?.material, { ...PLAIN, image: `files/${uri}`, cutoff: 0.25 });
   await assert.rejects(decode(document, arrays), /^Error: files\/00000000000000dd\.webp is not there$/);
   const outside = altered(document, ['images', 0, 'uri'], '../../secret.webp') as Json;
   await assert.rejects(decode(outside, arrays), /pictures that are files of the bundle/);
+});
+
+test('emission, and materials that are unlit', async () => {
+  const arrays = createArrays();
+  const uri = '00000000000000ee.webp';
+  const strength = { KHR_materials_emissive_strength: { emissiveStrength: 4 } };
+  const document = {
+    ...documentOf(arrays, square(arrays), [{ mesh: 0 }]),
+    materials: [{ emissiveFactor: [0.5, 1, 0], emissiveTexture: { index: 0 }, extensions: strength }],
+    textures: [{ extensions: { EXT_texture_webp: { source: 0 } } }],
+    images: [{ uri }],
+  };
+  const known = { known: [`files/${uri}`] };
+  const materialOf = async (path: readonly (string | number)[], value: unknown) =>
+    (await decode(altered(document, ['materials', 0, ...path], value) as Json, arrays, known)).pieces[0]?.material;
+  assert.deepEqual(await materialOf(['name'], 'lamp'), { ...PLAIN, emission: [2, 4, 0], glow: `files/${uri}` });
+  assert.deepEqual(await materialOf(['emissiveFactor'], [0, 0, 0]), PLAIN);
+  assert.deepEqual(await materialOf(['extensions'], { KHR_materials_unlit: {} }), { ...PLAIN, isUnlit: true });
+  for (const wrong of [[1, 1], [1, 1, 1, 1], [0, -1, 0], [0, 'x', 0]]) {
+    await assert.rejects(materialOf(['emissiveFactor'], wrong), /emission of three finite numbers/);
+  }
 });
 
 test('damage is an error that names the file', async () => {

@@ -13,7 +13,7 @@ function piece(vertices: number, changes: Partial<Piece> = {}): Piece {
     indices: new Uint16Array(3 * vertices),
     placements: null,
     same: null,
-    material: { color: [1, 1, 1, 1], image: null, cutoff: null },
+    material: { color: [1, 1, 1, 1], image: null, cutoff: null, emission: null, glow: null, isUnlit: false },
     name: '',
     ...changes,
   };
@@ -63,13 +63,13 @@ test('arrays that pieces share are transferred once', () => {
 
 test('samples tell kinds apart, and have no arrays', () => {
   const placements = new Float32Array(12);
-  const cut = { color: [1, 1, 1, 1], image: null, cutoff: 0.5 } as const;
-  const pieces = [piece(3), piece(4), piece(3, { placements }), piece(3, { material: cut }), piece(9, { placements })];
+  const plain = piece(3).material;
+  const materials = [{ cutoff: 0.5 }, { emission: [1, 2, 0] as const }, { emission: [9, 9, 9] as const }, { isUnlit: true }];
+  const others = materials.map((change) => piece(3, { material: { ...plain, ...change } }));
+  const pieces = [piece(3), piece(4), piece(3, { placements }), ...others, piece(9, { placements })];
   const samples = samplesOf(pieces);
-  assert.deepEqual(samples.map(({ placements: rows, material }) => [rows?.length ?? null, material.cutoff]), [
-    [null, null],
-    [0, null],
-    [null, 0.5],
-  ]);
+  const kinds = samples.map(({ placements: rows, material }) => [rows?.length ?? null, material]);
+  const different = materials.filter((_, n) => n !== 2).map((change) => [null, { ...plain, ...change }]);
+  assert.deepEqual(kinds, [[null, plain], [0, plain], ...different]);
   assert.ok(samples.every(({ positions, indices }) => positions.length + indices.length === 0));
 });

@@ -21,7 +21,7 @@ function rectangle(corner: Vector, along: Vector, up: Vector): Arrays {
     uvs: Float32Array.from(shares.flat()),
     colors: Uint16Array.from(shares.flatMap(([s, t]) => [60000 * s, 60000 * t, 0, 65535])),
     indices: Uint16Array.of(0, 1, 2, 0, 2, 3),
-    material: { color: [1, 1, 1, 1], image: null, cutoff: null },
+    material: { color: [1, 1, 1, 1], image: null, cutoff: null, emission: null, glow: null, isUnlit: false },
   };
 }
 

@@ -92,6 +92,9 @@ class Scene:
         material_colors: _F32,
         material_textures: NDArray[np.int32],
         material_cutoffs: _F32,
+        material_emissions: _F32,
+        material_emission_textures: NDArray[np.int32],
+        material_unlit: NDArray[np.bool_],
         material_tags: NDArray[np.uint64],
         textures: list[NDArray[np.uint8]],
     ) -> Scene: ...

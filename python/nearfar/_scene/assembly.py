@@ -23,14 +23,14 @@ from nearfar._scene.arrays import (
     uvs_of,
 )
 from nearfar._scene.budget import Budget
+from nearfar._scene.emission import DARK, MOST_EMISSION
+from nearfar._scene.material_list import MaterialList
+from nearfar._scene.materials import BaseColor
 from nearfar._scene.names import MOST_OBJECTS, names_of
 from nearfar._scene.undrawn import Undrawn
 
 _OWN_OBJECTS = -1
 """Object number of an instance whose mesh has an object number for each face."""
-
-_NO_TAG = 0
-"""Tag of a material that is drawn in full."""
 
 _ROW = 12
 """Bytes of a vertex's position, and of a face."""
@@ -78,10 +78,7 @@ class Assembly:
     """Implementation of `nearfar.SceneBuilder`, which adds the step to a `Scene`."""
 
     def __init__(self) -> None:
-        self._materials: dict[tuple[tuple[float, ...], int, float | None, int], int] = {}
-        self._undrawn: dict[int, Undrawn] = {}
-        self._textures: dict[int, tuple[NDArray[np.uint8], NDArray[np.uint8], int]] = {}
-        """For each texture's id the array that was passed, its converted form, and its number."""
+        self._materials = MaterialList()
         self._meshes: list[_Mesh] = []
         self._placed: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]] = []
         self._names: dict[str, int] = {}
@@ -92,8 +89,12 @@ class Assembly:
         base_color: Sequence[float] = (0.8, 0.8, 0.8, 1.0),
         texture: NDArray[np.uint8] | None = None,
         cutoff: float | None = None,
+        *,
+        emission: Sequence[float] = DARK,
+        emission_texture: NDArray[np.uint8] | None = None,
+        unlit: bool = False,
     ) -> int:
-        """Add a base colour and return its number; equal ones share a number.
+        """Add a material and return its number; equal ones share a number.
 
         Parameters
         ----------
@@ -103,32 +104,35 @@ class Assembly:
             (H, W, 4) uint8, sRGB with linear alpha, row 0 on top. Passing the same array again shares the texture.
         cutoff
             Least alpha that is drawn; None draws everything opaque.
+        emission
+            Linear RGB of the light that the surface emits, 0..65503, added to what it reflects.
+        emission_texture
+            Image that the emission is multiplied with, as `texture`; its alpha counts for nothing.
+        unlit
+            True shows the base colour as it is, whatever the light. Such a material emits nothing, as in glTF.
         """
-        return self._material(base_color, texture, cutoff)
-
-    def _material(
-        self,
-        base_color: Sequence[float],
-        texture: NDArray[np.uint8] | None,
-        cutoff: float | None,
-        undrawn: Undrawn | None = None,
-    ) -> int:
-        color = check.array("base_color", base_color, columns=None, dtype=np.float32)
-        if color.shape != (4,):
-            raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got shape {color.shape}")
-        if not ((color >= 0) & (color <= 1)).all():
-            raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got {color.tolist()}")
+        colors = check.array("base_color", base_color, columns=None, dtype=np.float32)
+        if colors.shape != (4,):
+            raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got shape {colors.shape}")
+        if not ((colors >= 0) & (colors <= 1)).all():
+            raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got {colors.tolist()}")
+        light = check.array("emission", emission, columns=None, dtype=np.float32)
+        if light.shape != (3,) or not ((light >= 0) & (light <= MOST_EMISSION)).all():
+            got = f"shape {light.shape}" if light.shape != (3,) else light.tolist()
+            raise ValueError(f"emission: expected linear RGB, three numbers in 0..{MOST_EMISSION:g}, got {got}")
+        if check.flag("unlit", unlit) and light.any():
+            raise ValueError(f"unlit: expected False for a material that emits light, got True and {light.tolist()}")
+        red, green, blue, alpha = colors.tolist()
         cutoff = None if cutoff is None else check.within("cutoff", cutoff, -MOST_CUTOFF, MOST_CUTOFF)
-        link = -1
-        if texture is not None:
-            if id(texture) not in self._textures:
-                # The reference keeps the array alive; its id could be reused otherwise.
-                self._textures[id(texture)] = (texture, texture_of("texture", texture), len(self._textures))
-            link = self._textures[id(texture)][-1]
-        tag = _NO_TAG if undrawn is None else undrawn.tag
-        if undrawn is not None:
-            self._undrawn[tag] = undrawn
-        return self._materials.setdefault((tuple(color.tolist()), link, cutoff, tag), len(self._materials))
+        for name, image in (("texture", texture), ("emission_texture", emission_texture)):
+            if image is not None:
+                texture_of(name, image)
+        glow = (light[0].item(), light[1].item(), light[2].item())
+        return self._material(BaseColor((red, green, blue, alpha), texture, cutoff, glow, emission_texture, unlit))
+
+    def _material(self, material: BaseColor) -> int:
+        """Add a material of usable values."""
+        return self._materials.add(material)
 
     def mesh(
         self,
@@ -282,7 +286,7 @@ class Assembly:
         if core.triangle_count and np.abs(bounds).max() >= ORIGIN_LIMIT:
             core = self._scene_at(placed, merges, np.rint(bounds.mean(axis=0)))
         names = tuple(self._names) if self._nameless is None else self._nameless
-        return Assembled(core.with_moving(movers[:-1]), names, self._frames(), undrawn=self._undrawn)
+        return Assembled(core.with_moving(movers[:-1]), names, self._frames(), undrawn=self._materials.undrawn)
 
     def _object_number(self, name: str) -> int:
         if name not in self._names:
@@ -328,18 +332,13 @@ class Assembly:
         rest = np.flatnonzero(~merges)
         identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
         face_objects = np.full(len(merged), _OWN_OBJECTS, np.int32)
-        colors, links, cutoffs, tags = zip(*self._materials, strict=True) if self._materials else ((), (), (), ())
         return _core.Scene(
             origin=(float(origin[0]), float(origin[1]), float(origin[2])),
             meshes=merged + self._instanced(rest, placed),
             placements=np.concatenate([identities, placements[rest]]),
             objects=np.concatenate([face_objects, placed.object[rest]]),
             standing_count=len(merged) + len(rest),
-            material_colors=np.array(colors, np.float32).reshape(-1, 4),
-            material_textures=np.array(links, np.int32),
-            material_cutoffs=np.array([np.nan if cutoff is None else cutoff for cutoff in cutoffs], np.float32),
-            material_tags=np.array(tags, np.uint64),
-            textures=[texture for _, texture, _ in self._textures.values()],
+            **self._materials.arguments(),
         )
 
     def _instanced(self, rows: NDArray[np.int64], placed: _Placements) -> list[_core.Mesh]:

@@ -120,6 +120,7 @@ def assemble(
     except ValueError as error:
         raise SceneError(f"{content.label}: {error}") from error
     notes = [*content.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]
+    notes += _emission_notes(shapes.values())
     held = (*content.used, *_inventory(shapes.values()))
     return replace(parts, dropped=dropped, notes=tuple(notes), used=held)
 
@@ -183,8 +184,9 @@ def _repair(shape: Shape) -> tuple[str, int]:
 
 def _add(builder: Assembly, shape: Shape) -> int:
     materials = shape.materials or [PLAIN if shape.colors is None else UNCOLORED]
-    textured = shape.uvs is not None and any(_is_textured(material) for material in materials)
-    numbers = [_number(builder, material, textured=textured) for material in materials]
+    textured = shape.uvs is not None and any(material.is_textured for material in materials)
+    chosen = materials if textured else [material.without_textures() for material in materials]
+    numbers = [builder._material(material) for material in chosen]
     per_face = len(numbers) > 1 and shape.face_material is not None
     return builder.mesh(
         shape.vertices,
@@ -194,17 +196,6 @@ def _add(builder: Assembly, shape: Shape) -> int:
         colors=shape.colors,
         normals=None if shape.normals is None else _finite(shape.normals),
     )
-
-
-def _is_textured(material: BaseColor) -> bool:
-    return material.texture is not None or (material.undrawn is not None and material.undrawn.has_maps)
-
-
-def _number(builder: Assembly, material: BaseColor, *, textured: bool) -> int:
-    undrawn = material.undrawn
-    if textured or undrawn is None:
-        return builder._material(material.factor, material.texture if textured else None, material.cutoff, undrawn)
-    return builder._material(material.factor, None, material.cutoff, undrawn.without_textures())
 
 
 def _finite(normals: NDArray[Any]) -> NDArray[Any]:
@@ -241,6 +232,15 @@ def _material_notes(shapes: Iterable[Shape]) -> list[str]:
 def _alpha_notes(shapes: Iterable[Shape]) -> list[str]:
     transparent = sum(_ignores_alpha(shape) for shape in shapes)
     return [f"{count(transparent, 'mesh', 'meshes')} with vertex alpha below 1 drawn opaque"] if transparent else []
+
+
+def _emission_notes(shapes: Iterable[Shape]) -> list[str]:
+    lost = sum(
+        shape.uvs is None and any(material.emission_texture is not None for material in shape.materials)
+        for shape in shapes
+    )
+    ending = "with a map of emission but no texture coordinates drawn and saved without it"
+    return [f"{count(lost, 'mesh', 'meshes')} {ending}"] if lost else []
 
 
 def _ignores_alpha(shape: Shape) -> bool:

@@ -1,10 +1,10 @@
-"""Materials and textures of a GLB that is written from a scene: base colours, and what is kept but not drawn."""
+"""Materials and textures of a GLB that is written from a scene: what is drawn, and what is kept but not drawn."""
 
 from __future__ import annotations
 
 import io
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,8 @@ from nearfar._base import glb
 from nearfar._scene import undrawn as undrawn_parts
 from nearfar._scene.arrays import MOST_CUTOFF
 from nearfar._scene.coordinates import TRANSFORM, is_texture
-from nearfar._scene.materials import MOST_TEXELS
+from nearfar._scene.emission import DARK, MAP, Light, emission_of, entries, is_unlit
+from nearfar._scene.materials import MOST_TEXELS, texels_of
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
 _SURFACE, _BASE = "pbrMetallicRoughness", "baseColorTexture"
@@ -38,6 +39,7 @@ class SurfaceWriter:
         self._other_images: dict[EncodedImage, int] = {}
         self._samplers: list[dict[str, Any]] = []
         self._images: list[dict[str, Any]] = []
+        self._written: dict[bytes, int] = {}
         self._textures: list[dict[str, Any]] = []
         self._required: set[str] = set()
         self._used: set[str] = set()
@@ -62,6 +64,9 @@ class SurfaceWriter:
         parts = self._parts
         undrawn = self._undrawn.get(int(parts["material_tags"][number]), _NONE)
         material = _sorted(dict(undrawn.material))
+        if undrawn is _NONE:
+            red, green, blue = parts["material_emissions"][number].tolist()
+            material |= entries((red, green, blue), unlit=bool(parts["material_unlit"][number]))
         surface = material.setdefault(_SURFACE, {})
         color = parts["material_colors"][number]
         # The file's own digits where they mean the same; they may exceed float32.
@@ -86,6 +91,9 @@ class SurfaceWriter:
         self._used |= set(material.get("extensions", {}))
         material = _sorted(material)
         self._link(material, undrawn.textures)
+        glow = int(parts["material_emission_textures"][number])
+        if undrawn is _NONE and glow >= 0:
+            return _sorted(material | {MAP: {"index": self._base_texture(glow, "")}})
         return material
 
     def _link(self, value: dict[str, Any], textures: tuple[TextureSource, ...]) -> None:
@@ -114,8 +122,11 @@ class SurfaceWriter:
         return self._other_images[image]
 
     def _image(self, data: bytes, kind: str) -> int:
-        self._images.append({"bufferView": self._writer.view(data), "mimeType": kind})
-        return len(self._images) - 1
+        # One image may be that of a base colour and of an emission.
+        if data not in self._written:
+            self._written[data] = len(self._images)
+            self._images.append({"bufferView": self._writer.view(data), "mimeType": kind})
+        return self._written[data]
 
     def _texture(self, image: int, sampler: str, kind: str) -> int:
         texture: dict[str, Any] = {"source": image}
@@ -163,6 +174,9 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
     sources = [_source(document, surface[_BASE]["index"]) if _BASE in surface else None for surface in surfaces]
     images = list(dict.fromkeys(source for source in sources if source is not None))
     kept = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
+    files = [_image(reader, number) for number in images]
+    # Those of early versions have row 0 at the bottom.
+    lit = _Emissions(kept, files if upright else [], len(images))
     is_cut = [material.get("alphaMode") == "MASK" for material in materials]
     cutoffs = [
         material.get("alphaCutoff", 0.5) if cut else np.nan for material, cut in zip(materials, is_cut, strict=True)
@@ -177,10 +191,45 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
         "material_colors": rgba.astype(np.float32),
         "material_textures": np.array([-1 if s is None else images.index(s) for s in sources], np.int32),
         "material_cutoffs": np.array(cutoffs, np.float32),
+        "material_emissions": np.array(lit.lights, np.float32).reshape(-1, 3),
+        "material_emission_textures": np.array(lit.links, np.int32),
+        "material_unlit": np.array([undrawn is not None and is_unlit(undrawn.material) for undrawn in kept], bool),
         "material_tags": np.array([0 if undrawn is None else undrawn.tag for undrawn in kept], np.uint64),
-        "textures": [_texels(_image(reader, number).data, upright=upright) for number in images],
+        "textures": [_texels(file.data, upright=upright) for file in files] + lit.textures,
     }
     return arguments, {undrawn.tag: undrawn for undrawn in kept if undrawn is not None}
+
+
+class _Emissions:
+    """Emission of materials, and textures of it: images with known numbers, and others, numbered from `first` on."""
+
+    def __init__(self, materials: Sequence[Undrawn | None], known: Sequence[EncodedImage], first: int) -> None:
+        self.lights: list[Light] = []
+        self.links: list[int] = []
+        self.textures: list[NDArray[np.uint8]] = []
+        self._first = first
+        self._numbers: dict[EncodedImage, int | None] = {image: number for number, image in enumerate(known)}
+        for material in materials:
+            light, link = (DARK, None) if material is None else self._of(material)
+            self.lights.append(light)
+            self.links.append(-1 if link is None else link)
+
+    def _of(self, undrawn: Undrawn) -> tuple[Light, int | None]:
+        light = emission_of(undrawn.material)
+        if light == DARK or MAP not in undrawn.material:
+            return light, None
+        image = undrawn.textures[undrawn.material[MAP]["index"]].image
+        number = None if image is None else self._number(image)
+        # As where the image's own file could not be read.
+        return (DARK, None) if number is None else (light, number)
+
+    def _number(self, image: EncodedImage) -> int | None:
+        if image not in self._numbers:
+            texels = texels_of(image.data)
+            self._numbers[image] = None if texels is None else self._first + len(self.textures)
+            if texels is not None:
+                self.textures.append(texels)
+        return self._numbers[image]
 
 
 def _source(document: dict[str, Any], texture: int) -> int:

@@ -18,6 +18,7 @@ from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.materials import Materials, colors_of
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
+from nearfar._scene.wavefront_materials import EMISSION_IMAGE, EMISSION_MAP
 
 
 def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: Budget) -> Content:
@@ -89,7 +90,10 @@ def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]
     for name in names:
         try:
             text = resolver.get(name)
-            read = {key: SimpleMaterial(**entries) for key, entries in parse_mtl(text, resolver=resolver).items()}
+            described = parse_mtl(text, resolver=resolver)
+            for entries in described.values():
+                _add_emission(entries, resolver)
+            read = {key: SimpleMaterial(**entries) for key, entries in described.items()}
         except Exception:  # resolvers, trimesh and Pillow may raise any type
             notes.append(f"material file {check.shortened(name)} cannot be read, drawn without it")
             continue
@@ -101,6 +105,17 @@ def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]
             except Exception:
                 notes.append(f"texture {check.shortened(file)} cannot be read, drawn without it")
     return library, notes
+
+
+def _add_emission(entries: dict[str, Any], resolver: Any) -> None:
+    """Open the map of a material's emission where it can be read, as trimesh does with that of the base colour."""
+    from PIL import Image
+
+    if EMISSION_MAP in entries:
+        try:
+            entries[EMISSION_IMAGE] = Image.open(io.BytesIO(resolver.get(" ".join(entries[EMISSION_MAP]))))
+        except Exception:  # resolvers and Pillow may raise any type; the map is noted as not drawn
+            return
 
 
 _TEXTURE = re.compile(rb"^[ \t]*map_kd[ \t]+(\S.*)", re.MULTILINE | re.IGNORECASE)

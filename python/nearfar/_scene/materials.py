@@ -1,10 +1,10 @@
-"""Base colours, the only part of materials that the shading formula uses, and their conversion from trimesh."""
+"""Base colours and emission, which the shading formula uses of materials, and their conversion from trimesh."""
 
 from __future__ import annotations
 
 import io
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from PIL import Image
 
 from nearfar._scene import undrawn as undrawn_parts, wavefront_materials
 from nearfar._scene.budget import Budget
+from nearfar._scene.emission import DARK, MAP, Light, emission_of, is_unlit
 from nearfar._scene.srgb import to_linear, to_srgb
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
@@ -25,7 +26,7 @@ _TRIMESH_DEFAULT = (102, 102, 102, 255)
 
 @dataclass(frozen=True, eq=False)
 class BaseColor:
-    """Base colour of a surface."""
+    """Base colour and emission of a surface."""
 
     factor: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
     """Linear RGB and alpha, 0..1."""
@@ -33,10 +34,28 @@ class BaseColor:
     """(H, W, 4), sRGB with linear alpha, row 0 on top."""
     cutoff: float | None = None
     """Least alpha that is drawn; None draws everything opaque."""
+    emission: Light = DARK
+    """Linear RGB of the light that the surface emits, at least 0."""
+    emission_texture: NDArray[np.uint8] | None = None
+    """As `texture`, with its coordinates; multiplies the emission."""
+    unlit: bool = False
+    """Whether the base colour is shown as it is, whatever the light."""
     notes: tuple[str, ...] = ()
     """Differences from the source's material, phrased to follow "2 materials"."""
     undrawn: Undrawn | None = None
-    """Properties of the source's material that are not drawn; None for nothing."""
+    """The source's material with properties that are not drawn; None for nothing."""
+
+    @property
+    def is_textured(self) -> bool:
+        """Whether it has textures, drawn or not."""
+        drawn = self.texture is not None or self.emission_texture is not None
+        return drawn or (self.undrawn is not None and self.undrawn.has_maps)
+
+    def without_textures(self) -> BaseColor:
+        """The same for meshes without texture coordinates; emission that has a texture is left out with it."""
+        undrawn = None if self.undrawn is None else self.undrawn.without_textures()
+        emission = self.emission if self.emission_texture is None else DARK
+        return replace(self, texture=None, emission=emission, emission_texture=None, undrawn=undrawn)
 
 
 PLAIN = BaseColor(factor=(0.8, 0.8, 0.8, 1.0))
@@ -98,6 +117,7 @@ class Described:
 
 
 _UNREADABLE = "with an unreadable texture drawn without it"
+_UNREADABLE_EMISSION = "with an unreadable map of emission drawn without it"
 
 
 def _is_placeholder(image: Any) -> bool:
@@ -132,6 +152,8 @@ _SURFACE_KEYS = ("metallicFactor", "roughnessFactor", "baseColorTexture", "metal
 
 
 def _encoded(image: Any) -> TextureSource | None:
+    if image is None or image.size[0] * image.size[1] > MOST_TEXELS:
+        return None
     file = io.BytesIO()
     try:
         image.save(file, "png", compress_level=1)
@@ -194,7 +216,17 @@ class Materials:
             cutoff = 0.5 if least_alpha is None or not np.isfinite(least_alpha) else float(least_alpha)
         described = described or _described(material)
         undrawn, differences = undrawn_parts.of_gltf(described.material, described.texture)
-        return BaseColor(factor, texture, cutoff, notes + differences, undrawn)
+        light, glow, lost = self._emission(undrawn, material.emissiveTexture)
+        unlit = undrawn is not None and is_unlit(undrawn.material)
+        return BaseColor(factor, texture, cutoff, light, glow, unlit, notes + differences + lost, undrawn)
+
+    def _emission(self, undrawn: Undrawn | None, image: Any) -> tuple[Light, NDArray[np.uint8] | None, tuple[str, ...]]:
+        """What is drawn of a material's emission, with notes on the rest; `image` is that of its texture."""
+        light = DARK if undrawn is None else emission_of(undrawn.material)
+        if undrawn is None or light == DARK or MAP not in undrawn.material:
+            return light, None, ()
+        texels = None if image is None else self._texture(image)[0]
+        return (DARK, None, (_UNREADABLE_EMISSION,)) if texels is None else (light, texels, ())
 
     def _simple(self, material: Any) -> BaseColor:
         """Base colour of a Wavefront material: the diffuse colour is taken as sRGB, as in three.js."""
@@ -203,7 +235,9 @@ class Materials:
         if _is_placeholder(image):
             image = None
         texture, notes = self._texture(image)
-        undrawn, differences = undrawn_parts.of_gltf(wavefront_materials.as_gltf(entries), lambda _: None)
+        glowing = entries.get(wavefront_materials.EMISSION_IMAGE)
+        described = wavefront_materials.as_gltf(entries)
+        undrawn, differences = undrawn_parts.of_gltf(described, lambda _: _encoded(glowing))
         notes += (*differences, *wavefront_materials.losses(entries))
         alpha = min(diffuse[3] / 255, wavefront_materials.opacity(entries))
         if alpha < 1.0:
@@ -212,7 +246,8 @@ class Materials:
             red, green, blue, _ = UNCOLORED.factor if texture is not None else PLAIN.factor
         else:
             red, green, blue = (float(c) for c in to_linear(np.array(diffuse[:3]) / 255))
-        return BaseColor((red, green, blue, alpha), texture, None, notes, undrawn)
+        light, glow, lost = self._emission(undrawn, glowing)
+        return BaseColor((red, green, blue, alpha), texture, None, light, glow, False, notes + lost, undrawn)
 
     def _texture(self, image: Any) -> tuple[NDArray[np.uint8] | None, tuple[str, ...]]:
         if image is None:
@@ -223,16 +258,29 @@ class Materials:
         return texels, () if texels is not None else (_UNREADABLE,)
 
     def _decoded(self, image: Any) -> NDArray[np.uint8] | None:
-        if image.size[0] * image.size[1] > MOST_TEXELS:
-            return None
-        if self._budget is not None:
+        if self._budget is not None and image.size[0] * image.size[1] <= MOST_TEXELS:
             self._budget.take(4 * image.size[0] * image.size[1])
-        try:
-            if image.mode.startswith("I;16"):  # Pillow would clip 16-bit values instead of scaling them
-                image = Image.fromarray((np.asarray(image) >> 8).astype(np.uint8))
-            # Pillow's decoders raise OSError, SyntaxError, ValueError, struct.error, zlib.error and others.
-            texels: NDArray[np.uint8] = np.asarray(image.convert("RGBA"))
-        except Exception:
-            return None
-        key = (*image.size, hash(texels.tobytes()))
-        return self._textures.setdefault(key, texels)
+        texels = _decoded(image)
+        return None if texels is None else self._textures.setdefault((*image.size, hash(texels.tobytes())), texels)
+
+
+def texels_of(data: bytes) -> NDArray[np.uint8] | None:
+    """The texels (H, W, 4) of an image file; None for what cannot be read."""
+    try:
+        with Image.open(io.BytesIO(data)) as image:
+            return _decoded(image)
+    except Exception:  # Pillow's decoders raise errors of any type
+        return None
+
+
+def _decoded(image: Any) -> NDArray[np.uint8] | None:
+    if image.size[0] * image.size[1] > MOST_TEXELS:
+        return None
+    try:
+        if image.mode.startswith("I;16"):  # Pillow would clip 16-bit values instead of scaling them
+            image = Image.fromarray((np.asarray(image) >> 8).astype(np.uint8))
+        # Pillow's decoders raise OSError, SyntaxError, ValueError, struct.error, zlib.error and others.
+        texels: NDArray[np.uint8] = np.asarray(image.convert("RGBA"))
+    except Exception:
+        return None
+    return texels

@@ -31,3 +31,23 @@ def mesh_of(parts: dict[str, Any]) -> _core.Mesh:
     """Rebuild a mesh from the result of `_core.mesh_parts`."""
     rest = dict(parts)
     return _core.Mesh(rest.pop("positions"), rest.pop("faces"), **rest)
+
+
+def empty_core(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
+    """A scene of nothing."""
+    none = np.zeros(0, np.int32)
+    return _core.Scene(
+        origin=origin,
+        meshes=[],
+        placements=np.zeros((0, 3, 4)),
+        objects=none,
+        standing_count=0,
+        material_colors=np.zeros((0, 4), np.float32),
+        material_textures=none,
+        material_cutoffs=np.zeros(0, np.float32),
+        material_emissions=np.zeros((0, 3), np.float32),
+        material_emission_textures=none,
+        material_unlit=np.zeros(0, bool),
+        material_tags=np.zeros(0, np.uint64),
+        textures=[],
+    )

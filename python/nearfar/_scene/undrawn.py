@@ -1,4 +1,4 @@
-"""Properties of materials that are not drawn: kept as files hold them, so that files written from a scene have them."""
+"""Materials as files hold them, with properties that are not drawn, so that files written from a scene have them."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from nearfar._scene import emission
 from nearfar._scene.coordinates import TRANSFORM, Coordinates, drawn, is_texture, relative
 
 EXTENSIONS = frozenset(
@@ -25,7 +26,10 @@ _SURFACE = "pbrMetallicRoughness"
 _BASE = "baseColorTexture"
 _SURFACE_SIZES = {"baseColorFactor": 4, "metallicFactor": 1, "roughnessFactor": 1}
 _SIZES = {"emissiveFactor": 3, "alphaCutoff": 1}
-_TEXTURES = ("normalTexture", "occlusionTexture", "emissiveTexture")
+_TEXTURES = ("normalTexture", "occlusionTexture", emission.MAP)
+_DRAWN = (emission.UNLIT, emission.STRENGTH)
+"""Extensions that are drawn."""
+
 _REPEAT, _NEAREST = 10497, 9728
 
 PLAIN = {_SURFACE: {"metallicFactor": 0.0}, "doubleSided": True}
@@ -79,8 +83,9 @@ class Undrawn:
         return any(texture.image is not None for texture in self.textures)
 
     def without_textures(self) -> Undrawn | None:
-        """The same for meshes without texture coordinates."""
-        return _unless_plain(replace(self, material=without_textures(self.material), textures=()))
+        """The same for meshes without texture coordinates; emission that has a texture is left out with it."""
+        material = emission.without(self.material) if emission.MAP in self.material else self.material
+        return _unless_plain(replace(self, material=without_textures(material), textures=()))
 
 
 def of_gltf(material: Any, texture_of: Callable[[int], TextureSource | None]) -> tuple[Undrawn | None, tuple[str, ...]]:
@@ -152,6 +157,9 @@ class _Collector:
                 kept.setdefault("extensions", {})[name] = self._extension(content)
             else:
                 self.losses.append(f"with the extension {name} drawn and saved without it")
+        if is_texture(emission.MAP, source.get(emission.MAP)) and emission.MAP not in kept:
+            # The factor alone would let dark parts glow.
+            return emission.without(kept)
         return kept
 
     def _infos(self, source: dict[str, Any], names: Iterable[str]) -> dict[str, Any]:
@@ -166,12 +174,14 @@ class _Collector:
         """A reference to a texture; None if it cannot be written again."""
         transform = {} if name == _BASE else self._transform(source)
         if transform is None:
-            self.losses.append("with a map on other texture coordinates drawn and saved without it")
+            what = "emission" if name == emission.MAP else "a map"
+            self.losses.append(f"with {what} on other texture coordinates drawn and saved without it")
             return None
         texture = self._texture_of(source["index"]) if isinstance(source["index"], int) else None
         if texture is None or (name != _BASE and texture.image is None):
             if name != _BASE:
-                self.losses.append("with an unreadable map saved without it")
+                what = "an unreadable map of emission drawn and" if name == emission.MAP else "an unreadable map"
+                self.losses.append(f"with {what} saved without it")
             return None
         if name == _BASE:
             texture = replace(texture, image=None)
@@ -213,10 +223,22 @@ def _is_plain(value: object) -> bool:
 def _differences(undrawn: Undrawn) -> list[str]:
     """Properties that are drawn differently, phrased to follow "2 materials"."""
     material = undrawn.material
+    notes = [] if emission.is_unlit(material) else _lighting_differences(material)
+    if not material.get("doubleSided", False):
+        notes.append("with single-sided faces drawn from both sides")
+    names = [name for name in material.get("extensions", {}) if name not in _DRAWN]
+    notes += [f"with the extension {name} drawn without it" for name in names]
+    infos = [material.get(_SURFACE, {}).get(_BASE)]
+    if emission.emission_of(material) != emission.DARK:
+        infos.append(material.get(emission.MAP))
+    return notes + list(dict.fromkeys(note for info in infos if info for note in _sampling(undrawn, info)))
+
+
+def _lighting_differences(material: Mapping[str, Any]) -> list[str]:
     surface = material.get(_SURFACE, {})
     notes = []
-    if any(factor > 0 for factor in material.get("emissiveFactor", ())):
-        notes.append("with emission drawn without it")
+    if not emission.is_beside_base(material):
+        notes.append("with emission on other texture coordinates drawn without it")
     if "normalTexture" in material:
         notes.append("with a normal map drawn without it")
     if "occlusionTexture" in material:
@@ -224,13 +246,15 @@ def _differences(undrawn: Undrawn) -> list[str]:
     shines = surface.get("metallicFactor", 1) > 0 or surface.get("roughnessFactor", 1) < 1
     if shines or "metallicRoughnessTexture" in surface:
         notes.append("with metal or gloss drawn matt")
-    if not material.get("doubleSided", False):
-        notes.append("with single-sided faces drawn from both sides")
-    notes += [f"with the extension {name} drawn without it" for name in material.get("extensions", {})]
-    if base := surface.get(_BASE):
-        sampler = json.loads(undrawn.textures[base["index"]].sampler or "{}")
-        if (sampler.get("wrapS", _REPEAT), sampler.get("wrapT", _REPEAT)) != (_REPEAT, _REPEAT):
-            notes.append("with a texture that does not repeat drawn repeated")
-        if sampler.get("magFilter") == _NEAREST:
-            notes.append("with an unfiltered texture drawn filtered")
+    return notes
+
+
+def _sampling(undrawn: Undrawn, info: Mapping[str, Any]) -> list[str]:
+    """Differences of a texture that is drawn."""
+    sampler = json.loads(undrawn.textures[info["index"]].sampler or "{}")
+    notes = []
+    if (sampler.get("wrapS", _REPEAT), sampler.get("wrapT", _REPEAT)) != (_REPEAT, _REPEAT):
+        notes.append("with a texture that does not repeat drawn repeated")
+    if sampler.get("magFilter") == _NEAREST:
+        notes.append("with an unfiltered texture drawn filtered")
     return notes

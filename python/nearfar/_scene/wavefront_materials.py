@@ -8,11 +8,16 @@ from typing import Any
 
 import numpy as np
 
+from nearfar._scene.emission import DARK, MAP, MOST_EMISSION, Light, entries as emission_entries
 from nearfar._scene.srgb import to_linear
+
+EMISSION_MAP = "map_ke"
+EMISSION_IMAGE = "map_ke image"
+"""Key of the image that is read for a material's map of emission."""
 
 _MAPS = {
     "a normal map": ("map_bump", "bump", "norm", "map_kn"),
-    "a map of emission": ("map_ke",),
+    "a map of emission": (EMISSION_MAP,),
     "an opacity map": ("map_d",),
     "a map of metal or gloss": ("map_ks", "map_ns", "map_pr", "map_pm", "map_refl", "refl"),
 }
@@ -36,19 +41,30 @@ def as_gltf(entries: Mapping[str, Any]) -> dict[str, Any]:
     if "pr" in entries:
         surface["roughnessFactor"] = float(np.clip(_numbers(entries["pr"], 1.0)[0], 0.0, 1.0))
     material: dict[str, Any] = {"pbrMetallicRoughness": surface, "doubleSided": True}
-    emission = _numbers(entries.get("ke"))
-    if max(emission) > 0.0:
-        # One number stands for all three, and codes are sRGB as those of the diffuse colour.
-        codes = np.array((emission * 3)[:3] if len(emission) < 3 else emission[:3])
-        material["emissiveFactor"] = to_linear(np.clip(codes, 0.0, 1.0)).tolist()
+    has_map = EMISSION_IMAGE in entries
+    # A map that is not there may have left most of the surface dark.
+    emission = _emission(entries) if has_map or EMISSION_MAP not in entries else DARK
+    material |= emission_entries(emission, unlit=False)
+    if has_map and emission != DARK:
+        material[MAP] = {"index": 0}
     if opacity(entries) < 1.0:
         material["alphaMode"] = "BLEND"
     return material
 
 
+def _emission(entries: Mapping[str, Any]) -> Light:
+    """Linear RGB: a map without a colour counts as one with white."""
+    numbers = _numbers(entries.get("ke"), 1.0 if EMISSION_IMAGE in entries else 0.0)
+    # One number stands for all three, and codes are sRGB as those of the diffuse colour; beyond 1 they are light.
+    codes = np.clip((numbers * 3)[:3] if len(numbers) < 3 else numbers[:3], 0.0, MOST_EMISSION)
+    red, green, blue = np.where(codes > 1.0, codes, to_linear(np.minimum(codes, 1.0))).tolist()
+    return red, green, blue
+
+
 def losses(entries: Mapping[str, Any]) -> tuple[str, ...]:
     """Maps of a material that are neither drawn nor saved, phrased to follow "2 materials"."""
-    lost = (what for what, keywords in _MAPS.items() if any(keyword in entries for keyword in keywords))
+    found = {*entries} - ({EMISSION_MAP} if EMISSION_IMAGE in entries else set())
+    lost = (what for what, keywords in _MAPS.items() if not found.isdisjoint(keywords))
     return tuple(f"with {what} drawn and saved without it" for what in lost)
 
 

@@ -16,12 +16,12 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar._scene.levels import kept_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene, core_of
+from nearfar._scene.serialize import empty_core
 from nearfar._scene.undrawn import Undrawn
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _file
 from nearfar.lod._levels import Level, Levels
 from nearfar.lod._measured_levels import MeasuredLevels
-from nearfar.lod._place import empty
 from nearfar.lod._select.size import reference_solid_angle
 from nearfar.lod._select.switches import Switches, switches
 from nearfar.lod._select.threshold import LodThreshold, threshold_of
@@ -64,7 +64,7 @@ def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) ->
 
     geometry = _geometry(model)
     # The surfaces of all levels in one scene, and a mesh for each that uses them.
-    core, levels = _core.with_surfaces(empty(), [level.scene._core for level in geometry])
+    core, levels = _core.with_surfaces(empty_core(), [level.scene._core for level in geometry])
     names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, len(levels)))]
     everywhere = np.tile(_IDENTITY[None, :3], (len(levels), 1, 1))
     objects = np.arange(len(levels), dtype=np.int32)
@@ -135,7 +135,7 @@ def export(
     Each object is a node with its level 0, `MSFT_lod` and `MSFT_screencoverage`; its other levels are nodes outside of
     the scene that stand in the same place, and share their meshes with other objects of the model. Programs without
     the extension show level 0. Everything else of the scene is written as it is, with all that files hold of materials
-    and that is not drawn: maps of normals, metal, roughness, occlusion and emission, blending, and single-sided faces.
+    and that is not drawn: maps of normals, metal, roughness and occlusion, blending, and single-sided faces.
 
     Parameters
     ----------

@@ -7,12 +7,12 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.arrays import ORIGIN_LIMIT, transforms_of
 from nearfar._scene.levels import check_levels, kept_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene
+from nearfar._scene.serialize import empty_core
 from nearfar.lod._measured_levels import MeasuredLevels
 
 
@@ -73,24 +73,8 @@ def place(
     movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
     known.flags("dynamic", movers)  # refuses unknown names
     new = check_levels(known, range(count), [models[number] for number in index.tolist()], frames, in_place=False)
-    core, rest, table = with_levels(empty(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
+    core, rest, table = with_levels(empty_core(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
     return Scene(core, known, frames=frames, rest=rest, table=table, **kept_of(new.models)).with_dynamic(movers)
-
-
-def empty(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
-    """A scene of nothing."""
-    return _core.Scene(
-        origin=origin,
-        meshes=[],
-        placements=np.zeros((0, 3, 4)),
-        objects=np.zeros(0, np.int32),
-        standing_count=0,
-        material_colors=np.zeros((0, 4), np.float32),
-        material_textures=np.zeros(0, np.int32),
-        material_cutoffs=np.zeros(0, np.float32),
-        material_tags=np.zeros(0, np.uint64),
-        textures=[],
-    )
 
 
 def _origin(frames: NDArray[np.float64]) -> tuple[float, float, float]:

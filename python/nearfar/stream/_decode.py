@@ -18,6 +18,7 @@ from nearfar._base.errors import FormatError, SceneError
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.names import Names, distinct
 from nearfar._scene.scene import Scene
+from nearfar._scene.serialize import empty_core
 from nearfar.stream import _map_files as codec
 from nearfar.stream._map_files import RangeScale
 
@@ -152,8 +153,8 @@ def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves:
 def joined(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:
     """One scene of dynamic objects, and of rings by name as objects that are drawn whole, as dynamic ones are."""
     if not rings:
-        return Scene(_empty((0.0, 0.0, 0.0)), Names(())) if moving is None else moving
-    base = _empty(rings[0][1]._core.origin) if moving is None else moving._core
+        return Scene(empty_core((0.0, 0.0, 0.0)), Names(())) if moving is None else moving
+    base = empty_core(rings[0][1]._core.origin) if moving is None else moving._core
     core, meshes = _core.with_surfaces(base, [_about_origin(scene._core) for _, scene in rings])
     own = () if moving is None else moving.object_names
     names = distinct([*own, *(name for name, _ in rings)])
@@ -170,15 +171,3 @@ def joined(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:
 def _about_origin(core: _core.Scene) -> _core.Scene:
     """The same scene with its origin at 0, so that its merged mesh keeps small coordinates."""
     return _core.Scene(**{**_core.scene_parts(core), "origin": (0.0, 0.0, 0.0)}) if any(core.origin) else core
-
-
-def _empty(origin: tuple[float, float, float]) -> _core.Scene:
-    nothing: dict[str, Any] = {
-        "placements": np.zeros((0, 3, 4)),
-        "objects": np.zeros(0, np.int32),
-        "material_colors": np.zeros((0, 4), np.float32),
-        "material_textures": np.zeros(0, np.int32),
-        "material_cutoffs": np.zeros(0, np.float32),
-        "material_tags": np.zeros(0, np.uint64),
-    }
-    return _core.Scene(origin=origin, meshes=[], standing_count=0, textures=[], **nothing)

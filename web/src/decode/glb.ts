@@ -39,6 +39,12 @@ export interface MaterialEntry {
   };
   readonly alphaMode?: string;
   readonly alphaCutoff?: number;
+  readonly emissiveFactor?: readonly number[];
+  readonly emissiveTexture?: { readonly index: number };
+  readonly extensions?: {
+    readonly KHR_materials_unlit?: unknown;
+    readonly KHR_materials_emissive_strength?: { readonly emissiveStrength?: number };
+  };
 }
 
 interface Accessor {

@@ -9,6 +9,12 @@ export interface Material {
   readonly image: string | null;
   /** Least alpha that is drawn, or null where nothing is cut out. */
   readonly cutoff: number | null;
+  /** Linear RGB of the light that faces emit, which may exceed 1; null for none. */
+  readonly emission: readonly [number, number, number] | null;
+  /** URI of the texture that the emission is multiplied by, or null. */
+  readonly glow: string | null;
+  /** The colour is shown as it is, whatever the light. */
+  readonly isUnlit: boolean;
 }
 
 /** Arrays of a mesh with one material. */

@@ -39,7 +39,9 @@ export function samplesOf(pieces: readonly Piece[]): Piece[] {
   const samples = new Map<string, Piece>();
   for (const piece of pieces) {
     const { normals, uvs, colors, placements, material } = piece;
-    const kind = [normals, uvs, colors, placements, material.image, material.cutoff].map((part) => part !== null).join();
+    const { image, cutoff, emission, glow, isUnlit } = material;
+    const parts = [normals, uvs, colors, placements, image, cutoff, emission, glow];
+    const kind = [...parts.map((part) => part !== null), isUnlit].join();
     if (!samples.has(kind)) samples.set(kind, { ...emptied(piece), placements: placements && new Float32Array(0) });
   }
   return [...samples.values()];

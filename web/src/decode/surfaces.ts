@@ -83,11 +83,26 @@ function materialOf(glb: Glb, entry: MaterialEntry): Material {
     throw new Error('expected materials of finite numbers');
   }
   const texture = surface.baseColorTexture;
+  const emission = emissionOf(entry);
   return {
     color,
     image: texture ? imageOf(glb, texture.index) : null,
     cutoff: alphaMode === 'MASK' ? alphaCutoff : null,
+    emission,
+    glow: emission && entry.emissiveTexture ? imageOf(glb, entry.emissiveTexture.index) : null,
+    isUnlit: entry.extensions?.KHR_materials_unlit !== undefined,
   };
+}
+
+/** The light that a material emits; null for none, as for all unlit ones. */
+function emissionOf({ emissiveFactor = [0, 0, 0], extensions }: MaterialEntry): Material['emission'] {
+  const strength = extensions?.KHR_materials_emissive_strength?.emissiveStrength ?? 1;
+  const [red, green, blue, ...more] = emissiveFactor;
+  const emission = [Number(red) * strength, Number(green) * strength, Number(blue) * strength] as const;
+  if (more.length > 0 || !emission.every((part) => Number.isFinite(part) && part >= 0)) {
+    throw new Error('expected emission of three finite numbers of at least 0');
+  }
+  return extensions?.KHR_materials_unlit === undefined && emission.some((part) => part > 0) ? emission : null;
 }
 
 function imageOf({ document }: Glb, texture: number): string {

@@ -1,8 +1,16 @@
 /** Shaders of near geometry: the morph of its vertices, and nearfar's one shading formula. */
 import { SHARED, SRGB } from './shared';
 
+/** Whether vertices have texture coordinates. */
+const MAPPED = /* glsl */ `
+#if defined(TEXTURED) || defined(GLOWING)
+#define MAPPED
+#endif
+`;
+
 export const NEAR_VERTEX = /* glsl */ `
 ${SHARED}
+${MAPPED}
 uniform mat4 projectionMatrix;
 uniform mat4 viewMatrix;
 in vec3 position;
@@ -10,7 +18,7 @@ in vec3 position;
 in vec3 normal;
 out vec3 v_normal;
 #endif
-#ifdef TEXTURED
+#ifdef MAPPED
 in vec2 uv;
 out vec2 v_uv;
 #endif
@@ -53,7 +61,7 @@ void main() {
   mat3 m = mat3(placement);
   v_normal = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])) * normal;
 #endif
-#ifdef TEXTURED
+#ifdef MAPPED
   v_uv = uv;
 #endif
 #ifdef COLORED
@@ -66,11 +74,18 @@ void main() {
 export const NEAR_FRAGMENT = /* glsl */ `
 ${SHARED}
 ${SRGB}
+${MAPPED}
 uniform vec4 base_color;
 // Share of this picture over the one before, 1 for all.
 uniform float opacity;
 #ifdef TEXTURED
 uniform sampler2D image;
+#endif
+#if defined(EMISSIVE) || defined(GLOWING)
+uniform vec3 emission;
+#endif
+#ifdef GLOWING
+uniform sampler2D glow;
 #endif
 #ifdef CUTOUT
 uniform float cutoff;
@@ -78,7 +93,7 @@ uniform float cutoff;
 #ifdef SMOOTH
 in vec3 v_normal;
 #endif
-#ifdef TEXTURED
+#ifdef MAPPED
 in vec2 v_uv;
 #endif
 #ifdef COLORED
@@ -155,15 +170,25 @@ vec3 shading_normal() {
   return face;
 }
 
+#ifdef MAPPED
+// The level at which a texel is as large as a pixel, by areas.
+float level_of(ivec2 size) {
+  vec2 dx = dFdx(v_uv) * vec2(size);
+  vec2 dy = dFdy(v_uv) * vec2(size);
+  return 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
+}
+#endif
+
 void main() {
 #ifdef TEXTURED
-  // The level at which a texel is as large as a pixel, by areas.
-  vec2 texels = vec2(textureSize(image, 0));
-  vec2 dx = dFdx(v_uv) * texels;
-  vec2 dy = dFdy(v_uv) * texels;
-  float level = 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
+  float level = level_of(textureSize(image, 0));
 #endif
+#ifdef GLOWING
+  float glow_level = level_of(textureSize(glow, 0));
+#endif
+#ifndef UNLIT
   vec3 normal = shading_normal();
+#endif
   if (is_hidden()) {
     discard;
   }
@@ -184,6 +209,17 @@ void main() {
     discard;
   }
 #endif
-  shade = vec4(srgb_of(albedo * irradiance(normal)), opacity);
+#ifdef UNLIT
+  vec3 color = albedo;
+#else
+  vec3 color = albedo * irradiance(normal);
+#endif
+#ifdef EMISSIVE
+  color += emission;
+#endif
+#ifdef GLOWING
+  color += emission * textureLod(glow, v_uv, glow_level).rgb;
+#endif
+  shade = vec4(srgb_of(color), opacity);
 }
 `;

@@ -11,6 +11,7 @@ import {
   RawShaderMaterial,
   SrcAlphaFactor,
   type Texture,
+  Vector3,
   Vector4,
 } from 'three';
 import type { Material, Piece } from '../decode/messages';
@@ -54,42 +55,59 @@ const BLENDING = {
   glslVersion: GLSL3,
 } as const;
 
+/** Textures of a material by their use; null for those that it lacks. */
+export interface Textures {
+  readonly image: Texture | null;
+  readonly glow: Texture | null;
+}
+
+/** The textures of a material by their URIs. */
+export function texturesOf({ image, glow }: Material, find: (uri: string) => Texture | null): Textures {
+  return { image: image === null ? null : find(image), glow: glow === null ? null : find(glow) };
+}
+
 /** Features that the program of a piece must have. */
-export function definesOf(piece: Piece, hasTexture: boolean): Record<string, string> {
+export function definesOf(piece: Piece, { image, glow }: Textures): Record<string, string> {
+  const { material } = piece;
   const defines: Record<string, string> = {};
   if (piece.normals) defines['SMOOTH'] = '';
   if (piece.colors) defines['COLORED'] = '';
   if (piece.placements) defines['PLACED'] = '';
-  if (hasTexture && piece.uvs) defines['TEXTURED'] = '';
-  if (piece.material.cutoff !== null) defines['CUTOUT'] = '';
+  if (image && piece.uvs) defines['TEXTURED'] = '';
+  if (material.cutoff !== null) defines['CUTOUT'] = '';
+  // Emission without its picture would let dark parts glow.
+  if (material.emission && (material.glow === null || (glow && piece.uvs))) {
+    defines[material.glow === null ? 'EMISSIVE' : 'GLOWING'] = '';
+  }
+  if (material.isUnlit) defines['UNLIT'] = '';
   return defines;
 }
 
 /** The material of a piece that ends at a radius, or nowhere (`Infinity`). */
-export function nearMaterial(piece: Piece, texture: Texture | null, shared: Shared, cut: number): RawShaderMaterial {
+export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, cut: number): RawShaderMaterial {
   const { material } = piece;
   return new RawShaderMaterial({
     ...BLENDING,
     vertexShader: NEAR_VERTEX,
     fragmentShader: NEAR_FRAGMENT,
-    defines: definesOf(piece, texture !== null),
-    uniforms: { ...shared, ...ownUniforms(material, texture), cut: { value: Math.min(cut, NOWHERE) } },
+    defines: definesOf(piece, textures),
+    uniforms: { ...shared, ...ownUniforms(material, textures), cut: { value: Math.min(cut, NOWHERE) } },
   });
 }
 
 /** The materials of a region; pieces that look alike have the same one, because three.js takes its time for each. */
 export interface Materials {
-  of(piece: Piece, texture: Texture | null, cut: number): RawShaderMaterial;
+  of(piece: Piece, textures: Textures, cut: number): RawShaderMaterial;
   dispose(): void;
 }
 
 export function createMaterials(shared: Shared): Materials {
   const made = new Map<string, RawShaderMaterial>();
   return {
-    of(piece, texture, cut) {
-      const kind = Object.keys(definesOf(piece, texture !== null));
+    of(piece, textures, cut) {
+      const kind = Object.keys(definesOf(piece, textures));
       const look = JSON.stringify([kind, piece.material, String(cut)]);
-      const found = made.get(look) ?? nearMaterial(piece, texture, shared, cut);
+      const found = made.get(look) ?? nearMaterial(piece, textures, shared, cut);
       made.set(look, found);
       return found;
     },
@@ -100,11 +118,13 @@ export function createMaterials(shared: Shared): Materials {
   };
 }
 
-function ownUniforms(material: Material, texture: Texture | null): Record<string, IUniform> {
+function ownUniforms(material: Material, { image, glow }: Textures): Record<string, IUniform> {
   return {
     base_color: { value: new Vector4(...material.color) },
     cutoff: { value: material.cutoff ?? 0 },
-    image: { value: texture },
+    image: { value: image },
+    emission: { value: new Vector3(...(material.emission ?? [0, 0, 0])) },
+    glow: { value: glow },
     placement: { value: new Matrix4() },
   };
 }

@@ -1,7 +1,7 @@
 /** Programs of the GPU, made before a frame needs them: compiling one may take as long as many frames. */
 import { BufferGeometry, type Camera, Mesh, type RawShaderMaterial, Scene, Texture, type WebGLRenderer } from 'three';
 import type { Piece } from '../decode/messages';
-import { definesOf, nearMaterial, type Shared } from './materials';
+import { definesOf, nearMaterial, type Shared, texturesOf } from './materials';
 import type { Uploads } from './uploads';
 
 export interface Programs {
@@ -17,8 +17,7 @@ export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: 
   const picture = new Texture();
 
   async function make(piece: Piece): Promise<void> {
-    const texture = piece.material.image === null ? null : picture;
-    const material = nearMaterial(piece, texture, shared, Infinity);
+    const material = nearMaterial(piece, texturesOf(piece.material, () => picture), shared, Infinity);
     const scene = new Scene().add(new Mesh(new BufferGeometry(), material));
     let compiled = Promise.resolve();
     const begin = (): void => {
@@ -33,7 +32,7 @@ export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: 
   }
 
   function kindOf(piece: Piece): string {
-    return Object.keys(definesOf(piece, piece.material.image !== null)).join(' ');
+    return Object.keys(definesOf(piece, texturesOf(piece.material, () => picture))).join(' ');
   }
 
   return {

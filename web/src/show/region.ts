@@ -3,7 +3,7 @@ import { Group, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Part, Piece, Triangles } from '../decode/messages';
 import { type Cube, createCube } from './cubes';
-import { createMaterials, type Materials, type Shared } from './materials';
+import { createMaterials, type Materials, type Shared, texturesOf } from './materials';
 import type { Pictures } from './pictures';
 import { disposeMesh, type Making, type PieceMesh, prepare, type Prepared } from './pieces';
 import type { Store } from './store';
@@ -111,9 +111,8 @@ export function* partSteps(
   const ready: { piece: Piece; prepared: Prepared }[] = [];
   const make = (): void => {
     const meshes = ready.splice(0).map(({ piece, prepared }) => {
-      const { image } = piece.material;
-      const texture = image === null ? null : (making.store.textures.get(image) ?? null);
-      return prepared.make(region.materials.of(piece, texture, cut));
+      const textures = texturesOf(piece.material, (uri) => making.store.textures.get(uri) ?? null);
+      return prepared.make(region.materials.of(piece, textures, cut));
     });
     making.warm(meshes);
     group.add(...meshes);

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::placement::scale;
 use crate::base::{Error, FaceMap, Progress, Result};
-use crate::scene::{Instance, Mesh, Scene};
+use crate::scene::{Instance, Material, Mesh, Scene};
 
 /// Number of faces in one task.
 const TILE: usize = 1 << 14;
@@ -71,13 +71,13 @@ fn views<'a>(scene: &'a Scene, distances: &[f64]) -> Vec<View<'a>> {
 }
 
 fn is_textured(scene: &Scene, mesh: &Mesh) -> bool {
-    let has_texture = |number: i32| texture_of(scene, number).is_some();
+    let has_texture = |number: i32| textures_of(scene, number).next().is_some();
     mesh.uvs.is_some() && mesh.materials.runs(mesh.faces.len()).any(|(_, number)| has_texture(number))
 }
 
-fn texture_of(scene: &Scene, material: i32) -> Option<usize> {
-    let material = usize::try_from(material).ok().and_then(|number| scene.materials.get(number))?;
-    material.texture.map(|texture| texture as usize)
+fn textures_of(scene: &Scene, material: i32) -> impl Iterator<Item = usize> {
+    let material = usize::try_from(material).ok().and_then(|number| scene.materials.get(number));
+    material.into_iter().flat_map(Material::textures).map(|texture| texture as usize)
 }
 
 /// The object of all faces of an instance, if there is one.
@@ -102,26 +102,28 @@ impl Least {
         let Some(uvs) = view.mesh.uvs.as_deref() else { return };
         let mut run = (None, f64::INFINITY);
         for face in faces {
-            let Some(texture) = texture_of(scene, view.mesh.materials.get(face)) else { continue };
             let mut distance = view.whole;
             if view.scale > 0.0 {
                 distance = distance.min(distance_of(distances, view.mesh.objects.get(face)) / view.scale);
             }
-            let image = &scene.textures[texture];
-            let size = [f64::from(image.width), f64::from(image.height)];
-            let corners = view.mesh.corners(face).map(|corner| corner.as_dvec3());
-            let texels = view.mesh.faces[face as usize].map(|vertex| {
-                let [u, v] = uvs[vertex as usize].map(f64::from);
-                [u * size[0], v * size[1]]
-            });
-            let Some(density) = texels_per_metre(corners, texels).filter(|_| distance < f64::INFINITY) else {
+            if distance == f64::INFINITY {
                 continue;
-            };
-            if run.0 != Some(texture) {
-                self.take(run);
-                run = (Some(texture), f64::INFINITY);
             }
-            run.1 = f64::min(run.1, density * distance);
+            for texture in textures_of(scene, view.mesh.materials.get(face)) {
+                let image = &scene.textures[texture];
+                let size = [f64::from(image.width), f64::from(image.height)];
+                let corners = view.mesh.corners(face).map(|corner| corner.as_dvec3());
+                let texels = view.mesh.faces[face as usize].map(|vertex| {
+                    let [u, v] = uvs[vertex as usize].map(f64::from);
+                    [u * size[0], v * size[1]]
+                });
+                let Some(density) = texels_per_metre(corners, texels) else { continue };
+                if run.0 != Some(texture) {
+                    self.take(run);
+                    run = (Some(texture), f64::INFINITY);
+                }
+                run.1 = f64::min(run.1, density * distance);
+            }
         }
         self.take(run);
     }
@@ -159,11 +161,11 @@ mod tests {
 
     use super::*;
     use crate::base::random::uniform;
-    use crate::scene::{Material, Texture};
+    use crate::scene::Texture;
 
     const FACES: u64 = 40;
 
-    /// Random triangles with two textured materials and one without, and objects of their own or none.
+    /// Random triangles with two textured materials, one of which glows, and one without, and objects of their own or none.
     fn mesh(seed: u64, objects: FaceMap) -> Arc<Mesh> {
         let number = |cell: u64, row: u64| (4.0 * uniform(seed, cell, row) - 2.0) as f32;
         let positions = (0..3 * FACES).map(|row| [0, 1, 2].map(|cell| number(cell, row))).collect();
@@ -186,8 +188,9 @@ mod tests {
         };
         let standing = vec![place(&own, 1.0, None), place(&shared, 2.0, Some(1)), place(&shared, 0.5, Some(2))];
         let moving = vec![place(&own, 3.0, Some(4))];
-        let materials = vec![material(Some(1)), material(None), material(Some(0))];
-        let textures = vec![image(8, 2), image(3, 50), image(1, 1)];
+        let glowing = Material { emission: [1.0; 3], emission_texture: Some(3), ..material(Some(0)) };
+        let materials = vec![material(Some(1)), material(None), glowing];
+        let textures = vec![image(8, 2), image(3, 50), image(1, 1), image(64, 5)];
         Scene::new(DVec3::ZERO, standing, moving, Arc::new(materials), Arc::new(textures)).unwrap()
     }
 
@@ -197,25 +200,26 @@ mod tests {
         for instance in scene.instances() {
             let mesh = &instance.mesh;
             for face in 0..mesh.faces.len() as u32 {
-                let Some(texture) = scene.material_of(mesh, face).texture.filter(|_| mesh.materials.get(face) >= 0)
-                else {
+                if mesh.materials.get(face) < 0 {
                     continue;
-                };
-                let image = &scene.textures[texture as usize];
-                let corners = mesh.corners(face).map(|at| instance.to_scene.transform_point3(at.as_dvec3()));
-                let uvs = mesh.uvs.as_ref().unwrap();
-                let uvs = mesh.faces[face as usize].map(|vertex| uvs[vertex as usize].map(f64::from));
-                let (p, q) = (corners[1] - corners[0], corners[2] - corners[0]);
-                let fastest = (0..20_000).map(|n| {
-                    let turn = std::f64::consts::PI * f64::from(n) / 20_000.0;
-                    let (a, b) = (turn.cos(), turn.sin());
-                    let across = |i: usize| a * (uvs[1][i] - uvs[0][i]) + b * (uvs[2][i] - uvs[0][i]);
-                    let texels = (across(0) * f64::from(image.width)).hypot(across(1) * f64::from(image.height));
-                    texels / (a * p + b * q).length()
-                });
-                let object = usize::try_from(instance.object_of(face)).unwrap_or(distances.len() - 1);
-                let seen = fastest.fold(0.0, f64::max) * distances[object];
-                least[texture as usize] = least[texture as usize].min(seen);
+                }
+                for texture in scene.material_of(mesh, face).textures() {
+                    let image = &scene.textures[texture as usize];
+                    let corners = mesh.corners(face).map(|at| instance.to_scene.transform_point3(at.as_dvec3()));
+                    let uvs = mesh.uvs.as_ref().unwrap();
+                    let uvs = mesh.faces[face as usize].map(|vertex| uvs[vertex as usize].map(f64::from));
+                    let (p, q) = (corners[1] - corners[0], corners[2] - corners[0]);
+                    let fastest = (0..20_000).map(|n| {
+                        let turn = std::f64::consts::PI * f64::from(n) / 20_000.0;
+                        let (a, b) = (turn.cos(), turn.sin());
+                        let across = |i: usize| a * (uvs[1][i] - uvs[0][i]) + b * (uvs[2][i] - uvs[0][i]);
+                        let texels = (across(0) * f64::from(image.width)).hypot(across(1) * f64::from(image.height));
+                        texels / (a * p + b * q).length()
+                    });
+                    let object = usize::try_from(instance.object_of(face)).unwrap_or(distances.len() - 1);
+                    let seen = fastest.fold(0.0, f64::max) * distances[object];
+                    least[texture as usize] = least[texture as usize].min(seen);
+                }
             }
         }
         least
@@ -231,9 +235,9 @@ mod tests {
             // No direction of 20,000 is farther from the fastest one than 2e-4, but edges of slivers are almost alike.
             let is_close = |(a, b): (&f64, &f64)| a == b || (b <= a && (a - b) / a < 1e-3);
             assert!(found.iter().zip(&expected).all(is_close), "{found:?}, expected {expected:?}");
-            assert_eq!(found[2], far, "nothing shows the last texture");
+            assert_eq!(found[2], far, "nothing shows this texture");
         }
-        assert_eq!(texels_per_radian(&scene, &[far; 6], &Progress::new()).unwrap(), [far; 3]);
+        assert_eq!(texels_per_radian(&scene, &[far; 6], &Progress::new()).unwrap(), [far; 4]);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 use super::attribute::{Attribute, Stream};
 use super::mesh::{ALIGNMENT, EncodedMesh, append};
 use super::statistics::Kind;
-use super::surfaces::{Surfaces, WEBP};
+use super::surfaces::{OPTIONAL, Surfaces};
 use crate::base::{Error, Result};
 
 const COMPRESSION: &str = "EXT_meshopt_compression";
@@ -145,13 +145,12 @@ impl Document {
 
     /// The file's bytes. All nodes are children of the first one, which the scene's origin moves.
     pub fn encode(mut self, origin: DVec3, surfaces: &Surfaces) -> Result<Vec<u8>> {
-        let mut used: Vec<((i32, bool), usize)> = self.materials.iter().map(|(&key, &number)| (key, number)).collect();
-        used.sort_by_key(|&(_, number)| number);
-        let used: Vec<(i32, bool)> = used.into_iter().map(|(key, _)| key).collect();
-        let (surfaces, has_webp) = surfaces.describe(&used);
-        if has_webp {
-            self.extensions.insert(WEBP);
-        }
+        let mut numbered: Vec<((i32, bool), usize)> =
+            self.materials.iter().map(|(&key, &number)| (key, number)).collect();
+        numbered.sort_by_key(|&(_, number)| number);
+        let materials: Vec<(i32, bool)> = numbered.into_iter().map(|(key, _)| key).collect();
+        let (surfaces, extensions) = surfaces.describe(&materials);
+        self.extensions.extend(extensions);
         if self.compressed && !self.views.is_empty() {
             self.extensions.insert(COMPRESSION);
         }
@@ -164,7 +163,10 @@ impl Document {
             root["children"] = json!((1..=self.nodes.len()).collect::<Vec<_>>());
         }
         let nodes = std::iter::once(root).chain(self.nodes).collect();
-        let extensions: Vec<Value> = self.extensions.iter().map(|name| json!(name)).collect();
+        let (used, required): (Vec<Value>, Vec<Value>) = (
+            self.extensions.iter().map(|name| json!(name)).collect(),
+            self.extensions.iter().filter(|name| !OPTIONAL.contains(name)).map(|name| json!(name)).collect(),
+        );
         let mut document = json!({
             "asset": { "version": "2.0", "generator": concat!("nearfar ", env!("CARGO_PKG_VERSION")) },
             "scene": 0,
@@ -176,8 +178,8 @@ impl Document {
             ("accessors", self.accessors),
             ("bufferViews", views),
             ("buffers", buffers),
-            ("extensionsUsed", extensions.clone()),
-            ("extensionsRequired", extensions),
+            ("extensionsUsed", used),
+            ("extensionsRequired", required),
         ];
         // glTF does not allow empty lists.
         for (name, list) in lists.into_iter().chain(surfaces).filter(|(_, list)| !list.is_empty()) {

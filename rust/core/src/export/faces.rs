@@ -111,7 +111,7 @@ fn key_of(mesh: &Mesh, face: u32, surfaces: &Surfaces) -> Key {
     let has_normal = |normals: &[[f32; 3]]| mesh.faces[face as usize].iter().any(|&v| normals[v as usize] != [0.0; 3]);
     Key {
         material,
-        textured: mesh.uvs.is_some() && surfaces.texture(material).is_some(),
+        textured: mesh.uvs.is_some() && surfaces.is_textured(material),
         colored: mesh.colors.is_some(),
         lit: mesh.normals.as_deref().is_some_and(has_normal),
     }

@@ -1,6 +1,6 @@
 //! Materials with the images that the caller has named.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
 use serde_json::{Value, json};
@@ -21,17 +21,26 @@ const LINEAR: u32 = 9729;
 const LINEAR_MIPMAP_LINEAR: u32 = 9987;
 
 /// Extension that textures with WebP images need.
-pub(super) const WEBP: &str = "EXT_texture_webp";
+const WEBP: &str = "EXT_texture_webp";
+
+/// Extensions of materials, without which a viewer shows their colours otherwise, and all else the same.
+const UNLIT: &str = "KHR_materials_unlit";
+const STRENGTH: &str = "KHR_materials_emissive_strength";
+pub(super) const OPTIONAL: [&str; 2] = [UNLIT, STRENGTH];
 
 /// Materials of a scene and URIs of its textures.
 #[derive(Debug)]
 pub(super) struct Surfaces {
-    materials: Arc<Vec<Material>>,
+    /// As they are drawn with the images that there are.
+    materials: Vec<Material>,
     textures: Arc<Vec<Texture>>,
     images: Vec<Option<String>>,
     /// For each material the first one that is drawn alike; they may differ in what is not drawn.
     alike: Vec<i32>,
 }
+
+/// The document's lists for materials, and the extensions that they use.
+pub(super) type Described = (BTreeMap<&'static str, Vec<Value>>, BTreeSet<&'static str>);
 
 impl Surfaces {
     /// `images` are the URIs of the textures' images; materials without one are drawn without a texture.
@@ -42,16 +51,17 @@ impl Surfaces {
         }
         let mut first: HashMap<_, i32> = HashMap::new();
         let mut alike = Vec::with_capacity(scene.materials.len());
-        for (number, material) in scene.materials.iter().enumerate() {
+        let materials: Vec<Material> = scene.materials.iter().map(|material| drawn_with(material, &images)).collect();
+        for (number, material) in materials.iter().enumerate() {
             let cutoff = match material.alpha {
                 Alpha::Opaque => None,
                 Alpha::Mask { cutoff } => Some(cutoff.to_bits()),
             };
-            let texture = material.texture.filter(|&texture| images[texture as usize].is_some());
-            let looks = (material.base_color.map(f32::to_bits), texture, cutoff);
+            let emission = (material.emission.map(f32::to_bits), material.emission_texture);
+            let looks = (material.base_color.map(f32::to_bits), material.texture, cutoff, emission, material.unlit);
             alike.push(*first.entry(looks).or_insert(number as i32));
         }
-        Ok(Self { materials: Arc::clone(&scene.materials), textures: Arc::clone(&scene.textures), images, alike })
+        Ok(Self { materials, textures: Arc::clone(&scene.textures), images, alike })
     }
 
     /// The first material that is drawn like this one; −1 for none.
@@ -60,20 +70,21 @@ impl Surfaces {
         usize::try_from(material).ok().and_then(|number| self.alike.get(number)).map_or(-1, |&first| first)
     }
 
+    #[inline]
     fn material(&self, number: i32) -> Material {
         usize::try_from(number).ok().and_then(|number| self.materials.get(number)).copied().unwrap_or_default()
     }
 
-    /// Number of a material's texture, if its image has a URI.
+    /// Whether a material has a texture whose image has a URI.
     #[inline]
-    pub fn texture(&self, material: i32) -> Option<u32> {
-        self.material(material).texture.filter(|&texture| self.images[texture as usize].is_some())
+    pub fn is_textured(&self, material: i32) -> bool {
+        self.material(material).textures().next().is_some()
     }
 
-    /// Texels of the longer side of a material's texture; 1 without one.
+    /// Texels of the longest side of a material's textures; 1 without one.
     pub fn texels(&self, material: i32) -> f64 {
-        let texture = self.texture(material).map(|texture| &self.textures[texture as usize]);
-        texture.map_or(1.0, |texture| f64::from(texture.width.max(texture.height)))
+        let textures = self.material(material).textures().map(|texture| &self.textures[texture as usize]);
+        textures.map(|texture| f64::from(texture.width.max(texture.height))).fold(1.0, f64::max)
     }
 
     /// The grid of a material's texture coordinates up to `reach`. Half its step is at most an eighth of a texel.
@@ -81,34 +92,52 @@ impl Surfaces {
         Grid::new((2.0 * UV_ERROR_TEXELS / self.texels(material)).min(MOST_UV_STEP), reach)
     }
 
-    /// The document's lists for materials, each with or without its texture, in this order. Also whether one of the
-    /// images is WebP.
-    pub fn describe(&self, used: &[(i32, bool)]) -> (BTreeMap<&'static str, Vec<Value>>, bool) {
-        let mut images = Vec::new();
+    /// The document's lists for materials, each with or without its textures, in this order, and their extensions.
+    pub fn describe(&self, used: &[(i32, bool)]) -> Described {
+        let (mut images, mut textures, mut materials) = (Vec::new(), Vec::new(), Vec::new());
         let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
-        let mut textures = Vec::new();
-        let mut has_webp = false;
-        let mut materials = Vec::new();
+        let mut extensions = BTreeSet::new();
         for &(number, textured) in used {
-            let texture = self.texture(number).filter(|_| textured).map(|texture| {
-                *numbers.entry(texture).or_insert_with(|| {
+            let material = self.material(number);
+            let [base, emission] = [material.texture, material.emission_texture].map(|texture| {
+                let texture = texture.filter(|_| textured)?;
+                Some(*numbers.entry(texture).or_insert_with(|| {
                     let uri = self.images[texture as usize].as_deref().unwrap_or_default();
                     let is_webp = uri.to_ascii_lowercase().ends_with(".webp");
-                    has_webp |= is_webp;
+                    extensions.extend(is_webp.then_some(WEBP));
                     textures.push(texture_entry(images.len(), is_webp));
                     images.push(json!({ "uri": uri }));
                     images.len() - 1
-                })
+                }))
             });
-            materials.push(material_entry(&self.material(number), texture));
+            let mut entry = material_entry(&material, base);
+            extensions.extend(add_emission(&mut entry, &material, emission).then_some(STRENGTH));
+            if material.unlit {
+                entry["extensions"][UNLIT] = json!({});
+                extensions.insert(UNLIT);
+            }
+            materials.push(entry);
         }
         let sampler =
             json!({ "magFilter": LINEAR, "minFilter": LINEAR_MIPMAP_LINEAR, "wrapS": REPEAT, "wrapT": REPEAT });
         let samplers = if images.is_empty() { Vec::new() } else { vec![sampler] };
         let lists =
             [("materials", materials), ("textures", textures), ("images", images), ("samplers", samplers)].into();
-        (lists, has_webp)
+        (lists, extensions)
     }
+}
+
+/// A material as it is drawn with the images that there are. Emission that lacks its image is left out: the factor alone
+/// would let dark parts glow.
+fn drawn_with(material: &Material, images: &[Option<String>]) -> Material {
+    let is_there = |texture: &u32| images[*texture as usize].is_some();
+    let mut drawn = *material;
+    drawn.texture = drawn.texture.filter(is_there);
+    if !drawn.emission_texture.as_ref().is_none_or(is_there) {
+        drawn.emission = [0.0; 3];
+    }
+    drawn.emission_texture = drawn.emission_texture.filter(|_| drawn.emits());
+    drawn
 }
 
 fn texture_entry(image: usize, is_webp: bool) -> Value {
@@ -137,6 +166,24 @@ fn material_entry(material: &Material, texture: Option<usize>) -> Value {
     entry
 }
 
+/// Adds the emission to a material's entry; returns whether it has a strength of its own, because glTF allows factors
+/// from 0 to 1. Products in float64 round to the same float32.
+fn add_emission(entry: &mut Value, material: &Material, texture: Option<usize>) -> bool {
+    if !material.emits() {
+        return false;
+    }
+    let emission = material.emission.map(f64::from);
+    let strength = emission.iter().copied().fold(1.0, f64::max);
+    entry["emissiveFactor"] = json!(emission.map(|x| x / strength));
+    if let Some(texture) = texture {
+        entry["emissiveTexture"] = json!({ "index": texture });
+    }
+    if strength > 1.0 {
+        entry["extensions"][STRENGTH] = json!({ "emissiveStrength": strength });
+    }
+    strength > 1.0
+}
+
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
@@ -159,21 +206,21 @@ mod tests {
         assert_eq!([0, 1, 2, 3, 4, -1, 9].map(|number| both.drawn(number)), [0, 1, 0, 3, 4, -1, -1]);
         let neither = surfaces([None, None]);
         assert_eq!([0, 1, 2, 3, 4].map(|number| neither.drawn(number)), [0, 0, 0, 3, 0]);
-        assert!(neither.texture(0).is_none());
+        assert!(!neither.is_textured(0));
     }
 
     #[test]
     fn only_used_images_are_listed_and_webp_needs_its_extension() {
         let all = surfaces([Some("a.png"), Some("b.WebP")]);
-        let (lists, has_webp) = all.describe(&[(0, true), (0, false), (3, false), (-1, false)]);
-        assert!(!has_webp);
+        let (lists, extensions) = all.describe(&[(0, true), (0, false), (3, false), (-1, false)]);
+        assert!(extensions.is_empty());
         assert_eq!(lists["images"], [json!({ "uri": "a.png" })]);
         assert_eq!(lists["textures"], [json!({ "sampler": 0, "source": 0 })]);
         let with = |i: usize| lists["materials"][i]["pbrMetallicRoughness"].get("baseColorTexture").is_some();
         assert_eq!([0, 1, 2, 3].map(with), [true, false, false, false]);
         assert_eq!(lists["materials"][2]["alphaCutoff"], json!(0.0));
-        let (lists, has_webp) = all.describe(&[(4, true)]);
-        assert!(has_webp);
+        let (lists, extensions) = all.describe(&[(4, true)]);
+        assert_eq!(extensions, [WEBP].into());
         assert_eq!(lists["textures"], [json!({ "sampler": 0, "extensions": { WEBP: { "source": 0 } } })]);
         assert!(all.describe(&[]).0.values().all(Vec::is_empty));
     }
@@ -184,5 +231,33 @@ mod tests {
         assert_eq!(all.uv_grid(0, 1.0).step(), MOST_UV_STEP);
         let step = all.uv_grid(4, 1.0).step();
         assert!(step / 2.0 * 1500.0 <= UV_ERROR_TEXELS && step * 1500.0 > UV_ERROR_TEXELS);
+    }
+
+    #[test]
+    fn emission_and_unlit_are_written_and_tell_materials_apart() {
+        let glow = |emission, emission_texture| Material { emission, emission_texture, ..Material::default() };
+        let unlit = Material { unlit: true, ..Material::default() };
+        let bright = glow([0.0, 3.0, 1.5], Some(0));
+        let materials = vec![Material::default(), glow([0.0, 0.25, 1.0], None), bright, unlit, glow([0.0; 3], Some(0))];
+        let texture = Texture::new(900, 1, vec![[0; 4]; 900].into()).unwrap();
+        let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::new(materials), Arc::new(vec![texture])).unwrap();
+        let all = Surfaces::new(&scene, vec![Some("a.webp".into())]).unwrap();
+        assert_eq!([0, 1, 2, 3, 4].map(|number| all.drawn(number)), [0, 1, 2, 3, 0]);
+        assert_eq!(
+            [1, 2, 4].map(|number| (all.is_textured(number), all.texels(number))),
+            [(false, 1.0), (true, 900.0), (false, 1.0)]
+        );
+        let (lists, extensions) = all.describe(&[(0, false), (1, false), (2, true), (3, false)]);
+        assert_eq!(extensions, [STRENGTH, UNLIT, WEBP].into());
+        let [plain, dim, bright, unlit] = &lists["materials"][..] else { panic!("four materials") };
+        assert!(plain.get("emissiveFactor").is_none() && plain.get("extensions").is_none());
+        assert_eq!((&dim["emissiveFactor"], dim.get("extensions")), (&json!([0.0, 0.25, 1.0]), None));
+        assert_eq!(bright["emissiveFactor"], json!([0.0, 1.0, 0.5]));
+        assert_eq!(bright["extensions"], json!({ STRENGTH: { "emissiveStrength": 3.0 } }));
+        assert_eq!(bright["emissiveTexture"], json!({ "index": 0 }));
+        assert_eq!(unlit["extensions"], json!({ UNLIT: {} }));
+        // Without its image, what it would light up is not known.
+        let without = Surfaces::new(&scene, vec![None]).unwrap();
+        assert_eq!(without.drawn(2), 0);
     }
 }

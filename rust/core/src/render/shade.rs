@@ -1,5 +1,6 @@
-//! The shading formula of all renderers: linear albedo × (sky(n) + sun · max(0, n·l)), two-sided, at most 1 for white.
-//! Here n is the surface normal and l the direction towards the sun.
+//! The shading formula of all renderers: linear albedo × (sky(n) + sun · max(0, n·l)) + emission, two-sided. Here n is the
+//! surface normal and l the direction towards the sun. Unlit materials are shown as if the bracket were 1, which it does
+//! not exceed; emission may exceed 1, because there is no tone mapping.
 //!
 //! Sky and sun are colours. The bluish sky is brighter above than below and slightly asymmetric, so that walls in the
 //! shade differ. The warm sun meets the three axes at different angles, so that lit walls differ.

@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::frame::{Channels, Sample};
 use super::shade::irradiance;
 use crate::camera::Footprint;
-use crate::scene::{Instance, Scene, facing_normals};
+use crate::scene::{Instance, Mesh, Scene, Spot, facing_normals};
 use crate::trace::{Hit, Ray};
 
 /// A point of a surface as a viewer sees it.
@@ -126,17 +126,25 @@ impl Surface {
     /// Linear RGB, for a ray that is `width` metres wide at the surface (`Footprint::at`).
     #[inline]
     pub fn color(&self, scene: &Scene, width: f32) -> [f32; 3] {
-        let albedo = self.albedo(scene, width);
-        let light = irradiance(self.shading_normal(scene.instance(self.instance)));
-        std::array::from_fn(|i| albedo[i] * light[i])
+        let instance = scene.instance(self.instance);
+        let (material, spot) = (scene.material_of(&instance.mesh, self.face), self.spot(&instance.mesh, width));
+        let mut color = scene.albedo(&material, &spot);
+        if !material.unlit {
+            let light = irradiance(self.shading_normal(instance));
+            (0..3).for_each(|i| color[i] *= light[i]);
+        }
+        if material.emits() {
+            let emission = scene.emission(&material, &spot);
+            (0..3).for_each(|i| color[i] += emission[i]);
+        }
+        color
     }
 
-    /// Linear RGB of the material, for a ray that is `width` metres wide at the surface.
+    /// The place on the mesh, for a ray that is `width` metres wide at the surface.
     #[inline]
-    fn albedo(&self, scene: &Scene, width: f32) -> [f32; 3] {
+    fn spot<'a>(&self, mesh: &'a Mesh, width: f32) -> Spot<'a> {
         let footprint = width / self.cosine.max(GRAZING).sqrt();
-        let mesh = &scene.instance(self.instance).mesh;
-        scene.albedo(mesh, self.face, self.at, footprint, self.doubled_area)
+        Spot { mesh, face: self.face, at: self.at, footprint, doubled_area: self.doubled_area }
     }
 
     /// Channels of a pixel that shows this point at a displayed distance, by a ray of `width` metres. Those that are not
@@ -151,7 +159,8 @@ impl Surface {
             ..Sample::default()
         };
         if wanted.albedo {
-            sample.albedo = self.albedo(scene, width());
+            let mesh = &scene.instance(self.instance).mesh;
+            sample.albedo = scene.albedo(&scene.material_of(mesh, self.face), &self.spot(mesh, width()));
         }
         if wanted.shading_normal {
             sample.shading_normal = self.shading_normal(scene.instance(self.instance)).to_array();

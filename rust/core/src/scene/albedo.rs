@@ -1,5 +1,5 @@
-//! The base colour of a point of a surface (factor × texture × vertex colour), and whether a cut-out leaves a hole
-//! there.
+//! The base colour of a point of a surface (factor × texture × vertex colour), the light that it emits, and whether a
+//! cut-out leaves a hole there.
 
 use super::material::{Alpha, Material};
 use super::mesh::Mesh;
@@ -33,6 +33,21 @@ fn interpolate<const N: usize>([a, b, c]: [[f32; N]; 3], (u, v): (f32, f32)) -> 
     std::array::from_fn(|i| a[i] + (b[i] - a[i]) * u + (c[i] - a[i]) * v)
 }
 
+/// A place on a face of a mesh, as wide as a ray is that meets it.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot<'a> {
+    /// The mesh.
+    pub mesh: &'a Mesh,
+    /// Number of the face.
+    pub face: u32,
+    /// Weights of the face's second and third corner.
+    pub at: (f32, f32),
+    /// Width of the footprint on the surface, metres.
+    pub footprint: f32,
+    /// Twice the area of the placed face, square metres.
+    pub doubled_area: f32,
+}
+
 impl Mesh {
     fn corner_uvs(&self, face: u32) -> Option<[[f32; 2]; 3]> {
         let uvs = self.uvs.as_ref()?;
@@ -58,24 +73,35 @@ impl Scene {
         self.materials.iter().any(|material| material.alpha != Alpha::Opaque)
     }
 
-    /// Linear base colour at weights (u, v) of a face: factor × texture × vertex colour. `footprint` is the width of
-    /// the footprint on the surface in metres, `doubled_area` twice the area of the placed face in square metres.
-    pub fn albedo(&self, mesh: &Mesh, face: u32, at: (f32, f32), footprint: f32, doubled_area: f32) -> [f32; 3] {
-        let material = self.material_of(mesh, face);
+    /// Linear base colour of a material at a spot: factor × texture × vertex colour.
+    #[inline]
+    pub fn albedo(&self, material: &Material, spot: &Spot<'_>) -> [f32; 3] {
         let [r, g, b, _] = material.base_color;
         let mut albedo = [r, g, b];
-        if let Some(colors) = mesh.corner_colors(face) {
+        if let Some(colors) = spot.mesh.corner_colors(spot.face) {
             let linear = linear_from_srgb();
-            let color = interpolate(colors.map(|[r, g, b, _]| [r, g, b].map(|code| linear[usize::from(code)])), at);
+            let color =
+                interpolate(colors.map(|[r, g, b, _]| [r, g, b].map(|code| linear[usize::from(code)])), spot.at);
             (0..3).for_each(|i| albedo[i] *= color[i]);
         }
-        if let (Some(texture), Some(uvs)) = (material.texture, mesh.corner_uvs(face)) {
-            let texture = &self.textures[texture as usize];
-            let level = texture_level(footprint, texel_density(texture, uvs, doubled_area));
-            let color = texture.color(interpolate(uvs, at), level, material.alpha != Alpha::Opaque);
+        if let Some(color) = self.texture_color(material.texture, spot, material.alpha != Alpha::Opaque) {
             (0..3).for_each(|i| albedo[i] *= color[i]);
         }
         albedo
+    }
+
+    /// Linear RGB of the light that a material emits at a spot: factor × texture.
+    pub fn emission(&self, material: &Material, spot: &Spot<'_>) -> [f32; 3] {
+        let color = self.texture_color(material.emission_texture, spot, false).unwrap_or([1.0; 3]);
+        std::array::from_fn(|i| material.emission[i] * color[i])
+    }
+
+    /// Linear RGB of a texture; `None` without one, or without coordinates.
+    #[inline]
+    fn texture_color(&self, texture: Option<u32>, spot: &Spot<'_>, cutout: bool) -> Option<[f32; 3]> {
+        let (texture, uvs) = (&self.textures[texture? as usize], spot.mesh.corner_uvs(spot.face)?);
+        let level = texture_level(spot.footprint, texel_density(texture, uvs, spot.doubled_area));
+        Some(texture.color(interpolate(uvs, spot.at), level, cutout))
     }
 
     /// False if a cut-out material leaves a hole at weights (u, v) of a face. The texture is read at its finest level,

@@ -145,8 +145,9 @@ impl Surfaces {
     fn add(&mut self, scene: &Scene) -> Vec<i32> {
         let links: Vec<u32> = scene.textures.iter().map(|texture| self.texture(TextureImage::of(texture))).collect();
         let number = |material: &Material| {
-            let texture = material.texture.and_then(|texture| links.get(texture as usize).copied());
-            self.material(Material { texture, ..*material })
+            let link = |texture: Option<u32>| texture.and_then(|texture| links.get(texture as usize).copied());
+            let (texture, emission_texture) = (link(material.texture), link(material.emission_texture));
+            self.material(Material { texture, emission_texture, ..*material })
         };
         scene.materials.iter().map(number).collect()
     }

@@ -1,4 +1,4 @@
-//! Scenes: meshes shared between instances, objects as names of faces or instances, base colours.
+//! Scenes: meshes shared between instances, objects as names of faces or instances, base colours and emission.
 
 mod albedo;
 mod edit;
@@ -14,7 +14,7 @@ mod texture;
 pub mod wavefront;
 mod world;
 
-pub use albedo::{texel_density, texture_level};
+pub use albedo::{Spot, texel_density, texture_level};
 pub use instance::{Instance, InstanceSet};
 pub use levels::LevelMeshes;
 pub use material::{Alpha, Material};

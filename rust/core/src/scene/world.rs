@@ -23,7 +23,7 @@ pub struct Scene {
     pub standing: Arc<InstanceSet>,
     /// Instances whose poses may change.
     pub moving: Arc<InstanceSet>,
-    /// Base colours, indexed by the meshes' material maps.
+    /// Materials, indexed by the meshes' material maps.
     pub materials: Arc<Vec<Material>>,
     /// Textures, indexed by the materials.
     pub textures: Arc<Vec<Texture>>,
@@ -42,8 +42,16 @@ impl Scene {
             return Err(Error::value("origin", "three finite numbers", origin));
         }
         let texture_count = textures.len();
-        if let Some(wrong) = materials.iter().filter_map(|m| m.texture).find(|&t| t as usize >= texture_count) {
+        if let Some(wrong) = materials.iter().flat_map(Material::textures).find(|&t| t as usize >= texture_count) {
             return Err(Error::value("materials", format!("texture numbers below {texture_count}"), wrong));
+        }
+        let is_light = |emission: &[f32; 3]| emission.iter().all(|x| x.is_finite() && *x >= 0.0);
+        if let Some(wrong) = materials.iter().find(|material| !is_light(&material.emission)) {
+            return Err(Error::value(
+                "materials",
+                "emission of three finite numbers of at least 0",
+                format!("{:?}", wrong.emission),
+            ));
         }
         for mesh in distinct_meshes(standing.iter().chain(&moving)) {
             mesh.materials.validate("materials", mesh.faces.len(), materials.len() as i32)?;

@@ -202,6 +202,7 @@ impl<'a> Bound<'a> {
             textured: layer.is_some_and(|layer| layer.tables.materials.textured),
             colored: layer.is_some_and(|layer| layer.tables.colored),
             smooth: layer.is_some_and(|layer| layer.tables.smooth),
+            glowing: layer.is_some_and(|layer| layer.tables.materials.glowing),
             samples,
         };
         let layers = &self.picture.layers;

@@ -69,6 +69,8 @@ pub(super) struct ResolveKey {
     pub textured: bool,
     pub colored: bool,
     pub smooth: bool,
+    /// Some material emits light or is unlit.
+    pub glowing: bool,
     pub samples: u32,
 }
 
@@ -187,6 +189,7 @@ impl Pipelines {
             ("TEXTURED", f64::from(u8::from(key.textured))),
             ("COLORED", f64::from(u8::from(key.colored))),
             ("SMOOTH", f64::from(u8::from(key.smooth))),
+            ("GLOWING", f64::from(u8::from(key.glowing))),
         ];
         let pipeline = device.wgpu.create_compute_pipeline(&ComputePipelineDescriptor {
             label: Some("resolve"),

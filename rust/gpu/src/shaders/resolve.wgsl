@@ -109,15 +109,23 @@ fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
     );
 }
 
-fn surface_albedo(part: Part, face: u32, surface: Surface, ray: Ray) -> vec3<f32> {
+fn spot_of(face: u32, surface: Surface, ray: Ray) -> Spot {
     let width = ray.footprint.x + ray.footprint.y * surface.range;
     let footprint = width / sqrt(max(surface.cosine, 1e-4));
-    return albedo(part, face, surface.at, footprint, surface.doubled_area);
+    return Spot(face, surface.at, footprint, surface.doubled_area);
 }
 
 fn surface_color(record: Record, part: Part, face: u32, surface: Surface, ray: Ray) -> vec3<f32> {
-    let normal = shading_normal(record, part, face, surface.at, surface.normal);
-    return surface_albedo(part, face, surface, ray) * irradiance(normal);
+    let material = material_of(part, face);
+    let spot = spot_of(face, surface, ray);
+    var color = albedo(part, material, spot);
+    if !GLOWING || material.unlit == 0u {
+        color *= irradiance(shading_normal(record, part, face, surface.at, surface.normal));
+    }
+    if GLOWING && any(material.emission != vec3<f32>(0.0)) {
+        color += material.emission * texture_at(part, material.emission_texture, spot, false);
+    }
+    return color;
 }
 
 // Whether the map is seen along a direction: where the part of the ray has no end and the map's surface is not nearer
@@ -262,7 +270,8 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
     if SURFACE {
         store_surface(number, id, surface, ray);
         if view.more_outputs.y != NONE {
-            store_3(view.more_outputs.y + 3u * number, surface_albedo(part, id.y, surface, ray));
+            let color = albedo(part, material_of(part, id.y), spot_of(id.y, surface, ray));
+            store_3(view.more_outputs.y + 3u * number, color);
         }
         if view.more_outputs.z != NONE {
             let normal = shading_normal(record, part, id.y, surface.at, surface.normal);

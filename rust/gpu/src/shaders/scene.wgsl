@@ -71,10 +71,12 @@ struct Batch {
 
 struct Material {
     base_color: vec4<f32>,
+    emission: vec3<f32>,
+    unlit: u32,
     texture: u32,
     cutoff: f32,
-    unused_0: u32,
-    unused_1: u32,
+    emission_texture: u32,
+    unused: u32,
 }
 
 struct Texture {

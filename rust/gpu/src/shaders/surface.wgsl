@@ -1,9 +1,10 @@
-// Base colours, filtered as `scene::Texture` does it, and the one shading formula.
+// Base colours and emission, filtered as `scene::Texture` does it, and the one shading formula.
 
-// The scene has textures, and colours and normals of vertices.
+// The scene has textures, and colours and normals of vertices; some of its materials emit light or are unlit.
 override TEXTURED: bool = true;
 override COLORED: bool = true;
 override SMOOTH: bool = true;
+override GLOWING: bool = true;
 
 fn texel_color(n: u32) -> vec4<f32> {
     let at = place_of(n, batch.shifts.x);
@@ -68,32 +69,46 @@ fn blend_3(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, at: vec2<f32>) -> vec3<f32>
     return a + (b - a) * at.x + (c - a) * at.y;
 }
 
-// Linear base colour at weights `at` of a face's second and third corner.
-fn albedo(part: Part, face: u32, at: vec2<f32>, footprint: f32, doubled_area: f32) -> vec3<f32> {
-    let material = material_of(part, face);
-    var color = material.base_color.rgb;
-    if !(TEXTURED || COLORED) {
-        return color;
+// A place on a face: weights of its second and third corner, width of the ray on it, and twice its area.
+struct Spot {
+    face: u32,
+    at: vec2<f32>,
+    footprint: f32,
+    doubled_area: f32,
+}
+
+fn corners_of(part: Part, face: u32) -> vec3<u32> {
+    return vec3<u32>(corner_number(part, face, 0u), corner_number(part, face, 1u), corner_number(part, face, 2u));
+}
+
+// Linear colour of a texture; white without one, or without coordinates.
+fn texture_at(part: Part, number: u32, spot: Spot, cutout: bool) -> vec3<f32> {
+    if !TEXTURED || number == NONE || part.uvs == NONE {
+        return vec3<f32>(1.0);
     }
-    let corners = vec3<u32>(corner_number(part, face, 0u), corner_number(part, face, 1u), corner_number(part, face, 2u));
+    let texture = textures[number];
+    let corners = corners_of(part, spot.face);
+    let a = uv_of(part, corners.x);
+    let b = uv_of(part, corners.y);
+    let c = uv_of(part, corners.z);
+    let ab = b - a;
+    let ac = c - a;
+    let area = abs(ab.x * ac.y - ab.y * ac.x) * f32(texture.width) * f32(texture.height);
+    let level = log2(max(spot.footprint * sqrt(area / spot.doubled_area), 1e-30));
+    return texture_color(texture, blend_2(a, b, c, spot.at), level, cutout);
+}
+
+// Linear base colour.
+fn albedo(part: Part, material: Material, spot: Spot) -> vec3<f32> {
+    var color = material.base_color.rgb;
     if COLORED && part.colors != NONE {
+        let corners = corners_of(part, spot.face);
         let a = linear_of(color_of(part, corners.x).rgb);
         let b = linear_of(color_of(part, corners.y).rgb);
         let c = linear_of(color_of(part, corners.z).rgb);
-        color *= blend_3(a, b, c, at);
+        color *= blend_3(a, b, c, spot.at);
     }
-    if TEXTURED && material.texture != NONE && part.uvs != NONE {
-        let texture = textures[material.texture];
-        let a = uv_of(part, corners.x);
-        let b = uv_of(part, corners.y);
-        let c = uv_of(part, corners.z);
-        let ab = b - a;
-        let ac = c - a;
-        let area = abs(ab.x * ac.y - ab.y * ac.x) * f32(texture.width) * f32(texture.height);
-        let level = log2(max(footprint * sqrt(area / doubled_area), 1e-30));
-        color *= texture_color(texture, blend_2(a, b, c, at), level, material.cutoff >= 0.0);
-    }
-    return color;
+    return color * texture_at(part, material.texture, spot, material.cutoff >= 0.0);
 }
 
 // A vector of length 1; zero for zero.

@@ -1,4 +1,4 @@
-//! Base colours: a table of materials, a table of textures, and all their levels as texels of linear light.
+//! Materials: a table of them, a table of textures, and all their levels as texels of linear light.
 
 use half::f16;
 use nearfar_core::base::{Error, Result};
@@ -11,7 +11,7 @@ use super::Texels;
 use crate::device::Device;
 
 /// Words of a material and of a texture in their tables.
-const MATERIAL_WORDS: usize = 8;
+const MATERIAL_WORDS: usize = 12;
 const TEXTURE_WORDS: usize = 8;
 /// The texture number of a material without a texture.
 const NONE: u32 = u32::MAX;
@@ -23,6 +23,8 @@ pub(crate) struct MaterialTable {
     pub texels: Texels,
     /// Some material has a texture.
     pub textured: bool,
+    /// Some material emits light or is unlit.
+    pub glowing: bool,
 }
 
 impl MaterialTable {
@@ -31,8 +33,8 @@ impl MaterialTable {
         let materials: Vec<u32> =
             scene.materials.iter().chain([&Material::default()]).flat_map(material_words).collect();
         let has_cutouts = scene.has_cutouts();
-        let used: Vec<bool> =
-            (0..scene.textures.len() as u32).map(|t| scene.materials.iter().any(|m| m.texture == Some(t))).collect();
+        let mut used = vec![false; scene.textures.len()];
+        scene.materials.iter().flat_map(Material::textures).for_each(|texture| used[texture as usize] = true);
         let mut table = Vec::new();
         let mut count = 0u64;
         for (texture, used) in scene.textures.iter().zip(&used) {
@@ -61,6 +63,7 @@ impl MaterialTable {
             textures: device.filled_buffer("textures", &table, BufferUsages::STORAGE)?,
             texels,
             textured: used.contains(&true),
+            glowing: scene.materials.iter().any(|material| material.emits() || material.unlit),
         })
     }
 }
@@ -71,7 +74,9 @@ fn material_words(material: &Material) -> [u32; MATERIAL_WORDS] {
         Alpha::Opaque => -1.0f32,
         Alpha::Mask { cutoff } => cutoff.max(0.0),
     };
-    [r, g, b, a, material.texture.unwrap_or(NONE), cutoff.to_bits(), 0, 0]
+    let [red, green, blue] = material.emission.map(f32::to_bits);
+    let [texture, emission_texture] = [material.texture, material.emission_texture].map(|t| t.unwrap_or(NONE));
+    [r, g, b, a, red, green, blue, u32::from(material.unlit), texture, cutoff.to_bits(), emission_texture, 0]
 }
 
 /// Texels of a texture with all its levels.

@@ -34,6 +34,11 @@ pub(crate) fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound
     parts.set_item("material_colors", rows(py, &colors)?)?;
     parts.set_item("material_textures", PyArray1::from_iter(py, scene.materials.iter().map(|m| link(m.texture))))?;
     parts.set_item("material_cutoffs", PyArray1::from_iter(py, scene.materials.iter().map(|m| cutoff(m.alpha))))?;
+    let emissions: Vec<[f32; 3]> = scene.materials.iter().map(|material| material.emission).collect();
+    let maps = scene.materials.iter().map(|m| link(m.emission_texture));
+    parts.set_item("material_emissions", rows(py, &emissions)?)?;
+    parts.set_item("material_emission_textures", PyArray1::from_iter(py, maps))?;
+    parts.set_item("material_unlit", PyArray1::from_iter(py, scene.materials.iter().map(|m| m.unlit)))?;
     parts.set_item("material_tags", PyArray1::from_iter(py, scene.materials.iter().map(|m| m.tag)))?;
     let textures: Vec<Bound<'py, PyArray3<u8>>> = scene.textures.iter().map(texture).collect::<PyResult<_>>()?;
     parts.set_item("textures", textures)?;

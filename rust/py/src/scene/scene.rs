@@ -23,11 +23,12 @@ pub struct Scene(pub scene::Scene);
 #[pymethods]
 impl Scene {
     /// `placements` are (I, 3, 4) object→scene, relative to the origin, static instances first. Object −1 means that
-    /// the mesh gives the objects. A material's texture is −1 for none, its cutoff NaN for opaque materials, and
+    /// the mesh gives the objects. A material's textures are −1 for none, its cutoff NaN for opaque materials, and
     /// its tag 0 for materials that are drawn in full.
     #[new]
     #[pyo3(signature = (*, origin, meshes, placements, objects, standing_count, material_colors, material_textures,
-                        material_cutoffs, material_tags, textures))]
+                        material_cutoffs, material_emissions, material_emission_textures, material_unlit,
+                        material_tags, textures))]
     #[expect(clippy::too_many_arguments, reason = "a scene's parts, by keyword only")]
     fn new<'py>(
         py: Python<'py>,
@@ -39,6 +40,9 @@ impl Scene {
         material_colors: PyReadonlyArray2<'py, f32>,
         material_textures: PyReadonlyArray1<'py, i32>,
         material_cutoffs: PyReadonlyArray1<'py, f32>,
+        material_emissions: PyReadonlyArray2<'py, f32>,
+        material_emission_textures: PyReadonlyArray1<'py, i32>,
+        material_unlit: PyReadonlyArray1<'py, bool>,
         material_tags: PyReadonlyArray1<'py, u64>,
         textures: Vec<Bound<'py, PyArrayDyn<u8>>>,
     ) -> PyResult<Self> {
@@ -46,15 +50,19 @@ impl Scene {
         let (placements, objects) = (affines(&placements), objects.as_array());
         let (colors, links) = (material_colors.as_array(), material_textures.as_array());
         let (cutoffs, tags) = (material_cutoffs.as_array(), material_tags.as_array());
-        let materials = colors
-            .outer_iter()
-            .zip(links)
-            .zip(cutoffs)
+        let (emissions, maps) = (material_emissions.as_array(), material_emission_textures.as_array());
+        let drawn = colors.outer_iter().zip(links).zip(cutoffs);
+        let lit = emissions.outer_iter().zip(maps).zip(material_unlit.as_array());
+        let materials = drawn
+            .zip(lit)
             .zip(tags)
-            .map(|(((color, &texture), &cutoff), &tag)| Material {
+            .map(|((((color, &texture), &cutoff), ((emission, &map), &unlit)), &tag)| Material {
                 base_color: std::array::from_fn(|i| color[i]),
                 texture: u32::try_from(texture).ok(),
                 alpha: if cutoff.is_nan() { Alpha::Opaque } else { Alpha::Mask { cutoff } },
+                emission: std::array::from_fn(|i| emission[i]),
+                emission_texture: u32::try_from(map).ok(),
+                unlit,
                 tag,
             })
             .collect();

@@ -1,0 +1,84 @@
+"""The materials of a scene that is being made, each once, with the textures that they share."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._scene.arrays import texture_of
+from nearfar._scene.materials import BaseColor
+from nearfar._scene.undrawn import Undrawn
+
+_NONE = -1
+"""Number of a texture that is not there."""
+
+_NO_TAG = 0
+"""Tag of a material that is drawn in full."""
+
+
+class _Material(NamedTuple):
+    """A material as the kernels have it."""
+
+    color: tuple[float, ...]
+    texture: int
+    cutoff: float | None
+    emission: tuple[float, ...]
+    emission_texture: int
+    unlit: bool
+    tag: int
+
+
+class MaterialList:
+    """Numbers materials and textures; equal materials share a number, as do textures that are one array."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[_Material, int] = {}
+        self._textures: dict[int, tuple[NDArray[np.uint8], NDArray[np.uint8], int]] = {}
+        """For each texture's id the array that was passed, its converted form, and its number."""
+        self.undrawn: dict[int, Undrawn] = {}
+        """Properties of materials that are not drawn, by their tags."""
+
+    def __len__(self) -> int:
+        return len(self._numbers)
+
+    def add(self, material: BaseColor) -> int:
+        """Add a material of usable values and return its number."""
+        tag = _NO_TAG if material.undrawn is None else material.undrawn.tag
+        if material.undrawn is not None:
+            self.undrawn[tag] = material.undrawn
+        color, emission = (np.array(numbers, np.float32) for numbers in (material.factor, material.emission))
+        drawn = _Material(
+            tuple(color.tolist()),
+            self._texture(material.texture),
+            material.cutoff,
+            tuple(emission.tolist()),
+            self._texture(material.emission_texture) if emission.any() else _NONE,
+            material.unlit,
+            tag,
+        )
+        return self._numbers.setdefault(drawn, len(self._numbers))
+
+    def _texture(self, texture: NDArray[np.uint8] | None) -> int:
+        if texture is None:
+            return _NONE
+        if id(texture) not in self._textures:
+            # The reference keeps the array alive; its id could be reused otherwise.
+            self._textures[id(texture)] = (texture, texture_of("texture", texture), len(self._textures))
+        return self._textures[id(texture)][-1]
+
+    def arguments(self) -> dict[str, Any]:
+        """Materials and textures as arguments of `_core.Scene`."""
+        columns = zip(*self._numbers, strict=True) if self._numbers else [()] * len(_Material._fields)
+        colors, textures, cutoffs, emissions, emission_textures, unlit, tags = columns
+        return {
+            "material_colors": np.array(colors, np.float32).reshape(-1, 4),
+            "material_textures": np.array(textures, np.int32),
+            "material_cutoffs": np.array([np.nan if cutoff is None else cutoff for cutoff in cutoffs], np.float32),
+            "material_emissions": np.array(emissions, np.float32).reshape(-1, 3),
+            "material_emission_textures": np.array(emission_textures, np.int32),
+            "material_unlit": np.array(unlit, bool),
+            "material_tags": np.array(tags, np.uint64),
+            "textures": [texture for _, texture, _ in self._textures.values()],
+        }
