@@ -107,6 +107,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "node": no_node,
     "web": no_web,
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")() or _module("ipywidgets")(),
+    "pyproj": _module("pyproj"),
     "pyrender": _pyrender,
     "release": _release,
     "skimage": _module("skimage"),

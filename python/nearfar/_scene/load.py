@@ -8,7 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from nearfar._base import background, check
+from numpy.typing import ArrayLike
+
+from nearfar._base import background, check, remote
 from nearfar._base.errors import UnusableError
 from nearfar._scene import load_trimesh, load_wavefront, quiet, threemf
 from nearfar._scene.assembly import Assembled
@@ -17,6 +19,9 @@ from nearfar._scene.content import UP, Content, assemble
 from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.materials import Materials
 from nearfar._scene.reasons import explained
+from nearfar._scene.tileset import read as tiles
+from nearfar._scene.tileset.read import Detail
+from nearfar._scene.tileset.tileset import KINDS
 
 
 def load(
@@ -26,6 +31,9 @@ def load(
     on_invalid: str = "raise",
     scale: float | None = None,
     max_bytes: int | None = None,
+    error: float | None = None,
+    triangles: int | None = None,
+    origin: ArrayLike | None = None,
     moves: bool = False,
 ) -> Assembled:
     """Load a file; `nearfar.Scene.load` documents the arguments. With `moves` all objects are dynamic."""
@@ -33,20 +41,25 @@ def load(
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
     if scale is not None:
         check.positive("scale", scale)
-    path = check.path("path", path)
-    if path.is_dir():
-        raise IsADirectoryError(errno.EISDIR, _folder(path), os.fspath(path))
+    detail = Detail.checked(error, triangles, origin)
+    place = str(path) if remote.is_url(path) else remote.local(path)
+    if isinstance(place, Path) and place.is_dir():
+        raise IsADirectoryError(errno.EISDIR, _folder(place), os.fspath(place))
+    detail.check_kind(place)
     most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
     how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "moves": moves}
-    return background.run(lambda: _load(path, Budget(most), **how), alone=True)
+    return background.run(lambda: _load(place, Budget(most), detail, **how), alone=True)
 
 
-def _load(path: Path, budget: Budget, **how: Any) -> Assembled:
+def _load(path: str | Path, budget: Budget, detail: Detail, **how: Any) -> Assembled:
     label = os.fspath(path)
+    if isinstance(path, str):
+        with quiet.silence(), explained(label.partition("?")[0], passed=OSError):
+            return assemble(tiles.read(path, detail, budget), budget=budget, **how)
     with explained(label, passed=OSError):
         data = read_file(path, budget)  # a missing file and missing permissions raise OSError
     with quiet.silence() as messages, explained(label):
-        content = _read(label, path, data, budget)
+        content = _read(label, path, data, budget, detail)
         content.notes += [message for message in dict.fromkeys(messages) if message not in content.notes]
         return assemble(content, budget=budget, **how)
 
@@ -58,7 +71,7 @@ def _folder(path: Path) -> str:
     return "expected a file, got a folder" + (f", which holds {', '.join(files[:3])}" if files else "")
 
 
-def _read(label: str, path: Path, data: bytes, budget: Budget) -> Content:
+def _read(label: str, path: Path, data: bytes, budget: Budget, detail: Detail | None = None) -> Content:
     import trimesh
 
     kind = path.suffix.lower().lstrip(".")
@@ -68,6 +81,8 @@ def _read(label: str, path: Path, data: bytes, budget: Budget) -> Content:
         data = budget.unpacked(data)
     if kind in _ARCHIVES:
         raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
+    if kind in KINDS or (kind == "json" and tiles.is_tileset(data)):
+        return tiles.read(path, detail or Detail(), budget)
     if kind == "json":
         raise UnusableError(_JSON)
     if kind in _READERS and kind not in trimesh.available_formats():
@@ -126,9 +141,6 @@ _READERS = {
     "iges": "export it from FreeCAD as glTF (.glb) or OBJ",
     "igs": "export it from FreeCAD as glTF (.glb) or OBJ",
     "gml": "convert it with citygml-tools to CityJSON, and that with cjio to glTF (.glb)",
-    "b3dm": "it is a tile of 3D Tiles: 3d-tiles-tools (b3dmToGlb) takes the glTF (.glb) out of it",
-    "i3dm": "it is a tile of 3D Tiles: 3d-tiles-tools (i3dmToGlb) takes the glTF (.glb) out of it",
-    "cmpt": "it is a tile of 3D Tiles: 3d-tiles-tools (cmptToGlb) takes the glTF (.glb) out of it",
     "citygml": "convert it with citygml-tools to CityJSON, and that with cjio to glTF (.glb)",
     "vrml": "import it into Blender or MeshLab and export it as glTF (.glb) or PLY",
     "geojson": "it holds outlines without heights; extrude them in Blender or QGIS and export glTF (.glb)",
@@ -138,7 +150,7 @@ _READERS = {
 }
 """Known formats that are not read, and the program or package that reads them."""
 
-_JSON = "nearfar reads no scenes in .json: cjio converts CityJSON, and 3d-tiles-tools a tileset's tiles, to glTF (.glb)"
+_JSON = "of .json files nearfar reads tilesets of 3D Tiles; cjio converts CityJSON to glTF (.glb)"
 
 _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 """Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""

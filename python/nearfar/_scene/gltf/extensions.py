@@ -24,7 +24,7 @@ _REMEDIES = {
 _DISPENSABLE = {
     *(TRANSFORM, "KHR_lights_punctual", "EXT_lights_image_based", "KHR_materials_variants", "KHR_animation_pointer"),
     *("KHR_xmp", "KHR_xmp_json_ld", "EXT_mesh_features", "EXT_instance_features", "EXT_structural_metadata"),
-    *("MSFT_lod", "CESIUM_primitive_outline"),
+    *("MSFT_lod", "CESIUM_primitive_outline", "CESIUM_RTC"),
 }
 """Extensions whose absence leaves the shapes and base colours of a file right."""
 

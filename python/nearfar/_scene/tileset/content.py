@@ -1,0 +1,239 @@
+"""Content of tiles: b3dm, i3dm, cmpt and glTF, as shapes that are placed in the tile's frame."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from nearfar._base import check, glb
+from nearfar._base.errors import UnusableError
+from nearfar._scene.budget import Budget
+from nearfar._scene.content import Content, Nodes, Shape
+from nearfar._scene.gltf.document import read as read_gltf
+from nearfar._scene.materials import Materials
+from nearfar._scene.tileset import frames, instances, tables, values
+from nearfar._scene.tileset.files import Files
+from nearfar._scene.tileset.frames import Floats
+
+_GZIP = b"\x1f\x8b"
+
+_OTHERS = {b"pnts": "points", b"vctr": "vectors", b"geom": "geometries"}
+"""Kinds of tiles without triangles."""
+
+_RTC = "CESIUM_RTC"
+"""Extension of glTF that states where its origin lies in the tile's frame."""
+
+_MOST_NESTED = 32
+"""Greatest depth of composite tiles within each other."""
+
+_INSTANCE_BYTES = 512
+"""Bytes of memory that an instance takes: some copies of its transform, its name and its place in the scene."""
+
+
+@dataclass
+class TileContent:
+    """What one file of a tile holds."""
+
+    content: Content
+    """Its shapes, placed in the tile's frame, z up."""
+    has_properties: bool = False
+    depends_on_place: bool = False
+    """Whether it stands upright where the tile is on the Earth."""
+
+    @property
+    def triangles(self) -> int:
+        """Triangles of all its placed shapes."""
+        sizes = {name: len(shape.faces) for name, shape in self.content.shapes.items()}
+        return sum(sizes[name] * number for name, number in Counter(self.content.nodes.shapes).items())
+
+    @property
+    def nbytes(self) -> int:
+        """Bytes of its arrays."""
+        shapes = self.content.shapes.values()
+        arrays = [a for s in shapes for a in (s.vertices, s.faces, s.uvs, s.colors, s.normals) if a is not None]
+        return int(sum(array.nbytes for array in arrays) + self.content.nodes.transforms.nbytes)
+
+
+@dataclass(frozen=True)
+class Reader:
+    """Reads files of tiles.
+
+    Parameters
+    ----------
+    files
+        Reads the files that they refer to.
+    budget
+        Counts what they unpack to.
+    materials
+        Converts their materials.
+    """
+
+    files: Files
+    budget: Budget
+    materials: Materials
+
+    def read(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int = 0) -> TileContent:
+        """Read a file; any exception for one that cannot be used.
+
+        Parameters
+        ----------
+        name
+            Its path or URL.
+        data
+            Its bytes.
+        up
+            Axis of glTF in it that points up: X, Y or Z.
+        to_earth
+            (4, 4) tile→tileset.
+        depth
+            Number of composite tiles around it.
+        """
+        if data.startswith(_GZIP):
+            data = self.budget.unpacked(data)
+        match bytes(data[:4]):
+            case b"":
+                raise UnusableError("it is empty")
+            case b"b3dm":
+                return self._batched(name, data, up)
+            case b"i3dm":
+                return self._instanced(name, data, up, to_earth)
+            case b"cmpt":
+                return self._composite(name, data, up, to_earth, depth)
+            case magic if magic in _OTHERS:
+                tables.framed(data)
+                return TileContent(_nothing(name, f"tile of {_OTHERS[magic]} ignored"))
+            case b"glTF":
+                return TileContent(self._gltf(name, data, up))
+            case _ if data.lstrip()[:1] == b"{":
+                return TileContent(self._gltf(name, data, up))
+            case magic:
+                raise UnusableError(f"it begins with {check.shortened(magic)}, and is no b3dm, i3dm, cmpt or glTF")
+
+    def _batched(self, name: str, data: bytes, up: str) -> TileContent:
+        parts = tables.parts(data, has_format=False)
+        if "BATCH_LENGTH" in parts.features:
+            parts.features.count("BATCH_LENGTH")
+        content = self._gltf(name, parts.body, up)
+        if "RTC_CENTER" in parts.features:
+            content.nodes.transforms[:, :3, 3] += parts.features.vector("RTC_CENTER")
+        return TileContent(content, parts.has_properties)
+
+    def _instanced(self, name: str, data: bytes, up: str, to_earth: Floats) -> TileContent:
+        parts = tables.parts(data, has_format=True)
+        placed = instances.transforms(parts.features, to_earth)
+        if parts.format == 0:
+            uri = parts.body.rstrip(b" \0").decode()
+            model_name = self.files.resolve(name, uri)
+            model = self._gltf(model_name, self.files.read(model_name, self.budget), up)
+        elif parts.format == 1:
+            model = self._gltf(name, parts.body, up)
+        else:
+            raise UnusableError(f"it states the format {parts.format} of its model, and 0 and 1 are known")
+        nodes = model.nodes
+        self.budget.hold(len(placed) * len(nodes.objects) * _INSTANCE_BYTES)
+        transforms = (placed[:, None] @ nodes.transforms[None]).reshape(-1, 4, 4)
+        one = len(nodes.objects) == 1
+        objects = [str(n) if one else f"{n}/{node}" for n in range(len(placed)) for node in nodes.objects]
+        content = replace(model, label=name, nodes=Nodes(objects, transforms, nodes.shapes * len(placed)))
+        return TileContent(content, parts.has_properties, instances.turns_with_the_earth(parts.features))
+
+    def _composite(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int) -> TileContent:
+        if depth >= _MOST_NESTED:
+            raise UnusableError("its parts are nested too deeply")
+        inner = [self.read(name, part, up, to_earth, depth + 1) for part in _tiles(tables.framed(data))]
+        content = joined(name, [(str(n), f"{n}/", part.content) for n, part in enumerate(inner)])
+        return TileContent(
+            content,
+            any(part.has_properties for part in inner),
+            any(part.depends_on_place for part in inner),
+        )
+
+    def _gltf(self, name: str, data: bytes, up: str) -> Content:
+        kind = "glb" if data.startswith(b"glTF") else "gltf"
+        if kind == "glb" and data[4:8] == b"\1\0\0\0":
+            raise UnusableError("it holds glTF 1.0, and only glTF 2 is read; 3d-tiles-tools (upgrade) converts it")
+        content = read_gltf(name, data, kind, _Beside(self.files, name, self.budget), self.materials, self.budget)
+        _check_vertices(content)
+        shift = np.eye(4)
+        if (center := _center(data, kind)) is not None:
+            shift[:3, 3] = center
+        content.nodes = replace(content.nodes, transforms=shift @ frames.TO_Z_UP[up] @ content.nodes.transforms)
+        note = f"extension {_RTC} ignored"
+        content.notes = [other for other in content.notes if other != note]
+        return content
+
+
+class _Beside:
+    """Trimesh's resolver of the files that a tile's glTF refers to."""
+
+    def __init__(self, files: Files, name: str, budget: Budget) -> None:
+        self._files, self._name, self._budget = files, name, budget
+        self.parent = os.path.dirname(name)
+        self._known: dict[str, bytes] = {}
+
+    def get(self, uri: str) -> bytes:
+        """Bytes of a file."""
+        if uri not in self._known:
+            self._known[uri] = self._files.read(self._files.resolve(self._name, uri), self._budget)
+        return self._known[uri]
+
+
+def _nothing(name: str, note: str) -> Content:
+    return Content(name, {}, Nodes([], np.zeros((0, 4, 4)), []), [note])
+
+
+def _tiles(data: bytes) -> Iterator[bytes]:
+    """The tiles of a composite one."""
+    if len(data) < 16:
+        raise UnusableError("it ends within its header of 16 bytes")
+    number = int.from_bytes(data[12:16], "little")
+    start = 16
+    for index in range(number):
+        if start >= len(data):
+            raise UnusableError(f"it states {number:,} tiles, and ends after {index:,}")
+        part = tables.framed(data[start:])
+        yield part
+        start += len(part)
+
+
+def _center(data: bytes, kind: str) -> Floats | None:
+    """Where a glTF file's origin lies by its extension; None without it."""
+    if _RTC.encode() not in data:
+        return None
+    document = glb.header(data)[0] if kind == "glb" else glb.json_object(data)
+    stated = document.get("extensions", {}).get(_RTC)
+    return None if stated is None else values.numbers(f"extensions.{_RTC}.center", stated.get("center"), 3)
+
+
+def _check_vertices(content: Content) -> None:
+    """Refuse coordinates that no place on the Earth has; those that are not finite are treated as in all files."""
+    for name, shape in content.shapes.items():
+        if shape.vertices.size:
+            reach = max(float(shape.vertices.max()), -float(shape.vertices.min()))
+            if values.FARTHEST < reach < np.inf:
+                raise UnusableError(f"mesh {check.shortened(name)} has coordinates beyond 1e10")
+
+
+def joined(label: str, parts: Sequence[tuple[str, str, Content]]) -> Content:
+    """One content of several, each with a beginning for the names of its objects, and one for those of its shapes.
+
+    Contents with the same beginning of their shapes' names are the same, so that their shapes are shared.
+    """
+    shapes: dict[str, Shape] = {}
+    objects: list[str] = []
+    chosen: list[str] = []
+    notes: Counter[str] = Counter()
+    for named, shaped, content in parts:
+        for name, shape in content.shapes.items():
+            shapes.setdefault(f"{shaped}{name}", replace(shape))
+        names = content.nodes.objects
+        objects += [named if len(names) == 1 else f"{named}/{name}" for name in names]
+        chosen += [f"{shaped}{name}" for name in content.nodes.shapes]
+        notes.update(content.notes)
+    transforms = [content.nodes.transforms for *_, content in parts] or [np.zeros((0, 4, 4))]
+    said = [note if number == 1 else f"{note} ({number:,} times)" for note, number in notes.items()]
+    return Content(label, shapes, Nodes(objects, np.concatenate(transforms), chosen), said)

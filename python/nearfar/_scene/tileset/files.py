@@ -1,0 +1,184 @@
+"""Files of a tileset: below its folder, or at the origin of its URL; nothing else is read."""
+
+from __future__ import annotations
+
+import errno
+import os
+import posixpath
+import threading
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from pathlib import Path
+from typing import Protocol
+from urllib.parse import unquote, urljoin, urlsplit
+
+from nearfar._base import cache, check, files, remote
+from nearfar._base.errors import UnusableError
+from nearfar._scene.budget import Budget, read_file
+
+THREADS = 8
+"""Files that are asked for at once."""
+
+_VALIDATORS = ("ETag", "Content-MD5", "Digest", "Last-Modified", "mtime", "LastModified", "checksum", "md5Hash")
+"""Entries of fsspec's description of a file of which one changes when the file does."""
+
+
+class OutsideError(UnusableError):
+    """A file refers to one that lies outside its tileset's folder, or at another origin."""
+
+
+class Files(Protocol):
+    """Where the files of a tileset are read from; a name is a path or a URL."""
+
+    top: str
+    """Name of the file that was opened."""
+
+    def resolve(self, base: str, uri: str) -> str:
+        """Name of the file that the one called `base` refers to; OutsideError where none may lie."""
+
+    def shown(self, name: str) -> str:
+        """Name of a file for messages, relative to the first one's folder."""
+
+    def read(self, name: str, budget: Budget) -> bytes:
+        """Bytes of a file; FileNotFoundError if there is none."""
+
+
+def opened(path: str | os.PathLike[str]) -> Files:
+    """The files about a local path or a URL."""
+    return Remote(str(path)) if remote.is_url(path) else Local(remote.local(path))
+
+
+def read_all(source: Files, names: Sequence[str], budget: Budget) -> dict[str, bytes | OSError]:
+    """Bytes of several files, or why one cannot be read; those behind a URL are asked for by threads."""
+
+    def read(name: str) -> bytes | OSError:
+        try:
+            return source.read(name, budget)
+        except OSError as error:
+            return error
+
+    if isinstance(source, Local) or len(names) < 2:
+        return {name: read(name) for name in names}
+    with ThreadPoolExecutor(min(THREADS, len(names))) as pool:
+        return dict(zip(names, pool.map(read, names), strict=True))
+
+
+class Local:
+    """Files in a folder and below it."""
+
+    def __init__(self, path: Path) -> None:
+        files.restore(path)
+        self._folder = os.path.realpath(path.parent)
+        self.top = os.path.join(self._folder, path.name)
+
+    def resolve(self, base: str, uri: str) -> str:
+        """Name of the file that the one called `base` refers to."""
+        parts = urlsplit(uri)
+        if parts.scheme or parts.netloc or uri.startswith(("/", "\\")):
+            raise OutsideError(f"it refers to {check.shortened(uri)}, which lies outside its folder")
+        if "\0" in unquote(uri) or not parts.path:
+            raise UnusableError(f"it refers to {check.shortened(uri)}, which names no file")
+        folder = os.path.dirname(base)
+        exact = os.path.normpath(os.path.join(folder, uri))
+        name = exact if os.path.exists(exact) else os.path.normpath(os.path.join(folder, unquote(parts.path)))
+        # Links and percent signs may lead outside, too. Without links a loop of folders has an end.
+        real = os.path.realpath(name)
+        if os.path.commonpath([real, self._folder]) != self._folder:
+            raise OutsideError(f"it refers to {check.shortened(uri)}, which lies outside its folder")
+        return real
+
+    def shown(self, name: str) -> str:
+        """Path relative to the first file's folder."""
+        return os.path.relpath(name, self._folder)
+
+    def read(self, name: str, budget: Budget) -> bytes:
+        """Bytes of a regular file."""
+        return read_file(Path(name), budget)
+
+
+class Remote:
+    """Files at the origin of a URL; those that state when they changed are kept in the cache."""
+
+    def __init__(self, url: str) -> None:
+        self._system, _ = remote.system(url)
+        self.top = url
+        self._folder = posixpath.dirname(urlsplit(url).path)
+        self._origin = _origin(url)
+        self._lock = threading.Lock()
+
+    def resolve(self, base: str, uri: str) -> str:
+        """URL of the file that the one called `base` refers to."""
+        try:
+            name = _joined(base, uri)
+            origin = _origin(name)
+        except ValueError:
+            raise UnusableError(f"it refers to {check.shortened(uri)}, which names no file") from None
+        if origin != self._origin:
+            raise OutsideError(f"it refers to {check.shortened(uri)}, which lies at another origin")
+        return name
+
+    def shown(self, name: str) -> str:
+        """Path relative to the first file's folder, without a query, which may hold a key."""
+        return posixpath.relpath(urlsplit(name).path or "/", self._folder or "/")
+
+    def read(self, name: str, budget: Budget) -> bytes:
+        """Bytes of a file, from the cache if the server states that it is unchanged."""
+        with remote.as_os_errors(name, "read"):
+            path = self._system._strip_protocol(name)
+            stated = self._stated(path)
+            key = cache.key("tile", 1, name, stated)
+            data = _kept(key) if stated else None
+            if data is None:
+                data = bytes(self._system.cat_file(path))
+                if stated:
+                    _keep(key, data)
+        with self._lock:
+            budget.add_read(len(data))
+        return data
+
+    def _stated(self, path: str) -> list[str]:
+        """Values that change when a file does; none where the server states none."""
+        try:
+            described = self._system.info(path)
+        except FileNotFoundError:  # also of servers that answer nothing but requests for the whole file
+            return []
+        return [f"{key} {described[key]}" for key in _VALIDATORS if described.get(key)]
+
+
+def _kept(key: str) -> bytes | None:
+    """Content of the cached file of a key; None without one."""
+    path = cache.find(key, ".tile")
+    try:
+        return None if path is None else path.read_bytes()
+    except FileNotFoundError:  # another process removed it
+        return None
+
+
+def _keep(key: str, data: bytes) -> None:
+    """Cache a file's bytes; a folder that cannot be written costs the next download, not this one."""
+    try:
+        cache.keep(key, ".tile", partial(_write, data=data))
+    except OSError as error:
+        if error.errno not in (errno.EACCES, errno.EROFS, errno.ENOSPC, errno.EPERM):
+            raise
+
+
+def _write(path: Path, data: bytes) -> None:
+    path.write_bytes(data)
+
+
+def _origin(url: str) -> tuple[str, str, int | None]:
+    """Scheme, host and port."""
+    parts = urlsplit(url)
+    port = parts.port or {"http": 80, "https": 443}.get(parts.scheme)
+    return parts.scheme, (parts.hostname or "").lower(), port
+
+
+def _joined(base: str, uri: str) -> str:
+    """A reference resolved against a URL of any scheme: Python joins those only that it knows."""
+    scheme = urlsplit(base).scheme
+    if urlsplit(uri).scheme:
+        return uri
+    joined = urljoin("https:" + base.removeprefix(f"{scheme}:"), uri)
+    return f"{scheme}:" + joined.removeprefix("https:")

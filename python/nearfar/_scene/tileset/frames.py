@@ -1,0 +1,101 @@
+"""Frames of tilesets: the Earth's, a local one about an origin on it, and the axes of glTF and of scenes; float64."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar._scene.frames import earth_to_local, geodetic
+
+Floats = NDArray[np.float64]
+
+RADIUS = 6_350_000.0
+"""Least distance in metres of the ground from the Earth's middle, rounded down."""
+
+LOWEST, HIGHEST = -30_000.0, 100_000.0
+"""Heights in metres between which the middle of a tileset in the Earth's frame lies."""
+
+_PLACES, _HEIGHT_PLACES = 9, 3
+"""Digits after the point of an origin in degrees and metres: a tenth of a millimetre, and one."""
+
+TO_Z_UP = {
+    "X": np.array([[0.0, 0, -1, 0], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]]),
+    "Y": np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]]),
+    "Z": np.eye(4),
+}
+"""Turns glTF whose named axis points up to the axes of tiles (3D Tiles 1.1, "glTF transforms")."""
+
+Z_UP_TO_SCENE = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
+"""Turns the axes of tiles to those of scenes: (x, y, z) becomes (x, z, −y)."""
+
+
+def east_north_up(places: Any) -> Floats:
+    """Rotations (…, 3, 3) whose columns point east, north and up at longitudes and latitudes (…, 2+), radians."""
+    places = np.asarray(places, np.float64)
+    longitude, latitude = places[..., 0], places[..., 1]
+    s, c, zero = np.sin(longitude), np.cos(longitude), np.zeros_like(longitude)
+    up, north = np.sin(latitude), np.cos(latitude)
+    east = [-s, c, zero]
+    columns = [east, [-up * c, -up * s, north], [north * c, north * s, up]]
+    return np.stack([np.stack(column, axis=-1) for column in columns], axis=-1)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """From the tiles' frame to the scene's."""
+
+    to_scene: Floats
+    """(4, 4), rigid."""
+    origin: tuple[float, float, float] | None = None
+    """Longitude and latitude in degrees and height in metres of the scene's (0, 0, 0); None off the Earth."""
+
+    @property
+    def note(self) -> str:
+        """A sentence on the place; empty off the Earth."""
+        if self.origin is None:
+            return ""
+        longitude, latitude, height = self.origin
+        where = f"longitude {longitude:.{_PLACES}f}°, latitude {latitude:.{_PLACES}f}°, height {height:.3f} m"
+        return f"local frame with its origin at {where}; x points east, y up, z south"
+
+
+PLAIN = Frame(Z_UP_TO_SCENE)
+"""For tilesets that lie nowhere on the Earth."""
+
+
+def local(origin: Sequence[float]) -> Frame:
+    """The frame about a place in degrees and metres: x points east, y up and z south."""
+    longitude, latitude, height = (float(value) for value in origin)
+    return Frame(earth_to_local(np.radians(longitude), np.radians(latitude), height), (longitude, latitude, height))
+
+
+def around(middle: Floats) -> Frame | None:
+    """The local frame about a point near the Earth's surface, rounded as `note` states it; None for others."""
+    longitude, latitude, height = geodetic(middle).tolist()
+    if not LOWEST <= height <= HIGHEST:
+        return None
+    return local(
+        (
+            round(float(np.degrees(longitude)), _PLACES),
+            round(float(np.degrees(latitude)), _PLACES),
+            round(height, _HEIGHT_PLACES),
+        )
+    )
+
+
+def checked_origin(origin: Any) -> tuple[float, float, float] | None:
+    """Longitude, latitude and height of an argument; None for None."""
+    if origin is None:
+        return None
+    longitude, latitude, height = check.vector("origin", origin)
+    if not (-360 <= longitude <= 360 and -90 <= latitude <= 90 and -1e7 <= height <= 1e9):
+        raise ValueError(
+            "origin: expected longitude within ±360°, latitude within ±90° and a height in metres, got "
+            f"{longitude:g}, {latitude:g}, {height:g}"
+        )
+    return longitude, latitude, height

@@ -1,0 +1,168 @@
+"""Implicit tiling of 3D Tiles 1.1 and its extension before: quadtrees and octrees that subtrees' bits describe."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import product
+from operator import add
+from typing import Any
+
+from nearfar._base.errors import UnusableError
+from nearfar._scene.tileset import values
+from nearfar._scene.tileset.frames import Floats
+from nearfar._scene.tileset.subtree import MOST_LEVELS, Subtree, start_of
+from nearfar._scene.tileset.tile import Source, StatedTile, Tile
+from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
+
+_MOST_LEVELS = 64
+"""Greatest depth of a tree: the Earth's cells are then far smaller than atoms."""
+
+EXTENSION = "3DTILES_implicit_tiling"
+
+Cell = tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Implicit:
+    """One implicit tiling.
+
+    Parameters
+    ----------
+    place, source
+        The tile that states it, and its document.
+    volume, error, replaces, transform
+        That tile's.
+    axes
+        2 for a quadtree, 3 for an octree.
+    subtree_levels, levels
+        Levels of a subtree, and of the whole tree.
+    subtrees, contents
+        Templates of references, with {level}, {x}, {y} and {z}.
+    open_subtree
+        Reads a subtree; None where its file is missing.
+    """
+
+    place: str
+    source: Source
+    volume: Box | Region
+    error: float
+    replaces: bool
+    transform: Floats
+    axes: int
+    subtree_levels: int
+    levels: int
+    subtrees: str
+    contents: tuple[str, ...]
+    open_subtree: Callable[[Implicit, str], Subtree | None]
+
+    def root(self) -> list[Tile]:
+        """The tile of level 0, unless it is not there."""
+        return self.first_of_subtree(0, (0,) * self.axes)
+
+    def first_of_subtree(self, level: int, cell: Cell) -> list[Tile]:
+        """The first tile of a subtree, unless it is not there."""
+        subtree = self.open_subtree(self, filled(self.subtrees, level, cell))
+        is_there = subtree is not None and subtree.tiles.at(0)
+        return [ImplicitTile(self, subtree, level, cell, 0, 0)] if subtree is not None and is_there else []
+
+
+class ImplicitTile(Tile):
+    """A tile of an implicit tiling: its level and cell in the tree, and its level and Morton number in a subtree."""
+
+    __slots__ = ("_cell", "_depth", "_level", "_number", "_subtree", "_tiling")
+
+    def __init__(self, tiling: Implicit, subtree: Subtree, level: int, cell: Cell, depth: int, number: int) -> None:
+        self._tiling, self._subtree = tiling, subtree
+        self._level, self._cell, self._depth, self._number = level, cell, depth, number
+        bit = start_of(depth, tiling.axes) + number
+        super().__init__(
+            tiling.source,
+            tiling.error * 0.5**level,
+            tiling.replaces,
+            tiling.transform,
+            has_content=any(bits.at(bit) for bits in subtree.contents[: len(tiling.contents)]),
+            is_leaf=level + 1 >= tiling.levels,
+        )
+
+    @property
+    def volume(self) -> Volume:
+        """Its part of the tiling's volume."""
+        return self._tiling.volume.part(self._level, self._cell)
+
+    @property
+    def contents(self) -> tuple[str, ...]:
+        """The templates of the contents that are there, filled in."""
+        bit = start_of(self._depth, self._tiling.axes) + self._number
+        there = zip(self._tiling.contents, self._subtree.contents, strict=False)
+        return tuple(filled(template, self._level, self._cell) for template, bits in there if bits.at(bit))
+
+    def expand(self) -> list[Tile]:
+        """Make the children that the bits say are there."""
+        tiling, subtree, depth = self._tiling, self._subtree, self._depth + 1
+        children: list[Tile] = []
+        first = start_of(depth, tiling.axes)
+        twice = [2 * place for place in self._cell]
+        for corner, step in enumerate(_CORNERS[tiling.axes]):
+            number = (self._number << tiling.axes) + corner
+            is_inside = depth < tiling.subtree_levels
+            if not (subtree.tiles.at(first + number) if is_inside else subtree.children.at(number)):
+                continue
+            below = tuple(map(add, twice, step))
+            if is_inside:
+                children.append(ImplicitTile(tiling, subtree, self._level + 1, below, depth, number))
+            else:
+                children += tiling.first_of_subtree(self._level + 1, below)
+        return children
+
+
+_CORNERS = {axes: [corner[::-1] for corner in product((0, 1), repeat=axes)] for axes in (2, 3)}
+"""Cells of a parent's children; the first axis changes fastest, as the bits of Morton numbers do."""
+
+
+def described_by(described: dict[str, Any]) -> dict[str, Any] | None:
+    """The entry of a tile that states an implicit tiling, of 1.1 or of the extension; None without one."""
+    extensions = described.get("extensions")
+    found = described.get("implicitTiling")
+    if found is None and isinstance(extensions, dict):
+        found = extensions.get(EXTENSION)
+    return None if found is None else values.entries("implicitTiling", found)
+
+
+def read(tile: StatedTile, stated: dict[str, Any], open_subtree: Callable[[Implicit, str], Subtree | None]) -> Implicit:
+    """The tiling that a tile states, whose contents are templates."""
+    place = f"{tile.place}.implicitTiling"
+    scheme = values.choice(f"{place}.subdivisionScheme", stated.get("subdivisionScheme"), ("QUADTREE", "OCTREE"))
+    volume = tile.volume
+    if isinstance(volume, Sphere):
+        raise UnusableError(f"{place}: expected a box or a region, which can be divided, got a sphere")
+    if "maximumLevel" in stated and "availableLevels" not in stated:  # of drafts of the extension
+        levels = values.whole(f"{place}.maximumLevel", stated["maximumLevel"], 0, _MOST_LEVELS - 1) + 1
+    else:
+        levels = values.whole(f"{place}.availableLevels", stated.get("availableLevels"), 1, _MOST_LEVELS)
+    axes = 2 if scheme == "QUADTREE" else 3
+    most = MOST_LEVELS[axes]
+    subtree_levels = values.whole(f"{place}.subtreeLevels", stated.get("subtreeLevels"), 1, most)
+    template = values.entries(f"{place}.subtrees", stated.get("subtrees")).get("uri")
+    return Implicit(
+        place=tile.place,
+        source=tile.source,
+        volume=volume,
+        error=tile.error,
+        replaces=tile.replaces,
+        transform=tile.transform,
+        axes=axes,
+        subtree_levels=subtree_levels,
+        levels=levels,
+        subtrees=values.text(f"{place}.subtrees.uri", template),
+        contents=tile.contents,
+        open_subtree=open_subtree,
+    )
+
+
+def filled(template: str, level: int, cell: Cell) -> str:
+    """A reference of a template."""
+    filled = template.replace("{level}", str(level))
+    for name, number in zip("xyz", cell, strict=False):
+        filled = filled.replace(f"{{{name}}}", str(number))
+    return filled

@@ -1,0 +1,117 @@
+"""Instances of an i3dm: the place, turn and size of each copy of its model."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base.errors import UnusableError
+from nearfar._scene.frames import geodetic
+from nearfar._scene.tileset import frames, values
+from nearfar._scene.tileset.frames import Floats
+from nearfar._scene.tileset.tables import Features
+
+
+def count(features: Features) -> int:
+    """Number of instances."""
+    return features.count("INSTANCES_LENGTH")
+
+
+def turns_with_the_earth(features: Features) -> bool:
+    """Whether instances stand upright where they are on the Earth, so that their turns depend on the tile's place."""
+    return features.flag("EAST_NORTH_UP") and not _has_axes(features)
+
+
+def transforms(features: Features, to_earth: Floats) -> Floats:
+    """Transforms instance→tile (N, 4, 4) of a feature table; `to_earth` (4, 4) takes from the tile to the Earth."""
+    number = count(features)
+    places = _places(features, number)
+    matrices = np.tile(np.eye(4), (number, 1, 1))
+    matrices[:, :3, :3] = _turns(features, number, places, to_earth) * _sizes(features, number)[:, None, :]
+    matrices[:, :3, 3] = places
+    return matrices
+
+
+def _places(features: Features, number: int) -> Floats:
+    """Positions (N, 3) in the tile's frame."""
+    if "POSITION" in features:
+        places = features.rows("POSITION", number, 3, np.float32).astype(np.float64)
+    elif "POSITION_QUANTIZED" in features:
+        steps = features.rows("POSITION_QUANTIZED", number, 3, np.uint16) / 65535.0
+        places = features.vector("QUANTIZED_VOLUME_OFFSET") + steps * features.vector("QUANTIZED_VOLUME_SCALE")
+    else:
+        raise UnusableError(f"feature table: expected a POSITION for each of {number:,} instances, got none")
+    if "RTC_CENTER" in features:
+        places = places + features.vector("RTC_CENTER")
+    if not (np.abs(places) <= values.FARTHEST).all():
+        raise UnusableError("feature table, POSITION: expected coordinates within ±1e10")
+    return places
+
+
+def _sizes(features: Features, number: int) -> Floats:
+    sizes = np.ones((number, 3))
+    if "SCALE" in features:
+        sizes *= features.rows("SCALE", number, 1, np.float32)
+    if "SCALE_NON_UNIFORM" in features:
+        sizes *= features.rows("SCALE_NON_UNIFORM", number, 3, np.float32)
+    if not (np.abs(sizes) <= values.FARTHEST).all():
+        raise UnusableError("feature table, SCALE: expected factors within ±1e10")
+    return sizes
+
+
+def _turns(features: Features, number: int, places: Floats, to_earth: Floats) -> Floats:
+    """Rotations (N, 3, 3): the columns are where the model's right, up and forward axis point."""
+    if _has_axes(features):
+        return _of_axes(_axis(features, "NORMAL_RIGHT", number), _axis(features, "NORMAL_UP", number))
+    if features.flag("EAST_NORTH_UP"):
+        on_earth = geodetic(places @ to_earth[:3, :3].T + to_earth[:3, 3])
+        turned: Floats = np.linalg.inv(_rotation(to_earth)) @ frames.east_north_up(on_earth)
+        return turned
+    return np.tile(np.eye(3), (number, 1, 1))
+
+
+def _rotation(matrix: Floats) -> Floats:
+    """The linear part of a transform without the lengths of its columns."""
+    linear = matrix[:3, :3]
+    lengths = np.sqrt((linear**2).sum(axis=0))
+    if not np.linalg.det(linear / np.where(lengths > 0, lengths, 1)):
+        raise UnusableError("its tile's transform is flat, so that EAST_NORTH_UP has no turn in it")
+    rotation: Floats = linear / lengths
+    return rotation
+
+
+def _has_axes(features: Features) -> bool:
+    return any(all(f"{axis}{kind}" in features for axis in ("NORMAL_UP", "NORMAL_RIGHT")) for kind in ("", "_OCT32P"))
+
+
+def _axis(features: Features, name: str, number: int) -> Floats:
+    if name in features:
+        return features.rows(name, number, 3, np.float32).astype(np.float64)
+    return from_octahedron(features.rows(f"{name}_OCT32P", number, 2, np.uint16))
+
+
+def from_octahedron(codes: NDArray[np.uint16]) -> Floats:
+    """Unit vectors (N, 3) of pairs of 16 bits (N, 2), a square folded to an octahedron (Cigolle et al. 2014)."""
+    x, y = (codes / 65535.0 * 2 - 1).T
+    z = 1 - np.abs(x) - np.abs(y)
+    beyond = z < 0
+    across = np.where(x < 0, -1.0, 1.0), np.where(y < 0, -1.0, 1.0)
+    x, y = np.where(beyond, (1 - np.abs(y)) * across[0], x), np.where(beyond, (1 - np.abs(x)) * across[1], y)
+    vectors = np.stack([x, y, z], axis=1)
+    unit: Floats = vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+    return unit
+
+
+def _of_axes(right: Floats, up: Floats) -> Floats:
+    """Rotations (N, 3, 3) of axes (N, 3) that may be a little off; the forward axis is right × up."""
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        right = right / np.linalg.norm(right, axis=1, keepdims=True)
+        forward = np.cross(right, up)
+        forward /= np.linalg.norm(forward, axis=1, keepdims=True)
+        rotations = np.stack([right, np.cross(forward, right), forward], axis=2)
+    bad = ~np.isfinite(rotations).all(axis=(1, 2))
+    if bad.any():
+        raise UnusableError(
+            f"feature table, NORMAL_UP: expected axes of instance {int(bad.argmax())} that span a plane"
+        )
+    return rotations

@@ -1,0 +1,56 @@
+"""Reads a tileset, or a tile by itself, for one scene."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any
+
+from nearfar._base import check, glb
+from nearfar._base.errors import UnusableError
+from nearfar._scene.budget import Budget
+from nearfar._scene.content import Content
+from nearfar._scene.tileset.frames import checked_origin
+from nearfar._scene.tileset.tileset import KINDS, Tileset, suffix
+
+
+@dataclass(frozen=True)
+class Detail:
+    """Which tiles of a tileset a scene is made of, and where it lies; `nearfar.Scene.load` documents the fields."""
+
+    error: float | None = None
+    triangles: int | None = None
+    origin: tuple[float, float, float] | None = None
+
+    @classmethod
+    def checked(cls, error: Any, triangles: Any, origin: Any) -> Detail:
+        """Check arguments; ValueError or TypeError for others."""
+        if error is not None and triangles is not None:
+            raise ValueError("triangles: expected none beside an error, got both")
+        return cls(
+            None if error is None else check.at_least_zero("error", error),
+            None if triangles is None else check.integer("triangles", triangles, 1, 1 << 40),
+            checked_origin(origin),
+        )
+
+    def check_kind(self, path: str | os.PathLike[str]) -> None:
+        """Refuse fields for files that are no tilesets."""
+        if suffix(path) not in (*KINDS, "json", "gz"):
+            for name in ("error", "triangles", "origin"):
+                if getattr(self, name) is not None:
+                    raise ValueError(f"{name}: expected none with {os.fspath(path)}, which is no tileset")
+
+
+def is_tileset(data: bytes) -> bool:
+    """Whether a JSON file holds a tileset."""
+    document = glb.json_object(data)
+    return "root" in document and "asset" in document
+
+
+def read(path: str | os.PathLike[str], detail: Detail, budget: Budget) -> Content:
+    """Read a tileset, or a b3dm, i3dm or cmpt by itself; errors are those of `Tileset.open` and `Tileset.read`."""
+    if "://" in os.fspath(path) and suffix(path) not in (*KINDS, "json"):
+        raise UnusableError("of files at URLs only those of 3D Tiles are read: download it")
+    tileset = Tileset.open(path, origin=detail.origin, budget=budget)
+    error = 0.0 if detail.error is None else detail.error
+    return tileset.read(error=error, triangles=detail.triangles, budget=budget)

@@ -1,0 +1,171 @@
+"""Reads the files of chosen tiles, keeps what was read, and places it in the scene's frame."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections import OrderedDict
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from nearfar._base import check
+from nearfar._scene.budget import Budget, TooLargeError
+from nearfar._scene.content import Content, Nodes
+from nearfar._scene.materials import Materials
+from nearfar._scene.reasons import LONGEST, sentence
+from nearfar._scene.tileset.content import Reader, TileContent, joined
+from nearfar._scene.tileset.files import Files, OutsideError, read_all
+from nearfar._scene.tileset.frames import Floats
+from nearfar._scene.tileset.tile import Tile
+
+_AT_ONCE = 64
+"""Files that are held before they are used."""
+
+
+class Key(NamedTuple):
+    """A file as a tile uses it."""
+
+    name: str
+    """Path or URL."""
+    up: str
+    """Axis of its glTF that points up."""
+    place: bytes
+    """The tile's transform, where the content depends on it; else empty."""
+
+
+class Kept:
+    """Contents of tiles that were read, up to a number of bytes, and why others cannot be; threads may share it."""
+
+    def __init__(self, most: float) -> None:
+        self._most, self._held = most, 0
+        self._contents: OrderedDict[Key, TileContent] = OrderedDict()
+        self._lock = threading.Lock()
+        self.failed: dict[Key, str] = {}
+        """Reasons that follow a file's name."""
+
+    def find(self, key: Key) -> TileContent | None:
+        """The content of a file; None if it was not read or is gone."""
+        with self._lock:
+            for known in (key._replace(place=b""), key):
+                if known in self._contents:
+                    self._contents.move_to_end(known)
+                    return self._contents[known]
+            return None
+
+    def keep(self, key: Key, content: TileContent) -> None:
+        """Keep a content; the ones that were used the longest ago go."""
+        with self._lock:
+            self._contents[key if content.depends_on_place else key._replace(place=b"")] = content
+            self._held += content.nbytes
+            while self._held > self._most and len(self._contents) > 1:
+                self._held -= self._contents.popitem(last=False)[1].nbytes
+
+
+class Reading:
+    """Reads tiles for one result.
+
+    Parameters
+    ----------
+    files
+        Reads files.
+    kept
+        What was read before.
+    budget
+        Counts what the files unpack to.
+    """
+
+    def __init__(self, files: Files, kept: Kept, budget: Budget) -> None:
+        self._files, self._kept, self._budget = files, kept, budget
+        self._reader = Reader(files, budget, Materials(budget))
+        self._contents: dict[Key, TileContent] = {}
+        self._failed: dict[Key, str] = {}
+
+    def sizes(self, tiles: Sequence[Tile]) -> list[int | None]:
+        """Triangles of tiles; None for those of which no content can be read."""
+        keys = [self._keys(tile) for tile in tiles]
+        self._read({key: tile for tile, of_tile in zip(tiles, keys, strict=True) for key in of_tile})
+        found: list[int | None] = []
+        for of_tile in keys:
+            good = [self._contents[key].triangles for key in of_tile if key in self._contents]
+            found.append(sum(good) if good else None)
+        return found
+
+    def _keys(self, tile: Tile) -> list[Key]:
+        source, place = tile.source, tile.transform.tobytes()
+        names = [self._files.resolve(source.name, uri) if uri else source.name for uri in tile.contents]
+        return [Key(name, source.up, place) for name in names]
+
+    def _read(self, wanted: dict[Key, Tile]) -> None:
+        missing: list[Key] = []
+        for key in wanted:
+            if key in self._contents or key in self._failed:
+                continue
+            kept = self._kept.find(key)
+            if kept is not None:
+                self._contents[key] = kept
+            elif key in self._kept.failed:
+                self._failed[key] = self._kept.failed[key]
+            else:
+                missing.append(key)
+        for start in range(0, len(missing), _AT_ONCE):
+            batch = missing[start : start + _AT_ONCE]
+            files = read_all(self._files, list(dict.fromkeys(key.name for key in batch)), self._budget)
+            for key in batch:
+                self._decode(key, wanted[key], files[key.name])
+
+    def _decode(self, key: Key, tile: Tile, data: bytes | OSError) -> None:
+        # Another tile of this batch may have the same file.
+        content = self._kept.find(key)
+        reason = ""
+        if content is None and isinstance(data, FileNotFoundError):
+            reason = "is missing"
+        elif content is None and isinstance(data, OSError):
+            raise data
+        elif content is None:
+            assert isinstance(data, bytes)
+            try:
+                content = self._reader.read(key.name, data, key.up, tile.transform)
+            except (TooLargeError, OutsideError) as error:
+                raise type(error)(f"{self._files.shown(key.name)}: {error}") from error
+            except Exception as error:  # whatever its damage causes
+                reason = f"cannot be used: {check.one_line(sentence(error), LONGEST)}"
+        if content is None:
+            self._failed[key] = self._kept.failed[key] = reason
+        else:
+            self._contents[key] = content
+            self._kept.keep(key, content)
+
+    @property
+    def failures(self) -> dict[str, str]:
+        """Names of the files that cannot be read, for messages, and why."""
+        return {self._files.shown(key.name): reason for key, reason in self._failed.items()}
+
+    def placed(self, tiles: Sequence[Tile], to_scene: Floats, label: str) -> tuple[Content, int]:
+        """The content of tiles whose `sizes` were asked for, and the number of files with properties of features.
+
+        Parameters
+        ----------
+        tiles
+            The tiles.
+        to_scene
+            (4, 4) tileset→scene.
+        label
+            Name of the tileset for messages.
+        """
+        parts: list[tuple[str, str, Content]] = []
+        properties = 0
+        for tile in tiles:
+            for key in self._keys(tile):
+                found = self._contents.get(key)
+                if found is None:
+                    continue
+                nodes = found.content.nodes
+                with np.errstate(over="ignore", invalid="ignore"):
+                    placed = Nodes(nodes.objects, to_scene @ tile.transform @ nodes.transforms, nodes.shapes)
+                name = self._files.shown(key.name)
+                content = Content(key.name, found.content.shapes, placed, found.content.notes)
+                parts.append((os.path.splitext(name)[0], f"{name}#", content))
+                properties += found.has_properties
+        return joined(label, parts), properties

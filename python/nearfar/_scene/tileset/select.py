@@ -1,0 +1,186 @@
+"""Which tiles of a tileset show it: those of a geometric error, or as many triangles as a budget allows."""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+from collections.abc import Callable, Sequence, Set as AbstractSet
+from dataclasses import dataclass
+
+import numpy as np
+
+from nearfar._base.errors import UnusableError
+from nearfar._scene.tileset.frames import Floats
+from nearfar._scene.tileset.tile import Tile
+
+MOST_TILES = 100_000
+"""Greatest number of tiles that are looked at; a whole planet has more."""
+
+_REFERENCE = 10
+"""Tiles for which the first tile of another tileset counts, because it takes that much longer."""
+
+Touches = Callable[[Tile], bool]
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Tiles that show a tileset."""
+
+    tiles: list[Tile]
+    error: float
+    """Greatest geometric error in metres of those whose children are not shown."""
+    triangles: int = 0
+    """Of the tiles, where they were counted."""
+
+
+class Visits:
+    """Counts tiles before they are looked at."""
+
+    def __init__(self, most: int = MOST_TILES) -> None:
+        self._most, self._count = most, 0
+
+    def children(self, tile: Tile) -> list[Tile]:
+        """The children of a tile, counted; UnusableError beyond the limit."""
+        self._count += len(tile.children) * (_REFERENCE if tile.refers else 1)
+        if self._count > self._most:
+            raise UnusableError(f"more than {self._most:,} tiles show it: state a larger error")
+        return tile.children
+
+
+def within(box: Floats | None, to_scene: Floats) -> Touches:
+    """Whether a tile's volume touches a box (2, 3) of the scene; all do without one."""
+    if box is None:
+        return lambda tile: True
+
+    def touches(tile: Tile) -> bool:
+        low, high = tile.bounds(to_scene)
+        return bool(np.all(low <= box[1]) and np.all(high >= box[0]))
+
+    return touches
+
+
+def by_error(
+    root: Tile, error: float, touches: Touches, unrefined: AbstractSet[Tile] = frozenset(), *, through: bool = False
+) -> Selection:
+    """Tiles with content that show a tileset with at most a geometric error, in the order of the documents.
+
+    Parameters
+    ----------
+    root
+        The first tile.
+    error
+        Metres; 0 refines whatever has children.
+    touches
+        Whether a tile lies where the world is asked for.
+    unrefined
+        Tiles whose children cannot be shown.
+    through
+        Whether tiles without content are refined always. Otherwise that is done only if nothing would be shown.
+    """
+    visits = Visits()
+    shown: list[Tile] = []
+    worst = 0.0
+    pending = [root]
+    while pending:
+        tile = pending.pop()
+        if not touches(tile):
+            continue
+        is_coarse = tile.error > error or error == 0.0 or tile.refers or (through and not tile.has_content)
+        refines = is_coarse and tile not in unrefined
+        children = visits.children(tile) if refines else []
+        if tile.has_content and not (tile.replaces and children):
+            shown.append(tile)
+        if not (refines or tile.is_leaf):
+            worst = max(worst, tile.error)
+        pending += reversed(children)
+    if not (shown or through):
+        return by_error(root, error, touches, unrefined, through=True)
+    return Selection(shown, worst)
+
+
+def keeper(tile: Tile) -> Tile | None:
+    """The tile that is shown instead of one whose content cannot be read: the next above it with content.
+
+    None where that one is shown beside its children anyway, and where there is none.
+    """
+    above = tile.parent
+    while above is not None and not above.has_content:
+        above = above.parent
+    return above if above is not None and above.replaces else None
+
+
+def by_triangles(
+    root: Tile, most: int, touches: Touches, count: Callable[[Sequence[Tile]], Sequence[int | None]]
+) -> Selection:
+    """Tiles of at most a number of triangles: the tile with the greatest error is refined first, as long as that fits.
+
+    Parameters
+    ----------
+    root
+        The first tile.
+    most
+        Number of triangles.
+    touches
+        Whether a tile lies where the world is asked for.
+    count
+        Triangles of tiles; None for one whose content cannot be read.
+
+    Returns
+    -------
+    Selection
+        It has more than `most` triangles where the coarsest tiles have.
+    """
+    visits = Visits()
+    shown: dict[Tile, int] = {}
+    order = itertools.count()
+    heap: list[tuple[float, int, Tile]] = []
+    total = 0
+    worst = 0.0
+
+    def show(tiles: dict[Tile, int]) -> None:
+        nonlocal total
+        shown.update(tiles)
+        total += sum(tiles.values())
+        for tile in tiles:
+            heapq.heappush(heap, (-tile.error, next(order), tile))
+
+    def readable(tiles: Sequence[Tile], *, through: bool) -> dict[Tile, int] | None:
+        """Tiles with content and their triangles; unreadable ones give way to those below them, or are a failure."""
+        found: dict[Tile, int] = {}
+        pending = _with_content(tiles, touches, visits)
+        while pending:
+            sizes = count(pending)
+            failed = [tile for tile, size in zip(pending, sizes, strict=True) if size is None]
+            if failed and not through:
+                return None
+            found |= {tile: size for tile, size in zip(pending, sizes, strict=True) if size is not None}
+            pending = _with_content([child for tile in failed for child in visits.children(tile)], touches, visits)
+        return found
+
+    show(readable([root], through=True) or {})
+    while heap and total <= most:
+        tile = heapq.heappop(heap)[2]
+        below = readable(visits.children(tile), through=not tile.replaces)
+        removed = shown[tile] if tile.replaces else 0
+        if below and total - removed + sum(below.values()) <= most:
+            if tile.replaces:
+                total -= shown.pop(tile)
+            show(below)
+        elif below != {}:
+            worst = max(worst, tile.error)
+    return Selection(list(shown), worst, total)
+
+
+def _with_content(tiles: Sequence[Tile], touches: Touches, visits: Visits) -> list[Tile]:
+    """The tiles with content; for each of the others, those below it."""
+    found: list[Tile] = []
+    pending = list(reversed(tiles))
+    while pending:
+        tile = pending.pop()
+        if not touches(tile):
+            continue
+        if tile.has_content:
+            found.append(tile)
+        else:
+            pending += reversed(visits.children(tile))
+    return found

@@ -1,0 +1,161 @@
+"""Subtrees of implicit tilings: bits that say which tiles, contents and further subtrees there are."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from nearfar._base import check, glb
+from nearfar._base.errors import UnusableError
+from nearfar._scene.tileset import values
+
+MOST_LEVELS = {2: 16, 3: 10}
+"""Greatest number of levels of a subtree by the axes of its tree; it has a thousand million tiles then."""
+
+_CHECKED = 1 << 26
+"""Greatest number of bits that are compared with each other, which takes a byte for each."""
+
+_HEADER = struct.Struct("<4sIQQ")
+
+
+@dataclass(frozen=True)
+class Bits:
+    """One bit for each of `count` things, or one for all of them."""
+
+    count: int
+    stored: bytes | None
+    constant: bool = False
+
+    def at(self, number: int) -> bool:
+        """The bit of a number."""
+        if self.stored is None:
+            return self.constant
+        return bool(self.stored[number >> 3] >> (number & 7) & 1)
+
+    def unpacked(self) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """All bits (N,)."""
+        if self.stored is None:
+            return np.broadcast_to(self.constant, (self.count,))
+        packed = np.frombuffer(self.stored, np.uint8, (self.count + 7) // 8)
+        return np.unpackbits(packed, count=self.count, bitorder="little").astype(bool)
+
+
+@dataclass(frozen=True)
+class Subtree:
+    """Which tiles of a subtree there are, by level and Morton number, their contents, and the subtrees below."""
+
+    tiles: Bits
+    contents: tuple[Bits, ...]
+    children: Bits
+
+
+@cache
+def start_of(level: int, axes: int) -> int:
+    """Number of the tiles of a subtree before a level."""
+    return int(((1 << axes * level) - 1) // ((1 << axes) - 1))
+
+
+def read(data: bytes, axes: int, levels: int, load: Callable[[str], bytes]) -> Subtree:
+    """Read a subtree, binary or JSON; `load` returns the bytes of a file that it refers to."""
+    document, binary = _parts(data)
+    views = _Views(document, binary, load)
+    inner, leaves = start_of(levels, axes), 1 << axes * levels
+    listed = document.get("contentAvailability", [])
+    listed = listed if isinstance(listed, list) else [listed]
+    others = document.get("extensions", {})
+    if isinstance(others, dict) and "3DTILES_multiple_contents" in others:
+        several = values.entries("3DTILES_multiple_contents", others["3DTILES_multiple_contents"])
+        listed = values.items("contentAvailability", several.get("contentAvailability"))
+    subtree = Subtree(
+        views.bits("tileAvailability", document.get("tileAvailability"), inner),
+        tuple(views.bits(f"contentAvailability[{n}]", entry, inner) for n, entry in enumerate(listed)),
+        views.bits("childSubtreeAvailability", document.get("childSubtreeAvailability"), leaves),
+    )
+    _check(subtree, axes, levels)
+    return subtree
+
+
+def _parts(data: bytes) -> tuple[dict[str, Any], bytes]:
+    """The JSON document, and the bytes beside it."""
+    if not data.startswith(b"subt"):
+        return glb.json_object(data), b""
+    if len(data) < _HEADER.size:
+        raise UnusableError(f"it ends within its header of {_HEADER.size} bytes")
+    _, version, text, rest = _HEADER.unpack_from(data)
+    if version != 1:
+        raise UnusableError(f"it is a subtree of version {version}, and only version 1 is read")
+    if _HEADER.size + text + rest > len(data):
+        raise UnusableError(f"it states {_HEADER.size + text + rest} bytes, and has {len(data)}")
+    start = _HEADER.size + text
+    return glb.json_object(data[_HEADER.size : start]), data[start : start + rest]
+
+
+class _Views:
+    """Bytes that a subtree's document refers to."""
+
+    def __init__(self, document: dict[str, Any], binary: bytes, load: Callable[[str], bytes]) -> None:
+        self._buffers = values.items("buffers", document.get("buffers", []))
+        self._views = values.items("bufferViews", document.get("bufferViews", []))
+        self._binary, self._load = binary, load
+        self._loaded: dict[int, bytes] = {}
+
+    def bits(self, place: str, described: Any, count: int) -> Bits:
+        """The bits of an entry."""
+        described = values.entries(place, described)
+        if "constant" in described:
+            return Bits(count, None, bool(values.whole(f"{place}.constant", described["constant"], 0, 1)))
+        number = described.get("bitstream", described.get("bufferView"))
+        view = values.entries(place, _at(f"{place}.bitstream", self._views, number))
+        data = self._bytes(f"bufferViews[{number}]", view)
+        if 8 * len(data) < count:
+            raise UnusableError(f"{place}: expected {count} bits, got {8 * len(data)}")
+        bits = Bits(count, data)
+        stated = described.get("availableCount")
+        if stated is not None and count <= _CHECKED and stated != (found := int(bits.unpacked().sum())):
+            raise UnusableError(f"{place}: it states {check.shortened(stated)} as available, and its bits {found}")
+        return bits
+
+    def _bytes(self, place: str, view: dict[str, Any]) -> bytes:
+        number = view.get("buffer")
+        buffer = values.entries(place, _at(f"{place}.buffer", self._buffers, number))
+        assert isinstance(number, int)
+        if number not in self._loaded:
+            uri = buffer.get("uri")
+            self._loaded[number] = self._binary if uri is None else self._load(values.text(f"{place}.uri", uri))
+        data = self._loaded[number]
+        start = values.whole(f"{place}.byteOffset", view.get("byteOffset", 0), 0, len(data))
+        length = values.whole(f"{place}.byteLength", view.get("byteLength"), 0, len(data) - start)
+        return data[start : start + length]
+
+
+def _at(place: str, listed: list[Any], number: Any) -> Any:
+    if type(number) is not int or not 0 <= number < len(listed):
+        raise UnusableError(f"{place}: expected the number of one of {len(listed)}, got {check.shortened(number)}")
+    return listed[number]
+
+
+def _check(subtree: Subtree, axes: int, levels: int) -> None:
+    """Refuse tiles without a parent, and contents and subtrees without a tile: no walk through the tree finds them."""
+    if subtree.tiles.count > _CHECKED or (subtree.tiles.stored is None and subtree.tiles.constant):
+        return
+    tiles = subtree.tiles.unpacked()
+    starts = [start_of(level, axes) for level in range(levels + 1)]
+    for level in range(1, levels):
+        parents, here = tiles[starts[level - 1] : starts[level]], tiles[starts[level] : starts[level + 1]]
+        _refuse(here & ~np.repeat(parents, 1 << axes), f"tile {{}} of its level {level}", "its parent")
+    for bits in subtree.contents:
+        if bits.stored is not None:
+            _refuse(bits.unpacked() & ~tiles, "the content of tile {}", "the tile")
+    if subtree.children.stored is not None:
+        parents = tiles[starts[levels - 1] :]
+        _refuse(subtree.children.unpacked() & ~np.repeat(parents, 1 << axes), "subtree {}", "the tile above it")
+
+
+def _refuse(wrong: np.ndarray[Any, np.dtype[np.bool_]], thing: str, other: str) -> None:
+    if wrong.any():
+        raise UnusableError(f"its bits say that {thing.format(int(wrong.argmax()))} is there, but not {other}")

@@ -1,0 +1,78 @@
+"""Checked values of JSON documents: errors name the entry, what it should be, and what stands there."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar._base.errors import UnusableError
+
+FARTHEST = 1e10
+"""Greatest coordinate in metres that a tile may have: a thousand times the Earth, whose frame most tilesets use."""
+
+
+def numbers(place: str, value: Any, count: int) -> NDArray[np.float64]:
+    """A list of that many numbers that are coordinates; UnusableError otherwise."""
+    if not isinstance(value, list) or len(value) != count or not all(type(n) in (int, float) for n in value):
+        raise UnusableError(f"{place}: expected {count} numbers, got {_described(value)}")
+    # Whole numbers may have any number of digits.
+    far = next((n for n in value if not -FARTHEST <= n <= FARTHEST), None)
+    if far is not None:
+        raise UnusableError(f"{place}: expected numbers within ±1e10, got {check.shortened(far)}")
+    return np.array(value, np.float64)
+
+
+def number(place: str, value: Any, least: float = 0.0) -> float:
+    """A number of at least `least`, infinite at most; UnusableError otherwise."""
+    if type(value) not in (int, float) or not value >= least:
+        raise UnusableError(f"{place}: expected a number of at least {least:g}, got {_described(value)}")
+    return min(float(value), np.inf) if value <= np.finfo(np.float64).max else np.inf
+
+
+def whole(place: str, value: Any, least: int, most: int) -> int:
+    """A whole number within bounds; UnusableError otherwise."""
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)
+    if type(value) is not int or not least <= value <= most:
+        raise UnusableError(f"{place}: expected a whole number from {least} to {most}, got {_described(value)}")
+    return value
+
+
+def entries(place: str, value: Any) -> dict[str, Any]:
+    """An object; UnusableError otherwise."""
+    if not isinstance(value, dict):
+        raise UnusableError(f"{place}: expected an object, got {_described(value)}")
+    return value
+
+
+def items(place: str, value: Any) -> list[Any]:
+    """A list; UnusableError otherwise."""
+    if not isinstance(value, list):
+        raise UnusableError(f"{place}: expected a list, got {_described(value)}")
+    return value
+
+
+def text(place: str, value: Any) -> str:
+    """A text; UnusableError otherwise."""
+    if not isinstance(value, str):
+        raise UnusableError(f"{place}: expected a text, got {_described(value)}")
+    return value
+
+
+def choice(place: str, value: Any, known: tuple[str, ...]) -> str:
+    """One of some texts, in any case; UnusableError otherwise."""
+    chosen = value.upper() if isinstance(value, str) else value
+    if chosen not in known:
+        raise UnusableError(f"{place}: expected {' or '.join(known)}, got {_described(value)}")
+    return str(chosen)
+
+
+def _described(value: Any) -> str:
+    if value is None:
+        return "none"
+    if isinstance(value, list):
+        return f"a list of {len(value)}"
+    return "an object" if isinstance(value, dict) else check.described(value)

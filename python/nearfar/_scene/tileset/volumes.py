@@ -1,0 +1,137 @@
+"""Bounding volumes of tiles: boxes, spheres and regions of the Earth, their parts, and boxes of scenes around them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from nearfar._base.errors import UnusableError
+from nearfar._scene.frames import EQUATOR, earth_centred
+from nearfar._scene.tileset import values
+from nearfar._scene.tileset.frames import Floats
+
+_STEPS = 8
+"""Parts of a region's sides whose corners bound it."""
+
+_CURVED = 1.02 * EQUATOR
+"""Greatest radius of curvature of the ellipsoid's meridians and parallels at height 0, metres."""
+
+
+@dataclass(frozen=True)
+class Box:
+    """A box with any axes, in the frame of its tile."""
+
+    middle: Floats
+    """(3,)."""
+    axes: Floats
+    """Half of each edge (3, 3), one a row."""
+
+    def bounds(self, to_scene: Floats) -> Floats:
+        """Box (2, 3) in the scene's frame around it; `to_scene` (4, 4) takes from the tile's frame there."""
+        middle = to_scene[:3, :3] @ self.middle + to_scene[:3, 3]
+        half = np.abs(to_scene[:3, :3] @ self.axes.T).sum(axis=1)
+        return np.array([middle - half, middle + half])
+
+    def part(self, level: int, cell: tuple[int, ...]) -> Box:
+        """The box of a cell when each axis that `cell` numbers is cut into 2**level."""
+        scale = np.ones(3)
+        shift = np.zeros(3)
+        for axis, number in enumerate(cell):
+            scale[axis] = 0.5**level
+            shift[axis] = (2 * number + 1) * 0.5**level - 1
+        return Box(self.middle + shift @ self.axes, self.axes * scale[:, None])
+
+
+@dataclass(frozen=True)
+class Sphere:
+    """A sphere in the frame of its tile."""
+
+    middle: Floats
+    radius: float
+
+    def bounds(self, to_scene: Floats) -> Floats:
+        """Box (2, 3) in the scene's frame around it; a transform may make it an ellipsoid."""
+        middle = to_scene[:3, :3] @ self.middle + to_scene[:3, 3]
+        half = self.radius * np.sqrt((to_scene[:3, :3] ** 2).sum(axis=1))
+        return np.array([middle - half, middle + half])
+
+
+@dataclass(frozen=True)
+class Region:
+    """A part of the Earth between longitudes, latitudes (radians) and heights, in the Earth's frame always."""
+
+    west: float
+    south: float
+    east: float
+    """At least `west`, above π where it lies beyond the date line."""
+    north: float
+    low: float
+    high: float
+
+    @cached_property
+    def _corners(self) -> tuple[Floats, float]:
+        """Points (N, 3) on its lowest and highest surface in the Earth's frame, and how far it reaches beyond them."""
+        grid = np.meshgrid(
+            np.linspace(self.west, self.east, _STEPS + 1),
+            np.linspace(self.south, self.north, _STEPS + 1),
+            [self.low, self.high],
+            indexing="ij",
+        )
+        steps = ((self.east - self.west) ** 2 + (self.north - self.south) ** 2) / _STEPS**2
+        radius = _CURVED + max(abs(self.low), abs(self.high))
+        # Between the points of a grid a surface leaves the bilinear one by an eighth of its second derivatives.
+        return earth_centred(np.stack(grid, axis=-1)).reshape(-1, 3), steps * radius / 8
+
+    def bounds(self, to_scene: Floats) -> Floats:
+        """Box (2, 3) in the scene's frame around it; `to_scene` (4, 4), rigid, takes from the Earth's frame there."""
+        points, beyond = self._corners
+        placed = points @ to_scene[:3, :3].T + to_scene[:3, 3]
+        return np.array([placed.min(axis=0) - beyond, placed.max(axis=0) + beyond])
+
+    @property
+    def middle(self) -> Floats:
+        """Its middle (3,) in the Earth's frame."""
+        middle = [(self.west + self.east) / 2, (self.south + self.north) / 2, (self.low + self.high) / 2]
+        return earth_centred(np.array(middle))
+
+    def part(self, level: int, cell: tuple[int, ...]) -> Region:
+        """The region of a cell when longitude, latitude and with three numbers height are cut into 2**level."""
+        size = 0.5**level
+        spans = [(self.west, self.east), (self.south, self.north), (self.low, self.high)]
+        for axis, number in enumerate(cell):
+            start, end = spans[axis]
+            width = (end - start) * size
+            spans[axis] = (start + number * width, start + (number + 1) * width)
+        (west, east), (south, north), (low, high) = spans
+        return Region(west, south, east, north, low, high)
+
+
+Volume = Box | Sphere | Region
+
+
+def read(place: str, described: Any) -> Volume:
+    """A volume as documents describe it; where there are several kinds, the most exact one."""
+    described = values.entries(place, described)
+    if "box" in described:
+        rows = values.numbers(f"{place}.box", described["box"], 12).reshape(4, 3)
+        return Box(rows[0], rows[1:])
+    if "region" in described:
+        return _region(f"{place}.region", values.numbers(f"{place}.region", described["region"], 6).tolist())
+    if "sphere" in described:
+        *middle, radius = values.numbers(f"{place}.sphere", described["sphere"], 4).tolist()
+        if radius < 0:
+            raise UnusableError(f"{place}.sphere: expected a radius of at least 0, got {radius:g}")
+        return Sphere(np.array(middle), radius)
+    others = [*described.get("extensions", {}), *described]
+    raise UnusableError(f"{place}: expected a box, a region or a sphere, got {', '.join(others[:3]) or 'nothing'}")
+
+
+def _region(place: str, sides: list[float]) -> Region:
+    west, south, east, north, low, high = sides
+    # Radians that were rounded to seven digits may lie a little beyond.
+    if not (-6.4 <= west <= 6.4 and -6.4 <= east <= 6.4 and -1.571 <= south <= north <= 1.571 and low <= high):
+        raise UnusableError(f"{place}: expected west, south, east, north in radians, and two heights, got {sides}")
+    return Region(west, south, east if east >= west else east + 2 * np.pi, north, low, high)

@@ -1,0 +1,73 @@
+"""Tests of the frames of tilesets against PROJ, and of their bounding volumes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from nearfar._scene.frames import earth_centred
+from nearfar._scene.tileset import frames, volumes
+from tests.support import need
+
+def radians(places: np.ndarray) -> np.ndarray:
+    return np.column_stack([np.radians(places[:, :2]), places[:, 2]])
+
+
+def test_a_local_frame_is_that_of_proj() -> None:
+    need("pyproj")
+    import pyproj
+
+    longitude, latitude, height = 139.767, 35.681, 40.0
+    pipeline = (
+        "+proj=pipeline +step +proj=cart +ellps=WGS84 +step +proj=topocentric +ellps=WGS84 "
+        f"+lon_0={longitude} +lat_0={latitude} +h_0={height}"
+    )
+    places = np.array([longitude, latitude, height]) + np.random.default_rng(1).uniform(-0.2, 0.2, (50, 3)) * (
+        1,
+        1,
+        500,
+    )
+    east, north, up = pyproj.Transformer.from_pipeline(pipeline).transform(*places.T)
+    frame = frames.local((longitude, latitude, height))
+    found = earth_centred(radians(places)) @ frame.to_scene[:3, :3].T + frame.to_scene[:3, 3]
+    np.testing.assert_allclose(found, np.column_stack([east, up, -north]), rtol=0, atol=1e-8)
+
+
+def test_a_default_frame_is_the_stated_one() -> None:
+    frame = frames.around(earth_centred(np.array([0.123456789123, -0.7, 12.3456])))
+    assert frame is not None
+    assert frame.origin is not None
+    np.testing.assert_array_equal(frame.to_scene, frames.local(frame.origin).to_scene)
+    assert f"longitude {frame.origin[0]:.9f}°" in frame.note
+    assert frames.around(np.zeros(3)) is None
+    assert frames.around(np.array([500_000.0, 5_300_000.0, 100.0])) is None  # a national grid
+
+
+def test_boxes_hold_their_regions() -> None:
+    rng = np.random.default_rng(3)
+    frame = frames.local((10.0, 45.0, 0.0)).to_scene
+    for _ in range(60):
+        west, south = rng.uniform(-3, 3), rng.uniform(-1.5, 1.4)
+        width, depth = 10 ** rng.uniform(-6, 0.5), 10 ** rng.uniform(-6, -0.8)
+        region = volumes.Region(west, south, west + width, min(south + depth, 1.57), -50, 300)
+        inside = rng.uniform((region.west, region.south, -50), (region.east, region.north, 300), (2000, 3))
+        placed = earth_centred(inside) @ frame[:3, :3].T + frame[:3, 3]
+        low, high = region.bounds(frame)
+        assert (placed >= low - 1e-6).all()
+        assert (placed <= high + 1e-6).all()
+        # They are not much larger: by a part of the sagitta of an eighth of the sides.
+        assert (np.ptp(region.bounds(frame), axis=0) <= 2.6 * (np.ptp(placed, axis=0) + 60)).all()
+
+
+@pytest.mark.parametrize(("axes", "cells"), [(2, 4), (3, 8)])
+def test_parts_fill_their_volume(axes: int, cells: int) -> None:
+    turned = np.linalg.qr(np.random.default_rng(5).normal(size=(3, 3)))[0] * np.array([[3.0], [4.0], [5.0]])
+    whole = volumes.Box(np.array([1.0, 2.0, 3.0]), turned)
+    parts = [whole.part(1, tuple(number >> axis & 1 for axis in range(axes))) for number in range(cells)]
+    size = [abs(np.linalg.det(part.axes)) for part in parts]
+    assert sum(size) == pytest.approx(abs(np.linalg.det(whole.axes)))
+    np.testing.assert_allclose(np.mean([part.middle for part in parts], axis=0), whole.middle, atol=1e-12)
+    region = volumes.Region(3.0, 0.1, 3.4, 0.3, 0.0, 100.0)  # across the date line
+    last = region.part(3, (7,) * axes)
+    assert (last.east, last.north, last.high) == pytest.approx((3.4, 0.3, 100.0))
+    assert last.low == pytest.approx(87.5 if axes == 3 else 0.0)
