@@ -9,6 +9,7 @@ from nearfar._scene.frames import earth_centred
 from nearfar._scene.tileset import frames, volumes
 from tests.support import need
 
+
 def radians(places: np.ndarray) -> np.ndarray:
     return np.column_stack([np.radians(places[:, :2]), places[:, 2]])
 
