@@ -17,6 +17,7 @@ import nearfar as nf
 from nearfar._scene.emission import MOST_EMISSION
 from nearfar._scene.serialize import parts_of
 from nearfar._scene.srgb import to_linear
+from tests.support import ktx2_cases
 from tests.support.gltf_cases import MATERIALS, decode, gltf, materials, picture, texels
 from tests.support.render_cases import build, glowing
 
@@ -110,6 +111,20 @@ def test_emission_that_cannot_be_placed_is_not_drawn(
     written = materials(tmp_path / "written.glb")[""]
     assert ("emissiveTexture" in written) == ("emissiveFactor" in written) == ("saved" not in note)
     assert emissions(nf.Scene.load(tmp_path / "written.glb")) == [[0, 0, 0]]
+
+
+def test_emission_may_be_a_ktx_2_image(tmp_path: Path) -> None:
+    pixels = np.random.default_rng(4).integers(0, 256, (3, 5, 4), np.uint8)
+    lamp = PLAIN | {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}}
+    (tmp_path / "a.glb").write_bytes(ktx2_cases.glb(ktx2_cases.ktx2(pixels, 43), materials=[lamp]))
+    scene = nf.Scene.load(tmp_path / "a.glb")
+    nf.reduce(scene, center=(1, 1, 1), r1=50, r2=90, face_size=4).save(tmp_path / "reduced")
+    back = nf.ReducedScene.load(tmp_path / "reduced").scene
+    for shown in (scene, back, nf.Scene.load(tmp_path / "reduced" / "near.glb")):
+        assert emissions(shown) == [[1, 1, 1]]
+        np.testing.assert_array_equal(glow(shown), pixels)
+    binary = (tmp_path / "reduced" / "near.glb").read_bytes()
+    assert binary.count(ktx2_cases.ktx2(pixels, 43)) == 1
 
 
 def test_a_damaged_image_of_emission_is_noted_and_kept(tmp_path: Path) -> None:

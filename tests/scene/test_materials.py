@@ -106,6 +106,14 @@ def with_factor(data: bytes, factor: list[float]) -> bytes:
     return data[:8] + struct.pack("<III", 20 + len(text) + len(rest), len(text), 0x4E4F534A) + text + rest
 
 
+def test_cutoffs_beyond_float32_cut_all(tmp_path: Path) -> None:
+    data = textured_box(PBR(baseColorTexture=picture(), alphaMode="MASK", alphaCutoff=0.125)).export(file_type="glb")
+    assert data.count(b'"alphaCutoff":0.125') == 1
+    (tmp_path / "box.glb").write_bytes(data.replace(b'"alphaCutoff":0.125', b'"alphaCutoff":9e200'))
+    assert shape_of(tmp_path / "box.glb").materials[0].cutoff == pytest.approx(3.4e38, rel=0.01)
+    assert nf.Scene.load(tmp_path / "box.glb").triangle_count == 12
+
+
 def test_blending_is_drawn_opaque_and_reported(tmp_path: Path) -> None:
     textured_box(PBR(baseColorTexture=picture(), alphaMode="BLEND")).export(tmp_path / "glass.glb")
     assert shape_of(tmp_path / "glass.glb").materials[0].cutoff is None

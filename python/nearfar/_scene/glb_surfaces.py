@@ -14,8 +14,10 @@ from PIL import Image
 from nearfar._base import glb
 from nearfar._scene import undrawn as undrawn_parts
 from nearfar._scene.arrays import MOST_CUTOFF
+from nearfar._scene.budget import MOST, Budget
 from nearfar._scene.coordinates import TRANSFORM, is_texture
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, entries, is_unlit
+from nearfar._scene.gltf import ktx2
 from nearfar._scene.materials import MOST_TEXELS, texels_of
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
@@ -225,7 +227,7 @@ class _Emissions:
 
     def _number(self, image: EncodedImage) -> int | None:
         if image not in self._numbers:
-            texels = texels_of(image.data)
+            texels = ktx2.decode(image.data, Budget(MOST)) if image.kind == ktx2.KIND else texels_of(image.data)
             self._numbers[image] = None if texels is None else self._first + len(self.textures)
             if texels is not None:
                 self.textures.append(texels)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from nearfar._scene import undrawn as undrawn_parts, wavefront_materials
+from nearfar._scene.arrays import MOST_CUTOFF
 from nearfar._scene.budget import Budget
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, is_unlit
 from nearfar._scene.srgb import to_linear, to_srgb
@@ -214,6 +215,7 @@ class Materials:
         if mode == "MASK":
             least_alpha = material.alphaCutoff
             cutoff = 0.5 if least_alpha is None or not np.isfinite(least_alpha) else float(least_alpha)
+            cutoff = min(max(cutoff, -MOST_CUTOFF), MOST_CUTOFF)
         described = described or _described(material)
         undrawn, differences = undrawn_parts.of_gltf(described.material, described.texture)
         light, glow, lost = self._emission(undrawn, material.emissiveTexture)
