@@ -74,7 +74,7 @@ def _damaged(name: str, data: bytes, dice: random.Random, others: list[bytes]) -
         document, binary = split(data)
         if document is not None:
             return damaged_glb(document, binary, dice)
-    if suffix == ".gltf" and dice.random() < 0.75:
+    if suffix in (".gltf", ".json", ".geojson") and dice.random() < 0.75:
         try:
             return mutate_json.text(mutate_json.damaged(json.loads(data), dice), dice)
         except ValueError:

@@ -17,7 +17,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base import data as data_files
-from tests.support import bundle_cases, meshopt_cases
+from tests.support import bundle_cases, city_cases, meshopt_cases
 from tests.support.lod_cases import SMALL, levels
 from tests.support.reduce_cases import CENTER, street
 
@@ -27,7 +27,7 @@ Files = dict[str, bytes]
 MOST_BYTES = 1 << 16
 """Files of the data folder that are larger are left out."""
 
-SUFFIXES = ("glb", "gltf", "obj", "ply", "stl", "off", "3mf")
+SUFFIXES = ("glb", "gltf", "obj", "ply", "stl", "off", "3mf", "city.json", "geojson", "parquet")
 
 
 def image(kind: str = "PNG") -> bytes:
@@ -177,7 +177,22 @@ def scene_files() -> dict[str, list[Files]]:
         "stl": [{"a.stl": colored.export(file_type="stl")}, {"a.stl": colored.export(file_type="stl_ascii").encode()}],
         "off": [{"a.off": colored.export(file_type="off").encode()}],
         "3mf": [{"a.3mf": archive if isinstance(archive, bytes) else bytes(archive)}],
+        "city.json": [{"a.city.json": json.dumps(city_cases.everything()).encode()}],
+        "geojson": [{"a.geojson": json.dumps(_footprints()).encode()}],
+        "parquet": [_parquet()],
     }
+
+
+def _footprints() -> dict[str, Any]:
+    rings = [city_cases.square(0, 0, 5), city_cases.square(1, 1, 2)]
+    return city_cases.collection(city_cases.feature(rings, height=3), city_cases.feature(rings[:1], levels="2"))
+
+
+def _parquet() -> Files:
+    row = city_cases.polygon_bytes([city_cases.square(0, 0, 5)])
+    with tempfile.TemporaryDirectory() as folder:
+        path = city_cases.parquet(Path(folder) / "a.parquet", [row, None, row], height=[1.5, 2.0, None])
+        return {"a.parquet": path.read_bytes()}
 
 
 @functools.cache

@@ -136,7 +136,7 @@ def test_nonsense_of_every_kind_is_refused(tmp_path: Path, suffix: str, content:
 @pytest.mark.parametrize("name", ["a.txt", "a", "a.bin", "a.dxf", "a.json", ".glb.exe", "a.xyz.gz"])
 def test_unknown_kinds_are_refused(tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_bytes(b"0 0 0\n")
-    assert re.search("the kind of file|damaged|no triangles|it cannot be read", str(outcome(tmp_path / name)))
+    assert re.search("the kind of file|damaged|no triangles|it is no JSON", str(outcome(tmp_path / name)))
 
 
 def test_archives_are_to_be_unpacked(tmp_path: Path) -> None:

@@ -48,11 +48,16 @@ class Shape:
     """Materials; an empty list means the plain one."""
     face_material: NDArray[Any] | None = None
     """Index into `materials` for each face (F,); None with at most one material."""
+    face_object: NDArray[np.int32] | None = None
+    """Index into the content's `names` for each face (F,), for shapes of many objects; None for those of one."""
 
 
 @dataclass(frozen=True)
 class Nodes:
-    """Placed shapes: for each of N its object's name, its transform object→world (N, 4, 4), and its shape's name."""
+    """Placed shapes: for each of N its object's name, its transform object→world (N, 4, 4), and its shape's name.
+
+    Names of objects do not count for shapes with a `face_object`.
+    """
 
     objects: list[str]
     transforms: NDArray[np.float64]
@@ -73,6 +78,8 @@ class Content:
     """The format, and parts that the scene uses besides its meshes, one phrase each."""
     units: Sequence[str] = ()
     """Units that the meshes state, in trimesh's names and "" for none; without any the unit is the metre."""
+    names: Sequence[str] | int = ()
+    """Objects of the shapes with a `face_object`, or the number of nameless ones."""
 
 
 def assemble(
@@ -108,21 +115,35 @@ def assemble(
     if not any(len(shape.faces) for shape in shapes.values()):
         raise SceneError(f"{content.label}: no triangles" + "".join(f"; {note}" for note in content.notes))
     builder = Assembly()
+    many = _many_objects(content, moves)
+    builder.objects(many)
     handles = {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     # The opposite axis is turned by another half turn about x.
     turn = np.diag([1.0, -1.0, -1.0, 1.0]) @ _TURNS[up[1:]] if up.startswith("-") else _TURNS[up]
     nodes = _chosen(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
     transforms = nodes.transforms if up == "y" else turn @ nodes.transforms
     try:
-        placed = np.array([handles[shape] for shape in nodes.shapes], np.int64)
-        builder._place(placed, transforms_of("transforms", transforms), nodes.objects)
-        parts = builder._assemble(nodes.objects if moves else (), budget)
+        transforms = transforms_of("transforms", transforms)
+        has_many = np.array([shapes[name].face_object is not None for name in nodes.shapes], bool)
+        for row in np.flatnonzero(has_many):
+            builder.instance(handles[nodes.shapes[row]], transforms[row])
+        single = _chosen(replace(nodes, transforms=transforms), ~has_many)
+        placed = np.array([handles[shape] for shape in single.shapes], np.int64)
+        builder._place(placed, single.transforms, single.objects)
+        dynamic = [*([] if isinstance(many, int) else many), *single.objects] if moves else ()
+        parts = builder._assemble(dynamic, budget)
     except ValueError as error:
         raise SceneError(f"{content.label}: {error}") from error
     notes = [*content.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]
     notes += _emission_notes(shapes.values())
     held = (*content.used, *_inventory(shapes.values()))
     return replace(parts, dropped=dropped, notes=tuple(notes), used=held)
+
+
+def _many_objects(content: Content, moves: bool) -> Sequence[str] | int:
+    """Objects of shapes of many; those that move have names."""
+    names = content.names
+    return [f"object_{number}" for number in range(names)] if moves and isinstance(names, int) else names
 
 
 def _to_metres(content: Content, scale: float | None) -> None:
@@ -179,6 +200,8 @@ def _repair(shape: Shape) -> tuple[str, int]:
     shape.faces = faces[keep]
     if shape.face_material is not None:
         shape.face_material = shape.face_material[keep]
+    if shape.face_object is not None:
+        shape.face_object = shape.face_object[keep]
     return " and ".join(flaws), int((~keep).sum())
 
 
@@ -195,6 +218,7 @@ def _add(builder: Assembly, shape: Shape) -> int:
         uvs=shape.uvs if textured else None,
         colors=shape.colors,
         normals=None if shape.normals is None else _finite(shape.normals),
+        face_object=shape.face_object,
     )
 
 

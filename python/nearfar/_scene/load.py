@@ -15,6 +15,8 @@ from nearfar._base.errors import UnusableError
 from nearfar._scene import load_trimesh, load_wavefront, quiet, threemf
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.budget import Budget, read_file, resolver as budget_resolver
+from nearfar._scene.city import read as cities
+from nearfar._scene.city.read import CityOptions
 from nearfar._scene.content import UP, Content, assemble
 from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.materials import Materials
@@ -33,6 +35,8 @@ def load(
     max_bytes: int | None = None,
     error: float | None = None,
     triangles: int | None = None,
+    lod: str | float | None = None,
+    height: str | None = None,
     origin: ArrayLike | None = None,
     moves: bool = False,
 ) -> Assembled:
@@ -46,12 +50,14 @@ def load(
     if isinstance(place, Path) and place.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder(place), os.fspath(place))
     detail.check_kind(place)
+    city = CityOptions.checked(lod, height, detail.origin)
+    city.check_kind(place)
     most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
     how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "moves": moves}
-    return background.run(lambda: _load(place, Budget(most), detail, **how), alone=True)
+    return background.run(lambda: _load(place, Budget(most), detail, city, **how), alone=True)
 
 
-def _load(path: str | Path, budget: Budget, detail: Detail, **how: Any) -> Assembled:
+def _load(path: str | Path, budget: Budget, detail: Detail, city: CityOptions, **how: Any) -> Assembled:
     label = os.fspath(path)
     if isinstance(path, str):
         with quiet.silence(), explained(label.partition("?")[0], passed=OSError):
@@ -59,7 +65,7 @@ def _load(path: str | Path, budget: Budget, detail: Detail, **how: Any) -> Assem
     with explained(label, passed=OSError):
         data = read_file(path, budget)  # a missing file and missing permissions raise OSError
     with quiet.silence() as messages, explained(label):
-        content = _read(label, path, data, budget, detail)
+        content = _read(label, path, data, budget, detail, city, drop=how["on_invalid"] == "drop")
         content.notes += [message for message in dict.fromkeys(messages) if message not in content.notes]
         return assemble(content, budget=budget, **how)
 
@@ -71,7 +77,16 @@ def _folder(path: Path) -> str:
     return "expected a file, got a folder" + (f", which holds {', '.join(files[:3])}" if files else "")
 
 
-def _read(label: str, path: Path, data: bytes, budget: Budget, detail: Detail | None = None) -> Content:
+def _read(
+    label: str,
+    path: Path,
+    data: bytes,
+    budget: Budget,
+    detail: Detail | None = None,
+    city: CityOptions | None = None,
+    *,
+    drop: bool = False,
+) -> Content:
     import trimesh
 
     kind = path.suffix.lower().lstrip(".")
@@ -81,10 +96,14 @@ def _read(label: str, path: Path, data: bytes, budget: Budget, detail: Detail | 
         data = budget.unpacked(data)
     if kind in _ARCHIVES:
         raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
-    if kind in KINDS or (kind == "json" and tiles.is_tileset(data)):
-        return tiles.read(path, detail or Detail(), budget)
-    if kind == "json":
-        raise UnusableError(_JSON)
+    detail = detail or Detail()
+    # A tileset has these two entries; parsing takes longer than looking for them.
+    may_be_tileset = kind == "json" and b'"root"' in data and b'"asset"' in data
+    if kind in KINDS or (may_be_tileset and tiles.is_tileset(data)):
+        return tiles.read(path, detail, budget)
+    if kind == "json" or kind in cities.KINDS:
+        detail.check_unused()
+        return cities.read(label, kind, data, city or CityOptions(), budget, drop=drop)
     if kind in _READERS and kind not in trimesh.available_formats():
         raise UnusableError(f"nearfar does not read .{kind}: {_READERS[kind]}")
     if kind not in trimesh.available_formats() or kind in _NOT_SCENES:
@@ -140,17 +159,14 @@ _READERS = {
     "stp": "install the Python package cascadio, with which it is read, or export it from FreeCAD as glTF (.glb)",
     "iges": "export it from FreeCAD as glTF (.glb) or OBJ",
     "igs": "export it from FreeCAD as glTF (.glb) or OBJ",
-    "gml": "convert it with citygml-tools to CityJSON, and that with cjio to glTF (.glb)",
-    "citygml": "convert it with citygml-tools to CityJSON, and that with cjio to glTF (.glb)",
+    "gml": "convert it with citygml-tools to CityJSON (.city.json)",
+    "citygml": "convert it with citygml-tools to CityJSON (.city.json)",
     "vrml": "import it into Blender or MeshLab and export it as glTF (.glb) or PLY",
-    "geojson": "it holds outlines without heights; extrude them in Blender or QGIS and export glTF (.glb)",
     "las": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
     "laz": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
     "e57": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
 }
 """Known formats that are not read, and the program or package that reads them."""
-
-_JSON = "of .json files nearfar reads tilesets of 3D Tiles; cjio converts CityJSON to glTF (.glb)"
 
 _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 """Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""

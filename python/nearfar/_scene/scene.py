@@ -72,15 +72,17 @@ class Scene(InPictures):
         max_bytes: int | None = None,
         error: float | None = None,
         triangles: int | None = None,
+        lod: str | float | None = None,
+        height: str | None = None,
         origin: ArrayLike | None = None,
     ) -> Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
-        Also a tileset of 3D Tiles 1.0 or 1.1 (its .json, at a path or a URL), or one tile (.b3dm, .i3dm, .cmpt).
-
-        Nodes become objects; meshes that are placed more than once stay instances; base colour factors, base colour
-        textures and vertex colours are drawn. `report` lists what is not drawn; files written from the scene have
-        glTF's materials nevertheless. A single-file format may be packed (``.ply.gz``).
+        Also a tileset of 3D Tiles 1.0 or 1.1 (its .json, at a path or a URL), one tile (.b3dm, .i3dm, .cmpt), CityJSON
+        (.city.json, .city.jsonl), and footprints of GeoJSON and GeoParquet, extruded. Nodes become objects; meshes that
+        are placed more than once stay instances; base colour factors, base colour textures and vertex colours are
+        drawn. `report` lists what is not drawn; files written from the scene have glTF's materials nevertheless. A
+        single-file format may be packed (``.ply.gz``).
 
         Parameters
         ----------
@@ -95,28 +97,28 @@ class Scene(InPictures):
             COLLADA) or 1 (OBJ, PLY, STL); `report` has a note where the extent suggests another unit.
         max_bytes
             Bytes it may unpack to; by default a hundred times those read, at least 256 MiB and at most 16 GiB.
-        error
-            Greatest geometric error in metres of the tiles of a tileset; by default all detail is read.
-        triangles
-            Greatest number of triangles of a tileset instead: tiles with great errors are refined first.
+        error, triangles
+            Of a tileset, greatest geometric error in metres, or greatest number of triangles; default: all detail.
+        lod, height
+            Greatest level of detail of CityJSON (default: the highest), and property with footprints' heights in metres.
         origin
-            Longitude and latitude in degrees and height in metres of (0, 0, 0) for a tileset on the Earth (WGS 84): x
-            points east, y up and z south there. By default the middle of the tileset, which `report` states.
+            Longitude and latitude in degrees and height in metres of (0, 0, 0) for tilesets on the Earth and footprints
+            in degrees; x points east, y up and z south there. By default the middle, which `report` states.
 
         Raises
         ------
         SceneError
             A file that cannot be used or unpacks to too much; the message names it and the reason.
         ValueError, TypeError
-            A `scale` that is not a number above 0, unknown names of axes and treatments, an `error`, `triangles` or
-            `origin` for a file that is no tileset, and both an `error` and `triangles`.
+            Arguments out of their range, both an `error` and `triangles`, and an argument for files of another kind.
         OSError
             A file that cannot be opened.
         """
         from nearfar._scene import load
 
         how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "max_bytes": max_bytes}
-        return cls._from_assembled(load.load(path, **how, error=error, triangles=triangles, origin=origin))
+        how |= {"error": error, "triangles": triangles, "lod": lod, "height": height, "origin": origin}
+        return cls._from_assembled(load.load(path, **how))
 
     @classmethod
     def from_trimesh(

@@ -62,6 +62,7 @@ mod _core {
         scene::levels::{Levels, placements_of, with_instances, with_surfaces},
         scene::meshopt::decode_meshopt,
         scene::parts::{mesh_parts, scene_parts},
+        scene::polygons::{polygon_prisms, read_wkb, triangulate_polygons},
         scene::wavefront::read_wavefront,
         scene::{Mesh, Scene},
         serve::{Server, begin_log, certificate, self_signed},

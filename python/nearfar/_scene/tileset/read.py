@@ -9,6 +9,7 @@ from typing import Any
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
+from nearfar._scene.city.read import KINDS as CITIES
 from nearfar._scene.content import Content
 from nearfar._scene.tileset.frames import checked_origin
 from nearfar._scene.tileset.tileset import KINDS, Tileset, suffix
@@ -34,11 +35,17 @@ class Detail:
         )
 
     def check_kind(self, path: str | os.PathLike[str]) -> None:
-        """Refuse fields for files that are no tilesets."""
+        """Refuse fields for files that are no tilesets; footprints have an origin, too."""
         if suffix(path) not in (*KINDS, "json", "gz"):
-            for name in ("error", "triangles", "origin"):
+            for name in ("error", "triangles", *(() if suffix(path) in CITIES else ("origin",))):
                 if getattr(self, name) is not None:
                     raise ValueError(f"{name}: expected none with {os.fspath(path)}, which is no tileset")
+
+    def check_unused(self) -> None:
+        """Refuse what applies to tilesets only, for JSON that is none; UnusableError."""
+        for name in ("error", "triangles"):
+            if getattr(self, name) is not None:
+                raise UnusableError(f"it is no tileset: {name} does not apply to it")
 
 
 def is_tileset(data: bytes) -> bool:

@@ -9,6 +9,7 @@ mod merge;
 mod mesh;
 pub mod meshopt;
 mod normal;
+pub mod polygons;
 pub mod srgb;
 mod texture;
 pub mod wavefront;

@@ -5,6 +5,7 @@ pub mod mesh;
 pub mod meshopt;
 pub mod parts;
 pub mod placements;
+pub mod polygons;
 #[expect(clippy::module_inception, reason = "the file of the class Scene")]
 pub mod scene;
 pub mod wavefront;

@@ -1,0 +1,85 @@
+"""Colours of a geometry's surfaces: of the materials that a document gives them, or else of their classes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import replace
+from typing import Any
+
+from nearfar._base.errors import UnusableError
+from nearfar._scene.city import classes
+from nearfar._scene.city.entries import entry, numbers, typed
+from nearfar._scene.materials import BaseColor
+
+
+class Appearance:
+    """Materials of a document, and what of them is not drawn.
+
+    Parameters
+    ----------
+    holder
+        The document or the feature with the entry ``appearance``.
+    """
+
+    def __init__(self, holder: dict[str, Any]) -> None:
+        appearance = entry(holder, "appearance", dict, "", {})
+        self._theme = appearance.get("default-theme-material")
+        self._materials = [
+            self._color(item, f"appearance.materials[{number}]")
+            for number, item in enumerate(entry(appearance, "materials", list, "appearance.", []))
+        ]
+        self.notes = Counter[tuple[str, str]]()
+        """What is not drawn, as a noun and what follows it, with its number."""
+        if textures := len(entry(appearance, "textures", list, "appearance.", [])):
+            self.notes["texture", "not drawn"] = textures
+
+    def _color(self, item: Any, place: str) -> BaseColor:
+        material = typed(item, dict, place)
+        diffuse = material.get("diffuseColor")
+        values = numbers([0.8, 0.8, 0.8] if diffuse is None else diffuse, f"{place}.diffuseColor", None)
+        if values.shape != (3,):
+            raise UnusableError(f"{place}.diffuseColor: expected three numbers, got {len(values)}")
+        red, green, blue = values.clip(0, 1).tolist()
+        color = classes.color((red, green, blue))
+        transparency = material.get("transparency")
+        is_clear = isinstance(transparency, int | float) and transparency > 0
+        return replace(color, notes=("with transparency drawn opaque",)) if is_clear else color
+
+    def colors(
+        self, geometry: dict[str, Any], boundaries: list[Any], depth: int, kind: str, place: str
+    ) -> list[BaseColor]:
+        """Colour of each surface of a geometry whose boundaries have `depth` levels of lists above surfaces."""
+        semantics = entry(geometry, "semantics", dict, place, {})
+        surfaces = entry(semantics, "surfaces", list, f"{place}semantics.", [])
+        types = [item.get("type") if isinstance(item, dict) else None for item in surfaces]
+        classed = [classes.of(name if isinstance(name, str) else None, kind) for name in types]
+        plain = classes.of(None, kind)
+        labels = _labels(semantics.get("values"), boundaries, depth)
+        chosen = [_at(classed, label, plain) for label in labels]
+        if not self._materials:
+            return chosen
+        given = self._theme_of(entry(geometry, "material", dict, place, {}))
+        if isinstance(given.get("value"), int):
+            return [_at(self._materials, given["value"], color) for color in chosen]
+        labels = _labels(given.get("values"), boundaries, depth)
+        return [_at(self._materials, label, color) for label, color in zip(labels, chosen, strict=True)]
+
+    def _theme_of(self, themes: dict[str, Any]) -> dict[str, Any]:
+        """The default theme's materials, or else those of the first theme."""
+        chosen = themes.get(self._theme) if isinstance(self._theme, str) else None
+        chosen = next(iter(themes.values()), None) if chosen is None else chosen
+        return chosen if isinstance(chosen, dict) else {}
+
+
+def _at(items: list[BaseColor], number: int | None, default: BaseColor) -> BaseColor:
+    return items[number] if number is not None and 0 <= number < len(items) else default
+
+
+def _labels(values: Any, boundaries: list[Any], depth: int) -> list[int | None]:
+    """The number of each surface in lists that are nested like the boundaries; None where there is none."""
+    parts = values if isinstance(values, list) else []
+    padded = [*parts[: len(boundaries)], *[None] * (len(boundaries) - len(parts))]
+    if depth:
+        pairs = zip(padded, boundaries, strict=True)
+        return [label for part, below in pairs for label in _labels(part, below, depth - 1)]
+    return [part if isinstance(part, int) and not isinstance(part, bool) else None for part in padded]

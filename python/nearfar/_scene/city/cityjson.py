@@ -1,0 +1,207 @@
+"""Reads CityJSON 1.0 to 2.0 and CityJSONSeq: surfaces of city objects with the colours of their classes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar._base.errors import UnusableError
+from nearfar._scene.city import crs
+from nearfar._scene.city.appearance import Appearance
+from nearfar._scene.city.collector import Collector, Part
+from nearfar._scene.city.entries import check_range, document, entry, flattened, numbers, typed
+from nearfar._scene.city.levels import Levels
+from nearfar._scene.content import Content, Nodes, Shape
+from nearfar._scene.report import count
+
+_DEPTHS = {"MultiSurface": 0, "CompositeSurface": 0, "Solid": 1, "MultiSolid": 2, "CompositeSolid": 2}
+"""Levels of lists above that of surfaces, by type of geometry."""
+
+_INSTANCE = "GeometryInstance"
+DRAWN = (*_DEPTHS, _INSTANCE)
+
+_TURN = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
+"""From z up to y up."""
+
+
+def read(label: str, header: dict[str, Any], lod: float | None, *, drop: bool) -> Content:
+    """Convert a document whose type is CityJSON.
+
+    Parameters
+    ----------
+    label
+        Name of the file.
+    header
+        The document.
+    lod
+        Greatest level of detail that is drawn; None draws the highest one of each object.
+    drop
+        Whether surfaces that cannot be used are left out.
+    """
+    return _Reader(label, header, lod, drop).content([header])
+
+
+def read_sequence(label: str, data: bytes, lod: float | None, *, drop: bool) -> Content:
+    """Convert a CityJSONSeq: lines of JSON, a CityJSON without objects and then features with their own vertices."""
+    lines = [line for line in data.splitlines() if line.strip()]
+    if not lines:
+        raise UnusableError("it is empty")
+    header = typed(document(lines[0], "line 1: "), dict, "line 1")
+    if header.get("type") != "CityJSON":
+        raise UnusableError(f"line 1: expected the type CityJSON, got {check.shortened(header.get('type'))}")
+    features = (
+        typed(document(line, f"line {number}: "), dict, f"line {number}") for number, line in enumerate(lines[1:], 2)
+    )
+    return _Reader(label, header, lod, drop).content([header, *features] if "CityObjects" in header else features)
+
+
+class _Reader:
+    def __init__(self, label: str, header: dict[str, Any], lod: float | None, drop: bool) -> None:
+        version = str(header.get("version", ""))
+        if version.split(".")[0] not in ("1", "2"):
+            raise UnusableError(f"it is CityJSON {check.shortened(version)}, and 1.0 to 2.0 are read")
+        self._label, self._header, self._drop = label, header, drop
+        self._levels = Levels(lod)
+        self._system = _system(header)
+        self._collector, self._templates = Collector(), Collector()
+        self._template_names: list[str | None] = []
+        self._placed: list[tuple[str, NDArray[np.float64], str]] = []
+        self._left = Counter[tuple[str, str]]()
+
+    def content(self, parts: Iterable[dict[str, Any]]) -> Content:
+        self._read_templates()
+        for part in parts:
+            self._read_part(part)
+        shapes, nodes = {}, []
+        own, lost = self._collector.shapes(drop=self._drop)
+        templates, lost_too = self._templates.shapes(drop=self._drop)
+        for name, (shape, base) in own.items():
+            nodes.append((name, _moved(base), name))
+            shapes[name] = shape
+        for owner, (shape, base) in templates.items():
+            key = f"{owner} of geometry-templates"
+            shapes[key] = shape
+            nodes += [(name, matrix @ _moved(base), key) for name, matrix, used in self._placed if used == owner]
+        if lost + lost_too:
+            self._left["surface", "with rings of fewer than three corners left out"] += lost + lost_too
+        used = [f"CityJSON {self._header['version']}"]
+        return Content(self._label, _named(shapes), _nodes(nodes), self._notes(), used)
+
+    def _read_part(self, part: dict[str, Any]) -> None:
+        place = "" if part is self._header else f"feature {check.shortened(part.get('id', ''))}: "
+        vertices = self._placed_vertices(numbers(entry(part, "vertices", list, place), f"{place}vertices", 3), place)
+        self._collector.vertices(vertices)
+        objects = {
+            name: typed(item, dict, f"{place}CityObjects {check.shortened(name)}")
+            for name, item in entry(part, "CityObjects", dict, place).items()
+        }
+        appearance = Appearance(part if "appearance" in part else self._header)
+        for name, (number, geometry) in self._levels.chosen(objects, DRAWN):
+            place_of = f"CityObjects {check.shortened(name)}: geometry[{number}]"
+            kind = geometry["type"]
+            if kind == _INSTANCE:
+                self._place(name, geometry, vertices, place_of)
+                continue
+            self._add(self._collector, Part(name, place_of), geometry, str(objects[name].get("type")), appearance)
+        self._left.update(appearance.notes)
+
+    def _add(self, to: Collector, part: Part, geometry: dict[str, Any], kind: str, appearance: Appearance) -> None:
+        boundaries = entry(geometry, "boundaries", list, f"{part.place}.")
+        depth = _DEPTHS[geometry["type"]]
+        surfaces = flattened(boundaries, depth, f"{part.place}.boundaries")
+        colors = appearance.colors(geometry, boundaries, depth, kind, f"{part.place}.")
+        to.add(Part(part.owner, f"{part.place}.boundaries"), surfaces, colors)
+
+    def _placed_vertices(self, vertices: NDArray[np.float64], place: str) -> NDArray[np.float64]:
+        transform = entry(self._header, "transform", dict, "", {})
+        for key in ("scale", "translate") if transform else ():
+            row = numbers(entry(transform, key, list, "transform."), f"transform.{key}", None)
+            if row.shape != (3,):
+                raise UnusableError(f"transform.{key}: expected three numbers, got {len(row)}")
+            vertices = vertices * row if key == "scale" else vertices + row
+        check_range(vertices, f"{place}vertices")
+        return vertices
+
+    def _read_templates(self) -> None:
+        templates = entry(self._header, "geometry-templates", dict, "", {})
+        if not templates:
+            return
+        place = "geometry-templates."
+        self._templates.vertices(
+            numbers(entry(templates, "vertices-templates", list, place), f"{place}vertices-templates", 3)
+        )
+        appearance = Appearance(self._header)
+        for number, item in enumerate(entry(templates, "templates", list, place)):
+            geometry = typed(item, dict, f"{place}templates[{number}]")
+            part = Part(f"template {number}", f"{place}templates[{number}]")
+            drawn = geometry.get("type") in _DEPTHS
+            self._template_names.append(part.owner if drawn else None)
+            if drawn:
+                self._add(self._templates, part, geometry, "", appearance)
+
+    def _place(self, name: str, geometry: dict[str, Any], vertices: NDArray[np.float64], place: str) -> None:
+        number = entry(geometry, "template", int, f"{place}.")
+        if not 0 <= number < len(self._template_names):
+            raise UnusableError(f"{place}.template: it names template {number} of {len(self._template_names)}")
+        boundaries = entry(geometry, "boundaries", list, f"{place}.")
+        vertex = typed(boundaries[0] if len(boundaries) == 1 else None, int, f"{place}.boundaries[0]")
+        if not 0 <= vertex < len(vertices):
+            raise UnusableError(f"{place}.boundaries: it names vertex {vertex} of {len(vertices)}")
+        rows = numbers(
+            entry(geometry, "transformationMatrix", list, f"{place}."), f"{place}.transformationMatrix", None
+        )
+        if rows.shape != (16,):
+            raise UnusableError(f"{place}.transformationMatrix: expected 16 numbers, got {len(rows)}")
+        matrix = rows.reshape(4, 4)
+        owner = self._template_names[number]
+        if owner is None:
+            self._left["instance", "of points or lines ignored"] += 1
+            return
+        matrix[:3, 3] += vertices[vertex]
+        self._placed.append((name, _TURN @ matrix @ _TURN.T, owner))
+
+    def _notes(self) -> list[str]:
+        notes = [self._system] if self._system else []
+        notes += self._levels.notes()
+        return notes + [f"{count(number, noun)} {rest}" for (noun, rest), number in self._left.items()]
+
+
+def _system(header: dict[str, Any]) -> str:
+    """A note on the coordinate system and the extent that a document states; UnusableError for degrees."""
+    metadata = entry(header, "metadata", dict, "", {})
+    name = metadata.get("referenceSystem")
+    notes = []
+    if isinstance(name, str) and name:
+        if crs.is_degrees(name):
+            raise UnusableError(
+                f"its coordinates are degrees ({check.shortened(name)}): cjio reproject gives them in metres"
+            )
+        code = crs.epsg(name)
+        notes.append(f"coordinates of {f'EPSG:{code}' if code else check.shortened(name)} as they are")
+    extent = metadata.get("geographicalExtent")
+    if isinstance(extent, list) and len(extent) == 6 and all(isinstance(value, int | float) for value in extent):
+        sides = (f"{low:,.0f} to {high:,.0f}" for low, high in zip(extent[:3], extent[3:], strict=True))
+        notes.append("stated extent " + ", ".join(f"{axis} {side}" for axis, side in zip("xyz", sides, strict=True)))
+    return "; ".join(notes)
+
+
+def _moved(base: NDArray[np.float64]) -> NDArray[np.float64]:
+    matrix = np.eye(4)
+    matrix[:3, 3] = base
+    return matrix
+
+
+def _named(shapes: dict[str, Shape]) -> dict[str, Shape]:
+    return {name: shape for name, shape in shapes.items() if len(shape.faces)}
+
+
+def _nodes(nodes: list[tuple[str, NDArray[np.float64], str]]) -> Nodes:
+    if not nodes:
+        return Nodes([], np.zeros((0, 4, 4)), [])
+    names, matrices, shapes = zip(*nodes, strict=True)
+    return Nodes(list(names), np.stack(matrices), list(shapes))

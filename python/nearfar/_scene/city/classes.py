@@ -1,0 +1,73 @@
+"""Colours of the classes of surfaces and city objects, which city models name but seldom colour."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nearfar._scene.materials import PLAIN, BaseColor
+from nearfar._scene.srgb import to_linear
+
+
+def color(srgb: tuple[float, float, float]) -> BaseColor:
+    """Base colour of sRGB values in 0..1."""
+    red, green, blue = to_linear(np.array(srgb)).tolist()
+    return BaseColor(factor=(red, green, blue, 1.0))
+
+
+def _color(code: str) -> BaseColor:
+    red, green, blue = (int(code[at : at + 2], 16) / 255 for at in (1, 3, 5))
+    return color((red, green, blue))
+
+
+_WALL, _ROOF, _GROUND, _PAVED, _ROAD = (_color(c) for c in ("#d9cfbd", "#a5533c", "#77706a", "#9c9a96", "#5f6064"))
+_WATER, _GREEN, _GRASS = (_color(code) for code in ("#4d7ba6", "#4f7a3d", "#93a36a"))
+
+SURFACES = {
+    "RoofSurface": _ROOF,
+    "WallSurface": _WALL,
+    "GroundSurface": _GROUND,
+    "ClosureSurface": _WALL,
+    "OuterCeilingSurface": _GROUND,
+    "OuterFloorSurface": _PAVED,
+    "Window": _color("#6d8ea6"),
+    "Door": _color("#6b4a33"),
+    "InteriorWallSurface": _WALL,
+    "CeilingSurface": _WALL,
+    "FloorSurface": _PAVED,
+    "WaterSurface": _WATER,
+    "WaterGroundSurface": _GROUND,
+    "WaterClosureSurface": _WATER,
+    "TrafficArea": _ROAD,
+    "AuxiliaryTrafficArea": _GRASS,
+    "TransportationMarking": _color("#e8e8e2"),
+    "TransportationHole": _GROUND,
+}
+"""Colours of semantic surfaces."""
+
+OBJECTS = {
+    "Building": _WALL,
+    "BuildingPart": _WALL,
+    "BuildingInstallation": _WALL,
+    "BuildingRoom": _WALL,
+    "BuildingStorey": _WALL,
+    "BuildingUnit": _WALL,
+    "Bridge": _PAVED,
+    "BridgePart": _PAVED,
+    "Tunnel": _PAVED,
+    "TunnelPart": _PAVED,
+    "Road": _ROAD,
+    "Railway": _GROUND,
+    "TransportSquare": _PAVED,
+    "LandUse": _GRASS,
+    "PlantCover": _GREEN,
+    "SolitaryVegetationObject": _GREEN,
+    "WaterBody": _WATER,
+    "Waterway": _WATER,
+    "TINRelief": _GRASS,
+}
+"""Colours of city objects' surfaces that have no semantics; other objects have the plain colour."""
+
+
+def of(surface: str | None, kind: str) -> BaseColor:
+    """Colour of a surface by its class, or else by the kind of its object."""
+    return SURFACES.get(surface or "", OBJECTS.get(kind, PLAIN))

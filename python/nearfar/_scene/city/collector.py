@@ -1,0 +1,146 @@
+"""Collects the surfaces of a city model, triangulates all of them at once, and makes a shape of each owner."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base.errors import UnusableError
+from nearfar._scene.city.entries import flattened
+from nearfar._scene.city.surfaces import Surfaces, offsets, rows_of
+from nearfar._scene.content import Shape
+from nearfar._scene.materials import BaseColor
+
+
+@dataclass(frozen=True)
+class Part:
+    """Surfaces of a geometry: those of an owner, with the place in the document for messages."""
+
+    owner: str
+    place: str
+
+
+class Collector:
+    """Collects surfaces whose corners are numbers of vertices.
+
+    `vertices` adds vertices that the numbers of the following parts count from; `add` adds the surfaces of a geometry.
+    """
+
+    def __init__(self) -> None:
+        self._vertices: list[NDArray[np.float64]] = [np.zeros((0, 3))]
+        self._base = self._count = 0
+        self._parts: list[Part] = []
+        self._part_surfaces: list[int] = []
+        self._indices: list[NDArray[np.int64]] = []
+        self._ring_sizes: list[int] = []
+        self._surface_rings: list[int] = []
+        self._colors: list[BaseColor] = []
+
+    def vertices(self, rows: NDArray[np.float64]) -> None:
+        """Add vertices (V, 3)."""
+        self._base += self._count
+        self._count = len(rows)
+        self._vertices.append(rows)
+
+    def add(self, part: Part, surfaces: list[Any], colors: list[BaseColor]) -> None:
+        """Add surfaces, lists of rings of vertex numbers, with a colour for each; UnusableError for other types."""
+        rings = flattened(surfaces, 1, part.place)
+        corners = flattened(rings, 1, part.place)
+        if set(map(type, corners)) - {int}:
+            wrong = next(corner for corner in corners if type(corner) is not int)
+            raise UnusableError(f"{part.place}: expected numbers of vertices, got {type(wrong).__name__} among them")
+        if corners and not (min(corners) >= 0 and max(corners) < self._count):
+            wrong = next(corner for corner in corners if not 0 <= corner < self._count)
+            raise UnusableError(f"{part.place}: it names vertex {wrong} of {self._count}")
+        self._indices.append(np.array(corners, np.int64) + self._base)
+        self._ring_sizes += map(len, rings)
+        self._surface_rings += map(len, surfaces)
+        self._parts.append(part)
+        self._part_surfaces.append(len(surfaces))
+        self._colors += colors
+
+    def shapes(self, *, drop: bool) -> tuple[dict[str, tuple[Shape, NDArray[np.float64]]], int]:
+        """The shape of each owner, relative to a place in whole metres (3,), and the number of surfaces left out.
+
+        Axes are turned from z up to y up. Surfaces whose rings have fewer than three corners are left out with `drop`,
+        else an UnusableError names the first.
+        """
+        surfaces, kept, lost = self._checked(drop)
+        faces, of_surface = surfaces.triangles()
+        colors = {id(color): color for color in self._colors}
+        numbers = {key: number for number, key in enumerate(colors)}
+        color = np.array([numbers[id(self._colors[row])] for row in kept.tolist()], np.int32)
+        part_of = np.arange(len(self._parts)).repeat(self._part_surfaces)[kept]
+        starts = np.searchsorted(part_of, np.arange(len(self._parts) + 1))
+        palette = list(colors.values())
+        pieces: dict[str, list[tuple[int, int]]] = {}
+        for number, part in enumerate(self._parts):
+            pieces.setdefault(part.owner, []).append((int(starts[number]), int(starts[number + 1])))
+        shapes = {}
+        for owner, ranges in pieces.items():
+            chosen = np.concatenate([np.arange(start, end) for start, end in ranges])
+            shapes[owner] = _shape(surfaces, faces, of_surface, chosen, color, palette)
+        return shapes, lost
+
+    def _checked(self, drop: bool) -> tuple[Surfaces, NDArray[np.int64], int]:
+        """The usable surfaces, their numbers, and how many are not."""
+        ring_sizes = np.array(self._ring_sizes, np.int64)
+        surface_rings = np.array(self._surface_rings, np.int64)
+        good = surface_rings > 0
+        owner = np.arange(len(surface_rings)).repeat(surface_rings)
+        good[owner[ring_sizes < 3]] = False
+        if not drop and not good.all():
+            self._raise_for(int(np.argmin(good)), surface_rings, ring_sizes)
+        kept = np.flatnonzero(good)
+        rings = rows_of(offsets(surface_rings)[:-1][kept], surface_rings[kept])
+        corners = rows_of(offsets(ring_sizes)[:-1][rings], ring_sizes[rings])
+        indices = np.concatenate([np.zeros(0, np.int64), *self._indices])[corners]
+        vertices = np.concatenate(self._vertices)
+        surfaces = Surfaces(vertices[indices], offsets(ring_sizes[rings]), offsets(surface_rings[kept]))
+        return surfaces, kept, len(good) - len(kept)
+
+    def _raise_for(self, surface: int, surface_rings: NDArray[np.int64], ring_sizes: NDArray[np.int64]) -> None:
+        ends = np.cumsum(self._part_surfaces)
+        part = int(np.searchsorted(ends, surface, side="right"))
+        number = surface - (int(ends[part - 1]) if part else 0)
+        sizes = ring_sizes[offsets(surface_rings)[surface] :][: surface_rings[surface]]
+        flaw = f"a ring of {sizes.min()} corners" if len(sizes) else "no rings"
+        raise UnusableError(
+            f"{self._parts[part].place}: surface {number} has {flaw}; on_invalid='drop' leaves such surfaces out"
+        )
+
+
+def _shape(
+    surfaces: Surfaces,
+    faces: NDArray[np.uint32],
+    of_surface: NDArray[np.int64],
+    chosen: NDArray[np.int64],
+    color: NDArray[np.int32],
+    palette: list[BaseColor],
+) -> tuple[Shape, NDArray[np.float64]]:
+    """Shape of some surfaces, relative to a place; only the materials that it uses."""
+    first = surfaces.rings[surfaces.surfaces]
+    lengths = np.diff(first)[chosen]
+    rows = rows_of(first[chosen], lengths)
+    counts = np.diff(of_surface)[chosen]
+    own = faces[rows_of(of_surface[chosen], counts)].astype(np.int64)
+    # A surface's corners move by as much as the others before it are left out.
+    own -= (first[chosen] - offsets(lengths)[:-1]).repeat(counts)[:, None]
+    corners = surfaces.corners[rows]
+    base = np.rint(corners.min(axis=0) / 2 + corners.max(axis=0) / 2) if len(corners) else np.zeros(3)
+    used, face_material = np.unique(color[chosen].repeat(counts), return_inverse=True)
+    shape = Shape(
+        turned(corners - base),
+        own,
+        materials=[palette[number] for number in used.tolist()],
+        face_material=face_material.astype(np.int32) if len(used) > 1 else None,
+    )
+    return shape, turned(base)
+
+
+def turned(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points (…, 3) with x east, y north and z up as x east, y up and z south."""
+    return np.stack([points[..., 0], points[..., 2], -points[..., 1]], axis=-1)

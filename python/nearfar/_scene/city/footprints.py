@@ -1,0 +1,164 @@
+"""Outlines of buildings with heights, extruded: all of a file, or those that touch a box."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._scene.arrays import ORIGIN_LIMIT
+from nearfar._scene.city import heights
+from nearfar._scene.city.ground import Geodetic, Ground, Projected
+from nearfar._scene.city.index import BoxIndex
+from nearfar._scene.city.table import Table
+from nearfar._scene.content import Content, Nodes, Shape
+from nearfar._scene.names import distinct
+from nearfar._scene.report import count
+
+_POINTS_AT_ONCE = 1 << 19
+"""Points that are converted at once: tens of megabytes."""
+
+_KEY = "footprints"
+
+
+@dataclass(frozen=True)
+class Extrusion:
+    """How outlines are extruded."""
+
+    height: str | None = None
+    """The property that states heights in metres; None for those of `heights.HEIGHTS`."""
+    default_height: float = heights.DEFAULT_HEIGHT
+    """Metres of features without one."""
+    origin: tuple[float, float, float] | None = None
+    """Longitude and latitude in degrees and height in metres of the local frame; None for the middle of the data."""
+    name: str | None = None
+    """The property that names objects; None for the features' ids, and numbers where they have none."""
+
+
+class Footprints:
+    """Features of a file with their heights, kept as outlines; triangles are made for those that are asked for.
+
+    Parameters
+    ----------
+    label
+        Name of the file.
+    table
+        Its features.
+    how
+        How they are extruded.
+    drop
+        Whether polygons that cannot be used are left out.
+    """
+
+    def __init__(self, label: str, table: Table, how: Extrusion, *, drop: bool) -> None:
+        self.label = label
+        self._outlines, lost = table.outlines.checked(drop=drop, degrees=table.degrees)
+        self.count = len(self._outlines.features) - 1
+        """Number of features, also of those without polygons."""
+        self.ground = _ground(table, self._outlines.points, how.origin)
+        self._low, self._high, unknown = _extents(table, how, self.count)
+        names = table.columns.texts(how.name)
+        self.names: Sequence[str] | int = self.count if names is None else distinct(names)
+        """Names of the features; their number if they have none, then feature n is called ``object_n``."""
+        self.boxes = self._boxes()
+        """World boxes (F, 2, 3) of the features; infinite and inverted for those without polygons."""
+        self._index = BoxIndex(self.boxes)
+        self.format = table.format
+        self.notes = [self.ground.note, *table.notes, *_notes(table.skipped, lost, unknown, how.default_height)]
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """World box (2, 3) of all features; infinite and inverted without any."""
+        least, greatest = self.boxes[:, 0], self.boxes[:, 1]
+        return np.stack([least.min(axis=0, initial=np.inf), greatest.max(axis=0, initial=-np.inf)])
+
+    def rows_touching(self, box: NDArray[np.float64]) -> NDArray[np.int64]:
+        """Numbers of the features whose boxes touch a world box (2, 3), also at its border, ascending."""
+        return self._index.touching(box)
+
+    def content(self, rows: NDArray[np.int64] | None = None) -> Content:
+        """Triangles of some features, or of all, which may be none; features keep their names."""
+        outlines = self._outlines if rows is None else self._outlines.chosen(rows)
+        chosen = np.arange(self.count) if rows is None else rows
+        owner = np.arange(len(chosen)).repeat(np.diff(outlines.point_starts))
+        polygon_owner = np.arange(len(chosen)).repeat(np.diff(outlines.features))
+        low, high = self._low[chosen], self._high[chosen]
+        base = _base(self.boxes[chosen])
+        vertices = np.empty((2, len(owner), 3), np.float32)
+        plan = np.empty((len(owner), 2))
+        for start in range(0, len(owner), _POINTS_AT_ONCE):
+            part = slice(start, start + _POINTS_AT_ONCE)
+            for level, ends in enumerate((low, high)):
+                world = self.ground.world(outlines.points[part], ends[owner[part]])
+                vertices[level, part] = world - base
+                if level == 0:
+                    plan[part] = world[:, ::2] * (1, -1)
+        floors = (low > 0)[polygon_owner]
+        faces, offsets = _core.polygon_prisms(plan, outlines.rings, outlines.polygons, floors)
+        face_object = polygon_owner.astype(np.int32).repeat(np.diff(offsets))
+        transform = np.eye(4)
+        transform[:3, 3] = base
+        shape = Shape(vertices.reshape(-1, 3), faces, face_object=face_object)
+        nodes = Nodes([""], transform[None], [_KEY])
+        used = [f"{self.format}: {count(len(chosen), 'feature')} extruded"]
+        return Content(self.label, {_KEY: shape}, nodes, list(self.notes), used, names=self._names_of(rows))
+
+    def _names_of(self, rows: NDArray[np.int64] | None) -> Sequence[str] | int:
+        if rows is None:
+            return self.names
+        if isinstance(self.names, int):
+            return [f"object_{row}" for row in rows.tolist()]
+        return [self.names[row] for row in rows.tolist()]
+
+    def _boxes(self) -> NDArray[np.float64]:
+        boxes = np.empty((self.count, 2, 3))
+        boxes[:, 0], boxes[:, 1] = np.inf, -np.inf
+        starts = self._outlines.point_starts
+        filled = np.flatnonzero(np.diff(starts))
+        # Runs of whole features, so that each box is made at once.
+        splits = np.flatnonzero(np.diff(starts[filled] // _POINTS_AT_ONCE)) + 1
+        for rows in np.split(filled, splits) if len(filled) else ():
+            first, end = starts[rows[0]], starts[rows[-1] + 1]
+            sizes = np.diff(starts)[rows]
+            for ends in (self._low, self._high):
+                world = self.ground.world(self._outlines.points[first:end], ends[rows].repeat(sizes))
+                boxes[rows, 0] = np.minimum(boxes[rows, 0], np.minimum.reduceat(world, starts[rows] - first))
+                boxes[rows, 1] = np.maximum(boxes[rows, 1], np.maximum.reduceat(world, starts[rows] - first))
+        return boxes
+
+
+def _ground(table: Table, points: NDArray[np.float64], origin: tuple[float, float, float] | None) -> Ground:
+    if not table.degrees:
+        return Projected(table.system, table.metres)
+    return Geodetic.around(points) if origin is None else Geodetic(*origin)
+
+
+def _extents(table: Table, how: Extrusion, number: int) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
+    """Lower and upper ends of the features in metres above the ground, and of how many the height is unknown."""
+    high = heights.stated(table.columns, heights.HEIGHTS, number, how.height)
+    low = np.nan_to_num(heights.stated(table.columns, heights.BASES, number, None))
+    unknown = ~(high > low)
+    return low, np.where(unknown, low + how.default_height, high), int(unknown.sum())
+
+
+def _base(boxes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Place that vertices are relative to: that which a scene would choose as its origin."""
+    least, greatest = boxes[:, 0].min(axis=0, initial=np.inf), boxes[:, 1].max(axis=0, initial=-np.inf)
+    if not (least <= greatest).all() or max(-least.min(), greatest.max()) < ORIGIN_LIMIT:
+        return np.zeros(3)
+    base: NDArray[np.float64] = np.rint((least + greatest) / 2)
+    return base
+
+
+def _notes(skipped: int, lost: int, unknown: int, default_height: float) -> list[str]:
+    notes = []
+    if skipped:
+        notes.append(f"{count(skipped, 'geometry', 'geometries')} of points or lines ignored")
+    if lost:
+        notes.append(f"{count(lost, 'polygon')} left out")
+    if unknown:
+        notes.append(f"{count(unknown, 'feature')} of unknown height drawn {default_height:g} m high")
+    return notes

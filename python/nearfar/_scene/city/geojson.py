@@ -1,0 +1,149 @@
+"""Reads outlines of GeoJSON, and of the lists of polygons that deck.gl's examples use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar._base.errors import UnusableError
+from nearfar._scene.city import crs, heights
+from nearfar._scene.city.entries import entry, flattened, typed
+from nearfar._scene.city.outlines import Outlines
+from nearfar._scene.city.surfaces import offsets
+from nearfar._scene.city.table import Table
+
+_DEEPEST = 16
+"""Greatest depth of collections of geometries."""
+
+GEOMETRIES = {"Point", "MultiPoint", "LineString", "MultiLineString", "Polygon", "MultiPolygon", "GeometryCollection"}
+
+
+def read(root: Any) -> Table:
+    """The features of a document: a FeatureCollection, a Feature, a geometry, or deck.gl's list."""
+    if isinstance(root, list):
+        return _polygon_list(root)
+    kind = root.get("type")
+    if kind == "FeatureCollection":
+        features = [typed(item, dict, f"features[{n}]") for n, item in enumerate(entry(root, "features", list, ""))]
+    elif kind == "Feature":
+        features = [root]
+    else:
+        features = [{"geometry": root}]
+    collector = _Collector()
+    for number, feature in enumerate(features):
+        collector.feature(entry(feature, "geometry", dict, f"features[{number}].", {}), f"features[{number}].geometry")
+    properties = [entry(f, "properties", dict, f"features[{n}].", {}) for n, f in enumerate(features)]
+    system, degrees = _system(root)
+    return Table(collector.outlines(), system, degrees, _Columns(properties, features), skipped=collector.skipped)
+
+
+def is_polygon_list(root: Any) -> bool:
+    """Whether a document is a list of objects with a polygon each, as deck.gl's examples have them."""
+    return isinstance(root, list) and bool(root) and isinstance(root[0], dict) and "polygon" in root[0]
+
+
+def _polygon_list(root: list[Any]) -> Table:
+    collector = _Collector()
+    rows = [typed(item, dict, f"[{number}]") for number, item in enumerate(root)]
+    for number, row in enumerate(rows):
+        polygon = entry(row, "polygon", list, f"[{number}].")
+        is_ring = (
+            bool(polygon) and isinstance(polygon[0], list) and bool(polygon[0]) and not isinstance(polygon[0][0], list)
+        )
+        collector.polygons([[polygon] if is_ring else polygon], f"[{number}].polygon")
+    return Table(collector.outlines(), "WGS84", True, _Columns(rows, []))
+
+
+def _system(root: dict[str, Any]) -> tuple[str, bool]:
+    """Name of the coordinate system, and whether it is in degrees; WGS84 unless a member ``crs`` names another."""
+    member = entry(root, "crs", dict, "", {})
+    properties = entry(member, "properties", dict, "crs.", {})
+    name = properties.get("name")
+    if not isinstance(name, str):
+        return "WGS84", True
+    code = crs.epsg(name)
+    return f"EPSG:{code}" if code else check.shortened(name), crs.is_degrees(name)
+
+
+class _Columns:
+    """Properties of features."""
+
+    def __init__(self, properties: list[dict[str, Any]], features: list[dict[str, Any]]) -> None:
+        self._properties, self._features = properties, features
+
+    def __call__(self, name: str) -> NDArray[np.float64] | None:
+        if not any(name in properties for properties in self._properties):
+            return None
+        return heights.numbers(properties.get(name) for properties in self._properties)
+
+    def texts(self, name: str | None) -> list[str] | None:
+        """Names of the features by a property, or by their ids; None where one has none."""
+        values = [p.get(name) for p in self._properties] if name else [f.get("id") for f in self._features]
+        if not values or not all(isinstance(v, str | int) and not isinstance(v, bool) for v in values):
+            return None
+        return [str(value) for value in values]
+
+
+class _Collector:
+    def __init__(self) -> None:
+        self._points: list[Any] = []
+        self._ring_sizes: list[int] = []
+        self._polygon_rings: list[int] = []
+        self._feature_polygons: list[int] = []
+        self.skipped = 0
+
+    def feature(self, geometry: dict[str, Any], place: str) -> None:
+        """Add the polygons of a feature, which may have none."""
+        before = len(self._polygon_rings)
+        for polygons, where in self._of(geometry, place, 0) if geometry else ():
+            self._add(polygons, where)
+        self._feature_polygons.append(len(self._polygon_rings) - before)
+
+    def polygons(self, polygons: list[Any], place: str) -> None:
+        """Add a feature of some polygons."""
+        self._add(polygons, place)
+        self._feature_polygons.append(len(polygons))
+
+    def _of(self, geometry: dict[str, Any], place: str, depth: int) -> Iterator[tuple[list[Any], str]]:
+        kind = geometry.get("type")
+        if kind == "GeometryCollection":
+            if depth == _DEEPEST:
+                raise UnusableError(f"{place}: expected geometries nested less than {_DEEPEST} deep")
+            for number, item in enumerate(entry(geometry, "geometries", list, f"{place}.")):
+                where = f"{place}.geometries[{number}]"
+                yield from self._of(typed(item, dict, where), where, depth + 1)
+        elif kind in ("Polygon", "MultiPolygon"):
+            coordinates = entry(geometry, "coordinates", list, f"{place}.")
+            yield ([coordinates] if kind == "Polygon" else coordinates), f"{place}.coordinates"
+        elif isinstance(kind, str) and kind in GEOMETRIES:
+            self.skipped += 1
+        else:
+            raise UnusableError(f"{place}.type: expected a geometry of GeoJSON, got {check.shortened(kind)}")
+
+    def _add(self, polygons: list[Any], place: str) -> None:
+        rings = flattened(polygons, 1, place)
+        points = flattened(rings, 1, place)
+        sizes = set(map(len, points)) if set(map(type, points)) <= {list} else {0}
+        if points and (min(sizes) < 2 or set(map(type, flattened([p[:2] for p in points], 1, place))) - {int, float}):
+            wrong = next((p for p in points if not _is_position(p)), points[0])
+            raise UnusableError(f"{place}: expected positions of two or three numbers, got {check.shortened(wrong)}")
+        self._points += points if sizes <= {2} else [point[:2] for point in points]
+        self._ring_sizes += map(len, rings)
+        self._polygon_rings += map(len, polygons)
+
+    def outlines(self) -> Outlines:
+        """All features in flat arrays."""
+        try:
+            points = np.array(self._points, np.float64).reshape(-1, 2)
+        except OverflowError:
+            raise UnusableError(f"a coordinate is beyond {check.FARTHEST:g}") from None
+        levels = (offsets(counts) for counts in (self._ring_sizes, self._polygon_rings, self._feature_polygons))
+        return Outlines(points, *levels).opened()
+
+
+def _is_position(point: Any) -> bool:
+    return isinstance(point, list) and len(point) >= 2 and all(type(value) in (int, float) for value in point[:2])

@@ -1,0 +1,130 @@
+"""Reads outlines of GeoParquet 1.x: a column of WKB, and columns of properties."""
+
+from __future__ import annotations
+
+import json
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import check
+from nearfar._base.errors import SceneError, UnusableError
+from nearfar._scene.budget import Budget
+from nearfar._scene.city import crs, heights
+from nearfar._scene.city.outlines import Outlines, joined
+from nearfar._scene.city.table import Table
+
+_BATCH = 1 << 16
+"""Rows that are decoded at once."""
+
+_POINT = 16
+"""Bytes of a point."""
+
+
+def read(data: bytes, budget: Budget) -> Table:
+    """The features of a file; a budget counts what it unpacks to."""
+    if not find_spec("pyarrow"):
+        raise UnusableError('it is GeoParquet, which the Python package pyarrow reads: pip install "nearfar[formats]"')
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    try:
+        file = pq.ParquetFile(pa.BufferReader(data))
+        name, column = _geometry(file.schema_arrow.metadata or {})
+        if name not in file.schema_arrow.names:
+            raise UnusableError(f"its metadata 'geo' names the column {check.shortened(name)}, which it lacks")
+        outlines, skipped = _outlines(file, name, budget)
+        columns = _Columns(file)
+    except (pa.ArrowException, OSError) as error:
+        raise UnusableError(f"it is no Parquet file, or damaged: {check.one_line(str(error), 120)}") from None
+    system, degrees, metres = _system(column)
+    note = () if column.get("crs", "") is not None else ("no coordinate system stated, taken as metres",)
+    return Table(outlines, system, degrees, columns, metres, skipped, note, "GeoParquet")
+
+
+def _geometry(metadata: dict[bytes, bytes]) -> tuple[str, dict[str, Any]]:
+    """Name of the primary column, and what the metadata says of it."""
+    if b"geo" not in metadata:
+        raise UnusableError("it has no metadata 'geo', which makes a Parquet file a GeoParquet one")
+    try:
+        geo = json.loads(metadata[b"geo"])
+    except ValueError:
+        raise UnusableError("its metadata 'geo' is no JSON") from None
+    name = geo.get("primary_column") if isinstance(geo, dict) else None
+    columns = geo.get("columns") if isinstance(geo, dict) else None
+    column = columns.get(name) if isinstance(columns, dict) and isinstance(name, str) else None
+    if not isinstance(name, str) or not isinstance(column, dict):
+        raise UnusableError("its metadata 'geo' describes no primary column")
+    if column.get("encoding") != "WKB":
+        raise UnusableError(f"its geometry is encoded as {check.shortened(column.get('encoding'))}, and WKB is read")
+    return name, column
+
+
+def _system(column: dict[str, Any]) -> tuple[str, bool, float]:
+    """Name of the coordinate system, whether it is in degrees, and metres in its unit; WGS84 if absent."""
+    return crs.of_projjson(column["crs"]) if "crs" in column else ("WGS84", True, 1.0)
+
+
+def _outlines(file: Any, name: str, budget: Budget) -> tuple[Outlines, int]:
+    parts, skipped, before = [], 0, 0
+    for batch in file.iter_batches(_BATCH, columns=[name]):
+        outlines, lost = _batch(batch.column(0), before)
+        before += batch.num_rows
+        skipped += lost
+        # The kernel's arrays of a part are small; all of them are what a damaged file may claim.
+        budget.hold(len(outlines.points) * _POINT + batch.num_rows * 8)
+        parts.append(outlines)
+    return joined(parts), skipped
+
+
+def _batch(column: Any, before: int) -> tuple[Outlines, int]:
+    import pyarrow as pa
+
+    if not (pa.types.is_binary(column.type) or pa.types.is_large_binary(column.type)):
+        raise UnusableError(f"its geometry column holds {column.type}, not bytes")
+    rows = column.fill_null(b"").cast(pa.large_binary())
+    _, ends, values = rows.buffers()
+    bounds = np.frombuffer(ends, np.int64)[rows.offset : rows.offset + len(rows) + 1]
+    data = np.frombuffer(values, np.uint8) if values is not None else np.zeros(0, np.uint8)
+    start, end = (int(bounds[0]), int(bounds[-1])) if len(bounds) else (0, 0)
+    shifted = bounds - start if len(bounds) else np.zeros(1, np.int64)
+    try:
+        points, rings, polygons, features, skipped = _core.read_wkb(data[start:end], shifted)
+    except SceneError as error:
+        words = str(error).split(" ", 2)
+        place = f"row {before + int(words[1].rstrip(':'))}: {words[2]}" if len(words) == 3 else str(error)
+        raise UnusableError(f"geometry of {place}") from None
+    return Outlines(points, rings, polygons, features), skipped
+
+
+class _Columns:
+    """Columns of a file, read when they are asked for."""
+
+    def __init__(self, file: Any) -> None:
+        self._file = file
+
+    def __call__(self, name: str) -> NDArray[np.float64] | None:
+        import pyarrow as pa
+
+        column = self._column(name)
+        if column is None:
+            return None
+        if pa.types.is_integer(column.type) or pa.types.is_floating(column.type):
+            values: NDArray[np.float64] = column.cast(pa.float64(), safe=False).to_numpy()
+            return values
+        return heights.numbers(column.to_pylist()) if pa.types.is_string(column.type) else None
+
+    def texts(self, name: str | None) -> list[str] | None:
+        import pyarrow as pa
+
+        column = self._column(name or "id")
+        if column is None or column.null_count:
+            return None
+        is_name = pa.types.is_string(column.type) or pa.types.is_large_string(column.type)
+        return [str(value) for value in column.to_pylist()] if is_name or pa.types.is_integer(column.type) else None
+
+    def _column(self, name: str) -> Any:
+        return self._file.read(columns=[name]).column(0) if name in self._file.schema_arrow.names else None

@@ -1,0 +1,60 @@
+"""Finds the boxes that touch a box: a tree of two levels over boxes in the order of a Z curve."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+_BLOCK = 256
+"""Boxes of a block, near each other along the curve."""
+
+_BITS = 10
+"""Cells of the curve along each axis, as a power of two."""
+
+
+class BoxIndex:
+    """Boxes (N, 2, 3), world; those without extent, inverted, touch nothing.
+
+    Parameters
+    ----------
+    boxes
+        Least and greatest corner of each.
+    """
+
+    def __init__(self, boxes: NDArray[np.float64]) -> None:
+        rows = np.flatnonzero((boxes[:, 0] <= boxes[:, 1]).all(axis=1))
+        middle = boxes[rows][:, :, ::2].mean(axis=1)
+        low = middle.min(axis=0, initial=np.inf)
+        width = np.maximum(middle.max(axis=0, initial=-np.inf) - low, 1e-300)
+        cells = ((middle - low) / width * ((1 << _BITS) - 1)).astype(np.int64)
+        self._rows = rows[np.argsort(_interleaved(cells), kind="stable")]
+        self._boxes = boxes[self._rows]
+        starts = np.arange(0, len(self._rows), _BLOCK)
+        self._blocks = np.stack(
+            [
+                np.minimum.reduceat(self._boxes[:, 0], starts) if len(starts) else np.zeros((0, 3)),
+                np.maximum.reduceat(self._boxes[:, 1], starts) if len(starts) else np.zeros((0, 3)),
+            ],
+            axis=1,
+        )
+
+    def touching(self, box: NDArray[np.float64]) -> NDArray[np.int64]:
+        """Numbers of the boxes that touch a box (2, 3), also at its border, ascending."""
+        blocks = np.flatnonzero(_touch(self._blocks, box))
+        places = (blocks[:, None] * _BLOCK + np.arange(_BLOCK)).ravel()
+        places = places[places < len(self._rows)]
+        return np.sort(self._rows[places[_touch(self._boxes[places], box)]])
+
+
+def _touch(boxes: NDArray[np.float64], box: NDArray[np.float64]) -> NDArray[np.bool_]:
+    touches: NDArray[np.bool_] = ((boxes[:, 0] <= box[1]) & (boxes[:, 1] >= box[0])).all(axis=1)
+    return touches
+
+
+def _interleaved(cells: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Numbers along a Z curve of cells (N, 2)."""
+    code = np.zeros(len(cells), np.int64)
+    for bit in range(_BITS):
+        for axis in (0, 1):
+            code |= (cells[:, axis] >> bit & 1) << (2 * bit + axis)
+    return code

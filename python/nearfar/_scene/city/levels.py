@@ -1,0 +1,107 @@
+"""Levels of detail of city objects: which geometry of each object is drawn."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Collection, Iterator
+from typing import Any
+
+from nearfar._base import check
+from nearfar._base.errors import UnusableError
+from nearfar._scene.city.entries import entry, typed
+from nearfar._scene.report import count
+
+_LARGEST = 9.0
+"""Level that no model exceeds."""
+
+_NEXT = 0.999
+"""Added to a whole number: level 2 stands for 2.0 to 2.3."""
+
+
+def level_of(value: Any, place: str) -> float:
+    """A level of detail as a number, from text such as "2.2" or a number; UnusableError for others."""
+    if isinstance(value, str | int | float) and not isinstance(value, bool):
+        try:
+            number = float(value)
+        except (ValueError, OverflowError):
+            number = math.nan
+        if 0 <= number <= _LARGEST:
+            return number
+    raise UnusableError(f"{place}: expected a level of detail such as '2.2', got {check.shortened(value)}")
+
+
+def greatest(lod: str | float) -> float:
+    """The greatest level that is drawn for an argument: 2 admits all of 2.x; ValueError for others."""
+    try:
+        level = level_of(lod, "lod")
+    except UnusableError as error:
+        raise ValueError(str(error)) from None
+    return level + _NEXT if level == int(level) and "." not in str(lod).removesuffix(".0") else level
+
+
+class Levels:
+    """Chooses the geometries of each object that are drawn.
+
+    Parameters
+    ----------
+    most
+        Greatest level that is drawn; None for the highest of each object.
+    """
+
+    def __init__(self, most: float | None) -> None:
+        self._most = math.inf if most is None else most
+        self._known = Counter[str]()
+        self._left = Counter[tuple[str, str]]()
+
+    def chosen(
+        self, objects: dict[str, dict[str, Any]], drawn: Collection[str]
+    ) -> Iterator[tuple[str, tuple[int, dict[str, Any]]]]:
+        """Yield names of objects with the number and the entry of each geometry that is drawn."""
+        best: dict[str, float] = {}
+        usable: dict[str, list[tuple[float, int, dict[str, Any]]]] = {}
+        for name, item in objects.items():
+            place = f"CityObjects {check.shortened(name)}: "
+            found = usable[name] = list(self._usable(entry(item, "geometry", list, place, []), drawn, place))
+            within = [level for level, _, _ in found if level <= self._most]
+            if within:
+                best[name] = max(within)
+            elif found:
+                self._left["object", "without a level so low left out"] += 1
+        for name, item in objects.items():
+            if name not in best:
+                continue
+            if any(best.get(part, -1) > best[name] for part in _parts(item, objects)):
+                self._left["object", "drawn by its parts, which have more detail"] += 1
+                continue
+            for level, number, geometry in usable[name]:
+                if level == best[name]:
+                    yield name, (number, geometry)
+
+    def _usable(
+        self, geometries: list[Any], drawn: Collection[str], place: str
+    ) -> Iterator[tuple[float, int, dict[str, Any]]]:
+        for number, item in enumerate(geometries):
+            geometry = typed(item, dict, f"{place}geometry[{number}]")
+            if geometry.get("type") not in drawn:
+                self._left["geometry", "of points, lines or an unknown type ignored"] += 1
+                continue
+            level = level_of(geometry.get("lod", 0), f"{place}geometry[{number}].lod")
+            self._known[f"{level:g}"] += 1
+            yield level, number, geometry
+
+    def notes(self) -> list[str]:
+        """What is not drawn, and which levels there are if there are several."""
+        plurals = {"geometry": "geometries"}
+        notes = [f"{count(n, noun, plurals.get(noun, ''))} {rest}" for (noun, rest), n in self._left.items()]
+        if len(self._known) > 1:
+            listed = ", ".join(sorted(self._known))
+            notes.append(f"levels of detail {listed}: the highest of each object is drawn, lod chooses a lower one")
+        return notes
+
+
+def _parts(item: dict[str, Any], objects: dict[str, dict[str, Any]]) -> list[str]:
+    """Children of an object that are parts of it, such as building parts, and not installations."""
+    children = item.get("children")
+    names = [name for name in children if isinstance(name, str)] if isinstance(children, list) else []
+    return [name for name in names if str(objects.get(name, {}).get("type", "")).endswith("Part")]

@@ -1,0 +1,100 @@
+"""Outlines of many features in flat arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar._base.errors import UnusableError
+from nearfar._scene.city.surfaces import offsets, rows_of
+
+
+@dataclass(frozen=True)
+class Outlines:
+    """Polygons of features; the first ring of a polygon is the outer one, the others are holes."""
+
+    points: NDArray[np.float64]
+    """(N, 2) as the file has them; the last point of a ring does not repeat the first."""
+    rings: NDArray[np.int64]
+    """Offsets (R + 1,) into the points."""
+    polygons: NDArray[np.int64]
+    """Offsets (P + 1,) into the rings."""
+    features: NDArray[np.int64]
+    """Offsets (F + 1,) into the polygons."""
+
+    @property
+    def point_starts(self) -> NDArray[np.int64]:
+        """Offsets (F + 1,) of the features into the points."""
+        return self.rings[self.polygons[self.features]]
+
+    def chosen(self, rows: NDArray[np.int64]) -> Outlines:
+        """The outlines of some features."""
+        polygon_counts = np.diff(self.features)[rows]
+        polygons = rows_of(self.features[rows], polygon_counts)
+        ring_counts = np.diff(self.polygons)[polygons]
+        rings = rows_of(self.polygons[polygons], ring_counts)
+        sizes = np.diff(self.rings)[rings]
+        points = self.points[rows_of(self.rings[rings], sizes)]
+        return Outlines(points, offsets(sizes), offsets(ring_counts), offsets(polygon_counts))
+
+    def opened(self) -> Outlines:
+        """Without the last point of rings where it repeats the first."""
+        sizes = np.diff(self.rings)
+        rings = np.flatnonzero(sizes > 1)
+        last = self.rings[1:][rings] - 1
+        last = last[(self.points[self.rings[:-1][rings]] == self.points[last]).all(axis=1)]
+        keep = np.ones(len(self.points), bool)
+        keep[last] = False
+        before = np.concatenate([[0], np.cumsum(keep)])
+        return Outlines(self.points[keep], before[self.rings], self.polygons, self.features)
+
+    def checked(self, *, drop: bool, degrees: bool) -> tuple[Outlines, int]:
+        """Refuse rings of fewer than three points, and points that are no places.
+
+        With `drop` such polygons are left out. Returns the others and the number of polygons left out.
+        """
+        # NaN fails each comparison.
+        limit = np.array([360.0, 90.0]) if degrees else check.FARTHEST
+        good = np.asarray((np.abs(self.points) <= limit).all(axis=1))
+        sizes = np.diff(self.rings)
+        short = sizes < 3
+        if good.all() and not short.any():
+            return self, 0
+        if not drop:
+            self._raise_for(good, short, degrees)
+        bad = short.copy()
+        bad[np.searchsorted(self.rings, np.flatnonzero(~good), side="right") - 1] = True
+        polygon_of = np.arange(len(self.polygons) - 1).repeat(np.diff(self.polygons))
+        lost = np.zeros(len(self.polygons) - 1, bool)
+        lost[polygon_of[bad]] = True
+        kept = np.flatnonzero(~lost)
+        whole = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).chosen(kept)
+        before = np.concatenate([[0], np.cumsum(~lost)])
+        return Outlines(whole.points, whole.rings, whole.polygons, before[self.features]), int(lost.sum())
+
+    def _raise_for(self, good: NDArray[np.bool_], short: NDArray[np.bool_], degrees: bool) -> None:
+        if not good.all():
+            point = int(np.argmin(good))
+            ring = int(np.searchsorted(self.rings, point, side="right")) - 1
+            x, y = self.points[point].tolist()
+            expected = "longitude and latitude in degrees" if degrees else f"numbers up to {check.FARTHEST:g}"
+            hint = "; a member 'crs' names a system in metres" if degrees and max(abs(x), abs(y)) < 1e9 else ""
+            flaw = f"expected {expected}, got ({x:g}, {y:g}){hint}"
+        else:
+            ring = int(np.argmax(short))
+            flaw = f"a ring of {np.diff(self.rings)[ring]} points"
+        feature = int(np.searchsorted(self.polygons[self.features], ring, side="right")) - 1
+        raise UnusableError(f"feature {feature}: {flaw}; on_invalid='drop' leaves such polygons out")
+
+
+def joined(parts: Sequence[Outlines]) -> Outlines:
+    """The features of several parts, one part after the other."""
+    levels = [
+        offsets(np.concatenate([np.zeros(0, np.int64), *(np.diff(getattr(part, name)) for part in parts)]))
+        for name in ("rings", "polygons", "features")
+    ]
+    return Outlines(np.concatenate([np.zeros((0, 2)), *(part.points for part in parts)]), *levels)

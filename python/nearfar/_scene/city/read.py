@@ -1,0 +1,99 @@
+"""Reads city models and footprints, by the kind of file and by what a JSON document says that it is."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from nearfar._base import check
+from nearfar._base.errors import UnusableError
+from nearfar._scene.budget import Budget, read_file
+from nearfar._scene.city import cityjson, geojson, geoparquet
+from nearfar._scene.city.entries import document
+from nearfar._scene.city.footprints import Extrusion, Footprints
+from nearfar._scene.city.levels import greatest
+from nearfar._scene.city.table import Table
+from nearfar._scene.content import Content
+from nearfar._scene.reasons import explained
+
+KINDS = ("geojson", "jsonl", "parquet", "geoparquet")
+"""Suffixes of files that only cities have; those of .json say inside what they are."""
+
+_PACKED = ".gz"
+
+_UNKNOWN = "its JSON is no scene that nearfar reads: no CityJSON, no GeoJSON and no tileset of 3D Tiles"
+
+
+@dataclass(frozen=True)
+class CityOptions:
+    """What a caller chooses of a city's file."""
+
+    lod: float | None = None
+    """Greatest level of detail of CityJSON that is drawn; None for the highest of each object."""
+    extrusion: Extrusion = field(default_factory=Extrusion)
+
+    @classmethod
+    def checked(
+        cls, lod: str | float | None, height: str | None, origin: tuple[float, float, float] | None
+    ) -> CityOptions:
+        """Check arguments of `nearfar.Scene.load`; the origin has been checked."""
+        level = None if lod is None else greatest(lod)
+        named = None if height is None else check.text("height", height)
+        return cls(level, Extrusion(height=named, origin=origin))
+
+    def check_kind(self, path: str | Path) -> None:
+        """Refuse choices that no file of this kind has; ValueError."""
+        name = Path(path).name
+        kind = name.lower().removesuffix(_PACKED).rpartition(".")[2]
+        if self.lod is not None and kind not in ("json", "jsonl"):
+            raise ValueError(f"lod: expected None for {name}, because only CityJSON has levels of detail")
+        if self.extrusion.height is not None and kind not in ("json", "geojson", "parquet", "geoparquet"):
+            raise ValueError(f"height: expected None for {name}, because only GeoJSON and GeoParquet are extruded")
+
+
+def read(label: str, kind: str, data: bytes, options: CityOptions, budget: Budget, *, drop: bool) -> Content:
+    """The content of a file of one of `KINDS`, or of JSON that is a city; UnusableError for others."""
+    if kind == "jsonl":
+        return cityjson.read_sequence(label, data, options.lod, drop=drop)
+    root = _root(kind, data)
+    if isinstance(root, dict) and root.get("type") == "CityJSON":
+        if options.extrusion.height is not None:
+            raise UnusableError("it is CityJSON, which is not extruded: height does not apply to it")
+        return cityjson.read(label, root, options.lod, drop=drop)
+    if options.lod is not None:
+        raise UnusableError("it has footprints and no levels of detail: lod does not apply to it")
+    return Footprints(label, _table(root, data, budget), options.extrusion, drop=drop).content()
+
+
+def open_footprints(path: Path, options: CityOptions | None = None, budget: Budget | None = None) -> Footprints:
+    """The footprints of a GeoJSON or GeoParquet file; SceneError with its name if it is none."""
+    label, kind = os.fspath(path), path.suffix.lower().lstrip(".")
+    budget = Budget() if budget is None else budget
+    with explained(label, passed=OSError):
+        data = read_file(path, budget)
+    with explained(label):
+        table = _table(_root(kind, data), data, budget)
+        return Footprints(label, table, (options or CityOptions()).extrusion, drop=False)
+
+
+def _root(kind: str, data: bytes) -> Any:
+    """The parsed JSON; None for Parquet."""
+    if kind in ("parquet", "geoparquet"):
+        return None
+    root = document(data)
+    if root is None:
+        raise UnusableError(_UNKNOWN)
+    return root
+
+
+def _table(root: Any, data: bytes, budget: Budget) -> Table:
+    """The features of parsed JSON, or of Parquet's bytes where there is none."""
+    if root is None:
+        return geoparquet.read(data, budget)
+    if geojson.is_polygon_list(root):
+        return geojson.read(root)
+    if isinstance(root, dict) and root.get("type") in ("FeatureCollection", "Feature", *geojson.GEOMETRIES):
+        return geojson.read(root)
+    raise UnusableError(_UNKNOWN)

@@ -1,0 +1,74 @@
+"""Flat surfaces with holes in space: their normals by Newell's formula, and their triangles in their own plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+
+_THIN = 1e-12
+"""Area as a share of the extent squared below which a surface is a line: float64 has 16 digits."""
+
+
+@dataclass(frozen=True)
+class Surfaces:
+    """Surfaces in flat arrays; each has a ring of at least one corner, the outer one first, then its holes."""
+
+    corners: NDArray[np.float64]
+    """(C, 3) metres; each surface has corners of its own."""
+    rings: NDArray[np.int64]
+    """Offsets (R + 1,) into the corners, without empty rings."""
+    surfaces: NDArray[np.int64]
+    """Offsets (S + 1,) into the rings, without empty surfaces."""
+
+    def area_vectors(self) -> NDArray[np.float64]:
+        """Newell's normals (R, 3) of the rings, as long as their area."""
+        if not len(self.corners):
+            return np.zeros((len(self.rings) - 1, 3))
+        here = self.local()
+        following = np.arange(1, len(here) + 1)
+        following[self.rings[1:] - 1] = self.rings[:-1]
+        return np.add.reduceat(np.cross(here, here[following]), self.rings[:-1]) / 2
+
+    def local(self) -> NDArray[np.float64]:
+        """Corners relative to the first one of their surface."""
+        first = self.rings[self.surfaces]
+        return self.corners - self.corners[first[:-1]].repeat(np.diff(first), axis=0)
+
+    def triangles(self) -> tuple[NDArray[np.uint32], NDArray[np.int64]]:
+        """Faces (F, 3) of corner numbers, seen counter-clockwise where the outer rings are, and offsets (S + 1,).
+
+        Surfaces without an area have none. Corners are taken into the plane of Newell's normal of the outer ring.
+        """
+        if not len(self.corners):
+            return np.zeros((0, 3), np.uint32), np.zeros(len(self.surfaces), np.int64)
+        normals = self.area_vectors()[self.surfaces[:-1]]
+        local, first = self.local(), self.rings[self.surfaces]
+        area = np.linalg.norm(normals, axis=1)
+        extent = np.maximum.reduceat(np.abs(local).max(axis=1), first[:-1])
+        flat = area > _THIN * extent**2
+        unit = np.divide(normals, area[:, None], out=np.zeros_like(normals), where=flat[:, None])
+        across = np.cross(np.eye(3)[np.abs(unit).argmin(axis=1)], unit)
+        across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 0.5)
+        counts = np.diff(first)
+        planar = [
+            np.einsum("ij,ij->i", local, axis.repeat(counts, axis=0)) for axis in (across, np.cross(unit, across))
+        ]
+        return _core.triangulate_polygons(np.stack(planar, axis=-1), self.rings, self.surfaces)
+
+
+def offsets(counts: NDArray[np.int64] | list[int]) -> NDArray[np.int64]:
+    """Offsets (N + 1,) of runs of these lengths."""
+    ends = np.zeros(len(counts) + 1, np.int64)
+    np.cumsum(counts, out=ends[1:])
+    return ends
+
+
+def rows_of(starts: NDArray[np.int64], lengths: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Numbers of the rows of runs, one run after the other."""
+    ends = np.cumsum(lengths)
+    total = int(ends[-1]) if len(ends) else 0
+    return np.arange(total) + (starts - ends + lengths).repeat(lengths)

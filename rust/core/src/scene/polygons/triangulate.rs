@@ -1,0 +1,248 @@
+//! Triangles of polygons, by ear clipping: the crate `earcut`, a port of Mapbox's.
+
+use std::ops::Range;
+
+use earcut::Earcut;
+use rayon::prelude::*;
+
+use super::outlines::Polygons;
+use crate::base::{Progress, Result};
+
+/// Polygons that one task takes, so that a task reuses its memory and takes milliseconds.
+const POLYGONS_PER_TASK: usize = 512;
+
+/// Faces of many things, in their order.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Faces {
+    /// Corners of the triangles.
+    pub faces: Vec<[u32; 3]>,
+    /// Those of thing n are `faces[offsets[n]..offsets[n + 1]]`.
+    pub offsets: Vec<i64>,
+}
+
+/// Triangulates polygons; corners are numbers of points, counter-clockwise where y points up.
+///
+/// Rings of fewer than three points count as absent. Where rings cross, touch or leave the outer ring, the triangles
+/// are some that lie between the points.
+pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
+    by_polygon(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
+        clipper.clip(polygons, polygon);
+        faces.extend_from_slice(clipper.triangles());
+    })
+}
+
+/// Collects the faces that `add` appends for each of `count` things; each task has a tool of its own.
+pub(super) fn by_polygon<T>(
+    count: usize,
+    progress: &Progress,
+    tool: impl Fn() -> T + Sync,
+    add: impl Fn(&mut T, usize, &mut Vec<[u32; 3]>) + Sync,
+) -> Result<Faces> {
+    progress.expect(count as u64);
+    let task = |things: Range<usize>| -> Result<(Vec<[u32; 3]>, Vec<i64>)> {
+        let (mut tool, mut faces, mut ends) = (tool(), Vec::new(), Vec::with_capacity(things.len()));
+        let size = things.len() as u64;
+        for thing in things {
+            progress.check()?;
+            add(&mut tool, thing, &mut faces);
+            ends.push(faces.len() as i64);
+        }
+        progress.report(size)?;
+        Ok((faces, ends))
+    };
+    let tasks = (0..count.div_ceil(POLYGONS_PER_TASK)).into_par_iter().map(|number| {
+        let start = number * POLYGONS_PER_TASK;
+        task(start..count.min(start + POLYGONS_PER_TASK))
+    });
+    let parts: Vec<_> = tasks.collect::<Result<_>>()?;
+    let mut all = Faces { faces: Vec::new(), offsets: Vec::with_capacity(count + 1) };
+    all.faces.reserve_exact(parts.iter().map(|(faces, _)| faces.len()).sum());
+    all.offsets.push(0);
+    for (faces, ends) in parts {
+        let start = all.faces.len() as i64;
+        all.faces.extend_from_slice(&faces);
+        all.offsets.extend(ends.into_iter().map(|end| start + end));
+    }
+    Ok(all)
+}
+
+/// Clips the ears of one polygon after the other.
+pub(super) struct Clipper {
+    earcut: Earcut<f64>,
+    local: Vec<[f64; 2]>,
+    /// Number of each local point among all.
+    numbers: Vec<u32>,
+    holes: Vec<u32>,
+    corners: Vec<u32>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Clipper {
+    pub(super) fn new() -> Self {
+        Self {
+            earcut: Earcut::new(),
+            local: Vec::new(),
+            numbers: Vec::new(),
+            holes: Vec::new(),
+            corners: Vec::new(),
+            triangles: Vec::new(),
+        }
+    }
+
+    /// Triangulates a polygon, relative to its first point, because coordinates of national grids have few digits left.
+    pub(super) fn clip(&mut self, polygons: &Polygons, polygon: usize) {
+        self.local.clear();
+        self.numbers.clear();
+        self.holes.clear();
+        self.triangles.clear();
+        let mut first = None;
+        for (number, ring) in polygons.rings_of(polygon).enumerate() {
+            if ring.len() < 3 {
+                if number == 0 {
+                    return;
+                }
+                continue;
+            }
+            if number > 0 {
+                self.holes.push(self.local.len() as u32);
+            }
+            let [x, y] = *first.get_or_insert(polygons.points()[ring.start]);
+            self.local.extend(polygons.points()[ring.clone()].iter().map(|point| [point[0] - x, point[1] - y]));
+            self.numbers.extend(ring.start as u32..ring.end as u32);
+        }
+        self.earcut.earcut_slice(&self.local, &self.holes, &mut self.corners);
+        let (local, numbers) = (&self.local, &self.numbers);
+        self.triangles.extend(self.corners.as_chunks::<3>().0.iter().map(|&[a, b, c]| {
+            let turned = doubled_area([a, b, c].map(|corner| local[corner as usize])) < 0.0;
+            (if turned { [a, c, b] } else { [a, b, c] }).map(|corner| numbers[corner as usize])
+        }));
+    }
+
+    /// The triangles of the polygon that was clipped last.
+    pub(super) fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+}
+
+/// Twice the signed area of a triangle.
+fn doubled_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// Twice the signed area of a ring, positive where it runs counter-clockwise; relative to its first point.
+pub(super) fn doubled_ring_area(ring: &[[f64; 2]]) -> f64 {
+    let Some(&first) = ring.first() else { return 0.0 };
+    ring.windows(2).map(|pair| doubled_area([first, pair[0], pair[1]])).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::base::Error;
+
+    fn faces_of(points: &[[f64; 2]], rings: &[i64], polygons: &[i64]) -> Faces {
+        triangulate(&Polygons::new(points, rings, polygons).unwrap(), &Progress::new()).unwrap()
+    }
+
+    fn area_of(points: &[[f64; 2]], faces: &[[u32; 3]]) -> f64 {
+        faces.iter().map(|face| doubled_area(face.map(|corner| points[corner as usize])) / 2.0).sum()
+    }
+
+    const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+
+    #[test]
+    fn holes_are_left_open_whatever_the_directions() {
+        let hole = [[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]];
+        for turns in 0..4 {
+            let (mut outer, mut inner) = (SQUARE, hole);
+            if turns % 2 == 1 {
+                outer.reverse();
+            }
+            if turns / 2 == 1 {
+                inner.reverse();
+            }
+            let points = [outer, inner].concat();
+            let found = faces_of(&points, &[0, 4, 8], &[0, 2]);
+            assert_eq!((found.faces.len(), area_of(&points, &found.faces)), (8, 12.0));
+            assert!(found.faces.iter().all(|face| area_of(&points, &[*face]) > 0.0));
+        }
+    }
+
+    #[test]
+    fn polygons_stay_in_their_order() {
+        let far = SQUARE.map(|[x, y]| [x + 2e6, y - 5e6]);
+        let points = [&far[..], &SQUARE[..2], &SQUARE[..3]].concat();
+        let found = faces_of(&points, &[0, 4, 6, 9], &[0, 1, 2, 2, 3]);
+        assert_eq!(found.offsets, [0, 2, 2, 2, 3]);
+        assert_eq!(area_of(&points, &found.faces[..2]), 16.0);
+        let mut last = found.faces[2];
+        last.sort_unstable();
+        assert_eq!(last, [6, 7, 8]);
+    }
+
+    #[test]
+    fn an_outer_ring_without_points_has_no_triangles() {
+        assert_eq!(faces_of(&SQUARE, &[0, 0, 4], &[0, 2]), Faces { faces: vec![], offsets: vec![0, 0] });
+        assert_eq!(faces_of(&[[1.0; 2]; 9], &[0, 9], &[0, 1]).faces.len(), 0);
+    }
+
+    #[test]
+    fn results_do_not_depend_on_tasks() {
+        let count = 3 * POLYGONS_PER_TASK + 7;
+        let points: Vec<[f64; 2]> = (0..count).flat_map(|n| SQUARE.map(|[x, y]| [x + n as f64, y])).collect();
+        let rings: Vec<i64> = (0..=count as i64).map(|n| 4 * n).collect();
+        let polygons: Vec<i64> = (0..=count as i64).collect();
+        let found = faces_of(&points, &rings, &polygons);
+        assert_eq!(found.offsets, (0..=count as i64).map(|n| 2 * n).collect::<Vec<_>>());
+        let first = &found.faces[..2];
+        let moved = |n: usize| first.iter().map(move |face| face.map(|corner| corner + 4 * n as u32));
+        assert!((0..count).flat_map(moved).eq(found.faces.iter().copied()));
+    }
+
+    #[test]
+    fn the_caller_can_cancel() {
+        let progress = Progress::new();
+        progress.cancel();
+        let polygons = Polygons::new(&SQUARE, &[0, 4], &[0, 1]).unwrap();
+        assert_eq!(triangulate(&polygons, &progress), Err(Error::Cancelled));
+    }
+
+    proptest! {
+        /// Rings around a centre are simple, and so are smaller ones within: areas are those of the shoelace formula.
+        #[test]
+        fn areas_are_those_of_the_rings(
+            outer in proptest::collection::vec(10.0..20.0f64, 3..60),
+            inner in proptest::collection::vec(1.0..4.0f64, 3..20),
+            x in -1e7..1e7f64,
+            backward: bool,
+        ) {
+            let ring = |radii: &[f64]| -> Vec<[f64; 2]> {
+                let angle = |n: usize| std::f64::consts::TAU * n as f64 / radii.len() as f64;
+                radii.iter().enumerate().map(|(n, r)| [x + r * angle(n).cos(), r * angle(n).sin()]).collect()
+            };
+            let (mut outside, hole) = (ring(&outer), ring(&inner));
+            if backward {
+                outside.reverse();
+            }
+            let expected = (doubled_ring_area(&outside).abs() - doubled_ring_area(&hole).abs()) / 2.0;
+            let points = [&outside[..], &hole[..]].concat();
+            let rings = [0, outside.len() as i64, points.len() as i64];
+            let found = faces_of(&points, &rings, &[0, 2]);
+            prop_assert!((area_of(&points, &found.faces) - expected).abs() <= 1e-9 * expected.abs().max(1.0));
+        }
+
+        /// Any points, also equal ones and rings that cross: corners are points of the polygon, none is turned.
+        #[test]
+        fn any_rings_have_an_answer(
+            points in proptest::collection::vec((0..6i8, 0..6i8), 0..40),
+            cut in 0..40usize,
+        ) {
+            let points: Vec<[f64; 2]> = points.iter().map(|&(x, y)| [f64::from(x), f64::from(y)]).collect();
+            let cut = cut.min(points.len()) as i64;
+            let found = faces_of(&points, &[0, cut, points.len() as i64], &[0, 2]);
+            prop_assert!(found.faces.iter().all(|face| area_of(&points, &[*face]) >= 0.0));
+        }
+    }
+}

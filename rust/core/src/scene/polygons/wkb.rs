@@ -1,0 +1,193 @@
+//! Polygons of well-known binary (WKB), as OGC and ISO define it and with the flags of PostGIS.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::outlines::check_offsets;
+use crate::base::{Error, Progress, Result};
+
+/// Rows that one task reads: a few milliseconds.
+const ROWS_PER_TASK: usize = 4096;
+/// Greatest depth of geometries in collections.
+const DEEPEST: usize = 16;
+/// Flags of PostGIS beside the type.
+const HAS_Z: u32 = 1 << 31;
+const HAS_M: u32 = 1 << 30;
+const HAS_SRID: u32 = 1 << 29;
+
+/// Polygons of many rows, as `Polygons` takes them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Outlines {
+    /// Points without the last one of each ring, which repeats the first.
+    pub points: Vec<[f64; 2]>,
+    /// Ring r is `points[rings[r]..rings[r + 1]]`.
+    pub rings: Vec<i64>,
+    /// Polygon p has the rings `polygons[p]..polygons[p + 1]`.
+    pub polygons: Vec<i64>,
+    /// Row n has the polygons `rows[n]..rows[n + 1]`.
+    pub rows: Vec<i64>,
+    /// Number of geometries that are no polygons and were left out.
+    pub skipped: u64,
+}
+
+/// Reads the geometries `bytes[offsets[n]..offsets[n + 1]]`; rows without bytes have none. The error names the row.
+pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlines> {
+    check_offsets("offsets", offsets, bytes.len())?;
+    let count = offsets.len() - 1;
+    progress.expect(count as u64);
+    let task = |rows: Range<usize>| -> Result<Outlines> {
+        let (mut found, size) = (Outlines::default(), rows.len() as u64);
+        for row in rows {
+            let range = offsets[row] as usize..offsets[row + 1] as usize;
+            if !range.is_empty() {
+                let mut reader = Reader { rest: &bytes[range], found: &mut found };
+                reader.row().map_err(|flaw| Error::Scene(format!("row {row}: {flaw}")))?;
+            }
+            found.rows.push(found.polygons.len() as i64);
+        }
+        progress.report(size)?;
+        Ok(found)
+    };
+    let tasks = (0..count.div_ceil(ROWS_PER_TASK)).into_par_iter().map(|number| {
+        let start = number * ROWS_PER_TASK;
+        task(start..count.min(start + ROWS_PER_TASK))
+    });
+    // The first error is told, whichever task ends first.
+    let parts: Vec<Result<Outlines>> = tasks.collect();
+    Ok(joined(&parts.into_iter().collect::<Result<Vec<_>>>()?))
+}
+
+/// The parts one after the other; their offsets are ends, which get the leading 0 here.
+fn joined(parts: &[Outlines]) -> Outlines {
+    let mut all = Outlines { rings: vec![0], polygons: vec![0], rows: vec![0], ..Outlines::default() };
+    all.points.reserve_exact(parts.iter().map(|part| part.points.len()).sum());
+    for part in parts {
+        let [points, rings, polygons] =
+            [all.points.len(), all.rings.len() - 1, all.polygons.len() - 1].map(|count| count as i64);
+        all.points.extend_from_slice(&part.points);
+        all.rings.extend(part.rings.iter().map(|end| points + end));
+        all.polygons.extend(part.polygons.iter().map(|end| rings + end));
+        all.rows.extend(part.rows.iter().map(|end| polygons + end));
+        all.skipped += part.skipped;
+    }
+    all
+}
+
+/// Header of a geometry.
+struct Header {
+    is_little: bool,
+    /// OGC's number: 1 for points to 7 for collections, and others.
+    kind: u32,
+    /// Numbers of a point, 2 to 4.
+    columns: usize,
+}
+
+struct Reader<'a, 'f> {
+    rest: &'a [u8],
+    found: &'f mut Outlines,
+}
+
+type Parsed<T> = std::result::Result<T, String>;
+
+impl<'a> Reader<'a, '_> {
+    fn row(&mut self) -> Parsed<()> {
+        self.geometry(0)?;
+        match self.rest.len() {
+            0 => Ok(()),
+            left => Err(format!("{left} bytes follow its geometry")),
+        }
+    }
+
+    fn geometry(&mut self, depth: usize) -> Parsed<()> {
+        let header = self.header()?;
+        match header.kind {
+            1 => self.take(8 * header.columns).map(drop),
+            2 => self.point_run(&header).map(drop),
+            3 => return self.polygon(&header),
+            // Points, lines and polygons of one kind, and collections; the parts have headers of their own.
+            4..=7 if depth < DEEPEST => {
+                for _ in 0..self.count(&header, 5)? {
+                    self.geometry(depth + 1)?;
+                }
+                return Ok(());
+            }
+            4..=7 => return Err(format!("its geometries are nested deeper than {DEEPEST}")),
+            kind => return Err(format!("geometry type {kind} is not read, only points, lines and polygons are")),
+        }?;
+        self.found.skipped += 1;
+        Ok(())
+    }
+
+    fn header(&mut self) -> Parsed<Header> {
+        let is_little = match self.take(1)? {
+            [0] => false,
+            [1] => true,
+            other => return Err(format!("its order of bytes is {}, not 0 or 1", other[0])),
+        };
+        let stated = self.number(is_little)?;
+        let plain = stated & !(HAS_Z | HAS_M | HAS_SRID);
+        let (dimensions, kind) = (plain / 1000, plain % 1000);
+        if dimensions > 3 {
+            return Err(format!("geometry type {plain} is not known"));
+        }
+        if stated & HAS_SRID != 0 {
+            self.number(is_little)?;
+        }
+        let has_z = stated & HAS_Z != 0 || dimensions & 1 != 0;
+        let has_m = stated & HAS_M != 0 || dimensions & 2 != 0;
+        Ok(Header { is_little, kind, columns: 2 + usize::from(has_z) + usize::from(has_m) })
+    }
+
+    fn polygon(&mut self, header: &Header) -> Parsed<()> {
+        for _ in 0..self.count(header, 4)? {
+            let (is_little, columns) = (header.is_little, header.columns);
+            let run = self.point_run(header)?;
+            let start = self.found.points.len();
+            self.found.points.extend(run.chunks_exact(8 * columns).map(|row| {
+                let value = |at: usize| {
+                    let bytes: [u8; 8] = std::array::from_fn(|byte| row[at + byte]);
+                    if is_little { f64::from_le_bytes(bytes) } else { f64::from_be_bytes(bytes) }
+                };
+                [value(0), value(8)]
+            }));
+            let points = &mut self.found.points;
+            if points.len() > start + 1 && points.last() == points.get(start) {
+                points.pop();
+            }
+            self.found.rings.push(points.len() as i64);
+        }
+        self.found.polygons.push(self.found.rings.len() as i64);
+        Ok(())
+    }
+
+    /// The bytes of points that a count precedes.
+    fn point_run(&mut self, header: &Header) -> Parsed<&'a [u8]> {
+        let count = self.count(header, 8 * header.columns)?;
+        self.take(count * 8 * header.columns)
+    }
+
+    /// A count of things that take at least so many bytes each: no more than the rest has room for.
+    fn count(&mut self, header: &Header, least: usize) -> Parsed<usize> {
+        let count = self.number(header.is_little)? as usize;
+        if count > self.rest.len() / least {
+            return Err(format!("it claims {count} parts, for which its bytes have no room"));
+        }
+        Ok(count)
+    }
+
+    fn number(&mut self, is_little: bool) -> Parsed<u32> {
+        let taken = self.take(4)?;
+        let bytes: [u8; 4] = std::array::from_fn(|byte| taken[byte]);
+        Ok(if is_little { u32::from_le_bytes(bytes) } else { u32::from_be_bytes(bytes) })
+    }
+
+    fn take(&mut self, size: usize) -> Parsed<&'a [u8]> {
+        let (taken, rest) = self.rest.split_at_checked(size).ok_or_else(|| "it is cut off".to_owned())?;
+        self.rest = rest;
+        Ok(taken)
+    }
+}
+
+#[cfg(test)]
+mod tests;
