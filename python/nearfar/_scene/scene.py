@@ -100,7 +100,7 @@ class Scene(InPictures):
         error, triangles
             Of a tileset, greatest geometric error in metres, or greatest number of triangles; default: all detail.
         lod, height
-            Greatest level of detail of CityJSON (default: the highest), and property with footprints' heights in metres.
+            Greatest level of detail of CityJSON (default: the highest); property with heights of footprints in metres.
         origin
             Longitude and latitude in degrees and height in metres of (0, 0, 0) for tilesets on the Earth and footprints
             in degrees; x points east, y up and z south there. By default the middle, which `report` states.

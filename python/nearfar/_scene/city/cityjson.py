@@ -89,7 +89,7 @@ class _Reader:
             nodes += [(name, matrix @ _moved(base), key) for name, matrix, used in self._placed if used == owner]
         if lost + lost_too:
             self._left["surface", "with rings of fewer than three corners left out"] += lost + lost_too
-        used = [f"CityJSON {self._header['version']}"]
+        used = [f"CityJSON {self._header['version']}", *self._system]
         return Content(self._label, _named(shapes), _nodes(nodes), self._notes(), used)
 
     def _read_part(self, part: dict[str, Any]) -> None:
@@ -166,13 +166,11 @@ class _Reader:
         self._placed.append((name, _TURN @ matrix @ _TURN.T, owner))
 
     def _notes(self) -> list[str]:
-        notes = [self._system] if self._system else []
-        notes += self._levels.notes()
-        return notes + [f"{count(number, noun)} {rest}" for (noun, rest), number in self._left.items()]
+        return self._levels.notes() + [f"{count(number, noun)} {rest}" for (noun, rest), number in self._left.items()]
 
 
-def _system(header: dict[str, Any]) -> str:
-    """A note on the coordinate system and the extent that a document states; UnusableError for degrees."""
+def _system(header: dict[str, Any]) -> list[str]:
+    """What is told of the coordinate system and the extent that a document states; UnusableError for degrees."""
     metadata = entry(header, "metadata", dict, "", {})
     name = metadata.get("referenceSystem")
     notes = []
@@ -187,7 +185,7 @@ def _system(header: dict[str, Any]) -> str:
     if isinstance(extent, list) and len(extent) == 6 and all(isinstance(value, int | float) for value in extent):
         sides = (f"{low:,.0f} to {high:,.0f}" for low, high in zip(extent[:3], extent[3:], strict=True))
         notes.append("stated extent " + ", ".join(f"{axis} {side}" for axis, side in zip("xyz", sides, strict=True)))
-    return "; ".join(notes)
+    return notes
 
 
 def _moved(base: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -67,7 +67,12 @@ class Footprints:
         """World boxes (F, 2, 3) of the features; infinite and inverted for those without polygons."""
         self._index = BoxIndex(self.boxes)
         self.format = table.format
-        self.notes = [self.ground.note, *table.notes, *_notes(table.skipped, lost, unknown, how.default_height)]
+        self._system = [self.ground.note] if self.ground.is_kept else []
+        self.notes = [
+            *([] if self._system else [self.ground.note]),
+            *table.notes,
+            *_notes(table.skipped, lost, unknown, how.default_height),
+        ]
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -103,7 +108,7 @@ class Footprints:
         transform[:3, 3] = base
         shape = Shape(vertices.reshape(-1, 3), faces, face_object=face_object)
         nodes = Nodes([""], transform[None], [_KEY])
-        used = [f"{self.format}: {count(len(chosen), 'feature')} extruded"]
+        used = [f"{self.format}: {count(len(chosen), 'feature')} extruded", *self._system]
         return Content(self.label, {_KEY: shape}, nodes, list(self.notes), used, names=self._names_of(rows))
 
     def _names_of(self, rows: NDArray[np.int64] | None) -> Sequence[str] | int:

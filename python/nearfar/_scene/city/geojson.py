@@ -55,7 +55,7 @@ def _polygon_list(root: list[Any]) -> Table:
             bool(polygon) and isinstance(polygon[0], list) and bool(polygon[0]) and not isinstance(polygon[0][0], list)
         )
         collector.polygons([[polygon] if is_ring else polygon], f"[{number}].polygon")
-    return Table(collector.outlines(), "WGS84", True, _Columns(rows, []))
+    return Table(collector.outlines(), "WGS84", True, _Columns(rows, []), format="list of polygons")
 
 
 def _system(root: dict[str, Any]) -> tuple[str, bool]:

@@ -21,6 +21,10 @@ class Ground(Protocol):
     def note(self) -> str:
         """A sentence on what the world's coordinates are."""
 
+    @property
+    def is_kept(self) -> bool:
+        """Whether they are the file's."""
+
     def world(self, points: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
         """Points (N, 2) as the file has them and heights (N,) in metres as world metres (N, 3)."""
 
@@ -41,6 +45,10 @@ class Projected:
             if self.metres == 1
             else f"coordinates of {self.system} in metres"
         )
+
+    @property
+    def is_kept(self) -> bool:
+        return self.metres == 1
 
     def world(self, points: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.stack([points[:, 0] * self.metres, heights, points[:, 1] * -self.metres], axis=-1)
@@ -67,6 +75,10 @@ class Geodetic:
     def note(self) -> str:
         height = f", height {self.height:g} m" if self.height else ""
         return f"local frame at longitude {self.longitude:g}°, latitude {self.latitude:g}°{height}"
+
+    @property
+    def is_kept(self) -> bool:
+        return False
 
     def world(self, points: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
         longitude, latitude = np.radians((self.longitude, self.latitude)).tolist()

@@ -32,7 +32,9 @@ def level_of(value: Any, place: str) -> float:
 
 
 def greatest(lod: str | float) -> float:
-    """The greatest level that is drawn for an argument: 2 admits all of 2.x; ValueError for others."""
+    """The greatest level that is drawn for an argument: 2 admits all of 2.x; ValueError or TypeError for others."""
+    if not isinstance(lod, str | int | float) or isinstance(lod, bool):
+        raise TypeError(f"lod: expected a level of detail such as '2.2', got {check.described(lod)}")
     try:
         level = level_of(lod, "lod")
     except UnusableError as error:

@@ -25,7 +25,7 @@ impl<'a> Polygons<'a> {
         }
         check_offsets("rings", rings, points.len())?;
         check_offsets("polygons", polygons, rings.len() - 1)?;
-        let far = |&value: &&f64| !(value.abs() <= FARTHEST);
+        let far = |value: &&f64| value.is_nan() || value.abs() > FARTHEST;
         if let Some(&value) = points.as_flattened().iter().find(far) {
             return Err(Error::value("points", "numbers up to 1e30", number(value)));
         }
@@ -91,6 +91,7 @@ mod tests {
         assert_eq!((polygons.len(), polygons.is_empty()), (3, false));
         assert_eq!(polygons.rings_of(0).count(), 0);
         assert_eq!(polygons.rings_of(1).collect::<Vec<_>>(), [0..3, 3..3]);
-        assert_eq!(polygons.rings_of(2).collect::<Vec<_>>(), [3..9]);
+        assert_eq!(polygons.rings_of(2).next(), Some(3..9));
+        assert_eq!(polygons.rings_of(2).count(), 1);
     }
 }
