@@ -352,3 +352,10 @@ def test_lines_of_a_sequence_are_named(tmp_path: Path) -> None:
         assert words in message(path)
     path.write_text("\n\n")
     assert "it is empty" in message(path)
+
+
+def test_rows_that_unpack_to_much_are_refused(tmp_path: Path) -> None:
+    path = parquet(tmp_path / "a.parquet", [ROW] * 200_000)
+    assert path.stat().st_size < 100_000
+    assert "it unpacks to more than 10,000,000 bytes" in message(path, max_bytes=10_000_000)
+    assert nf.Scene.load(path).triangle_count == 2_000_000

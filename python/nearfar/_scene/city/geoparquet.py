@@ -23,6 +23,9 @@ _BATCH = 1 << 16
 _POINT = 16
 """Bytes of a point."""
 
+_ROW = 96
+"""Bytes of a feature's offset, heights and box."""
+
 
 def read(data: bytes, budget: Budget) -> Table:
     """The features of a file; a budget counts what it unpacks to."""
@@ -74,8 +77,8 @@ def _outlines(file: Any, name: str, budget: Budget) -> tuple[Outlines, int]:
         outlines, lost = _batch(batch.column(0), before)
         before += batch.num_rows
         skipped += lost
-        # The kernel's arrays of a part are small; all of them are what a damaged file may claim.
-        budget.hold(len(outlines.points) * _POINT + batch.num_rows * 8)
+        # A page of equal rows takes a few bytes, however many there are.
+        budget.hold(len(outlines.points) * _POINT + batch.num_rows * _ROW)
         parts.append(outlines)
     return joined(parts), skipped
 
