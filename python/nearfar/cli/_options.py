@@ -19,8 +19,11 @@ Point = tuple[float, float, float]
 FACE_SIZE = 1024
 """Texels across a face of the cube map by default."""
 
-PROCEDURAL = ("city", "room", "factory", "forest", "beams", "spheres", "landscape")
+PROCEDURAL = ("city", "room", "factory", "forest", "beams", "spheres", "landscape", "world", "asteroids")
 """Names of the procedural scenes."""
+
+MIDDLE = ((-500.0, -math.inf, -500.0), (500.0, math.inf, 500.0))
+"""The part of a world that commands take: a square kilometre around its town."""
 
 
 def read_point(option: str, text: str | None) -> Point | None:
@@ -71,8 +74,8 @@ def option(names: str, metavar: str, text: str) -> Any:
 INPUT = option(
     "-i --input",
     "SCENE",
-    "Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room, factory, forest, beams, spheres or landscape, as in "
-    "city:blocks=4,seed=1.",
+    "Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room, factory, forest, beams, spheres, landscape, world or "
+    "asteroids, as in city:blocks=4,seed=1.",
 )
 Input = Annotated[str, INPUT]
 Up = Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z.")]
@@ -139,8 +142,8 @@ WithRange = Annotated[
 SCENE_OR_FOLDER = option(
     "-i --input",
     "SCENE",
-    "Scene file (GLB, glTF, OBJ, PLY, STL …), city, room, factory, forest, beams, spheres or landscape, as in "
-    "city:blocks=4,seed=1, or a folder that `nearfar reduce` wrote.",
+    "Scene file (GLB, glTF, OBJ, PLY, STL …), city, room, factory, forest, beams, spheres, landscape, world or "
+    "asteroids, as in city:blocks=4,seed=1, or a folder that `nearfar reduce` wrote.",
 )
 SceneOrFolder = Annotated[str, SCENE_OR_FOLDER]
 Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]
@@ -224,5 +227,7 @@ def _procedural(name: str, settings: str) -> nf.Scene:
             chosen[key] = int(value)
         except ValueError:
             raise ValueError(f"{name}: expected a whole number for {key}, got {check.shortened(value)}") from None
-    scene: nf.Scene = maker(**chosen)
-    return scene
+    made: nf.Scene | nf.datasets.World | nf.datasets.Asteroids = maker(**chosen)
+    if isinstance(made, nf.datasets.Asteroids):
+        return made.scene()
+    return made.query(MIDDLE) if isinstance(made, nf.datasets.World) else made

@@ -1,6 +1,7 @@
 """Procedural scenes, from thousands to tens of millions of triangles, and the look-up of data files."""
 
 from nearfar._base.data import find
+from nearfar.datasets._asteroids import Asteroids, asteroids
 from nearfar.datasets._city import city, street_view
 from nearfar.datasets._factory.hall import factory, factory_view
 from nearfar.datasets._forest import forest
@@ -9,11 +10,15 @@ from nearfar.datasets._stereo_scenes import beams, landscape, spheres
 from nearfar.datasets._study.ball import SphereTask, sphere_task
 from nearfar.datasets._study.count import CountTask, count_task
 from nearfar.datasets._study.tape import TapeTask, tape_task
+from nearfar.datasets._world.source import World, world
 
 __all__ = [
+    "Asteroids",
     "CountTask",
     "SphereTask",
     "TapeTask",
+    "World",
+    "asteroids",
     "beams",
     "city",
     "count_task",
@@ -28,4 +33,5 @@ __all__ = [
     "spheres",
     "street_view",
     "tape_task",
+    "world",
 ]

@@ -1,0 +1,92 @@
+"""The grids of all levels of detail, nested so that the error of each is bounded by construction.
+
+A vertex that a finer grid adds lies on the middle of an edge of the coarser one, moved up or down by at most `STEPS` of
+its level. Both grids split their squares along the same diagonal, so that the finer surface subdivides the coarser one,
+and the vertical distance between two levels is at most the sum of the steps between them.
+"""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from nearfar.datasets._draw import Floats
+from nearfar.datasets._world.relief import natural
+
+SPACING = 3.90625
+"""Distance of the finest grid's vertices, metres: 1/64 of 250 m, and exact in float32."""
+SHARED, TOP = 6, 12
+"""Levels of grids: up to `SHARED` (250 m) they have towns and roads, up to `TOP` (16 km) at all."""
+STEPS = tuple(2.0**level for level in range(TOP))
+"""Greatest movement of the vertices that level k adds to level k + 1, metres."""
+BUILT = 40.0
+"""Greatest movement of the ground by towns and roads, metres."""
+UNIT = 1.0 / 64.0
+"""Heights are multiples of it, metres."""
+_BLOCK = 16
+
+
+def error(level: int) -> float:
+    """Greatest vertical distance in metres between the surfaces of a level and of level 0."""
+    built = BUILT + 0.5 * UNIT if level > SHARED else 0.0
+    return sum(step + 0.5 * UNIT for step in STEPS[:level]) + built
+
+
+def spacing(level: int) -> float:
+    """Distance of a level's vertices, metres."""
+    return SPACING * 2.0**level
+
+
+def rounded(heights: Floats) -> Floats:
+    """Heights rounded to multiples of `UNIT`."""
+    return np.floor(heights / UNIT + 0.5) * UNIT
+
+
+def refined(coarse: Floats, wanted: Floats, level: int) -> Floats:
+    """Heights (2R − 1, 2C − 1) of a level from the next coarser one's (R, C), as close to `wanted` as allowed."""
+    middle = np.empty((2 * coarse.shape[0] - 1, 2 * coarse.shape[1] - 1))
+    middle[::2, ::2] = coarse
+    middle[1::2, ::2] = 0.5 * (coarse[:-1] + coarse[1:])
+    middle[::2, 1::2] = 0.5 * (coarse[:, :-1] + coarse[:, 1:])
+    middle[1::2, 1::2] = 0.5 * (coarse[:-1, :-1] + coarse[1:, 1:])
+    moved = rounded(middle + np.clip(wanted - middle, -STEPS[level], STEPS[level]))
+    moved[::2, ::2] = coarse
+    return moved
+
+
+def places(level: int, i0: int, i1: int, j0: int, j1: int) -> tuple[Floats, Floats]:
+    """Positions x and z (rows j, columns i) of a level's vertices i0 … i1 and j0 … j1, metres."""
+    z, x = np.meshgrid(spacing(level) * np.arange(j0, j1 + 1), spacing(level) * np.arange(i0, i1 + 1), indexing="ij")
+    return x, z
+
+
+def untouched(seed: int, level: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
+    """Heights of vertices of a level from `SHARED` on, without towns and roads."""
+    x, z = places(level, i0, i1, j0, j1)
+    wanted = natural(seed, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
+    if level == TOP:
+        return rounded(wanted)
+    a, b, c, d = i0 >> 1, (i1 + 1) >> 1, j0 >> 1, (j1 + 1) >> 1
+    wide = np.zeros((2 * (d - c) + 1, 2 * (b - a) + 1))
+    rows, columns = slice(j0 - 2 * c, j1 - 2 * c + 1), slice(i0 - 2 * a, i1 - 2 * a + 1)
+    wide[rows, columns] = wanted
+    return refined(untouched(seed, level + 1, a, b, c, d), wide, level)[rows, columns]
+
+
+def shared(seed: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
+    """`untouched` of the level `SHARED`, from blocks that are kept."""
+    heights = np.empty((j1 - j0 + 1, i1 - i0 + 1))
+    for bj in range(j0 // _BLOCK, j1 // _BLOCK + 1):
+        for bi in range(i0 // _BLOCK, i1 // _BLOCK + 1):
+            block = _kept(seed, bi, bj)
+            a, b = max(i0, bi * _BLOCK), min(i1, (bi + 1) * _BLOCK - 1)
+            c, d = max(j0, bj * _BLOCK), min(j1, (bj + 1) * _BLOCK - 1)
+            part = block[c - bj * _BLOCK : d - bj * _BLOCK + 1, a - bi * _BLOCK : b - bi * _BLOCK + 1]
+            heights[c - j0 : d - j0 + 1, a - i0 : b - i0 + 1] = part
+    return heights
+
+
+@functools.lru_cache(maxsize=512)
+def _kept(seed: int, i: int, j: int) -> Floats:
+    return untouched(seed, SHARED, i * _BLOCK, (i + 1) * _BLOCK - 1, j * _BLOCK, (j + 1) * _BLOCK - 1)

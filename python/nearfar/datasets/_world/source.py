@@ -1,0 +1,124 @@
+"""`nearfar.datasets.world`: a landscape that is made where it is asked for."""
+
+from __future__ import annotations
+
+from typing import SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+from nearfar._scene.scene import Scene
+from nearfar.datasets._box import box
+from nearfar.datasets._world import contents, lattice, tiles
+from nearfar.datasets._world.contents import Wanted
+from nearfar.datasets._world.parts import Parts
+from nearfar.datasets._world.relief import SEA_BED, SUMMIT
+
+_MOST_TILES = 8_192
+_MOST_KM = 10_000
+_SEEDS = 2**63
+_OVER = 100.0
+"""Height in metres up to which something may stand above the ground, and the ground above the natural relief."""
+
+
+class World:
+    """A landscape of towns, roads, fields, forests, mountains and sea, of which `query` makes parts.
+
+    Nothing is stored but the tiles used last: a part depends on the seed and the place only. `world` makes one.
+    """
+
+    def __init__(self, km: int = 10, seed: int = 0) -> None:
+        self._km = check.integer("km", km, 1, _MOST_KM)
+        self._seed = check.integer("seed", seed, 0, _SEEDS - 1)
+
+    def __repr__(self) -> str:
+        return f"nearfar.datasets.world(km={self._km}, seed={self._seed})"
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """Least and greatest corner (2, 3), metres, y up: a box that holds the world, not the smallest one."""
+        half = 500.0 * self._km
+        return np.array([[-half, SEA_BED - _OVER, -half], [half, SUMMIT + _OVER, half]])
+
+    def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
+        """Make the part of the world that touches a box.
+
+        Parameters
+        ----------
+        aabb
+            Least and greatest corner (2, 3), world metres; sides belong to the box and may be infinite.
+        detail
+            Greatest geometric error in metres that the result may have; 0 makes all there is. Half of it is the
+            ground's: a grid of 3.9 m, or 2, 4, 8 … times as wide. The other half is that of what stands on the ground:
+            simpler shapes, and none of those that reach no farther from their feet.
+
+        Returns
+        -------
+        Scene
+            Whole triangles that touch the box. Plants, houses, cars and lamps are instances. Objects are called
+            "land_0_3_-2" and "water_0_3_-2" (level, column and row of a tile), "oak_3_-2_17" and so on,
+            "house_0_0_12" (column and row of a town), "streets_0_0", "road_0_0_to_1_0".
+
+        Raises
+        ------
+        ValueError
+            A box with NaN or with a least corner above the greatest, a negative `detail`, and a box that holds more
+            than 8,192 tiles of 64 × 64 cells at this `detail`.
+        TypeError
+            Values that are not numbers.
+        """
+        corners = box("aabb", aabb)
+        detail = check.at_least_zero("detail", detail)
+        low, high = np.maximum(corners[0], self.bounds[0]), np.minimum(corners[1], self.bounds[1])
+        parts = Parts(low, high, self.bounds[1][0])
+        if (low > high).any():
+            return parts.scene()
+        wanted = Wanted(self._seed, self._level(detail), 0.5 * detail)
+        columns, rows = contents.spans(parts, tiles.COUNT * lattice.spacing(wanted.level))
+        if len(columns) * len(rows) > _MOST_TILES:
+            raise ValueError(
+                f"aabb: expected at most {_MOST_TILES:,} tiles of the world at detail {detail:g}, "
+                f"got {len(columns) * len(rows):,}; take a smaller box or a larger detail"
+            )
+        for add in (contents.add_ground, contents.add_plants, contents.add_towns, contents.add_roads):
+            add(parts, wanted)
+        return parts.scene()
+
+    def _level(self, detail: float) -> int:
+        """The coarsest level of the ground for an error in metres, whose grid ends at the world's border."""
+        # A grid of 500 m divides every world, one of 1 km those of an even number of kilometres, and so on.
+        most = min(lattice.TOP, 7 + (self._km & -self._km).bit_length() - 1)
+        level = 0
+        while level < most and lattice.error(level + 1) <= 0.5 * detail:
+            level += 1
+        return level
+
+
+def world(km: int = 10, seed: int = 0) -> World:
+    """Make an Earth-like landscape of any size, as a source that is asked for parts of it.
+
+    Continents, mountains, valleys with rivers, coasts; forests by climate, slope and water; a town in most squares of
+    3 km, with fields around it and roads to its neighbours. A town lies at the origin. Water is at y = 0. Every part is
+    made when it is asked for, and equal from whichever query it comes. The same arguments give the same bytes on every
+    run and every platform.
+
+    Parameters
+    ----------
+    km
+        Side of the square in kilometres, 1 to 10,000; its middle is the origin. Smaller worlds are the middles of
+        larger ones.
+    seed
+        0 to 2⁶³ − 1.
+
+    Returns
+    -------
+    World
+        A source with `bounds` and `query(aabb, detail)`.
+
+    Raises
+    ------
+    ValueError
+        For numbers out of range.
+    """
+    return World(km, seed)

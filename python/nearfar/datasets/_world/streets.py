@@ -1,0 +1,230 @@
+"""The plan of a town: streets on a grid that fades out at its edge, plots along them, and what stands there."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar.datasets._buildings import Kind
+from nearfar.datasets._draw import Draw, Floats
+from nearfar.datasets._world import roads
+from nearfar.datasets._world.houses import CHURCH, COTTAGE
+from nearfar.datasets._world.lattice import BUILT
+from nearfar.datasets._world.noise import hashed, step
+from nearfar.datasets._world.relief import natural
+from nearfar.datasets._world.sites import Town
+
+PITCH = (92.0, 66.0)
+"""Distances between streets across and along the first main street, metres."""
+MAIN, SIDE = 3.5, 2.75
+"""Half the width of the carriageway of a main street and of another, metres."""
+PAVEMENT = 2.0
+SQUARED = 240.0
+"""Radius in metres from which on a town has a square with a church beside its main crossing."""
+SQUARE = (46.0, 33.0, 39.0, 26.0)
+"""The square in the town's frame: centre u, v and half its sides, metres. It fills a block."""
+_SETBACK, _CORNER = 4.0, 11.0
+"""Distances of houses from the pavement, and from the middle lines of crossing streets, metres."""
+_NODES = 8
+"""Streets on each side of the main streets at most."""
+
+
+@dataclass(frozen=True)
+class House:
+    """A building's place: position and height of its ground, the turn that makes its front face the street."""
+
+    kind: Kind
+    x: float
+    z: float
+    turn: float
+    """Fraction of a full turn about the vertical."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Streets of a town in its own frame (u along the first main street, v across), and its houses in the world's."""
+
+    town: Town
+    along: NDArray[np.int64]
+    """(S, 3) street pieces along u: node (a, b) to node (a + 1, b), and 1 for main streets."""
+    across: NDArray[np.int64]
+    """(T, 3) street pieces along v: node (a, b) to node (a, b + 1), and 1 for main streets."""
+    nodes: NDArray[np.int64]
+    """(N, 2) crossings (a, b) that streets lead to."""
+    houses: tuple[House, ...]
+    reach: Floats
+    """Houses as rectangles (H, 4): centre u, v and half the sides along u and v in metres."""
+
+    inside: NDArray[np.bool_]
+    """(17, 17) crossings within the town's outline, the centre in the middle."""
+    gates: tuple[int, ...]
+    """Arms of the main streets, 0 to 3, that a road goes on from."""
+
+    def built(self, x: Floats, z: Floats) -> Floats:
+        """Share of built-up land at world positions, 0 … 1, between the crossings."""
+        u, v = self.town.local(x, z)
+        a, b = u / PITCH[0] + _NODES, v / PITCH[1] + _NODES
+        i, j = (np.clip(np.floor(c), 0, 2 * _NODES - 1).astype(np.int64) for c in (a, b))
+        s, t = np.clip(a - i, 0.0, 1.0), np.clip(b - j, 0.0, 1.0)
+        flags = self.inside.astype(np.float64)
+        low = flags[i, j] + s * (flags[i + 1, j] - flags[i, j])
+        share = low + t * (flags[i, j + 1] + s * (flags[i + 1, j + 1] - flags[i, j + 1]) - low)
+        return step(0.1, 0.55, share)
+
+    def free(self, x: Floats, z: Floats, clear: float) -> NDArray[np.bool_]:
+        """Whether world positions are `clear` metres away from all streets and houses."""
+        u, v = self.town.local(x, z)
+        good = np.ones(x.shape, bool)
+        for pieces, p, q, pitch_p, pitch_q in ((self.along, u, v, *PITCH), (self.across, v, u, *PITCH[::-1])):
+            for a, b, main in pieces.tolist():
+                first, line = (a, b) if p is u else (b, a)
+                half = (MAIN if main else SIDE) + PAVEMENT + clear
+                inside = (p > first * pitch_p - half) & (p < (first + 1) * pitch_p + half)
+                good &= ~(inside & (np.abs(q - line * pitch_q) < half))
+        for hu, hv, wide, deep in self.reach.tolist():
+            good &= (np.abs(u - hu) > wide + clear) | (np.abs(v - hv) > deep + clear)
+        return good
+
+
+@functools.lru_cache(maxsize=256)
+def layout(seed: int, town: Town) -> Layout:
+    """Plan a town."""
+    draw = Draw(seed, 210, town.i, town.j)
+    inside = _inside(seed, town)
+    along, across = [], []
+    n = _NODES
+    for a in range(-n, n + 1):
+        for b in range(-n, n + 1):
+            if a < n and inside[a + n, b + n] and inside[a + 1 + n, b + n]:
+                along.append((a, b, int(b == 0)))
+            if b < n and inside[a + n, b + n] and inside[a + n, b + 1 + n]:
+                across.append((a, b, int(a == 0)))
+    used = {(a + k, b) for a, b, _ in along for k in (0, 1)} | {(a, b + k) for a, b, _ in across for k in (0, 1)}
+    nodes = np.array(sorted(used) or [(0, 0)], np.int64).reshape(-1, 2)
+    pieces = np.array(along, np.int64).reshape(-1, 3), np.array(across, np.int64).reshape(-1, 3)
+    lines = _roads(seed, town)
+    houses, taken = _houses(seed, town, pieces, lines, draw)
+    rectangles = np.array(taken, np.float64).reshape(-1, 4)
+    return Layout(town, *pieces, nodes, tuple(houses), rectangles, inside, _gates(town, lines))
+
+
+def _roads(seed: int, town: Town) -> list[roads.Road]:
+    reach = town.radius + 60.0
+    return roads.near(seed, (town.x - reach, town.x + reach, town.z - reach, town.z + reach), 0.0)
+
+
+def _gates(town: Town, lines: list[roads.Road]) -> tuple[int, ...]:
+    ends = [(float(end[0]), float(end[2])) for road in lines for end in (road.line[0], road.line[-1])]
+    gates = []
+    for quarter in range(4):
+        x, z = (float(c) for c in np.array([town.x, town.z]) + town.radius * town.axis(quarter))
+        if any(abs(x - a) + abs(z - b) < 1.0 for a, b in ends):
+            gates.append(quarter)
+    return tuple(gates)
+
+
+def _inside(seed: int, town: Town) -> NDArray[np.bool_]:
+    """Crossings (2n + 1, 2n + 1) within the town's irregular outline."""
+    line = np.arange(-_NODES, _NODES + 1)
+    a, b = (axis.astype(np.int64) for axis in np.meshgrid(line, line, indexing="ij"))
+    u, v = PITCH[0] * a.astype(np.float64), PITCH[1] * b.astype(np.float64)
+    wobble = hashed(seed, 211, a + 64 * town.i, b + 64 * town.j)
+    away = np.sqrt(u * u + v * v) / (town.radius - 30.0)
+    x, z = town.world(u.reshape(-1), v.reshape(-1))
+    dry = natural(seed, x, z).reshape(u.shape) > 2.0
+    inside: NDArray[np.bool_] = dry & (away < 0.62 + 0.38 * wobble)
+    return inside
+
+
+@dataclass(frozen=True)
+class _Plot:
+    """A place for a house beside a piece of street along an axis, in the town's frame."""
+
+    u: float
+    v: float
+    axis: int
+    turn: float
+    width: float
+    depth: float
+    variant: int
+
+    @property
+    def rectangle(self) -> tuple[float, float, float, float]:
+        """Centre u, v and half the sides along u and v."""
+        sides = (self.width, self.depth) if self.axis == 0 else (self.depth, self.width)
+        return self.u, self.v, 0.5 * sides[0], 0.5 * sides[1]
+
+
+def _houses(
+    seed: int,
+    town: Town,
+    pieces: tuple[NDArray[np.int64], NDArray[np.int64]],
+    lines: list[roads.Road],
+    draw: Draw,
+) -> tuple[list[House], list[tuple[float, float, float, float]]]:
+    """Houses, and the rectangle that each takes: on firm ground, away from roads and from each other."""
+    houses: list[House] = []
+    taken: list[tuple[float, float, float, float]] = []
+    plots = [
+        plot for axis in (0, 1) for a, b, main in pieces[axis].tolist() for plot in _plots(town, axis, a, b, main, draw)
+    ]
+    places = np.array([SQUARE[:2], *((plot.u, plot.v) for plot in plots)])
+    x, z = town.world(places[:, 0], places[:, 1])
+    ground = natural(seed, x, z)
+    away = np.full(len(x), 1000.0)
+    for road in lines:
+        gap = (x[:, None] - road.line[:, 0]) ** 2 + (z[:, None] - road.line[:, 2]) ** 2
+        away = np.minimum(away, np.sqrt(gap.min(1)))
+    firm = (ground > 2.5) & (np.abs(ground - town.height) < BUILT - 6.0)
+    x, z = np.floor(x * 64.0) / 64.0, np.floor(z * 64.0) / 64.0
+    if town.radius > SQUARED:
+        # The whole block is kept free for the church.
+        houses.append(House(Kind(110, 280, CHURCH, 3, 0), float(x[0]), float(z[0]), -0.25 - town.heading))
+        taken.append(SQUARE)
+    for k, plot in enumerate(plots, 1):
+        if firm[k] and away[k] > 0.5 * (plot.width + plot.depth) + 6.0 and not _hits(plot.rectangle, taken):
+            kind = Kind(round(10 * plot.width), round(10 * plot.depth), COTTAGE, 3, plot.variant)
+            houses.append(House(kind, float(x[k]), float(z[k]), plot.turn))
+            taken.append(plot.rectangle)
+    return houses, taken
+
+
+def _hits(mine: tuple[float, ...], taken: list[tuple[float, float, float, float]]) -> bool:
+    """Whether a rectangle comes within 2 m of others."""
+    u, v, wide, deep = mine
+    return any(abs(u - a) < wide + w + 2.0 and abs(v - b) < deep + d + 2.0 for a, b, w, d in taken)
+
+
+def _plots(town: Town, axis: int, a: int, b: int, main: int, draw: Draw) -> list[_Plot]:
+    """Plots on both sides of a piece of street."""
+    half = (MAIN if main else SIDE) + PAVEMENT
+    start, line = (a * PITCH[0], b * PITCH[1]) if axis == 0 else (b * PITCH[1], a * PITCH[0])
+    plots: list[_Plot] = []
+    for side in (-1.0, 1.0):
+        # A front faces +z before it is turned; turns are from +z towards +x.
+        quarter = (0.5 if side > 0.0 else 0.0) if axis == 0 else (0.75 if side > 0.0 else 0.25)
+        at = start + _CORNER + draw.number(0.0, 3.0)
+        while True:
+            width, depth, variant, gap, skip = _design(town, at, line, main, draw)
+            if at + width > start + PITCH[axis] - _CORNER:
+                break
+            p, q = at + 0.5 * width, line + side * (half + _SETBACK + 0.5 * depth)
+            if not skip:
+                u, v = (p, q) if axis == 0 else (q, p)
+                plots.append(_Plot(u, v, axis, quarter - town.heading, width, depth, variant))
+            at += width + gap
+    return plots
+
+
+def _design(town: Town, at: float, line: float, main: int, draw: Draw) -> tuple[float, float, int, float, bool]:
+    """Width, depth and variant of a house, the gap to the next, and whether the plot is left empty."""
+    away = float(np.sqrt(at * at + line * line)) / max(town.radius, 260.0)
+    kind = draw.integers(3, 4).tolist()
+    if town.radius > SQUARED and away < 0.2:
+        return 14.0 + 3.0 * (kind[0] % 2), 12.0 + 2.0 * (kind[1] % 2), kind[2], 2.5, False
+    width, depth = 9.0 + 1.5 * (kind[0] % 3), 8.0 + 3.5 * (kind[1] % 2)
+    gap = draw.number(4.0, 8.0) + 9.0 * away
+    return width, depth, kind[2], gap, draw.chance(0.06 + 0.25 * away * (0.4 if main else 1.0))

@@ -1,0 +1,141 @@
+"""Tiles of ground and water: squares of 64 × 64 cells of a level's grid, with all that is known about them."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar.datasets._draw import Floats
+from nearfar.datasets._world import climate, lattice, roads, sites
+from nearfar.datasets._world.climate import Cover
+from nearfar.datasets._world.relief import natural
+
+COUNT = 64
+"""Cells along a tile's side."""
+TEXTURE = 31.25
+"""Side in metres of the ground's texture, which repeats."""
+
+
+@dataclass(frozen=True)
+class Tile:
+    """A tile of a level: vertices (65, 65), rows along z and columns along x."""
+
+    level: int
+    i: int
+    j: int
+    height: Floats
+    """Metres."""
+    normal: Floats
+    """(65, 65, 3) unit vectors."""
+    color: NDArray[np.uint8]
+    """(65, 65, 4) sRGB."""
+    water: NDArray[np.uint8] | None
+    """(65, 65, 4) sRGB of the water's surface; None without water."""
+
+    @property
+    def name(self) -> str:
+        return f"{self.level}_{self.i}_{self.j}"
+
+    @property
+    def corner(self) -> tuple[float, float]:
+        """World x and z of the first vertex, metres."""
+        side = COUNT * lattice.spacing(self.level)
+        return self.i * side, self.j * side
+
+
+@dataclass(frozen=True)
+class Ground:
+    """The ground at vertices of a grid, with one row and column more on each side than a tile has."""
+
+    x: Floats
+    z: Floats
+    height: Floats
+    """Height in metres before it is fitted into the levels."""
+    slope: Floats
+    normal: Floats
+    road: Floats
+    """Distance from the nearest road, metres."""
+    cover: Cover
+
+    @classmethod
+    def of(cls, seed: int, level: int, i: int, j: int) -> Ground:
+        """Make the ground of tile (i, j) of a level."""
+        fine, line = lattice.spacing(level), np.arange(-1, COUNT + 2)
+        z, x = np.meshgrid(fine * (j * COUNT + line), fine * (i * COUNT + line), indexing="ij")
+        box = (float(x[0, 0]), float(x[0, -1]), float(z[0, 0]), float(z[-1, 0]))
+        height = natural(seed, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
+        road = np.full(x.shape, 1000.0)
+        towns: list[sites.Town] = []
+        if level <= lattice.SHARED:
+            towns = sites.near(seed, box, climate.FARMED * 1.3)
+            raw = height
+            height = sites.levelled(towns, x, z, height)
+            height, road = roads.levelled(roads.near(seed, box, roads.REACH), x, z, height, fine)
+            height = np.clip(height, raw - lattice.BUILT, raw + lattice.BUILT)
+        dx, dz = np.zeros_like(height), np.zeros_like(height)
+        dx[:, 1:-1] = (height[:, 2:] - height[:, :-2]) / (2.0 * fine)
+        dz[1:-1] = (height[2:] - height[:-2]) / (2.0 * fine)
+        slope = np.sqrt(dx * dx + dz * dz)
+        length = np.sqrt(1.0 + slope * slope)
+        normal = np.stack([-dx / length, 1.0 / length, -dz / length], -1)
+        return cls(x, z, height, slope, normal, road, climate.cover(seed, towns, x, z, height, slope))
+
+
+@functools.lru_cache(maxsize=48)
+def ground(seed: int, level: int, i: int, j: int) -> Ground:
+    """`Ground.of`, kept for the tiles used last."""
+    return Ground.of(seed, level, i, j)
+
+
+@functools.lru_cache(maxsize=48)
+def tile(seed: int, level: int, i: int, j: int) -> Tile:
+    """Make tile (i, j) of a level."""
+    on = ground(seed, level, i, j)
+    inner = slice(1, -1)
+    x, z, raw = on.x[inner, inner], on.z[inner, inner], on.height[inner, inner]
+    if level > lattice.SHARED:
+        height = lattice.untouched(seed, level, i * COUNT, (i + 1) * COUNT, j * COUNT, (j + 1) * COUNT)
+    else:
+        height = _fitted(seed, level, i, j, raw)
+    rgb = climate.colors(seed, on.cover, on.x, on.z, on.height, on.slope, on.road)[inner, inner]
+    water = _bytes(climate.water_colors(seed, x, z, -height)) if height.min() < 0.0 else None
+    return Tile(level, i, j, height, on.normal[inner, inner], _bytes(rgb), water)
+
+
+def _bytes(rgb: Floats) -> NDArray[np.uint8]:
+    rgba = np.full((*rgb.shape[:2], 4), 255, np.uint8)
+    rgba[..., :3] = np.floor(np.clip(rgb, 0.0, 255.0) + 0.5)
+    return rgba
+
+
+def _fitted(seed: int, level: int, i: int, j: int, raw: Floats) -> Floats:
+    """Heights of a tile in the nested grids, as close to `raw` as each level allows."""
+    across = 2**level
+    top = lattice.shared(seed, i * across, (i + 1) * across, j * across, (j + 1) * across)
+    stride = COUNT // across
+    height = lattice.rounded(top + np.clip(raw[::stride, ::stride] - top, -lattice.BUILT, lattice.BUILT))
+    for finer in range(lattice.SHARED - 1, level - 1, -1):
+        stride //= 2
+        height = lattice.refined(height, raw[::stride, ::stride], finer)
+    return height
+
+
+def foot(seed: int, level: int, x: Floats, z: Floats) -> Floats:
+    """Heights of a level's surface below positions (N,) of one tile, metres."""
+    spacing = lattice.spacing(level)
+    side = COUNT * spacing
+    i, j = int(np.floor(x[0] / side)), int(np.floor(z[0] / side))
+    height = tile(seed, level, i, j).height
+    u, v = (x - i * side) / spacing, (z - j * side) / spacing
+    a, b = np.minimum(np.floor(u).astype(np.int64), COUNT - 1), np.minimum(np.floor(v).astype(np.int64), COUNT - 1)
+    u, v = u - a, v - b
+    first, last = height[b, a], height[b + 1, a + 1]
+    # Cells are split from the first to the last corner.
+    right, left = height[b, a + 1], height[b + 1, a]
+    lower = first + u * (right - first) + v * (last - right)
+    upper = first + v * (left - first) + u * (last - left)
+    found: Floats = np.where(u >= v, lower, upper)
+    return found
