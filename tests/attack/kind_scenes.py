@@ -54,6 +54,8 @@ def plan(dice: random.Random, name: str) -> Plan:
     options: Plan = {}
     if dice.random() < 0.5:
         options["on_invalid"] = "drop"
+    if dice.random() < 0.2:
+        options["blend"] = "cutout"
     if dice.random() < 0.1:
         options["up"] = dice.choice(("z", "-x"))
     if dice.random() < 0.1:

@@ -8,6 +8,7 @@ import json
 import tempfile
 import zipfile
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base import data as data_files
-from tests.support import bundle_cases, city_cases, meshopt_cases
+from tests.support import bundle_cases, city_cases, draco_cases, ktx2_cases, meshopt_cases
 from tests.support.lod_cases import SMALL, levels
 from tests.support.reduce_cases import CENTER, street
 
@@ -127,6 +128,29 @@ def _compressed() -> bytes:
     return meshopt_cases.glb(streams, meshes=[{"primitives": [primitive]}], nodes=nodes)
 
 
+def _packed() -> bytes:
+    """A GLB with a texture in KTX 2 that is moved, another set of coordinates, blending, and Draco if it is there."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], np.float32)
+    faces = np.array([[0, 1, 2], [2, 1, 3]], np.uint32)
+    moved = {"KHR_texture_transform": {"offset": [0.5, 0], "rotation": 0.5, "scale": [2, 3], "texCoord": 1}}
+    base = {"baseColorTexture": {"index": 0, "extensions": moved}}
+    material = {"pbrMetallicRoughness": base, "normalTexture": {"index": 0, "texCoord": 1}, "alphaMode": "BLEND"}
+    noise = np.random.default_rng(0).integers(0, 256, (8, 8, 4), np.uint8)
+    picture = ktx2_cases.ktx2(noise, 43, packed=True)
+    arrays = {"POSITION": corners, "TEXCOORD_0": corners[:, :2].copy(), "TEXCOORD_1": corners[:, 1:].copy()}
+    if find_spec("DracoPy") is None:
+        return ktx2_cases.glb(picture, materials=[material])
+    attributes = {name: rows for name, rows in arrays.items() if name != "POSITION"}
+    stream, numbers = draco_cases.compress(corners, faces, attributes)
+    document, binary = draco_cases.document(stream, numbers, arrays, faces)
+    binary += bytes(-len(binary) % 4)
+    document["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(picture)})
+    document["images"] = [{"bufferView": 1, "mimeType": "image/ktx2"}]
+    document["textures"] = [{"extensions": {ktx2_cases.EXTENSION: {"source": 0}}}]
+    document["materials"] = [material]
+    return glb(json.dumps(document).encode(), binary + picture)
+
+
 def glb(document: bytes, binary: bytes) -> bytes:
     document += b" " * (-len(document) % 4)
     chunks = len(document).to_bytes(4, "little") + b"JSON" + document
@@ -164,7 +188,12 @@ def scene_files() -> dict[str, list[Files]]:
     colored, textured = _colored(), _textured()
     archive = _scene().export(file_type="3mf")
     return {
-        "glb": [{"a.glb": _scene().export(file_type="glb")}, {"a.glb": _sparse()}, {"a.glb": _compressed()}],
+        "glb": [
+            {"a.glb": _scene().export(file_type="glb")},
+            {"a.glb": _sparse()},
+            {"a.glb": _compressed()},
+            {"a.glb": _packed()},
+        ],
         "gltf": [_gltf()],
         "obj": [
             {"a.obj": _OBJ, "a.mtl": _MTL, "a.png": image(), "a.jpg": image("JPEG")},

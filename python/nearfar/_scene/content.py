@@ -29,6 +29,12 @@ _TURNS = {
 UP = ("x", "y", "z", "-x", "-y", "-z")
 """Names of the axes that may point up."""
 
+BLEND = ("opaque", "cutout")
+"""Ways to draw materials that blend."""
+
+_HALF = 0.5
+"""Least alpha of a material that blends where it is drawn as cut out."""
+
 _MOST_NAMED = 3
 """Greatest number of flaws that an error message lists; it counts the rest."""
 
@@ -90,6 +96,7 @@ def assemble(
     scale: float | None = None,
     budget: Budget | None = None,
     moves: bool = False,
+    blend: str = "opaque",
 ) -> Assembled:
     """Assemble a scene's parts in one pass over the source's meshes; SceneError if they cannot be used.
 
@@ -97,6 +104,7 @@ def assemble(
     """
     check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
+    check.choice("blend", blend, BLEND)
     _to_metres(content, scale)
     nodes, flaws = _usable_nodes(content.nodes)
     used = set(nodes.shapes)
@@ -114,6 +122,8 @@ def assemble(
         )
     if not any(len(shape.faces) for shape in shapes.values()):
         raise SceneError(f"{content.label}: no triangles" + "".join(f"; {note}" for note in content.notes))
+    if blend == "cutout":
+        _cut_out(shapes.values())
     builder = Assembly()
     many = _many_objects(content, moves)
     builder.objects(many)
@@ -247,10 +257,25 @@ def _inventory(shapes: Collection[Shape]) -> list[str]:
     ]
 
 
+def _cut_out(shapes: Iterable[Shape]) -> None:
+    """Cut materials that blend out; those that shapes share stay shared."""
+    cut: dict[int, BaseColor] = {}
+    for shape in shapes:
+        for material in shape.materials:
+            if material.blend and id(material) not in cut:
+                cut[id(material)] = replace(material, cutoff=_HALF)
+        shape.materials = [cut.get(id(material), material) for material in shape.materials]
+
+
 def _material_notes(shapes: Iterable[Shape]) -> list[str]:
     materials = {id(material): material for shape in shapes for material in shape.materials}
-    counts = Counter(note for material in materials.values() for note in material.notes)
+    counts = Counter(note for material in materials.values() for note in (*_blend_notes(material), *material.notes))
     return [f"{count(number, 'material')} {note}" for note, number in counts.items()]
+
+
+def _blend_notes(material: BaseColor) -> list[str]:
+    drawn = "opaque" if material.cutoff is None else "where alpha is at least 1/2"
+    return [f"with {material.blend} drawn {drawn}"] if material.blend else []
 
 
 def _alpha_notes(shapes: Iterable[Shape]) -> list[str]:

@@ -17,7 +17,7 @@ from nearfar._scene.assembly import Assembled
 from nearfar._scene.budget import Budget, read_file, resolver as budget_resolver
 from nearfar._scene.city import read as cities
 from nearfar._scene.city.read import CityOptions
-from nearfar._scene.content import UP, Content, assemble
+from nearfar._scene.content import BLEND, UP, Content, assemble
 from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.materials import Materials
 from nearfar._scene.reasons import explained
@@ -33,6 +33,7 @@ def load(
     on_invalid: str = "raise",
     scale: float | None = None,
     max_bytes: int | None = None,
+    blend: str = "opaque",
     error: float | None = None,
     triangles: int | None = None,
     lod: str | float | None = None,
@@ -43,6 +44,7 @@ def load(
     """Load a file; `nearfar.Scene.load` documents the arguments. With `moves` all objects are dynamic."""
     check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
+    check.choice("blend", blend, BLEND)
     if scale is not None:
         check.positive("scale", scale)
     detail = Detail.checked(error, triangles, origin)
@@ -53,7 +55,7 @@ def load(
     city = CityOptions.checked(lod, height, detail.origin)
     city.check_kind(place)
     most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
-    how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "moves": moves}
+    how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "moves": moves, "blend": blend}
     return background.run(lambda: _load(place, Budget(most), detail, city, **how), alone=True)
 
 

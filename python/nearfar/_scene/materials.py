@@ -45,6 +45,8 @@ class BaseColor:
     """Differences from the source's material, phrased to follow "2 materials"."""
     undrawn: Undrawn | None = None
     """The source's material with properties that are not drawn; None for nothing."""
+    blend: str = ""
+    """Name of what makes it let light through, "blending" or "transparency"; empty for an opaque one."""
 
     @property
     def is_textured(self) -> bool:
@@ -209,8 +211,6 @@ class Materials:
         if described is not None and described.is_textured and material.baseColorTexture is None:
             notes = (_UNREADABLE,)
         mode = str(material.alphaMode or "OPAQUE").upper()
-        if mode == "BLEND":
-            notes += ("with blending drawn opaque",)
         cutoff = None
         if mode == "MASK":
             least_alpha = material.alphaCutoff
@@ -220,7 +220,9 @@ class Materials:
         undrawn, differences = undrawn_parts.of_gltf(described.material, described.texture)
         light, glow, lost = self._emission(undrawn, material.emissiveTexture)
         unlit = undrawn is not None and is_unlit(undrawn.material)
-        return BaseColor(factor, texture, cutoff, light, glow, unlit, notes + differences + lost, undrawn)
+        notes += differences + lost
+        blend = "blending" if mode == "BLEND" else ""
+        return BaseColor(factor, texture, cutoff, light, glow, unlit, notes, undrawn, blend)
 
     def _emission(self, undrawn: Undrawn | None, image: Any) -> tuple[Light, NDArray[np.uint8] | None, tuple[str, ...]]:
         """What is drawn of a material's emission, with notes on the rest; `image` is that of its texture."""
@@ -242,14 +244,13 @@ class Materials:
         undrawn, differences = undrawn_parts.of_gltf(described, lambda _: _encoded(glowing))
         notes += (*differences, *wavefront_materials.losses(entries))
         alpha = min(diffuse[3] / 255, wavefront_materials.opacity(entries))
-        if alpha < 1.0:
-            notes += ("with transparency drawn opaque",)
+        blend = "transparency" if alpha < 1.0 else ""
         if diffuse == _TRIMESH_DEFAULT:
             red, green, blue, _ = UNCOLORED.factor if texture is not None else PLAIN.factor
         else:
             red, green, blue = (float(c) for c in to_linear(np.array(diffuse[:3]) / 255))
         light, glow, lost = self._emission(undrawn, glowing)
-        return BaseColor((red, green, blue, alpha), texture, None, light, glow, False, notes + lost, undrawn)
+        return BaseColor((red, green, blue, alpha), texture, None, light, glow, False, notes + lost, undrawn, blend)
 
     def _texture(self, image: Any) -> tuple[NDArray[np.uint8] | None, tuple[str, ...]]:
         if image is None:

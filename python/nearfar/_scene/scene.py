@@ -70,6 +70,7 @@ class Scene(InPictures):
         on_invalid: str = "raise",
         scale: float | None = None,
         max_bytes: int | None = None,
+        blend: str = "opaque",
         error: float | None = None,
         triangles: int | None = None,
         lod: str | float | None = None,
@@ -78,11 +79,9 @@ class Scene(InPictures):
     ) -> Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
-        Also a tileset of 3D Tiles 1.0 or 1.1 (its .json, at a path or a URL), one tile (.b3dm, .i3dm, .cmpt), CityJSON
-        (.city.json, .city.jsonl), and footprints of GeoJSON and GeoParquet, extruded. Nodes become objects; meshes that
-        are placed more than once stay instances; base colour factors, base colour textures and vertex colours are
-        drawn. `report` lists what is not drawn; files written from the scene have glTF's materials nevertheless. A
-        single-file format may be packed (``.ply.gz``).
+        Also tilesets of 3D Tiles 1.0 and 1.1 (their .json, at a path or a URL), tiles (.b3dm, .i3dm, .cmpt), CityJSON
+        (.city.json, .city.jsonl), footprints of GeoJSON and GeoParquet, extruded, and packed files (``.ply.gz``). Nodes
+        become objects. `report` lists what is not drawn; files that are written from the scene have it nevertheless.
 
         Parameters
         ----------
@@ -90,11 +89,11 @@ class Scene(InPictures):
             The file.
         up
             Axis of the file that points up: "x", "y", "z", "-x", "-y" or "-z"; it is turned to y.
-        on_invalid
-            For faces with vertices that are not finite or do not exist: "raise" or "drop", which `report` counts.
+        on_invalid, blend
+            For faces with vertices that are not finite or do not exist: "raise" or "drop". For materials that blend:
+            "opaque", or "cutout", which leaves them out where alpha is below ½. `report` counts both.
         scale
-            Metres in a unit of the file, such as 0.001 for millimetres. By default what the file states (glTF, 3MF,
-            COLLADA) or 1 (OBJ, PLY, STL); `report` has a note where the extent suggests another unit.
+            Metres in a unit of the file. By default what the file states, else 1; `report` tells of odd extents.
         max_bytes
             Bytes it may unpack to; by default a hundred times those read, at least 256 MiB and at most 16 GiB.
         error, triangles
@@ -117,7 +116,7 @@ class Scene(InPictures):
         from nearfar._scene import load
 
         how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "max_bytes": max_bytes}
-        how |= {"error": error, "triangles": triangles, "lod": lod, "height": height, "origin": origin}
+        how |= {"blend": blend, "error": error, "triangles": triangles, "lod": lod, "height": height, "origin": origin}
         return cls._from_assembled(load.load(path, **how))
 
     @classmethod
@@ -128,6 +127,7 @@ class Scene(InPictures):
         up: str = "y",
         on_invalid: str = "raise",
         scale: float | None = None,
+        blend: str = "opaque",
     ) -> Scene:
         """Convert one of trimesh's meshes or scenes.
 
@@ -136,7 +136,7 @@ class Scene(InPictures):
         loaded
             Mesh or scene. Its nodes become objects; a single mesh is called ``object``. Vertex normals from its source
             are used, but not those that trimesh computes from the faces, so that a box keeps sharp edges.
-        up, on_invalid
+        up, on_invalid, blend
             See `load`.
         scale
             Metres in a unit. By default that of `loaded.units`, which all meshes must share, or the metre for None.
@@ -151,7 +151,7 @@ class Scene(InPictures):
         from nearfar._scene import content as contents, load_trimesh
 
         content = load_trimesh.read("trimesh object", loaded)
-        return cls._from_assembled(contents.assemble(content, up=up, on_invalid=on_invalid, scale=scale))
+        return cls._from_assembled(contents.assemble(content, up=up, on_invalid=on_invalid, scale=scale, blend=blend))
 
     @classmethod
     def from_arrays(

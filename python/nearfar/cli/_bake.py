@@ -37,6 +37,7 @@ def bake(
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
+    blend: options.Blend = "opaque",
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -47,7 +48,7 @@ def bake(
     check_target(output, ".exr")
     if equirectangular is not None:
         check_target(equirectangular, ".exr", ".png")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     place = choose(loaded, scene, middle)
     radii = default_radii.choose(loaded, place, r1, r2)
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))

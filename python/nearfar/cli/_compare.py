@@ -68,6 +68,7 @@ def compare(
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
+    blend: options.Blend = "opaque",
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -101,10 +102,12 @@ def compare(
             if options.is_reduced(scene):
                 saved = nf.ReducedScene.load(scene)
                 source, loaded = _source.open_truth(
-                    scene, truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes
+                    scene, truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend
                 )
             else:
-                loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+                loaded = options.open_scene(
+                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend
+                )
         with clock.step("place"):
             place = _viewpoint.choose(loaded, source, middle if saved is None else saved.center)
             chosen = saved or default_radii.choose(loaded, place, r1, r2)

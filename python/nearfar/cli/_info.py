@@ -12,7 +12,18 @@ import typer
 import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _source, _viewpoint
-from nearfar.cli._options import SCENE_OR_FOLDER, Invalid, Json, MaxBytes, Scale, Up, is_reduced, open_scene, option
+from nearfar.cli._options import (
+    SCENE_OR_FOLDER,
+    Blend,
+    Invalid,
+    Json,
+    MaxBytes,
+    Scale,
+    Up,
+    is_reduced,
+    open_scene,
+    option,
+)
 from nearfar.cli._output import bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
 
@@ -37,6 +48,7 @@ def info(
     up: Up = "y",
     scale: Scale = None,
     max_bytes: MaxBytes = None,
+    blend: Blend = "opaque",
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
@@ -52,7 +64,7 @@ def info(
     started = time.perf_counter()
     reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
     loaded = (
-        open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+        open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
         if reduced is None
         else reduced.scene
     )

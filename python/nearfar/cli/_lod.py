@@ -46,6 +46,7 @@ def lod(
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
+    blend: options.Blend = "opaque",
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -54,7 +55,7 @@ def lod(
     check_target(output, ".glb", ".json")
     device = options.headset(hmd)
     shares = None if ratios is None else read_ratios(ratios)
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     started = time.perf_counter()
     name = Path(scene.partition(":")[0]).stem
     simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)

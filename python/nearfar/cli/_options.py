@@ -91,6 +91,10 @@ MaxBytes = Annotated[
         "Bytes that the file may unpack to; by default 100 times its size, at least 256 MiB, at most 16 GiB.",
     ),
 ]
+Blend = Annotated[
+    str,
+    option("--blend", "opaque|cutout", "Draw materials that blend opaque, or cut them out where alpha is below 1/2."),
+]
 Invalid = Annotated[
     str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")
 ]
@@ -174,7 +178,15 @@ def is_reduced(text: str) -> bool:
     return (Path(text) / folder.DOCUMENT).is_file()
 
 
-def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None = None) -> nf.Scene:
+def open_scene(
+    text: str,
+    *,
+    up: str,
+    on_invalid: str,
+    scale: float | None,
+    max_bytes: int | None = None,
+    blend: str = "opaque",
+) -> nf.Scene:
     """Load the file or make the procedural scene that `-i` names; an extent that suggests another unit is said.
 
     No file or folder hides a procedural scene: `./room` is the one that lies here.
@@ -197,7 +209,7 @@ def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None, max_
         if all((Path(text) / name).is_file() for name in ("manifest.json", "tileset.json")):
             kind = "a bundle, which nearfar.stream.open reads"
         raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
-    scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     if scene.report.unit_note:
         typer.echo(f"nearfar: {text}: {scene.report.unit_note}", err=True)
     return scene

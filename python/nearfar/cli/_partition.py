@@ -42,6 +42,7 @@ def partition(
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
+    blend: options.Blend = "opaque",
     on_invalid: options.Invalid = "raise",
     output: Annotated[Path | None, option("-o --output", "FILE", "Also write the JSON document to a file.")] = None,
     max_triangles: Annotated[
@@ -55,7 +56,7 @@ def partition(
         check.integer("--max-triangles", max_triangles, 0, 2**63 - 1)
     if output:
         check_target(output, ".json")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     place = choose(loaded, scene, options.read_point("--center", center))
     document = describe(loaded, scene, place.eye, default_radii.choose(loaded, place, r1, r2))
     if output:

@@ -42,6 +42,7 @@ def reduce(
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
+    blend: options.Blend = "opaque",
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -58,7 +59,9 @@ def reduce(
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="reduced.json") as folder:
         with clock.step("scene"):
-            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+            loaded = options.open_scene(
+                scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend
+            )
         with clock.step("place"):
             place = _viewpoint.choose(loaded, scene, middle)
             radii = default_radii.choose(loaded, place, r1, r2)
@@ -93,6 +96,7 @@ def reduce(
             "up": up,
             "on_invalid": on_invalid,
             "scale": scale,
+            "blend": blend,
             "unit_note": loaded.report.unit_note,
             "notes": list(loaded.report.notes),
             "triangles": int(loaded.triangle_count),

@@ -62,6 +62,7 @@ def render(
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
+    blend: options.Blend = "opaque",
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -94,7 +95,7 @@ def render(
         loaded, middle = saved.scene, saved.center
     else:
         method = method or "truth"
-        loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+        loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     stand = None
     place = _viewpoint.choose(loaded, scene, user if method == "truth" else middle)
     if method == "truth":

@@ -78,6 +78,7 @@ def serve(
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
+    blend: options.Blend = "opaque",
     on_invalid: options.Invalid = "raise",
     only_check: Annotated[
         bool, typer.Option("--check", help="Open all that would be served, scenes too, tell it, and end.")
@@ -87,7 +88,7 @@ def serve(
     check.choice("--log", log, ("text", "json", "off"))
     limits = Limits(connections=connections, per_client=per_client)
     used = _certificate(certificate, key, self_signed, host, name)
-    loading = _sites.Loading(up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    loading = _sites.Loading(up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     regions = _sites.Regions(
         cache_bytes=check.integer("--cache-bytes", cache_bytes, 0, 1 << 62),
         grid=grid,

@@ -28,6 +28,7 @@ class Loading:
     on_invalid: str
     scale: float | None
     max_bytes: int | None
+    blend: str
 
 
 @dataclass(frozen=True)

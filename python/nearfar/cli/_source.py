@@ -41,11 +41,20 @@ def view_of(folder: str) -> Stand | None:
 
 
 def open_truth(
-    folder: str, truth: str | None, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None = None
+    folder: str,
+    truth: str | None,
+    *,
+    up: str,
+    on_invalid: str,
+    scale: float | None,
+    max_bytes: int | None = None,
+    blend: str = "opaque",
 ) -> tuple[str, nf.Scene]:
     """Open the scene that a folder was made from, `truth` or what its report names; also returns its name."""
     if truth is not None:
-        return truth, options.open_scene(truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+        return truth, options.open_scene(
+            truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend
+        )
     report = report_of(folder)
     source = report.get("source")
     if not isinstance(source, str):
@@ -58,6 +67,7 @@ def open_truth(
             on_invalid=str(report.get("on_invalid", on_invalid)),
             scale=stated if isinstance(stated, float) else scale,
             max_bytes=max_bytes,
+            blend=str(report.get("blend", blend)),
         )
     except FileNotFoundError:
         raise ValueError(f"--truth: expected the scene that {folder} was made from; {source} is not there") from None

@@ -53,6 +53,7 @@ def stereo(
     up: options.Up = "y",
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
+    blend: options.Blend = "opaque",
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -75,7 +76,7 @@ def stereo(
                 loaded, head = source.scene, head or source.center
             else:
                 source = loaded = options.open_scene(
-                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes
+                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend
                 )
             place = _viewpoint.choose(loaded, scene, head)
             stand = _source.view_of(scene) if options.is_reduced(scene) and eye is None and target is None else None

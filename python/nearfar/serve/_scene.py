@@ -76,12 +76,13 @@ class LoadedScene:
         on_invalid: str = "raise",
         scale: float | None = None,
         max_bytes: int | None = None,
+        blend: str = "opaque",
         **settings: Any,
     ) -> LoadedScene:
         """Load a file as `nearfar.Scene.load` does; other arguments as for the class."""
         place = check.path("path", path)
-        load = partial(Scene.load, place, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
-        source = _sources.key(place, {"up": up, "on_invalid": on_invalid, "scale": scale})
+        load = partial(Scene.load, place, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
+        source = _sources.key(place, {"up": up, "on_invalid": on_invalid, "scale": scale, "blend": blend})
         return cls(load, **{"title": place.name, "source": source, **settings})
 
     @classmethod
