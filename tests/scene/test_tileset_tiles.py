@@ -239,7 +239,7 @@ def test_detail_is_only_for_tilesets(tmp_path: Path) -> None:
             nf.Scene.load(path, **{name: value})
     with pytest.raises(ValueError, match="triangles: expected none beside an error"):
         nf.Scene.load(path, error=1, triangles=1)
-    with pytest.raises(nf.SceneError, match="reads tilesets of 3D Tiles"):
+    with pytest.raises(nf.SceneError, match="no GeoJSON and no tileset of 3D Tiles"):
         nf.Scene.load(tmp_path / "b.json")
 
 
