@@ -90,14 +90,16 @@ impl Scene {
         albedo
     }
 
-    /// Linear RGB of the light that a material emits at a spot: factor × texture.
+    /// Linear RGB of the light that a material emits at a spot: factor × texture. Apart, so that the code of materials
+    /// that emit none is as if there were no emission.
+    #[inline(never)]
     pub fn emission(&self, material: &Material, spot: &Spot<'_>) -> [f32; 3] {
         let color = self.texture_color(material.emission_texture, spot, false).unwrap_or([1.0; 3]);
         std::array::from_fn(|i| material.emission[i] * color[i])
     }
 
     /// Linear RGB of a texture; `None` without one, or without coordinates.
-    #[inline]
+    #[inline(always)]
     fn texture_color(&self, texture: Option<u32>, spot: &Spot<'_>, cutout: bool) -> Option<[f32; 3]> {
         let (texture, uvs) = (&self.textures[texture? as usize], spot.mesh.corner_uvs(spot.face)?);
         let level = texture_level(spot.footprint, texel_density(texture, uvs, spot.doubled_area));
