@@ -9,6 +9,9 @@ from ._camera.depth import depth_from_range, range_error, range_from_depth
 from ._camera.shot import Shot
 from ._scene.builder import SceneBuilder
 from ._scene.scene import Scene
+from ._source.open import open_source
+from ._source.protocol import SceneSource
+from ._source.write import write_tiles
 from ._cubemap.envmap import EnvMap
 from ._cubemap.layouts import convert_envmap, envmap_directions, envmap_texels
 from ._cubemap.lookup import cube_lookup, cube_mips, cube_solid_angles
@@ -71,6 +74,7 @@ __all__ = [
     "Scene",
     "SceneBuilder",
     "SceneError",
+    "SceneSource",
     "Shot",
     "Similarity",
     "StereoFrame",
@@ -104,6 +108,7 @@ __all__ = [
     "ms_ssim",
     "nearest_points",
     "object_completion",
+    "open_source",
     "partition",
     "psnr",
     "range_error",
@@ -124,4 +129,5 @@ __all__ = [
     "triangle_radii",
     "view",
     "visual_continuity",
+    "write_tiles",
 ]

@@ -20,6 +20,7 @@ STAGES: dict[str, set[str]] = {
     "_base": set(),
     "_camera": set(),
     "_scene": {"_camera"},
+    "_source": {"_scene"},
     "datasets": {"_scene"},
     "_cubemap": set(),
     "_trace": {"_scene"},
@@ -56,6 +57,7 @@ ROOMS = {
     "base": "policies, which compute nothing",
     "datasets": "scenes to test with",
     "scene": "",
+    "source": "",
     "camera": "",
     "cubemap": "",
     "trace": "",
@@ -78,7 +80,7 @@ ROOMS = {
     "cli": "calls of the other stages",
 }
 
-MOST_ENTRIES = 28
+MOST_ENTRIES = 29
 """Greatest number of files and folders in python/nearfar."""
 
 MEDIAN_LINES, MOST_LINES = 150, 400

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,11 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import card, check
 from nearfar._scene import preview
-from nearfar._scene.arrays import triangle_mask
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.one_mesh import one_mesh
+from nearfar._scene.parts import InParts
 from nearfar._scene.pictures import InPictures
 from nearfar._scene.poses import checked_pose, frame_of, placements_in, pose_of
 from nearfar._scene.report import Report
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     import trimesh
 
 
-class Scene(InPictures):
+class Scene(InParts, InPictures):
     """An immutable scene: objects over shared meshes, some of which may move.
 
     An object is a name over faces or instances. Static meshes placed once are merged; one that is placed several times
@@ -192,11 +192,6 @@ class Scene(InPictures):
         return cls._from_assembled(one_mesh(vertices, faces, face_object, names, copy=copy))
 
     @property
-    def triangle_count(self) -> int:
-        """Triangles of all instances."""
-        return self._core.triangle_count
-
-    @property
     def object_names(self) -> tuple[str, ...]:
         """Names of the objects, in the order of the numbers in `Frame.object_id`; subsets keep all of them."""
         return self._names.all
@@ -339,38 +334,10 @@ class Scene(InPictures):
     def _frame(self, number: int) -> NDArray[np.float64]:
         return frame_of(self._frames, number)
 
-    def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Scene:
-        """Return a scene of only some objects or some triangles.
-
-        Parameters
-        ----------
-        objects
-            Names of the objects that remain. Object numbers and names stay what they are.
-        triangles
-            Triangle numbers, or a mask (T,) of bool. The result has no levels, because parts of objects have none.
-
-        Raises
-        ------
-        ValueError
-            Unknown names, triangle numbers out of range, both arguments or none.
-        """
-        if (objects is None) == (triangles is None):
-            got = "none" if objects is None else "both"
-            raise ValueError(f"subset: expected either objects or triangles, got {got}")
-        owner = self._core.moving_objects()
-        if objects is not None:
-            flags = self._names.flags("objects", objects)
-            return self._derived(self._core.subset_of_objects(flags), self._rest[flags[owner]], self._table)
-        assert triangles is not None
-        mask = triangle_mask(check.plain("triangles", triangles), self.triangle_count)
-        before = np.concatenate([[0], np.cumsum(mask)])[self._core.triangle_offsets()]
-        remains = np.diff(before)[self._core.instance_count - len(owner) :] > 0
-        return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])
-
     def _derived(
         self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None, **kept: Any
-    ) -> Scene:
-        return Scene(core, self._names, **{**self._own, "rest": rest, "table": table, **kept})
+    ) -> Self:
+        return type(self)(core, self._names, **{**self._own, "rest": rest, "table": table, **kept})
 
     @property
     def _own(self) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """Checks of arguments: each error message names the argument, the expected value and the value passed."""
 
-from nearfar._base.check.arrays import FARTHEST, array, not_finite, output, plain, spheres, vector
+from nearfar._base.check.arrays import FARTHEST, array, box, not_finite, output, plain, spheres, vector
 from nearfar._base.check.describe import described, one_line, printable, shortened, shown
 from nearfar._base.check.names import choice, instance, items, iterable, mapping, path, text, texts
 from nearfar._base.check.numbers import (
@@ -21,6 +21,7 @@ __all__ = [
     "MAX_SIZE",
     "array",
     "at_least_zero",
+    "box",
     "choice",
     "described",
     "flag",

@@ -113,6 +113,19 @@ def vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
     return x, y, z
 
 
+def box(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """Return a box (2, 3), least and greatest corner, as float64; sides may be infinite.
+
+    ValueError for NaN, for another shape and for a least corner above the greatest; TypeError for what is no numbers.
+    """
+    corners = array(name, value, columns=None, dtype=np.float64)
+    if corners.shape != (2, 3):
+        raise ValueError(f"{name}: expected shape (2, 3), a least and a greatest corner, got {corners.shape}")
+    if not (corners[0] <= corners[1]).all():
+        raise ValueError(f"{name}: expected a least corner that is nowhere above the greatest, got {corners.tolist()}")
+    return corners
+
+
 def spheres(centers: ArrayLike, radii: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return centres (N, 3) and radii (N,) as float64; one radius is repeated for all; ValueError otherwise."""
     places = array("centers", centers, dtype=np.float64)

@@ -41,6 +41,22 @@ impl Aabb {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
+    /// The greatest float32 box inside a box with float64 sides: float32 numbers lie between the same sides of both. It
+    /// is inverted along an axis where no float32 number lies between the sides.
+    pub fn within(min: DVec3, max: DVec3) -> Self {
+        Self { min: round_up(min), max: round_down(max) }
+    }
+
+    /// Whether the boxes share a point; sides belong to their box. Empty boxes share none with boxes that are finite.
+    pub fn touches(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && self.max.cmpge(other.min).all()
+    }
+
+    /// Whether another box lies inside; the empty one does.
+    pub fn contains(&self, other: &Self) -> bool {
+        other.is_empty() || (self.min.cmple(other.min).all() && self.max.cmpge(other.max).all())
+    }
+
     /// The smallest float32 box around the image of this box. It is tight for the transformed geometry only if the map
     /// maps axes to axes.
     pub fn transformed(&self, map: &DAffine3) -> Self {

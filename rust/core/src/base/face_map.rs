@@ -37,6 +37,15 @@ impl FaceMap {
         }
     }
 
+    /// Memory of the arrays, bytes.
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::Uniform(_) => 0,
+            Self::Ranges { starts, values } => size_of_val(&starts[..]) + size_of_val(&values[..]),
+            Self::PerFace(values) => size_of_val(&values[..]),
+        }
+    }
+
     /// Runs of equal values as (first face, value), for a mesh of `face_count` faces.
     pub fn runs(&self, face_count: usize) -> Box<dyn Iterator<Item = (usize, i32)> + '_> {
         match self {

@@ -7,9 +7,17 @@ use super::{Progress, Result};
 /// Number of rows between two checks: a few milliseconds.
 const ROWS_PER_CHECK: usize = 1 << 20;
 
+/// Number of rows that one thread maps sooner than others wake up.
+const SHORT: usize = 1 << 12;
+
 /// A value for each row, in order.
 pub fn mapped<A: Sync, B: Send>(rows: &[A], of: impl Fn(&A) -> B + Sync, progress: &Progress) -> Result<Vec<B>> {
     let mut values = Vec::with_capacity(rows.len());
+    if rows.len() <= SHORT {
+        progress.check()?;
+        values.extend(rows.iter().map(of));
+        return Ok(values);
+    }
     for part in rows.chunks(ROWS_PER_CHECK) {
         progress.check()?;
         values.par_extend(part.par_iter().map(&of));

@@ -60,6 +60,8 @@ pub(crate) struct Groups {
     faces: Vec<u32>,
     /// First entry of each group in `faces`, and the number of all.
     starts: Vec<u32>,
+    /// The faces that are left out because they are copies: (the face that stands for them, the copy), ascending.
+    pub(crate) copies: Vec<(u32, u32)>,
 }
 
 impl Groups {
@@ -72,8 +74,9 @@ impl Groups {
         sort_by_key(&mut order, |&(hash, _)| hash, progress)?;
         let mut groups: Vec<(u32, u32)> = Vec::new();
         let mut shared: Vec<Vec<u32>> = Vec::new();
+        let mut copies: Vec<(u32, u32)> = Vec::new();
         for run in order.chunk_by(|a, b| a.0 == b.0) {
-            split_run(mesh, run, &mut groups, &mut shared);
+            split_run(mesh, run, &mut groups, &mut shared, &mut copies);
         }
         drop(order);
         sort_by_key(&mut groups, |&(first, _)| first, progress)?;
@@ -89,7 +92,8 @@ impl Groups {
         boxes.par_chunks_mut(TILE).zip(groups.par_chunks(TILE)).for_each(|(boxes, groups)| {
             boxes.iter_mut().zip(groups).for_each(|(slot, &(first, _))| *slot = mesh.bounds(first));
         });
-        Ok(Self { boxes, faces, starts })
+        sort_by_key(&mut copies, |&pair| pair, progress)?;
+        Ok(Self { boxes, faces, starts, copies })
     }
 
     /// The faces of a group.
@@ -99,7 +103,13 @@ impl Groups {
 }
 
 /// Splits faces of equal hash into groups of equal boxes: (least face, 1 + index of its list, or 0 for a single face).
-fn split_run(mesh: MeshArrays<'_>, run: &[(u32, u32)], groups: &mut Vec<(u32, u32)>, shared: &mut Vec<Vec<u32>>) {
+fn split_run(
+    mesh: MeshArrays<'_>,
+    run: &[(u32, u32)],
+    groups: &mut Vec<(u32, u32)>,
+    shared: &mut Vec<Vec<u32>>,
+    copies: &mut Vec<(u32, u32)>,
+) {
     if let [(_, face)] = run {
         groups.push((*face, 0));
         return;
@@ -112,7 +122,11 @@ fn split_run(mesh: MeshArrays<'_>, run: &[(u32, u32)], groups: &mut Vec<(u32, u3
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
         // Of several copies only the lowest face is kept: it wins ties, so no ray can ever report the others.
-        let mut list: Vec<u32> = group.chunk_by(|a, b| a.1 == b.1).map(|copies| copies[0].2).collect();
+        let mut list: Vec<u32> = Vec::new();
+        for alike in group.chunk_by(|a, b| a.1 == b.1) {
+            list.push(alike[0].2);
+            copies.extend(alike[1..].iter().map(|copy| (alike[0].2, copy.2)));
+        }
         list.sort_unstable();
         if list.len() == 1 {
             groups.push((list[0], 0));

@@ -1,5 +1,7 @@
 //! Both kinds of trees. obvhs builds binary trees; `Wide` converts them to eight children per node.
 
+use std::sync::Arc;
+
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -14,6 +16,8 @@ pub struct Bvh {
     pub(crate) wide: Wide,
     pub(crate) blocks: Vec<Block>,
     pub(crate) bounds: Aabb,
+    /// Faces that no ray can report, because a copy of them is in the tree: (the face in the tree, the copy), ascending.
+    copies: Arc<Vec<(u32, u32)>>,
 }
 
 /// A tree over the boxes of instances.
@@ -42,7 +46,7 @@ impl Bvh {
         };
         let (wide, mut blocks) = Wide::convert(&tree, leaf, progress)?;
         blocks.shrink_to_fit();
-        let bvh = Self { bounds: wide.bounds(), wide, blocks };
+        let bvh = Self { bounds: wide.bounds(), wide, blocks, copies: Arc::new(groups.copies) };
         debug_assert_eq!(bvh.validate(), Ok(()));
         progress.report(count as u64)?;
         Ok(bvh)
@@ -55,7 +59,20 @@ impl Bvh {
             let blocks = blocks.get(leaf_blocks(leaf)).unwrap_or_default();
             blocks.iter().fold(Aabb::EMPTY, |all, block| all.union(&block.bounds()))
         });
-        Self { bounds: wide.bounds(), wide, blocks }
+        Self { bounds: wide.bounds(), wide, blocks, copies: Arc::clone(&self.copies) }
+    }
+
+    /// Adds the copies of some faces of the tree.
+    pub(crate) fn add_copies(&self, faces: &mut Vec<u32>) {
+        if self.copies.is_empty() {
+            return;
+        }
+        for at in 0..faces.len() {
+            let first = self.copies.partition_point(|&(kept, _)| kept < faces[at]);
+            let alike = self.copies[first..].iter().take_while(|&&(kept, _)| kept == faces[at]);
+            let alike: Vec<u32> = alike.map(|&(_, copy)| copy).collect();
+            faces.extend(alike);
+        }
     }
 
     /// The blocks of a leaf; empty for `NO_CHILD`, which a ray with NaN may appear to hit.
@@ -66,7 +83,7 @@ impl Bvh {
 
     /// Memory of nodes and triangles, bytes.
     pub fn bytes(&self) -> usize {
-        size_of_val(&self.wide.nodes[..]) + size_of_val(&self.blocks[..])
+        size_of_val(&self.wide.nodes[..]) + size_of_val(&self.blocks[..]) + size_of_val(&self.copies[..])
     }
 
     /// Checks that each box contains its children and that each face is in one leaf; the error describes the fault.

@@ -111,7 +111,7 @@ impl InstanceSet {
 }
 
 /// Materials and textures of several scenes, equal ones once.
-struct Surfaces {
+pub(super) struct Surfaces {
     materials: Vec<Material>,
     /// Size and texels of each texture; the textures themselves are created at the end.
     textures: Vec<TextureImage>,
@@ -136,13 +136,13 @@ impl TextureImage {
 }
 
 impl Surfaces {
-    fn of(scene: &Scene) -> Self {
+    pub(super) fn of(scene: &Scene) -> Self {
         let textures: Vec<TextureImage> = scene.textures.iter().map(TextureImage::of).collect();
         Self { materials: scene.materials.to_vec(), own: (scene.materials.len(), textures.len()), textures }
     }
 
     /// Adds a scene's materials and textures; returns the new number of each of its materials.
-    fn add(&mut self, scene: &Scene) -> Vec<i32> {
+    pub(super) fn add(&mut self, scene: &Scene) -> Vec<i32> {
         let links: Vec<u32> = scene.textures.iter().map(|texture| self.texture(TextureImage::of(texture))).collect();
         let number = |material: &Material| {
             let link = |texture: Option<u32>| texture.and_then(|texture| links.get(texture as usize).copied());
@@ -170,7 +170,7 @@ impl Surfaces {
 
     /// The scene with these materials and textures. If nothing was added it keeps its own lists, because devices find
     /// lists by their address.
-    fn into_scene(self, scene: &Scene) -> Result<Scene> {
+    pub(super) fn into_scene(self, scene: &Scene) -> Result<Scene> {
         let mut result = scene.clone();
         if self.textures.len() > self.own.1 {
             let made = self.textures.into_iter().map(|image| Texture::new(image.width, image.height, image.texels));

@@ -78,6 +78,19 @@ impl Mesh {
         materials: FaceMap,
     ) -> Self {
         let bounds = bounds_of(&positions, &faces);
+        Self::bounded(positions, faces, uvs, colors, objects, materials, bounds)
+    }
+
+    /// The arrays fit together, and `bounds` is the box of all faces.
+    pub(super) fn bounded(
+        positions: Buffer<[f32; 3]>,
+        faces: Buffer<[u32; 3]>,
+        uvs: Option<Buffer<[f32; 2]>>,
+        colors: Option<Buffer<[u8; 4]>>,
+        objects: FaceMap,
+        materials: FaceMap,
+        bounds: Aabb,
+    ) -> Self {
         let bvh = OnceLock::new();
         let (normals, building) = (None, Mutex::new(()));
         Self { positions, faces, uvs, colors, normals, objects, materials, bounds, bvh, building }
@@ -87,7 +100,12 @@ impl Mesh {
     pub fn with_normals(self, normals: Option<Buffer<[f32; 3]>>) -> Result<Self> {
         check_rows("normals", normals.as_deref(), self.positions.len())?;
         check_finite("normals", normals.as_deref().unwrap_or_default())?;
-        Ok(Self { normals, ..self })
+        Ok(self.shaded_by(normals))
+    }
+
+    /// The mesh with vertex normals that fit.
+    pub(super) fn shaded_by(self, normals: Option<Buffer<[f32; 3]>>) -> Self {
+        Self { normals, ..self }
     }
 
     /// A mesh of chosen faces, in their order. It shares the vertex arrays unless most vertices would be unused.
@@ -119,6 +137,13 @@ impl Mesh {
         self.with_faces(faces, self.objects.clone(), self.materials.clone())
     }
 
+    /// The same faces with other numbers of objects and materials; all other arrays are shared.
+    pub(super) fn relabeled(&self, objects: FaceMap, materials: FaceMap) -> Self {
+        let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
+        let (faces, normals) = (self.faces.clone(), self.normals.clone());
+        Self { normals, ..Self::bounded(positions, faces, uvs, colors, objects, materials, self.bounds) }
+    }
+
     /// Other faces between the same vertices, whose arrays are shared.
     fn with_faces(&self, faces: Vec<[u32; 3]>, objects: FaceMap, materials: FaceMap) -> Self {
         let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
@@ -147,6 +172,16 @@ impl Mesh {
         };
         let count = |tile: &[[u32; 3]]| progress.check().map(|()| tile.iter().filter(is_degenerate).count());
         self.faces.par_chunks(TILE).map(count).sum()
+    }
+
+    /// Memory of the arrays and of the tree, bytes.
+    pub fn bytes(&self) -> usize {
+        fn of<T>(rows: &Option<Buffer<T>>) -> usize {
+            rows.as_deref().map_or(0, size_of_val)
+        }
+        let arrays = size_of_val(&self.positions[..]) + size_of_val(&self.faces[..]);
+        let numbers = self.objects.bytes() + self.materials.bytes();
+        arrays + of(&self.uvs) + of(&self.colors) + of(&self.normals) + numbers + self.bvh().map_or(0, Bvh::bytes)
     }
 
     /// Box of all faces; unused vertices are left out.
@@ -233,7 +268,7 @@ fn extremes(positions: &[[f32; 3]], bounds: &Aabb) -> [u32; 6] {
     })
 }
 
-fn box_of<T: Sync>(rows: &[T], extend: impl Fn(&mut Aabb, &T) + Sync) -> Aabb {
+pub(super) fn box_of<T: Sync>(rows: &[T], extend: impl Fn(&mut Aabb, &T) + Sync) -> Aabb {
     let tile_bounds = |tile: &[T]| {
         let mut bounds = Aabb::EMPTY;
         tile.iter().for_each(|row| extend(&mut bounds, row));
@@ -242,7 +277,7 @@ fn box_of<T: Sync>(rows: &[T], extend: impl Fn(&mut Aabb, &T) + Sync) -> Aabb {
     rows.par_chunks(TILE).map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
 }
 
-fn gathered<T: Copy + Send + Sync>(values: &[T], rows: &[u32], progress: &Progress) -> Result<Vec<T>> {
+pub(super) fn gathered<T: Copy + Send + Sync>(values: &[T], rows: &[u32], progress: &Progress) -> Result<Vec<T>> {
     mapped(rows, |&row| values[row as usize], progress)
 }
 

@@ -1,8 +1,10 @@
 //! Scenes: meshes shared between instances, objects as names of faces or instances, base colours and emission.
 
 mod albedo;
+mod compact;
 mod edit;
 mod instance;
+mod join;
 mod levels;
 mod material;
 mod merge;
@@ -10,6 +12,7 @@ mod mesh;
 pub mod meshopt;
 mod normal;
 pub mod polygons;
+mod query;
 pub mod srgb;
 mod texture;
 pub mod wavefront;
@@ -17,10 +20,12 @@ mod world;
 
 pub use albedo::{Spot, texel_density, texture_level};
 pub use instance::{Instance, InstanceSet};
+pub use join::Joined;
 pub use levels::LevelMeshes;
 pub use material::{Alpha, Material};
 pub use merge::{PlacedMesh, merge};
 pub use mesh::Mesh;
 pub use normal::facing_normals;
+pub use query::{Queried, Region};
 pub use texture::{MipLevel, Texture};
 pub use world::Scene;

@@ -54,6 +54,12 @@ impl Texture {
         Ok(Self { width, height, texels, mips: OnceLock::new(), cutout_mips: OnceLock::new() })
     }
 
+    /// Memory of the texels and of the levels made so far, bytes.
+    pub fn bytes(&self) -> usize {
+        let levels = [self.mips.get(), self.cutout_mips.get()].into_iter().flatten().flatten();
+        size_of_val(&self.texels[..]) + levels.map(|level| size_of_val(&level.texels[..])).sum::<usize>()
+    }
+
     /// Linear RGB at (u, v), v upwards: bilinear within a level, linear between levels. Level 0 and below is the image
     /// itself. Each further level halves both sides, and beyond the last level the colour is the image's mean. `cutout`
     /// weights the means by alpha.

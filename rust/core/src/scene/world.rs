@@ -143,6 +143,13 @@ impl Scene {
         Ok(flat)
     }
 
+    /// Memory of instances, meshes, their trees and textures, bytes; what is shared counts once.
+    pub fn bytes(&self) -> usize {
+        let meshes: usize = distinct_meshes(self.instances()).map(Mesh::bytes).sum();
+        let textures: usize = self.textures.iter().map(Texture::bytes).sum();
+        self.instance_count() * size_of::<Instance>() + meshes + textures
+    }
+
     /// Number of faces without area, counting each mesh once.
     pub fn degenerate_count(&self, progress: &Progress) -> Result<usize> {
         distinct_meshes(self.instances()).map(|mesh| mesh.degenerate_count(progress)).sum()

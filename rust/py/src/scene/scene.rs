@@ -20,6 +20,9 @@ use crate::convert::run;
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Scene(pub scene::Scene);
 
+/// A scene, and places of the moving instances that remain of another one.
+type Part<'py> = (Scene, Option<Bound<'py, PyArray1<u32>>>);
+
 #[pymethods]
 impl Scene {
     /// `placements` are (I, 3, 4) object→scene, relative to the origin, static instances first. Object −1 means that
@@ -129,6 +132,28 @@ impl Scene {
         run::long(py, None, |progress| self.0.subset_of_triangles(chosen, progress)).map(Self)
     }
 
+    /// The triangles that touch the world box between two corners, and the places of the moving instances that remain;
+    /// None if all do.
+    fn query<'py>(&self, py: Python<'py>, least: [f64; 3], greatest: [f64; 3]) -> PyResult<Part<'py>> {
+        let (least, greatest) = (DVec3::from_array(least), DVec3::from_array(greatest));
+        let found = run::long(py, None, |progress| self.0.query(least, greatest, progress))?;
+        let places = found.moving.map(|places| PyArray1::from_vec(py, places));
+        Ok((Self(found.scene), places))
+    }
+
+    /// One scene of several, in the frame of the first; `objects` has for each the new numbers of its objects.
+    #[staticmethod]
+    fn joined<'py>(
+        py: Python<'py>,
+        scenes: Vec<PyRef<'py, Self>>,
+        objects: Vec<PyReadonlyArray1<'py, i32>>,
+    ) -> PyResult<Self> {
+        let numbers = objects.iter().map(|row| Ok(row.as_slice()?)).collect::<PyResult<Vec<&[i32]>>>()?;
+        let parts = scenes.iter().map(|scene| &scene.0).zip(numbers);
+        let parts: Vec<scene::Joined<'_>> = parts.map(|(scene, objects)| scene::Joined { scene, objects }).collect();
+        run::long(py, None, |progress| scene::Scene::joined(&parts, progress)).map(Self)
+    }
+
     /// Placements of the moving instances (M, 3, 4), relative to the origin.
     fn moving_placements<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
         rows_of(py, self.0.moving.instances())
@@ -169,6 +194,11 @@ impl Scene {
     #[pyo3(signature = (report=None))]
     fn build(&self, py: Python<'_>, report: Option<Py<PyAny>>) -> PyResult<()> {
         run::long(py, report, |progress| self.0.build(progress))
+    }
+
+    /// Memory of instances, meshes, trees and textures, bytes.
+    fn bytes(&self) -> usize {
+        self.0.bytes()
     }
 
     #[getter]

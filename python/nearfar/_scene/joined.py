@@ -1,0 +1,79 @@
+"""Several scenes as one, such as the tiles of a world."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._scene.names import Names
+from nearfar._scene.poses import frame_of
+from nearfar._scene.scene import Scene
+
+
+def empty(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
+    """A scene of nothing."""
+    return _core.Scene(
+        origin=origin,
+        meshes=[],
+        placements=np.zeros((0, 3, 4)),
+        objects=np.zeros(0, np.int32),
+        standing_count=0,
+        material_colors=np.zeros((0, 4), np.float32),
+        material_textures=np.zeros(0, np.int32),
+        material_cutoffs=np.zeros(0, np.float32),
+        material_tags=np.zeros(0, np.uint64),
+        textures=[],
+    )
+
+
+def joined(scenes: Sequence[Scene]) -> Scene:
+    """Return one scene of one or several, in the frame of the first; objects of one name become one object.
+
+    Scenes with levels become what they show.
+    """
+    first = scenes[0]
+    names, numbers = _union([scene._names for scene in scenes])
+    core = _core.Scene.joined([scene._core for scene in scenes], numbers)
+    rests = []
+    for scene in scenes:
+        rest = scene._rest.copy()
+        rest[:, :, 3] += scene.origin - first.origin
+        rests.append(rest)
+    notes = dict.fromkeys(note for scene in scenes for note in scene._notes)
+    return Scene(
+        core,
+        names,
+        frames=_frames(scenes, names, numbers),
+        rest=np.concatenate(rests),
+        dropped=sum(scene._dropped for scene in scenes),
+        notes=tuple(notes),
+        undrawn={tag: part for scene in scenes for tag, part in scene._undrawn.items()},
+    )
+
+
+def _union(several: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]:
+    """All names once, and for each of the lists the new numbers of its names; none where the numbers stay."""
+    first = several[0]
+    if all(names is first for names in several):
+        return first, [np.zeros(0, np.int32) for _ in several]
+    taken: dict[str, int] = {}
+    numbers = [
+        np.array([taken.setdefault(name, len(taken)) for name in names.all], np.int32).reshape(-1) for names in several
+    ]
+    return Names(tuple(taken)), numbers
+
+
+def _frames(scenes: Sequence[Scene], names: Names, numbers: Sequence[NDArray[np.int32]]) -> NDArray[np.float64] | None:
+    """Load transforms by number; an object of several scenes has that of the first."""
+    if all(scene._frames is None for scene in scenes):
+        return None
+    if names is scenes[0]._names:
+        return scenes[0]._frames
+    frames = np.tile(np.eye(4), (len(names), 1, 1))
+    for scene, renumbered in zip(reversed(scenes), reversed(numbers), strict=True):
+        for number, place in enumerate(renumbered.tolist()):
+            frames[place] = frame_of(scene._frames, number)
+    return frames

@@ -1,0 +1,93 @@
+"""Parts of a scene: the part of the class `Scene` that leaves out objects and triangles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Self, SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+from nearfar._scene.arrays import triangle_mask
+
+if TYPE_CHECKING:
+    from nearfar._core import Scene as CoreScene
+    from nearfar._scene.levels import LevelTable
+    from nearfar._scene.names import Names
+
+
+class InParts:
+    """Makes scenes of parts of a scene."""
+
+    _core: CoreScene
+    _names: Names
+    _rest: NDArray[np.float64]
+    _table: LevelTable | None
+
+    if TYPE_CHECKING:
+
+        def _derived(
+            self, core: CoreScene, rest: NDArray[np.float64], table: LevelTable | None = None, **kept: Any
+        ) -> Self: ...
+
+    @property
+    def triangle_count(self) -> int:
+        """Triangles of all instances."""
+        return self._core.triangle_count
+
+    def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Self:
+        """Return a scene of only some objects or some triangles.
+
+        Parameters
+        ----------
+        objects
+            Names of the objects that remain. Object numbers and names stay what they are.
+        triangles
+            Triangle numbers, or a mask (T,) of bool. The result has no levels, because parts of objects have none.
+
+        Raises
+        ------
+        ValueError
+            Unknown names, triangle numbers out of range, both arguments or none.
+        """
+        if (objects is None) == (triangles is None):
+            got = "none" if objects is None else "both"
+            raise ValueError(f"subset: expected either objects or triangles, got {got}")
+        owner = self._core.moving_objects()
+        if objects is not None:
+            flags = self._names.flags("objects", objects)
+            return self._derived(self._core.subset_of_objects(flags), self._rest[flags[owner]], self._table)
+        assert triangles is not None
+        mask = triangle_mask(check.plain("triangles", triangles), self.triangle_count)
+        before = np.concatenate([[0], np.cumsum(mask)])[self._core.triangle_offsets()]
+        remains = np.diff(before)[self._core.instance_count - len(owner) :] > 0
+        return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])
+
+    def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Self:
+        """Return a scene of the triangles that touch a box, whole; found through the search trees.
+
+        The time grows with what is returned, not with the scene; the first query builds the trees. Meshes keep only
+        the vertices that they use, and faces, vertices and instances their order. Instances inside stay instances of
+        the same meshes. Names, numbers of objects and `origin` stay. The result shows the levels that the scene shows,
+        and like other parts of objects has no levels of its own.
+
+        Parameters
+        ----------
+        aabb
+            Least and greatest corner (2, 3), world, metres. The sides belong to the box and may be infinite.
+        detail
+            Greatest geometric error in metres that the result may have. A scene in memory has all of its triangles
+            and returns them for any value.
+
+        Raises
+        ------
+        ValueError
+            A box with NaN or with a least corner above the greatest, a `detail` that is negative or not finite.
+        TypeError
+            Values that are not numbers.
+        """
+        least, greatest = check.box("aabb", aabb).tolist()
+        check.at_least_zero("detail", detail)
+        core, remains = self._core.query(tuple(least), tuple(greatest))
+        return self._derived(core, self._rest if remains is None else self._rest[remains])

@@ -1,0 +1,1 @@
+"""Worlds that scenes are taken from, box by box."""

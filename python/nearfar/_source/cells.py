@@ -1,0 +1,75 @@
+"""Square cells of the ground plane, each triangle in exactly one of them: that of its centroid."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._scene.scene import Scene
+
+MOST_CELLS = 1 << 20
+"""Greatest number of cells of a grid."""
+
+_MARGIN = 1e-5
+"""Share of the greatest coordinate by which a box is wider than its cell. A centroid lies in its triangle, but rounding
+may take it over a side; float32 rounds by less than a hundredth of this."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Cells from multiples of their width on; the outer ones reach beyond all sides."""
+
+    cell: float
+    """Width of a cell, metres."""
+    first: tuple[int, int]
+    """Multiple of the width at which the first cell begins, along x and z."""
+    counts: tuple[int, int]
+    """Number of cells along x and z."""
+
+    @classmethod
+    def over(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
+        """Return the grid over a world box; ValueError where it would have too many cells."""
+        low, high = bounds[:, (0, 2)] / cell
+        if not (np.isfinite(low).all() and np.isfinite(high).all()):
+            return cls(cell, (0, 0), (0, 0))
+        first, last = np.floor(low), np.floor(high)
+        counts = last - first + 1
+        if counts.prod() > MOST_CELLS:
+            raise ValueError(
+                f"cell: expected a width with at most {MOST_CELLS:,} cells, got {cell:g} m, {counts.prod():.3g} cells"
+            )
+        x, z = first.astype(np.int64).tolist()
+        columns, rows = counts.astype(np.int64).tolist()
+        return cls(cell, (x, z), (columns, rows))
+
+    def __len__(self) -> int:
+        """Return the number of cells."""
+        return self.counts[0] * self.counts[1]
+
+    def name(self, number: int) -> str:
+        """Name of a cell by its place among all multiples of the width, so that grids of one width fit together."""
+        column, row = number % self.counts[0], number // self.counts[0]
+        return f"{self.first[0] + column}_{self.first[1] + row}"
+
+    def box(self, number: int) -> NDArray[np.float64]:
+        """World box (2, 3) that all triangles touch whose centroids are in a cell; without end in height."""
+        column, row = number % self.counts[0], number // self.counts[0]
+        box = np.array([[-np.inf] * 3, [np.inf] * 3])
+        for axis, place, first, count in zip((0, 2), (column, row), self.first, self.counts, strict=True):
+            low, high = (first + place) * self.cell, (first + place + 1) * self.cell
+            margin = _MARGIN * max(abs(low), abs(high))
+            if place > 0:
+                box[0, axis] = low - margin
+            if place < count - 1:
+                box[1, axis] = high + margin
+        return box
+
+    def of_triangles(self, scene: Scene) -> NDArray[np.int64]:
+        """Number of the cell (T,) of each triangle's centroid, or of the nearest one."""
+        centroids = scene.triangles().mean(axis=1, dtype=np.float64) + scene.origin
+        places = np.floor(centroids[:, (0, 2)] / self.cell).astype(np.int64) - self.first
+        column, row = np.clip(places, 0, np.array(self.counts) - 1).T
+        numbers: NDArray[np.int64] = column + row * self.counts[0]
+        return numbers

@@ -1,0 +1,113 @@
+"""The index of a folder of tiles: `tiles.json` with the box of each tile."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check, formats
+
+NAME, VERSION = "tiles", 1
+"""Name of the document's format without "nearfar.", and its version."""
+DOCUMENT = "tiles.json"
+"""Name of the file in a folder."""
+
+_FILE = re.compile(r"tile_-?[0-9]{1,12}_-?[0-9]{1,12}\.glb")
+
+
+@dataclass(frozen=True)
+class Tile:
+    """A file of a folder."""
+
+    file: str
+    """Its name."""
+    box: NDArray[np.float64]
+    """Tight world box (2, 3) of its triangles, metres."""
+    triangles: int
+    moving: Sequence[dict[str, Any]] = ()
+    """Rows of its moving instances; see `moving_rows`."""
+
+
+@dataclass(frozen=True)
+class TileIndex:
+    """Content of `tiles.json`."""
+
+    origin: tuple[float, float, float]
+    """World position that float32 coordinates are relative to."""
+    settings: dict[str, Any]
+    """What the tiles were made of, so that only the same work goes on: `cell`, `detail` and `bounds`."""
+    done: int
+    """Number of cells whose tiles are there."""
+    cells: int
+    """Number of all cells."""
+    object_names: int | None
+    """Number of nameless objects; None where the tiles have the names."""
+    notes: tuple[str, ...]
+    """Parts of the source that are not drawn or drawn differently."""
+    tiles: tuple[Tile, ...]
+
+    def write(self, folder: Path) -> None:
+        """Write the file, completely or not at all."""
+        document = formats.header(
+            NAME,
+            VERSION,
+            origin=list(self.origin),
+            color_space="linear",
+            settings=self.settings,
+            done=self.done,
+            cells=self.cells,
+            object_names=self.object_names,
+            notes=list(self.notes),
+            tiles=[_row(tile) for tile in self.tiles],
+        )
+        formats.write_json(folder / DOCUMENT, document)
+
+    @classmethod
+    def read(cls, folder: Path) -> TileIndex:
+        """Read the file of a folder; FormatError if it is damaged or too new, OSError if it is missing."""
+        path = folder / DOCUMENT
+        document = formats.read_json(path, NAME, VERSION)
+        with formats.guarded(path):
+            nameless = document["object_names"]
+            cells = check.integer("cells", document["cells"], 0, 2**53)
+            return cls(
+                check.vector("origin", document["origin"]),
+                check.instance("settings", document["settings"], dict),
+                check.integer("done", document["done"], 0, cells),
+                cells,
+                None if nameless is None else check.integer("object_names", nameless, 0, 2**31 - 1),
+                tuple(check.texts("notes", document["notes"])),
+                tuple(_tile(row) for row in check.instance("tiles", document["tiles"], list)),
+            )
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """World box (2, 3) of all tiles; infinite and inverted without tiles."""
+        boxes = self.boxes
+        return np.array([boxes[:, 0].min(axis=0, initial=np.inf), boxes[:, 1].max(axis=0, initial=-np.inf)])
+
+    @property
+    def boxes(self) -> NDArray[np.float64]:
+        """World boxes (N, 2, 3) of the tiles."""
+        return np.array([tile.box for tile in self.tiles], np.float64).reshape(-1, 2, 3)
+
+
+def _row(tile: Tile) -> dict[str, Any]:
+    row: dict[str, Any] = {"file": tile.file, "box": tile.box.tolist(), "triangles": tile.triangles}
+    return row | {"moving": list(tile.moving)} if tile.moving else row
+
+
+def _tile(row: dict[str, Any]) -> Tile:
+    file = check.text("file", row["file"])
+    if not _FILE.fullmatch(file):
+        raise ValueError(f"file: expected names such as tile_0_0.glb, got {check.shortened(file)}")
+    box = check.box("box", row["box"])
+    if not np.isfinite(box).all():
+        raise ValueError(f"box: expected finite numbers, got {box.tolist()}")
+    return Tile(file, box, check.integer("triangles", row["triangles"], 1, 2**62), tuple(row.get("moving", ())))

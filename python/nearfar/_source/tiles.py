@@ -1,0 +1,116 @@
+"""A folder of tiles as a source: reads only the tiles that touch a box, and keeps the last ones."""
+
+from __future__ import annotations
+
+import os
+from collections import OrderedDict
+from pathlib import Path
+from threading import Lock
+from typing import SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import background, check, formats
+from nearfar._base.errors import FormatError
+from nearfar._scene.joined import empty, joined
+from nearfar._scene.moving_rows import frames_of
+from nearfar._scene.names import Names
+from nearfar._scene.scene import Scene
+from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
+
+
+class TileFolder:
+    """World in a folder that `nearfar.write_tiles` wrote."""
+
+    def __init__(self, folder: Path, cache_bytes: int) -> None:
+        self._folder, self._most = folder, cache_bytes
+        self._index = TileIndex.read(folder)
+        if self._index.done < self._index.cells:
+            raise FormatError(
+                f"{os.fspath(folder / DOCUMENT)}: expected all tiles, got those of {self._index.done} of "
+                f"{self._index.cells} cells; write_tiles with the same arguments writes the others"
+            )
+        self._boxes = self._index.boxes
+        nameless = self._index.object_names
+        self._names = None if nameless is None else Names(nameless)
+        self._kept: OrderedDict[str, Scene] = OrderedDict()
+        self._lock = Lock()
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """World box (2, 3) of all triangles; infinite and inverted where there are none."""
+        return self._index.bounds
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """World position (3,) that float32 coordinates are relative to."""
+        return np.array(self._index.origin)
+
+    @property
+    def triangle_count(self) -> int:
+        """Number of triangles of all tiles."""
+        return sum(tile.triangles for tile in self._index.tiles)
+
+    @property
+    def cached_bytes(self) -> int:
+        """Memory of the tiles that are kept, with their search trees."""
+        with self._lock:
+            return sum(scene._core.bytes() for scene in self._kept.values())
+
+    def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
+        """Return a scene of the triangles that touch a box, whole; see `nearfar.SceneSource`.
+
+        Reads the tiles whose boxes touch and that are not in memory. The tiles have all triangles for any `detail`.
+        """
+        least, greatest = box = check.box("aabb", aabb)
+        check.at_least_zero("detail", detail)
+        touches = (self._boxes[:, 0] <= greatest) & (self._boxes[:, 1] >= least)
+        near = [self._index.tiles[at] for at in np.flatnonzero(touches.all(axis=1))]
+        parts = [part for part in (self._tile(tile).query(box) for tile in near) if part.triangle_count]
+        self._forget()
+        if parts:
+            return joined(parts)
+        names = Names(()) if self._names is None else self._names
+        return Scene(empty(self._index.origin), names, notes=self._index.notes)
+
+    def _tile(self, tile: Tile) -> Scene:
+        """Return a tile, from memory or from its file."""
+        with self._lock:
+            if tile.file in self._kept:
+                self._kept.move_to_end(tile.file)
+                return self._kept[tile.file]
+        scene = background.run(lambda: self._read(tile))
+        with self._lock:
+            self._kept[tile.file] = scene
+        self._forget(keep=1)
+        return scene
+
+    def _read(self, tile: Tile) -> Scene:
+        from nearfar._scene import glb
+
+        path = self._folder / tile.file
+        data = path.read_bytes()
+        with formats.guarded(path, "tile"):
+            decoder = glb.Decoder(data, self._names)
+            core, names, undrawn = decoder.decode(), decoder.names, decoder.undrawn
+            if core.triangle_count != tile.triangles:
+                raise ValueError(f"expected {tile.triangles} triangles as in {DOCUMENT}, got {core.triangle_count}")
+            frames, rest = frames_of(tile.moving, names, core.moving_placements(), tile.file)
+        return Scene(core, names, frames=frames, rest=rest, notes=self._index.notes, undrawn=undrawn)
+
+    def _forget(self, keep: int = 0) -> None:
+        """Forget the tiles that were used longest ago until the others fit; trees are counted once they are built."""
+        with self._lock:
+            sizes = {file: scene._core.bytes() for file, scene in self._kept.items()}
+            total = sum(sizes.values())
+            while total > self._most and len(self._kept) > keep:
+                file, _ = self._kept.popitem(last=False)
+                total -= sizes[file]
+
+    def __len__(self) -> int:
+        """Return the number of tiles."""
+        return len(self._index.tiles)
+
+    def __repr__(self) -> str:
+        return f"<nearfar source: {len(self):,} tiles, {self.triangle_count:,} triangles in {self._folder}>"

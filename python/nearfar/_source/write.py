@@ -1,0 +1,155 @@
+"""Writes a source as a folder of tiles, cell by cell."""
+
+from __future__ import annotations
+
+import os
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check, files, progress
+from nearfar._scene.moving_rows import moving_rows
+from nearfar._scene.scene import Scene
+from nearfar._source.cells import Grid
+from nearfar._source.protocol import SceneSource, source_of
+from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
+
+_INTERVAL = 10.0
+"""Seconds between two writings of the index: what an end without warning makes the next call do again."""
+
+
+def write_tiles(
+    source: SceneSource,
+    folder: str | os.PathLike[str],
+    *,
+    cell: SupportsFloat,
+    aabb: ArrayLike | None = None,
+    detail: SupportsFloat = 0.0,
+) -> None:
+    """Write a source as a folder of tiles, which `nearfar.open_source` opens.
+
+    Each triangle is in exactly one tile, that of the cell in which its centroid lies. The source is queried cell by
+    cell, so that memory is bounded by a cell, not by the world. A call that ended early, by Ctrl-C or a crash, goes on
+    where it was when it is made again with the same arguments.
+
+    Parameters
+    ----------
+    source
+        World with `bounds` and `query`.
+    folder
+        New, empty, or one that this function wrote in part. It gets GLB files, which other programs read, too, and
+        ``tiles.json`` with the box of each.
+    cell
+        Width of the square cells in the ground plane, metres.
+    aabb
+        World box (2, 3): only triangles whose centroids lie in it are written. By default all.
+    detail
+        Greatest geometric error in metres that the tiles may have.
+
+    Raises
+    ------
+    ValueError
+        A world without end and no `aabb`, too many cells, numbers out of range, a folder with tiles of other arguments.
+    TypeError
+        Something that is no source, and values that are not numbers.
+    OSError
+        A folder that holds other files, and files that cannot be written.
+    """
+    source, target = source_of("source", source), check.path("folder", folder)
+    size, error = check.positive("cell", cell), check.at_least_zero("detail", detail)
+    bounds = check.array("source.bounds", source.bounds, dtype=np.float64)
+    region = None if aabb is None else check.box("aabb", aabb)
+    whole = _common(bounds, region)
+    if np.isinf(whole).any() and (whole[0] <= whole[1]).all():
+        raise ValueError("aabb: expected a finite box for a source without end")
+    grid = Grid.over(whole, size)
+    settings = {"cell": size, "detail": error, "bounds": _listed(bounds), "aabb": _listed(region)}
+    index = _begun(target, settings, len(grid))
+    _Writing(source, target, grid, region, error).run(index)
+
+
+def _common(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    """The part of the source's box to be written; infinite and inverted if there is none."""
+    if region is None:
+        return bounds
+    both = np.array([np.maximum(bounds[0], region[0]), np.minimum(bounds[1], region[1])])
+    return both if (both[0] <= both[1]).all() else np.array([[np.inf] * 3, [-np.inf] * 3])
+
+
+def _listed(box: NDArray[np.float64] | None) -> list[list[float | None]] | None:
+    """A box as JSON holds it: infinite sides are null."""
+    if box is None:
+        return None
+    return [[side if np.isfinite(side) else None for side in corner] for corner in box.tolist()]
+
+
+def _begun(folder: Path, settings: dict[str, Any], cells: int) -> TileIndex:
+    """Return the index of a folder that was written in part, or that of a new one."""
+    if (folder / DOCUMENT).is_file():
+        index = TileIndex.read(folder)
+        if index.settings != settings:
+            raise ValueError(f"folder: expected tiles of the same arguments in {folder}, got {index.settings}")
+        return index
+    folder.mkdir(exist_ok=True)
+    if any(folder.iterdir()):
+        raise FileExistsError(f"{folder}: holds other files (no {DOCUMENT}), expected a new or empty folder")
+    return TileIndex((0.0, 0.0, 0.0), settings, 0, cells, None, (), ())
+
+
+class _Writing:
+    """The work of `write_tiles` from one cell on."""
+
+    def __init__(
+        self, source: SceneSource, folder: Path, grid: Grid, region: NDArray[np.float64] | None, detail: float
+    ) -> None:
+        self._source, self._folder, self._grid = source, folder, grid
+        self._region, self._detail = region, detail
+
+    def run(self, index: TileIndex) -> None:
+        """Write the tiles that are missing."""
+        written = index
+        saved = time.monotonic()
+        try:
+            with progress.bar("tiles") as report:
+                for number in range(index.done, len(self._grid)):
+                    report(number, len(self._grid))
+                    written = replace(self._with_cell(written, number), done=number + 1)
+                    if time.monotonic() - saved > _INTERVAL:
+                        written.write(self._folder)
+                        saved = time.monotonic()
+        finally:
+            written.write(self._folder)
+
+    def _with_cell(self, index: TileIndex, number: int) -> TileIndex:
+        part = self._source.query(self._grid.box(number), self._detail)
+        if part.triangle_count:
+            part = self._chosen(part, number)
+        if not part.triangle_count:
+            return index
+        names = part._names.source
+        return replace(
+            index,
+            origin=tuple(part.origin.tolist()) if not index.tiles else index.origin,
+            object_names=names if isinstance(names, int) else None,
+            notes=tuple(dict.fromkeys((*index.notes, *part.report.notes))),
+            tiles=(*index.tiles, self._written(part, f"tile_{self._grid.name(number)}.glb")),
+        )
+
+    def _chosen(self, part: Scene, number: int) -> Scene:
+        mine = self._grid.of_triangles(part) == number
+        if self._region is not None:
+            centroids = part.triangles().mean(axis=1, dtype=np.float64) + part.origin
+            mine &= ((centroids >= self._region[0]) & (centroids <= self._region[1])).all(axis=1)
+        return part if mine.all() else part.subset(triangles=mine)
+
+    def _written(self, part: Scene, file: str) -> Tile:
+        from nearfar._scene import glb
+
+        with files.atomic_file(self._folder / file) as temporary:
+            files.write(temporary, glb.encode(part._core, part.object_names, part._undrawn))
+        moving = tuple(moving_rows(part)) if len(part._rest) else ()
+        return Tile(file, part.bounds, part.triangle_count, moving)

@@ -1,0 +1,167 @@
+//! Chosen faces with only the vertices that they use.
+//!
+//! Vertices are collected in pages of 64 with a bit for each vertex. Faces that follow each other use vertices that lie
+//! near each other, so most corners find their page where the corner before found it, and only pages are sorted.
+
+use rayon::prelude::*;
+
+use super::mesh::{Mesh, TILE, box_of, gathered};
+use crate::base::mapped::mapped;
+use crate::base::sort::sort_by_key;
+use crate::base::{Progress, Result};
+
+/// Base-2 logarithm of the number of vertices in a page.
+const PAGE_BITS: u32 = 6;
+
+impl Mesh {
+    /// A mesh of chosen faces, which ascend. Vertices and faces keep their order; vertices that no face uses are left
+    /// out.
+    pub(super) fn compacted(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
+        let faces = gathered(&self.faces, chosen, progress)?;
+        let (objects, materials) =
+            (self.objects.selected(chosen, progress)?, self.materials.selected(chosen, progress)?);
+        let pages = Pages::of(&faces, progress)?;
+        let faces = pages.renumbered(&faces, progress)?;
+        let used = pages.vertices();
+        let uvs = self.uvs.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
+        let colors = self.colors.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
+        let normals =
+            self.normals.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
+        let positions = gathered(&self.positions, &used, progress)?;
+        let bounds = box_of(&positions, |bounds, &point| bounds.extend(point.into()));
+        let mesh = Self::bounded(positions.into(), faces.into(), uvs, colors, objects, materials, bounds);
+        Ok(mesh.shaded_by(normals))
+    }
+}
+
+/// The vertices that faces use, by pages that ascend.
+struct Pages {
+    numbers: Vec<u32>,
+    /// The used vertices of each page.
+    bits: Vec<u64>,
+    /// Number of used vertices before each page.
+    before: Vec<u32>,
+    count: usize,
+}
+
+impl Pages {
+    fn of(faces: &[[u32; 3]], progress: &Progress) -> Result<Self> {
+        let tiles = faces.par_chunks(TILE).map(|tile| progress.check().map(|()| visited(tile)));
+        let mut visits = tiles.collect::<Result<Vec<_>>>()?.concat();
+        sort_by_key(&mut visits, |&(page, _)| page, progress)?;
+        let mut pages = Self { numbers: vec![], bits: vec![], before: vec![], count: 0 };
+        for same in visits.chunk_by(|a, b| a.0 == b.0) {
+            let bits = same.iter().fold(0, |all, &(_, bits)| all | bits);
+            pages.numbers.push(same[0].0);
+            pages.bits.push(bits);
+            pages.before.push(pages.count as u32);
+            pages.count += bits.count_ones() as usize;
+        }
+        Ok(pages)
+    }
+
+    /// The numbers of the used vertices, ascending.
+    fn vertices(&self) -> Vec<u32> {
+        let mut vertices = Vec::with_capacity(self.count);
+        for (page, bits) in self.numbers.iter().zip(&self.bits) {
+            let mut rest = *bits;
+            while rest != 0 {
+                vertices.push(page << PAGE_BITS | rest.trailing_zeros());
+                rest &= rest - 1;
+            }
+        }
+        vertices
+    }
+
+    /// The faces with the places of their vertices among the used ones.
+    fn renumbered(&self, faces: &[[u32; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
+        let tiles: Vec<&[[u32; 3]]> = faces.chunks(TILE).collect();
+        let of_tile = |tile: &&[[u32; 3]]| {
+            let (mut now, mut other) = (0, 0);
+            let renumber = |vertex: u32| {
+                let page = vertex >> PAGE_BITS;
+                if self.numbers[now] != page {
+                    std::mem::swap(&mut now, &mut other);
+                    if self.numbers[now] != page {
+                        // The page of each vertex is in the list, so the search finds it.
+                        now = self.numbers.partition_point(|&number| number < page);
+                    }
+                }
+                let below = self.bits[now] & ((1 << (vertex & ((1 << PAGE_BITS) - 1))) - 1);
+                self.before[now] + below.count_ones()
+            };
+            let mut renumber = renumber;
+            tile.iter().map(|face| face.map(&mut renumber)).collect::<Vec<_>>()
+        };
+        match tiles[..] {
+            [only] => Ok(of_tile(&only)),
+            _ => Ok(mapped(&tiles, of_tile, progress)?.concat()),
+        }
+    }
+}
+
+/// The pages of the faces' vertices, with a bit for each vertex; a page may be there several times.
+fn visited(faces: &[[u32; 3]]) -> Vec<(u32, u64)> {
+    let mut visits: Vec<(u32, u64)> = Vec::new();
+    for &vertex in faces.as_flattened() {
+        let (page, bit) = (vertex >> PAGE_BITS, 1 << (vertex & ((1 << PAGE_BITS) - 1)));
+        // A face may lie across two pages.
+        match visits.iter_mut().rev().take(2).find(|(number, _)| *number == page) {
+            Some((_, bits)) => *bits |= bit,
+            None => visits.push((page, bit)),
+        }
+    }
+    visits
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::base::FaceMap;
+
+    fn mesh(vertices: u32, faces: &[[u32; 3]]) -> Mesh {
+        let positions: Vec<[f32; 3]> = (0..vertices).map(|v| [v as f32, -(v as f32), (v % 7) as f32]).collect();
+        let uvs: Vec<[f32; 2]> = (0..vertices).map(|v| [v as f32, 0.5]).collect();
+        let objects = FaceMap::PerFace((0..faces.len() as i32).collect());
+        Mesh::new(positions.into(), faces.to_vec().into(), Some(uvs.into()), None, objects, FaceMap::Uniform(0))
+            .unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn compacting_keeps_corners_and_the_order_of_faces_and_vertices(
+            faces in vec([0u32..900, 0u32..900, 0u32..900], 1..80),
+            keep in vec(any::<bool>(), 80),
+        ) {
+            let whole = mesh(900, &faces);
+            let chosen: Vec<u32> = (0..faces.len() as u32).filter(|&face| keep[face as usize]).collect();
+            let part = whole.compacted(&chosen, &Progress::new()).unwrap();
+            let mut used: Vec<u32> = chosen.iter().flat_map(|&face| faces[face as usize]).collect();
+            used.sort_unstable();
+            used.dedup();
+            prop_assert_eq!(part.positions.len(), used.len());
+            prop_assert_eq!(part.faces.len(), chosen.len());
+            for (new, &old) in chosen.iter().enumerate() {
+                prop_assert_eq!(part.corners(new as u32), whole.corners(old));
+                prop_assert_eq!(part.objects.get(new as u32), old as i32);
+            }
+            for (new, &old) in used.iter().enumerate() {
+                prop_assert_eq!(part.uvs.as_ref().unwrap()[new], [old as f32, 0.5]);
+            }
+            prop_assert_eq!(part.bounds(), whole.selected(&chosen, &Progress::new()).unwrap().bounds());
+        }
+    }
+
+    #[test]
+    fn many_tiles_are_compacted_as_one() {
+        let count = 2 * TILE as u32 + 5;
+        let faces: Vec<[u32; 3]> = (0..count).map(|face| [face, face + 1, (face * 7) % count]).collect();
+        let whole = mesh(count + 2, &faces);
+        let chosen: Vec<u32> = (0..count).filter(|face| face % 3 > 0).collect();
+        let part = whole.compacted(&chosen, &Progress::new()).unwrap();
+        assert!(chosen.iter().zip(0..).all(|(&old, new)| part.corners(new) == whole.corners(old)));
+    }
+}

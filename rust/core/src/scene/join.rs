@@ -1,0 +1,120 @@
+//! Several scenes as one, such as the tiles of a world.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::DAffine3;
+
+use super::instance::{Instance, InstanceSet};
+use super::levels::Surfaces;
+use super::mesh::Mesh;
+use super::world::Scene;
+use crate::base::{Error, Progress, Result};
+
+/// A scene to be joined with others.
+#[derive(Clone, Copy, Debug)]
+pub struct Joined<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The number in the joined scene of each of its objects.
+    pub objects: &'a [i32],
+}
+
+impl Scene {
+    /// One scene of several, in the frame of the first. Equal materials and textures are there once. Meshes whose
+    /// numbers stay are shared with their trees, and others share their arrays.
+    pub fn joined(parts: &[Joined<'_>], progress: &Progress) -> Result<Self> {
+        let [first, ..] = parts else { return Err(Error::value("scenes", "one at least", 0)) };
+        let mut surfaces = Surfaces::of(first.scene);
+        let (mut standing, mut moving) = (Vec::new(), Vec::new());
+        for part in parts {
+            progress.check()?;
+            let mut numbers =
+                Renumbered { objects: part.objects, materials: surfaces.add(part.scene), made: HashMap::new() };
+            let shift = DAffine3::from_translation(part.scene.origin - first.scene.origin);
+            let mut add = |set: &InstanceSet, list: &mut Vec<Instance>| {
+                for instance in set.instances() {
+                    let moved = numbers.of(instance);
+                    list.push(if shift == DAffine3::IDENTITY {
+                        moved
+                    } else {
+                        moved.placed(shift * moved.to_scene)?
+                    });
+                }
+                Ok(())
+            };
+            add(&part.scene.standing, &mut standing)?;
+            add(&part.scene.moving, &mut moving)?;
+        }
+        surfaces.into_scene(&Self {
+            standing: Arc::new(InstanceSet::new(standing)),
+            moving: Arc::new(InstanceSet::new(moving)),
+            ..first.scene.clone()
+        })
+    }
+}
+
+/// The meshes of one scene with new numbers, each made once.
+struct Renumbered<'a> {
+    objects: &'a [i32],
+    materials: Vec<i32>,
+    made: HashMap<*const Mesh, Arc<Mesh>>,
+}
+
+impl Renumbered<'_> {
+    fn of(&mut self, instance: &Instance) -> Instance {
+        let stays = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, at)| number == at);
+        let number = |object: i32| usize::try_from(object).ok().and_then(|at| self.objects.get(at)).copied();
+        let object = instance.object.map(|object| number(object).unwrap_or(object));
+        let shared = &instance.mesh;
+        let mesh = if stays(self.objects) && stays(&self.materials) {
+            Arc::clone(shared)
+        } else {
+            let made = || {
+                let (objects, materials) =
+                    (shared.objects.renumbered(self.objects), shared.materials.renumbered(&self.materials));
+                Arc::new(shared.relabeled(objects, materials))
+            };
+            Arc::clone(self.made.entry(Arc::as_ptr(shared)).or_insert_with(made))
+        };
+        instance.with_mesh(mesh, object)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::base::FaceMap;
+    use crate::scene::Material;
+
+    fn scene(origin: f64, colors: &[f32]) -> Scene {
+        let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let objects = FaceMap::PerFace(vec![0, 1].into());
+        let materials = FaceMap::Uniform(colors.len() as i32 - 1);
+        let faces = vec![[0, 1, 2], [2, 1, 0]];
+        let mesh = Arc::new(Mesh::new(positions.into(), faces.into(), None, None, objects, materials).unwrap());
+        let moving = Instance::new(Arc::clone(&mesh), DAffine3::from_translation(DVec3::Y), Some(1)).unwrap();
+        let standing = Instance::new(mesh, DAffine3::IDENTITY, None).unwrap();
+        let color = |&red: &f32| Material { base_color: [red, 0.0, 0.0, 1.0], ..Material::default() };
+        let materials = Arc::new(colors.iter().map(color).collect());
+        Scene::new(DVec3::X * origin, vec![standing], vec![moving], materials, Arc::default()).unwrap()
+    }
+
+    #[test]
+    fn joined_scenes_have_all_objects_and_each_material_once() {
+        let (one, other) = (scene(0.0, &[0.5]), scene(10.0, &[1.0, 0.5]));
+        let parts = [Joined { scene: &one, objects: &[0, 1] }, Joined { scene: &other, objects: &[1, 2] }];
+        let all = Scene::joined(&parts, &Progress::new()).unwrap();
+        assert_eq!(all.materials.len(), 2);
+        let objects: Vec<_> = all.instances().map(|i| [i.object_of(0), i.object_of(1)]).collect();
+        assert_eq!(objects, [[0, 1], [1, 2], [1, 1], [2, 2]]);
+        assert!(all.instances().all(|i| i.mesh.materials.get(0) == 0));
+        assert!(Arc::ptr_eq(&all.instance(0).mesh, &one.instance(0).mesh));
+        assert!(Arc::ptr_eq(&all.instance(1).mesh, &all.instance(3).mesh));
+        assert_eq!(all.instance(1).corners(0)[0].to_array(), [10.0, 0.0, 0.0]);
+        assert_eq!(all.instance(3).corners(0)[0].to_array(), [10.0, 1.0, 0.0]);
+        assert!(Scene::joined(&[], &Progress::new()).is_err());
+    }
+}

@@ -1,0 +1,384 @@
+//! The part of a scene that touches a box: whole triangles, found through the trees.
+//!
+//! Boxes of trees are compared exactly: float32 numbers lie between float64 sides if they lie between those rounded
+//! inwards. What lies inside as a whole is taken without a look at its triangles.
+
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+
+use super::instance::{Instance, InstanceSet};
+use super::world::Scene;
+use crate::base::sort::sort_by_key;
+use crate::base::{Aabb, Error, Progress, Result};
+use crate::bvh::{Bvh, LEAF, NO_CHILD, Node, WIDTH};
+
+/// Number of nodes from which on threads share the search.
+const FRONT: usize = 1 << 9;
+
+/// Factor of the greatest coordinate by which a box is widened before it is called separate, so that rounding separates
+/// nothing that touches.
+const SLACK: f64 = 32.0 * f64::EPSILON;
+
+/// A closed box; sides may be infinite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region {
+    min: DVec3,
+    max: DVec3,
+    /// The greatest float32 box inside.
+    inner: Aabb,
+}
+
+/// A part of a scene.
+pub struct Queried {
+    /// Whole triangles that touch the box.
+    pub scene: Scene,
+    /// Places of its moving instances among those of the whole scene; `None` if all remain.
+    pub moving: Option<Vec<u32>>,
+}
+
+impl Region {
+    /// A box between two corners.
+    pub fn new(min: DVec3, max: DVec3) -> Result<Self> {
+        if !min.cmple(max).all() {
+            return Err(Error::value("aabb", "a least corner that is not above the greatest", format!("{min}, {max}")));
+        }
+        Ok(Self { min, max, inner: Aabb::within(min, max) })
+    }
+
+    /// Whether a triangle touches the box. A triangle that touches does; one that lies farther away than `SLACK` times
+    /// its greatest coordinate does not.
+    ///
+    /// The thirteen axes that can separate a triangle and a box: Akenine-Möller, Fast 3D triangle–box overlap testing,
+    /// 2001. The box is first cut to that of the triangle, which makes its sides finite.
+    pub fn touches(&self, corners: [Vec3; 3]) -> bool {
+        let mut bounds = Aabb::EMPTY;
+        corners.iter().for_each(|&corner| bounds.extend(corner));
+        if !self.inner.touches(&bounds) {
+            return false;
+        }
+        if self.inner.contains(&bounds) {
+            return true;
+        }
+        let (min, max) = (self.min.max(bounds.min.as_dvec3()), self.max.min(bounds.max.as_dvec3()));
+        let center = min * 0.5 + max * 0.5;
+        let slack = SLACK * f64::from(bounds.reach());
+        let half = (max - min) * 0.5 + DVec3::splat(slack);
+        let corners = corners.map(Vec3::as_dvec3);
+        let [a, b, c] = corners.map(|corner| corner - center);
+        let edges = [corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]];
+        let normal = edges[0].cross(edges[1]);
+        // The cross product of nearly parallel edges cancels; its error does not.
+        let error = slack * edges[0].abs().max_element() * edges[1].abs().max_element();
+        if normal.dot(a).abs() > normal.abs().dot(half) + error {
+            return false;
+        }
+        let separates = |axis: DVec3| {
+            let (p, q, r) = (axis.dot(a), axis.dot(b), axis.dot(c));
+            let reach = axis.abs().dot(half);
+            p.min(q).min(r) > reach || p.max(q).max(r) < -reach
+        };
+        let crossed = |edge: DVec3| {
+            [DVec3::new(0.0, -edge.z, edge.y), DVec3::new(edge.z, 0.0, -edge.x), DVec3::new(-edge.y, edge.x, 0.0)]
+        };
+        !edges.into_iter().flat_map(crossed).any(separates)
+    }
+
+    /// Bits of a node's children whose boxes touch, and of those whose boxes lie inside.
+    #[inline]
+    fn classify(&self, node: &Node) -> (u32, u32) {
+        let (mut touching, mut inside) = ([true; WIDTH], [true; WIDTH]);
+        for axis in 0..3 {
+            let (low, high) = (self.inner.min[axis], self.inner.max[axis]);
+            let (least, greatest) = (&node.planes[2 * axis], &node.planes[2 * axis + 1]);
+            for slot in 0..WIDTH {
+                touching[slot] &= (least[slot] <= high) & (greatest[slot] >= low);
+                inside[slot] &= (least[slot] >= low) & (greatest[slot] <= high);
+            }
+        }
+        let bits = |flags: [bool; WIDTH]| (0..WIDTH).fold(0, |all, slot| all | u32::from(flags[slot]) << slot);
+        (bits(touching), bits(inside))
+    }
+}
+
+impl Scene {
+    /// The triangles that touch a box of the world, whole. Meshes keep only the vertices that they use. Instances that
+    /// lie inside share their meshes with this scene; what remains of others are meshes of their own.
+    pub fn query(&self, min: DVec3, max: DVec3, progress: &Progress) -> Result<Queried> {
+        let region = Region::new(min - self.origin, max - self.origin)?;
+        let (standing, _) = self.standing.query(&region, progress)?;
+        let (moving, places) = self.moving.query(&region, progress)?;
+        let shared = |part: Option<InstanceSet>, whole: &Arc<InstanceSet>| part.map_or(Arc::clone(whole), Arc::new);
+        let (standing, moving) = (shared(standing, &self.standing), shared(moving, &self.moving));
+        let (materials, textures) = (Arc::clone(&self.materials), Arc::clone(&self.textures));
+        Ok(Queried { scene: Self { origin: self.origin, standing, moving, materials, textures }, moving: places })
+    }
+}
+
+impl InstanceSet {
+    /// The part that touches a box, and the places of its instances; `None` for both if all remain.
+    fn query(&self, region: &Region, progress: &Progress) -> Result<(Option<Self>, Option<Vec<u32>>)> {
+        let union = |all: Aabb, instance: &Instance| all.union(&instance.bounds);
+        let bounds = match self.tlas() {
+            Some(tlas) => tlas.bounds,
+            None => self.instances().iter().fold(Aabb::EMPTY, union),
+        };
+        if region.inner.contains(&bounds) {
+            return Ok((None, None));
+        }
+        if !region.inner.touches(&bounds) {
+            return Ok((Some(Self::default()), Some(Vec::new())));
+        }
+        self.build(progress)?;
+        let mut near = self.near(region);
+        sort_by_key(&mut near, |&(number, _)| number, progress)?;
+        let part = |&(number, is_inside): &(u32, bool)| {
+            let instance = &self.instances()[number as usize];
+            let part = if is_inside { Some(instance.clone()) } else { instance.query(region, progress)? };
+            Ok(part.map(|part| (part, number)))
+        };
+        let parts: Vec<Option<(Instance, u32)>> = match &near[..] {
+            [only] => vec![part(only)?],
+            _ => near.par_iter().map(part).collect::<Result<_>>()?,
+        };
+        let (instances, places) = parts.into_iter().flatten().unzip();
+        Ok((Some(Self::new(instances)), Some(places)))
+    }
+
+    /// The instances whose boxes touch, and whether they lie inside.
+    fn near(&self, region: &Region) -> Vec<(u32, bool)> {
+        let (Some(tlas), mut found) = (self.tlas(), Vec::new()) else { return Vec::new() };
+        let mut stack = vec![(0, false)];
+        while let Some((number, is_inside)) = stack.pop() {
+            let Some(node) = tlas.wide.nodes.get(number as usize) else { continue };
+            let (touching, inside) = if is_inside { (u32::MAX, u32::MAX) } else { region.classify(node) };
+            for (slot, &child) in node.children.iter().enumerate().filter(|&(slot, _)| touching >> slot & 1 == 1) {
+                let is_inside = inside >> slot & 1 == 1;
+                if child == NO_CHILD {
+                    continue;
+                }
+                if child & LEAF == 0 {
+                    stack.push((child, is_inside));
+                } else if let Some(instance) = tlas.instance(child) {
+                    found.push((instance, is_inside));
+                }
+            }
+        }
+        found
+    }
+}
+
+impl Instance {
+    /// The part that touches a box; `None` if nothing does.
+    fn query(&self, region: &Region, progress: &Progress) -> Result<Option<Self>> {
+        let bvh = self.mesh.build_bvh(progress)?;
+        let mut faces = Search { instance: self, bvh, region }.run(progress)?;
+        bvh.add_copies(&mut faces);
+        if faces.len() == self.mesh.faces.len() {
+            return Ok((!faces.is_empty()).then(|| self.clone()));
+        }
+        if faces.is_empty() {
+            return Ok(None);
+        }
+        sort_by_key(&mut faces, |&face| face, progress)?;
+        Ok(Some(self.with_mesh(Arc::new(self.mesh.compacted(&faces, progress)?), self.object)))
+    }
+}
+
+/// A search for the triangles of one instance.
+struct Search<'a> {
+    instance: &'a Instance,
+    bvh: &'a Bvh,
+    region: &'a Region,
+}
+
+impl Search<'_> {
+    /// The faces that touch, in the order of the tree, without copies.
+    fn run(&self, progress: &Progress) -> Result<Vec<u32>> {
+        let (mut front, mut faces) = (vec![(0, false)], Vec::new());
+        while !front.is_empty() && front.len() < FRONT {
+            let mut next = Vec::new();
+            front.iter().for_each(|&node| self.open(node, &mut next, &mut faces));
+            front = next;
+        }
+        let below = front.par_iter().map(|&node| {
+            progress.check()?;
+            let (mut stack, mut faces) = (vec![node], Vec::new());
+            while let Some(node) = stack.pop() {
+                self.open(node, &mut stack, &mut faces);
+            }
+            Ok(faces)
+        });
+        if !front.is_empty() {
+            faces.extend(below.collect::<Result<Vec<_>>>()?.concat());
+        }
+        Ok(faces)
+    }
+
+    /// Opens a node, of which is known whether it lies inside: lists its nodes and the faces of its leaves.
+    fn open(&self, (number, is_inside): (u32, bool), nodes: &mut Vec<(u32, bool)>, faces: &mut Vec<u32>) {
+        let Some(node) = self.bvh.wide.nodes.get(number as usize) else { return };
+        let (touching, inside) = if is_inside { (u32::MAX, u32::MAX) } else { self.classify(node) };
+        for (slot, &child) in node.children.iter().enumerate().filter(|&(slot, _)| touching >> slot & 1 == 1) {
+            let is_inside = inside >> slot & 1 == 1;
+            if child == NO_CHILD {
+                continue;
+            }
+            if child & LEAF == 0 {
+                nodes.push((child, is_inside));
+                continue;
+            }
+            for block in self.bvh.leaf(child) {
+                let all = block.distinct_faces();
+                if is_inside {
+                    faces.extend_from_slice(all);
+                } else {
+                    faces.extend(all.iter().filter(|&&face| self.region.touches(self.instance.corners(face))));
+                }
+            }
+        }
+    }
+
+    /// As `Region::classify`, for boxes in the mesh's own frame.
+    fn classify(&self, node: &Node) -> (u32, u32) {
+        if self.instance.in_place {
+            return self.region.classify(node);
+        }
+        let (mut touching, mut inside) = (0, 0);
+        for slot in 0..WIDTH {
+            let placed = node.bounds(slot).transformed(&self.instance.to_scene);
+            // Corners are placed in another order of operations than boxes, so either may be rounded farther.
+            let slack = Vec3::splat(placed.reach() * 4.0 * f32::EPSILON);
+            let placed = Aabb { min: placed.min - slack, max: placed.max + slack };
+            touching |= u32::from(self.region.inner.touches(&placed)) << slot;
+            inside |= u32::from(self.region.inner.contains(&placed)) << slot;
+        }
+        (touching, inside)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DAffine3;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::base::FaceMap;
+    use crate::scene::{Material, Mesh};
+
+    const ORIGIN: DVec3 = DVec3::new(40_000.0, 0.0, -7.0);
+
+    fn region(min: [f64; 3], max: [f64; 3]) -> Region {
+        Region::new(min.into(), max.into()).unwrap()
+    }
+
+    #[test]
+    fn sides_belong_to_the_box_and_corners_that_are_cut_off_do_not_touch() {
+        let triangle = [Vec3::ZERO, Vec3::X, Vec3::Y];
+        assert!(region([1.0, 0.0, 0.0], [2.0, 1.0, 1.0]).touches(triangle));
+        assert!(!region([1.0 + 1e-9, 0.0, 0.0], [2.0, 1.0, 1.0]).touches(triangle));
+        // The triangle's own box reaches to (1, 1), its longest edge only to x + y = 1.
+        assert!(region([0.5, 0.5, -1.0], [2.0, 2.0, 1.0]).touches(triangle));
+        assert!(!region([0.5 + 1e-9, 0.5, -1.0], [2.0, 2.0, 1.0]).touches(triangle));
+        let infinite = f64::INFINITY;
+        assert!(!region([0.6, 0.6, -infinite], [infinite; 3]).touches(triangle));
+        assert!(region([-infinite; 3], [infinite; 3]).touches(triangle));
+        // No float32 number lies between these sides, but the triangle crosses them.
+        assert!(region([0.1, 0.1, -1.0], [0.1 + 1e-12, 0.1 + 1e-12, 1.0]).touches(triangle));
+        assert!(Region::new(DVec3::ONE, DVec3::ZERO).is_err());
+        assert!(Region::new(DVec3::NAN, DVec3::ONE).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn a_triangle_with_a_point_inside_touches(
+            corners in prop::array::uniform3(prop::array::uniform3(-9.0f32..9.0)),
+            (u, v) in (0.0f64..1.0, 0.0f64..1.0),
+            below in prop::array::uniform3(0.0f64..3.0),
+            above in prop::array::uniform3(0.0f64..3.0),
+        ) {
+            let corners = corners.map(Vec3::from_array);
+            let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
+            let [a, b, c] = corners.map(Vec3::as_dvec3);
+            let point = a + (b - a) * u + (c - a) * v;
+            let around = |below: [f64; 3], above: [f64; 3]| {
+                region((point - DVec3::from(below)).into(), (point + DVec3::from(above)).into())
+            };
+            prop_assert!(around(below, above).touches(corners));
+            // Beside the point, in the direction of the normal, by more than the triangle's extent along it.
+            let normal = (b - a).cross(c - a);
+            if normal.length() > 1e-3 {
+                let off = point + normal.normalize() * 1e-6;
+                prop_assert!(!region(off.into(), off.into()).touches(corners));
+            }
+        }
+    }
+
+    /// A row of triangles along x in one mesh with two copies of the first at the end, a turned instance of a mesh of
+    /// two triangles at x = 100, and a moving one at x = 200.
+    fn scene() -> Scene {
+        let corners = |i: f32| [[i, 0.0, 0.0], [i + 0.5, 0.0, 0.0], [i, 0.5, 0.0]];
+        let mesh = |starts: &[f32]| {
+            let positions: Vec<[f32; 3]> = starts.iter().flat_map(|&x| corners(x)).collect();
+            let faces: Vec<[u32; 3]> = (0..starts.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+            let objects = FaceMap::PerFace((0..starts.len() as i32).collect());
+            Arc::new(Mesh::new(positions.into(), faces.into(), None, None, objects, FaceMap::Uniform(0)).unwrap())
+        };
+        let row: Vec<f32> = (0..50).map(|i| i as f32).chain([0.0, 0.0]).collect();
+        let pair = mesh(&[0.0, 5.0]);
+        let placed = |x: f64| DAffine3::from_translation(DVec3::X * x) * DAffine3::from_rotation_y(0.3);
+        let standing = vec![
+            Instance::new(mesh(&row), DAffine3::IDENTITY, None).unwrap(),
+            Instance::new(Arc::clone(&pair), placed(100.0), Some(7)).unwrap(),
+        ];
+        let moving = vec![Instance::new(pair, placed(200.0), Some(8)).unwrap()];
+        Scene::new(ORIGIN, standing, moving, Arc::new(vec![Material::default()]), Arc::default()).unwrap()
+    }
+
+    fn part(scene: &Scene, min: f64, max: f64) -> Queried {
+        let corner = |x: f64, y: f64| DVec3::new(x + ORIGIN.x, y, y);
+        scene.query(corner(min, f64::NEG_INFINITY), corner(max, f64::INFINITY), &Progress::new()).unwrap()
+    }
+
+    #[test]
+    fn copies_are_found_though_no_tree_holds_them() {
+        let scene = scene();
+        let found = part(&scene, -1.0, 1.0).scene;
+        let mesh = &found.instance(0).mesh;
+        assert_eq!((0..4).map(|face| mesh.objects.get(face)).collect::<Vec<_>>(), [0, 1, 50, 51]);
+        assert_eq!((found.instance_count(), mesh.faces.len(), mesh.positions.len()), (1, 4, 12));
+        assert!(mesh.bvh().is_none() && found.standing.tlas().is_none());
+    }
+
+    #[test]
+    fn instances_inside_stay_shared_and_others_are_cut() {
+        let scene = scene();
+        let (inside, cut) = (part(&scene, 90.0, 150.0).scene, part(&scene, 90.0, 101.0).scene);
+        assert!(Arc::ptr_eq(&inside.instance(0).mesh, &scene.instance(1).mesh));
+        assert_eq!((cut.instance(0).mesh.faces.len(), cut.instance(0).object), (1, Some(7)));
+        assert_eq!(cut.instance(0).corners(0), scene.instance(1).corners(0));
+        assert!(Arc::ptr_eq(&cut.materials, &scene.materials) && cut.origin == scene.origin);
+        let moved = part(&scene, 150.0, f64::INFINITY);
+        assert_eq!((moved.scene.standing.instances().len(), moved.moving), (0, None));
+        assert!(Arc::ptr_eq(&moved.scene.moving, &scene.moving));
+        assert_eq!(part(&scene, 0.0, 9.0).moving, Some(vec![]));
+        assert_eq!(part(&scene, 150.0, 200.2).moving, Some(vec![0]));
+    }
+
+    #[test]
+    fn the_whole_scene_comes_back_without_a_tree() {
+        let scene = scene();
+        let whole = part(&scene, f64::NEG_INFINITY, f64::INFINITY).scene;
+        assert!(Arc::ptr_eq(&whole.standing, &scene.standing) && Arc::ptr_eq(&whole.moving, &scene.moving));
+        assert!(scene.standing.tlas().is_none());
+        assert_eq!(part(&scene, 1e9, 2e9).scene.triangle_count(), 0);
+    }
+
+    #[test]
+    fn a_cancelled_query_is_an_error() {
+        let progress = Progress::new();
+        progress.cancel();
+        assert!(scene().query(ORIGIN, ORIGIN + DVec3::ONE, &progress).is_err());
+    }
+}

@@ -1,0 +1,64 @@
+"""Tests of opening files and folders as sources, and of the protocol."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._source.tiles import TileFolder
+from tests.support.query_cases import BOXES, soup
+
+
+class Halves:
+    """A user's world: the part of a scene with x below 0, as a class of its own."""
+
+    def __init__(self, scene: nf.Scene) -> None:
+        self._scene = scene
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        return np.minimum(self._scene.bounds, [np.inf, np.inf, np.inf])
+
+    def query(self, aabb: Any, detail: Any = 0.0) -> nf.Scene:
+        return self._scene.query(aabb, detail)
+
+
+def test_scenes_and_users_classes_are_sources() -> None:
+    scene = soup()
+    assert isinstance(scene, nf.SceneSource)
+    assert isinstance(Halves(scene), nf.SceneSource)
+    assert not isinstance(object(), nf.SceneSource)
+
+
+def test_a_scene_file_is_read_whole(tmp_path: Path) -> None:
+    nf.lod.export(soup(), tmp_path / "soup.glb", view=nf.Fov.symmetric(90))
+    source, loaded = nf.open_source(tmp_path / "soup.glb"), nf.Scene.load(tmp_path / "soup.glb")
+    assert np.array_equal(source.query(BOXES[0]).triangles(), loaded.query(BOXES[0]).triangles())
+    assert np.array_equal(source.bounds, loaded.bounds)
+    scaled = nf.open_source(tmp_path / "soup.glb", scale=2.0)
+    assert np.allclose(scaled.bounds, 2 * loaded.bounds)
+
+
+def test_folders_of_tiles_open_by_folder_and_by_index(tmp_path: Path) -> None:
+    nf.write_tiles(soup(), tmp_path / "tiles", cell=4)
+    for path in (tmp_path / "tiles", tmp_path / "tiles" / "tiles.json"):
+        assert isinstance(nf.open_source(path), TileFolder)
+
+
+def test_other_folders_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(nf.SceneError, match=r"expected a file, or a folder of tiles with tiles\.json"):
+        nf.open_source(tmp_path)
+    with pytest.raises(FileNotFoundError):
+        nf.open_source(tmp_path / "nowhere.glb")
+
+
+@pytest.mark.parametrize("given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}])
+def test_what_folders_of_tiles_do_not_take_is_refused(tmp_path: Path, given: dict[str, Any]) -> None:
+    nf.write_tiles(soup(), tmp_path / "tiles", cell=8)
+    with pytest.raises(ValueError, match=f"^{next(iter(given))}: expected none"):
+        nf.open_source(tmp_path / "tiles", **given)

@@ -1,0 +1,261 @@
+"""Tests of folders of tiles: written from sources, read back box by box."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike, NDArray
+
+import nearfar as nf
+from nearfar._base import formats
+from nearfar._source.tiles import TileFolder
+from tests.support.query_cases import BOXES, contents, soup
+
+EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
+
+
+@pytest.fixture(scope="module", params=[(0, 0, 0), (4.0e6, 10.0, -9.0e5)], ids=["near", "far"])
+def written(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[nf.Scene, Path]:
+    scene = soup(request.param)
+    folder = tmp_path_factory.mktemp("written") / "tiles"
+    nf.write_tiles(scene, folder, cell=3)
+    return scene, folder
+
+
+def opened(folder: Path, **given: Any) -> TileFolder:
+    source = nf.open_source(folder, **given)
+    assert isinstance(source, TileFolder)
+    return source
+
+
+def rows(scene: nf.Scene) -> NDArray[Any]:
+    """All triangles with object names, materials' colours apart, sorted: tiles come in another order."""
+    found = contents(scene)
+    names = np.array([*scene.object_names, ""])[found["objects"]]
+    kinds: list[tuple[str, Any]] = [("name", names.dtype)]
+    columns = [names]
+    for name in ("corners", "uvs", "colors"):
+        flat = np.ascontiguousarray(found[name]).reshape(len(names), -1)
+        columns += list(flat.T)
+        kinds += [(f"{name}{number}", flat.dtype) for number in range(flat.shape[1])]
+    table = np.empty(len(names), kinds)
+    for (field, _), column in zip(kinds, columns, strict=True):
+        table[field] = column
+    return np.sort(table)
+
+
+def test_every_triangle_is_in_one_tile_with_all_its_bits(written: tuple[nf.Scene, Path]) -> None:
+    scene, folder = written
+    source = opened(folder)
+    assert len(source) > 10
+    assert source.triangle_count == scene.triangle_count
+    assert np.array_equal(source.bounds, scene.bounds)
+    whole = source.query(EVERYWHERE)
+    assert np.array_equal(whole.origin, scene.origin)
+    assert np.array_equal(rows(whole), rows(scene))
+
+
+@pytest.mark.parametrize("box", BOXES)
+def test_queries_are_those_of_the_scene(written: tuple[nf.Scene, Path], box: ArrayLike) -> None:
+    scene, folder = written
+    aabb = np.asarray(box, np.float64) + np.rint(scene.bounds.mean(axis=0))
+    part, expected = opened(folder).query(aabb), scene.query(aabb)
+    assert expected.triangle_count
+    assert np.array_equal(rows(part), rows(expected))
+
+
+def test_materials_and_pictures_are_the_same(written: tuple[nf.Scene, Path]) -> None:
+    scene, folder = written
+    middle = scene.bounds.mean(axis=0)
+    camera = nf.Camera.look_at(middle + np.array([0, 5, 30]), middle, fov=nf.Fov.symmetric(40), size=(96, 96))
+    shown = nf.render(opened(folder).query(EVERYWHERE), camera, channels=("color", "range"))
+    truth = nf.render(scene, camera, channels=("color", "range"))
+    assert shown.range is not None
+    assert truth.range is not None
+    assert np.array_equal(np.isfinite(shown.range), np.isfinite(truth.range))
+    assert shown.color is not None
+    assert truth.color is not None
+    assert (np.abs(shown.color - truth.color).max(axis=2) < 1 / 255).mean() > 0.999
+
+
+def test_moving_objects_stay_one_object_that_moves(written: tuple[nf.Scene, Path]) -> None:
+    scene, folder = written
+    whole = opened(folder).query(EVERYWHERE)
+    assert whole.poses.keys() == scene.poses.keys()
+    pose = scene.poses["car 2"].copy()
+    pose[:3, 3] += (1, 2, 3)
+    moved, expected = whole.at({"car 2": pose}), scene.at({"car 2": pose})
+    assert np.array_equal(rows(moved.subset(objects=["car 2"])), rows(expected.subset(objects=["car 2"])))
+    assert np.array_equal(whole.transform("car 2"), scene.transform("car 2"))
+
+
+def test_only_tiles_that_touch_are_read(written: tuple[nf.Scene, Path]) -> None:
+    scene, folder = written
+    source = opened(folder)
+    aabb = np.asarray(BOXES[0], np.float64) + np.rint(scene.bounds.mean(axis=0))
+    source.query(aabb)
+    index = json.loads((folder / "tiles.json").read_text())
+    boxes = np.array([tile["box"] for tile in index["tiles"]])
+    touching = ((boxes[:, 0] <= aabb[1]) & (boxes[:, 1] >= aabb[0])).all(axis=1)
+    assert set(source._kept) == {tile["file"] for tile, near in zip(index["tiles"], touching, strict=True) if near}
+    assert 0 < touching.sum() < len(boxes)
+
+
+@pytest.mark.parametrize("most", [0, 100_000])
+def test_the_cache_is_bounded_and_changes_nothing(written: tuple[nf.Scene, Path], most: int) -> None:
+    scene, folder = written
+    source = opened(folder, cache_bytes=most)
+    middle = np.rint(scene.bounds.mean(axis=0))
+    for box in BOXES:
+        aabb = np.asarray(box, np.float64) + middle
+        assert np.array_equal(rows(source.query(aabb)), rows(scene.query(aabb)))
+        assert source.cached_bytes <= most
+    assert (len(source._kept) > 0) == (most > 0)
+
+
+def test_indexes_hold_tight_boxes_and_fit_their_schema(written: tuple[nf.Scene, Path]) -> None:
+    _, folder = written
+    document = json.loads((folder / "tiles.json").read_text())
+    jsonschema.validate(document, formats.load_schema("tiles"))
+    for tile in document["tiles"]:
+        loaded = nf.Scene.load(folder / tile["file"])
+        assert loaded.triangle_count == tile["triangles"]
+        assert np.allclose(loaded.bounds, tile["box"], atol=1e-3)
+
+
+def test_nameless_objects_keep_their_numbers(tmp_path: Path) -> None:
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]]) + 3.0 * np.arange(5)[:, None, None] * (1, 0, 0)
+    scene = nf.Scene.from_arrays(corners.reshape(-1, 3), np.arange(15).reshape(-1, 3), [4, 3, 2, 1, 0])
+    nf.write_tiles(scene, tmp_path / "tiles", cell=3)
+    part = opened(tmp_path / "tiles").query([[2, -1, -1], [7, 2, 1]])
+    assert sorted(contents(part)["objects"].tolist()) == [2, 3]
+    assert part.object_names == scene.object_names
+
+
+def test_a_box_chooses_by_centroids_so_that_parts_make_the_whole(tmp_path: Path) -> None:
+    scene = soup()
+    halves = []
+    for name, box in (("low", [[-99, -99, -99], [0, 99, 99]]), ("high", [[0, -99, -99], [99, 99, 99]])):
+        nf.write_tiles(scene, tmp_path / name, cell=5, aabb=box)
+        halves.append(opened(tmp_path / name).query(EVERYWHERE))
+    assert sum(half.triangle_count for half in halves) == scene.triangle_count
+
+
+def test_an_empty_world_makes_an_empty_folder(tmp_path: Path) -> None:
+    empty = soup().query([[900, 900, 900], [901, 901, 901]])
+    nf.write_tiles(empty, tmp_path / "tiles", cell=5)
+    assert opened(tmp_path / "tiles").query(EVERYWHERE).triangle_count == 0
+
+
+class Breaking:
+    """A source that ends the work after some queries."""
+
+    def __init__(self, scene: nf.Scene, queries: int) -> None:
+        self._scene, self.left = scene, queries
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        return self._scene.bounds
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        if not self.left:
+            raise KeyboardInterrupt
+        self.left -= 1
+        return self._scene.query(aabb, detail)
+
+
+def test_interrupted_work_goes_on_where_it_was(tmp_path: Path) -> None:
+    scene, folder, turns = soup(), tmp_path / "tiles", 0
+    cells = json_cells(scene, tmp_path / "other")
+    while True:
+        breaking = Breaking(scene, 7)
+        try:
+            nf.write_tiles(breaking, folder, cell=5)
+            break
+        except KeyboardInterrupt:
+            turns += 1
+            with pytest.raises(nf.FormatError, match=r"write_tiles with the same arguments"):
+                nf.open_source(folder)
+    assert turns == -(-cells // 7) - 1
+    assert np.array_equal(rows(opened(folder).query(EVERYWHERE)), rows(scene))
+    assert (folder / "tiles.json").read_bytes() == (tmp_path / "other" / "tiles.json").read_bytes()
+
+
+def json_cells(scene: nf.Scene, folder: Path) -> int:
+    nf.write_tiles(scene, folder, cell=5)
+    cells: int = json.loads((folder / "tiles.json").read_text())["cells"]
+    return cells
+
+
+def test_folders_of_other_content_are_left_alone(tmp_path: Path) -> None:
+    scene = soup()
+    nf.write_tiles(scene, tmp_path / "tiles", cell=9)
+    with pytest.raises(ValueError, match=r"^folder: expected tiles of the same arguments"):
+        nf.write_tiles(scene, tmp_path / "tiles", cell=8)
+    nf.write_tiles(scene, tmp_path / "tiles", cell=9)  # nothing is left to do
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "note.txt").write_text("mine")
+    with pytest.raises(FileExistsError, match="holds other files"):
+        nf.write_tiles(scene, tmp_path / "mine", cell=9)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda d: d["tiles"][0].update(file="../secret.glb"), "expected names such as tile_0_0.glb"),
+        (lambda d: d["tiles"][0].update(box=[[0, 0, 0]]), "box: expected shape"),
+        (lambda d: d["tiles"][0].update(triangles=-1), "triangles: expected"),
+        (lambda d: d.update(done=10**9), "done: expected"),
+        (lambda d: d.pop("settings"), "'settings' is missing"),
+        (lambda d: d.update(version=99), "version 99"),
+        (lambda d: d.update(format="nearfar.report"), "expected format"),
+        (lambda d: d.update(tiles={"a": 1}), "tiles: expected a list"),
+    ],
+)
+def test_damaged_indexes_are_named(written: tuple[nf.Scene, Path], tmp_path: Path, change: Any, words: str) -> None:
+    document = json.loads((written[1] / "tiles.json").read_text())
+    change(document)
+    (tmp_path / "tiles.json").write_text(json.dumps(document))
+    with pytest.raises(nf.FormatError, match=r"tiles\.json: ") as raised:
+        nf.open_source(tmp_path)
+    assert words in str(raised.value)
+
+
+def test_damaged_and_missing_tiles_are_named(tmp_path: Path) -> None:
+    nf.write_tiles(soup(), tmp_path / "tiles", cell=9)
+    source = opened(tmp_path / "tiles")
+    files = sorted((tmp_path / "tiles").glob("*.glb"))
+    files[0].write_bytes(files[0].read_bytes()[:-100])
+    with pytest.raises(nf.FormatError, match=files[0].name):
+        source.query(EVERYWHERE)
+    files[0].unlink()
+    with pytest.raises(FileNotFoundError, match=files[0].name):
+        source.query(EVERYWHERE)
+    files[1].replace(files[0])
+    with pytest.raises(nf.FormatError, match=f"{files[0].name}.*expected .* triangles"):
+        source.query(EVERYWHERE)
+
+
+@pytest.mark.parametrize("cell", [0, -1, np.nan, np.inf, 1e-9])
+def test_cells_that_are_none_are_refused(tmp_path: Path, cell: float) -> None:
+    with pytest.raises(ValueError, match=r"^cell: expected"):
+        nf.write_tiles(soup(), tmp_path / "tiles", cell=cell)
+    assert not (tmp_path / "tiles").exists()
+
+
+def test_worlds_without_end_need_a_box(tmp_path: Path) -> None:
+    class Endless(Breaking):
+        @property
+        def bounds(self) -> NDArray[np.float64]:
+            return EVERYWHERE
+
+    with pytest.raises(ValueError, match=r"^aabb: expected a finite box"):
+        nf.write_tiles(Endless(soup(), 99), tmp_path / "tiles", cell=3)
+    nf.write_tiles(Endless(soup(), 99), tmp_path / "tiles", cell=3, aabb=[[-9, -99, -9], [9, 99, 9]])
+    with pytest.raises(TypeError, match=r"^source: expected a source"):
+        nf.write_tiles("city.glb", tmp_path / "other", cell=3)  # type: ignore[arg-type]
