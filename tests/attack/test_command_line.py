@@ -20,6 +20,7 @@ SMALL = ("--samples", "1", "--face-size", "8", "--backend", "cpu", "--size", "16
 VALID = {
     "demo": ("-i", "ball.glb", "-o", "demo", *PLACE, *SMALL),
     "info": ("-i", "ball.glb"),
+    "cut": ("-i", "ball.glb", "-o", "cut.glb", "--box", "-2,-2,2,2"),
     "partition": ("-i", "ball.glb", *PLACE),
     "bake": ("-i", "ball.glb", "-o", "map.exr", *PLACE, *SMALL[:-2]),
     "reduce": ("-i", "ball.glb", "-o", "reduced", *PLACE, *SMALL),

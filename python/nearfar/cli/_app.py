@@ -11,7 +11,20 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, progress
-from nearfar.cli import _bake, _compare, _export, _info, _lod, _partition, _reduce, _render, _serve, _stereo, _view
+from nearfar.cli import (
+    _bake,
+    _compare,
+    _cut,
+    _export,
+    _info,
+    _lod,
+    _partition,
+    _reduce,
+    _render,
+    _serve,
+    _stereo,
+    _view,
+)
 
 INTERRUPTED = 130
 """Exit status after Ctrl-C: 128 plus the signal's number, as in shells."""
@@ -25,6 +38,7 @@ app = typer.Typer(
 )
 app.command("demo")(_reduce.demo)
 app.command("info")(_info.info)
+app.command("cut")(_cut.cut)
 app.command("partition")(_partition.partition)
 app.command("bake")(_bake.bake)
 app.command("reduce")(_reduce.reduce)

@@ -1,0 +1,90 @@
+"""`nearfar cut`: takes a part of a world, as one GLB or as a folder of tiles."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+import nearfar as nf
+from nearfar._base import check
+from nearfar.cli import _options as options
+from nearfar.cli._options import option
+from nearfar.cli._output import check_target, count
+
+INDEX = "tiles.json"
+"""Name of the file that every folder of tiles has."""
+
+Box = tuple[tuple[float, float, float], tuple[float, float, float]]
+
+
+def cut(
+    world: Annotated[
+        str,
+        option("-i --input", "WORLD", "Scene file, procedural scene, or a folder of tiles that `nearfar cut` wrote."),
+    ],
+    output: Annotated[Path, option("-o --output", "FILE|FOLDER", "GLB to write; with --cell a folder of tiles.")],
+    box: Annotated[
+        str | None,
+        option("--box", "X0,Z0,X1,Z1", "Least x and z and greatest x and z in metres; by default everything."),
+    ] = None,
+    cell: Annotated[
+        float | None,
+        option("--cell", "METRES", "Write tiles of this width; an interrupted call goes on when repeated."),
+    ] = None,
+    detail: Annotated[
+        float, option("--detail", "METRES", "Greatest geometric error; 0 takes everything that there is.")
+    ] = 0.0,
+    up: options.Up = "y",
+    scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
+    on_invalid: options.Invalid = "raise",
+) -> None:
+    """Cut a part out of a world that may be larger than memory: triangles that touch a box, whole."""
+    aabb = read_box(box)
+    check.at_least_zero("--detail", detail)
+    if cell is not None:
+        check.positive("--cell", cell)
+    else:
+        check_target(output, ".glb")
+    source = open_world(world, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    if cell is not None:
+        nf.write_tiles(source, output, cell=cell, aabb=aabb, detail=detail)
+        typer.echo(f"{output}: {nf.open_source(output)!r}")
+        return
+    part = source.query(aabb, detail)
+    if not part.triangle_count:
+        raise ValueError(f"--box: expected one with triangles, got {box or 'none'}; {world} spans {_span(source)}")
+    nf.lod.export(part, output, view=nf.Fov.symmetric(90.0))
+    typer.echo(f"{output}: {count(part.triangle_count)} triangles")
+
+
+def read_box(text: str | None) -> Box:
+    """Parse "x0,z0,x1,z1" in metres as a box without end in height; None is everything."""
+    if text is None:
+        return (-math.inf, -math.inf, -math.inf), (math.inf, math.inf, math.inf)
+    try:
+        x0, z0, x1, z1 = (float(part) for part in text.replace(",", " ").split())
+    except ValueError:
+        got = check.shortened(text)
+        raise ValueError(f"--box: expected x0,z0,x1,z1 in metres such as 0,0,200,200, got {got}") from None
+    if not (x0 <= x1 and z0 <= z1):
+        raise ValueError(f"--box: expected least x and z before greatest x and z, got {check.shortened(text)}")
+    return (x0, -math.inf, z0), (x1, math.inf, z1)
+
+
+def open_world(
+    text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None = None
+) -> nf.SceneSource:
+    """Open the folder of tiles, or load the scene, that `-i` names."""
+    if (Path(text) / INDEX).is_file() or Path(text).name == INDEX:
+        return nf.open_source(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    return options.open_scene(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+
+
+def _span(source: nf.SceneSource) -> str:
+    """The extent in x and z, as `--box` takes it."""
+    (x0, _, z0), (x1, _, z1) = source.bounds.tolist()
+    return f"{x0:g},{z0:g},{x1:g},{z1:g}"

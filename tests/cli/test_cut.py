@@ -1,0 +1,61 @@
+"""Tests of `nearfar cut`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from tests.support.cli_cases import command
+
+CITY = "city:blocks=2,detail=0"
+
+
+def test_a_box_becomes_a_scene_file_that_other_commands_take(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    file = tmp_path / "part.glb"
+    status, out, _ = command(capsys, "cut", "-i", CITY, "-o", file, "--box", "0,0,60,60")
+    city, part = nf.datasets.city(blocks=2, detail=0), nf.Scene.load(file)
+    expected = city.query([[0, -np.inf, 0], [60, np.inf, 60]])
+    assert status == 0
+    assert f"{expected.triangle_count:,} triangles" in out
+    assert part.triangle_count == expected.triangle_count < city.triangle_count
+    assert np.allclose(part.bounds, expected.bounds, atol=1e-3)
+
+
+def test_tiles_are_a_world_again(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    tiles, file = tmp_path / "tiles", tmp_path / "part.glb"
+    assert command(capsys, "cut", "-i", CITY, "-o", tiles, "--cell", "40")[0] == 0
+    city = nf.datasets.city(blocks=2, detail=0)
+    for world in (tiles, tiles / "tiles.json"):
+        assert command(capsys, "cut", "-i", world, "-o", file, "--box", "-30,-30,10,10")[0] == 0
+        expected = city.query([[-30, -np.inf, -30], [10, np.inf, 10]])
+        assert nf.Scene.load(file).triangle_count == expected.triangle_count
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("-o", "part.glb", "--box", "0,0,1"), "--box: expected x0,z0,x1,z1"),
+        (("-o", "part.glb", "--box", "2,0,1,1"), "--box: expected least x and z before"),
+        (("-o", "part.glb", "--box", "nan,0,1,1"), "--box: expected least x and z before"),
+        (("-o", "part.glb", "--box", "9e5,0,9e6,1"), "--box: expected one with triangles"),
+        (("-o", "part.obj", "--box", "0,0,1,1"), "expected a name ending in .glb"),
+        (("-o", "tiles", "--cell", "0"), "--cell: expected"),
+        (("-o", "part.glb", "--detail", "-1"), "--detail: expected"),
+    ],
+)
+def test_what_cannot_be_cut_is_refused(
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: tuple[str, ...],
+    words: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    status, _, err = command(capsys, "cut", "-i", CITY, *arguments)
+    assert status == 1
+    assert words in err
