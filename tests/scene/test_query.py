@@ -87,6 +87,19 @@ def test_instances_inside_stay_instances_of_the_same_mesh() -> None:
     assert (~shared).sum() > 3
 
 
+def test_a_cell_of_a_large_world_takes_the_memory_of_the_cell() -> None:
+    builder, places = nf.SceneBuilder(), np.tile(np.eye(4), (40_000, 1, 1))
+    places[:, 0, 3], places[:, 2, 3] = np.divmod(3.0 * np.arange(40_000), 600)
+    tree = builder.mesh(np.random.default_rng(2).random((30, 3)), np.arange(30).reshape(-1, 3))
+    builder.place_many(tree, places, "tree")
+    world = builder.build(dynamic=[f"tree_{number}" for number in range(0, 40_000, 2)])
+    part = world.query([[10, 0, 10], [12, 1, 40]])
+    assert np.array_equal(part.triangles(), world.triangles()[touching(world, [[10, 0, 10], [12, 1, 40]])])
+    assert part.triangle_count
+    assert part._core.bytes() * 500 < world._core.bytes()
+    assert len(part._rest) * 500 < len(world._rest)
+
+
 def test_the_whole_comes_back_from_an_infinite_box(scene: nf.Scene) -> None:
     whole = scene.query(EVERYWHERE)
     assert np.array_equal(whole._core.mesh_ids(), scene._core.mesh_ids())

@@ -12,9 +12,9 @@ from nearfar._scene.scene import Scene
 MOST_CELLS = 1 << 20
 """Greatest number of cells of a grid."""
 
-_MARGIN = 1e-5
+_MARGIN = 1e-12
 """Share of the greatest coordinate by which a box is wider than its cell. A centroid lies in its triangle, but rounding
-may take it over a side; float32 rounds by less than a hundredth of this."""
+in float64 may take it over a side; it rounds by less than a hundredth of this."""
 
 
 @dataclass(frozen=True)
