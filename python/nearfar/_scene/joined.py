@@ -13,22 +13,6 @@ from nearfar._scene.poses import frame_of
 from nearfar._scene.scene import Scene
 
 
-def empty(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
-    """A scene of nothing."""
-    return _core.Scene(
-        origin=origin,
-        meshes=[],
-        placements=np.zeros((0, 3, 4)),
-        objects=np.zeros(0, np.int32),
-        standing_count=0,
-        material_colors=np.zeros((0, 4), np.float32),
-        material_textures=np.zeros(0, np.int32),
-        material_cutoffs=np.zeros(0, np.float32),
-        material_tags=np.zeros(0, np.uint64),
-        textures=[],
-    )
-
-
 def joined(scenes: Sequence[Scene]) -> Scene:
     """Return one scene of one or several, in the frame of the first; objects of one name become one object.
 

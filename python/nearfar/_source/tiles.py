@@ -13,10 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import background, check, formats
 from nearfar._base.errors import FormatError
-from nearfar._scene.joined import empty, joined
+from nearfar._scene.joined import joined
 from nearfar._scene.moving_rows import frames_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
+from nearfar._scene.serialize import empty_core
 from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
 
 
@@ -72,7 +73,7 @@ class TileFolder:
         if parts:
             return joined(parts)
         names = Names(()) if self._names is None else self._names
-        return Scene(empty(self._index.origin), names, notes=self._index.notes)
+        return Scene(empty_core(self._index.origin), names, notes=self._index.notes)
 
     def _tile(self, tile: Tile) -> Scene:
         """Return a tile, from memory or from its file."""

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import check, files, formats
 from nearfar._camera.camera import Camera, Fov
-from nearfar._scene.joined import empty
 from nearfar._scene.levels import kept_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene, core_of

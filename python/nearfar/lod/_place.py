@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._scene.arrays import ORIGIN_LIMIT, transforms_of
-from nearfar._scene.joined import empty
 from nearfar._scene.levels import check_levels, kept_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene

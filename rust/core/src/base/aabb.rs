@@ -31,6 +31,7 @@ impl Aabb {
     }
 
     /// Extends the box to contain a point.
+    #[inline]
     pub fn extend(&mut self, point: Vec3) {
         self.min = self.min.min(point);
         self.max = self.max.max(point);

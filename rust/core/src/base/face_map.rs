@@ -101,6 +101,23 @@ impl FaceMap {
         }
     }
 
+    /// The map of the given faces, which ascend. Ranges stay ranges, and are not searched for each face.
+    pub(crate) fn ascending(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
+        let Self::Ranges { starts, values } = self else { return self.selected(faces, progress) };
+        let (mut runs, mut rest): (Vec<(usize, i32)>, &[u32]) = (Vec::new(), faces);
+        while let Some(&face) = rest.first() {
+            let next = starts.partition_point(|&start| start <= face);
+            let value = values[next - 1];
+            if runs.last().is_none_or(|&(_, last)| last != value) {
+                runs.push((faces.len() - rest.len(), value));
+            }
+            let end = starts.get(next).map_or(rest.len(), |&start| rest.partition_point(|&face| face < start));
+            rest = &rest[end..];
+        }
+        progress.check()?;
+        Ok(Self::from_runs(runs.into_iter(), faces.len()))
+    }
+
     /// Replaces each value v by `numbers[v]`; −1 and values beyond the end of `numbers` stay.
     pub(crate) fn renumbered(&self, numbers: &[i32]) -> Self {
         let number = |&value: &i32| usize::try_from(value).ok().and_then(|at| numbers.get(at)).map_or(value, |&n| n);
@@ -195,6 +212,11 @@ mod tests {
                     let picks: Vec<u32> = picks.iter().map(|pick| pick % flat.len() as u32).collect();
                     let expected: Vec<i32> = picks.iter().map(|&pick| flat[pick as usize]).collect();
                     prop_assert_eq!(values_of(&joined.selected(&picks, &Progress::new()).unwrap(), picks.len()), expected);
+                    let mut sorted = picks;
+                    sorted.sort_unstable();
+                    let expected: Vec<i32> = sorted.iter().map(|&pick| flat[pick as usize]).collect();
+                    let found = joined.ascending(&sorted, &Progress::new()).unwrap();
+                    prop_assert_eq!(values_of(&found, sorted.len()), expected);
                 }
             }
         }

@@ -8,7 +8,7 @@ use super::{Progress, Result};
 const ROWS_PER_CHECK: usize = 1 << 20;
 
 /// Number of rows that one thread maps sooner than others wake up.
-const SHORT: usize = 1 << 12;
+const SHORT: usize = 1 << 13;
 
 /// A value for each row, in order.
 pub fn mapped<A: Sync, B: Send>(rows: &[A], of: impl Fn(&A) -> B + Sync, progress: &Progress) -> Result<Vec<B>> {

@@ -62,10 +62,11 @@ impl Bvh {
         Self { bounds: wide.bounds(), wide, blocks, copies: Arc::clone(&self.copies) }
     }
 
-    /// Adds the copies of some faces of the tree.
-    pub(crate) fn add_copies(&self, faces: &mut Vec<u32>) {
+    /// Adds the copies of some faces of the tree at the end; returns whether there were any.
+    pub(crate) fn add_copies(&self, faces: &mut Vec<u32>) -> bool {
+        let before = faces.len();
         if self.copies.is_empty() {
-            return;
+            return false;
         }
         for at in 0..faces.len() {
             let first = self.copies.partition_point(|&(kept, _)| kept < faces[at]);
@@ -73,6 +74,7 @@ impl Bvh {
             let alike: Vec<u32> = alike.map(|&(_, copy)| copy).collect();
             faces.extend(alike);
         }
+        faces.len() > before
     }
 
     /// The blocks of a leaf; empty for `NO_CHILD`, which a ray with NaN may appear to hit.

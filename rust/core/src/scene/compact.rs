@@ -19,7 +19,7 @@ impl Mesh {
     pub(super) fn compacted(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
         let faces = gathered(&self.faces, chosen, progress)?;
         let (objects, materials) =
-            (self.objects.selected(chosen, progress)?, self.materials.selected(chosen, progress)?);
+            (self.objects.ascending(chosen, progress)?, self.materials.ascending(chosen, progress)?);
         let pages = Pages::of(&faces, progress)?;
         let faces = pages.renumbered(&faces, progress)?;
         let used = pages.vertices();
@@ -103,14 +103,22 @@ impl Pages {
 /// The pages of the faces' vertices, with a bit for each vertex; a page may be there several times.
 fn visited(faces: &[[u32; 3]]) -> Vec<(u32, u64)> {
     let mut visits: Vec<(u32, u64)> = Vec::new();
+    // A face may lie across two pages, so the last two stay open.
+    let mut open = [(u32::MAX, 0u64); 2];
     for &vertex in faces.as_flattened() {
         let (page, bit) = (vertex >> PAGE_BITS, 1 << (vertex & ((1 << PAGE_BITS) - 1)));
-        // A face may lie across two pages.
-        match visits.iter_mut().rev().take(2).find(|(number, _)| *number == page) {
-            Some((_, bits)) => *bits |= bit,
-            None => visits.push((page, bit)),
+        if open[0].0 != page {
+            open.swap(0, 1);
+            if open[0].0 != page {
+                visits.push(open[0]);
+                open[0] = (page, 0);
+            }
         }
+        open[0].1 |= bit;
     }
+    visits.extend(open);
+    // No page has the number that stands for none: there are fewer pages than numbers.
+    visits.retain(|&(page, _)| page != u32::MAX);
     visits
 }
 

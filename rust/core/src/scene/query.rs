@@ -173,16 +173,38 @@ impl Instance {
     /// The part that touches a box; `None` if nothing does.
     fn query(&self, region: &Region, progress: &Progress) -> Result<Option<Self>> {
         let bvh = self.mesh.build_bvh(progress)?;
-        let mut faces = Search { instance: self, bvh, region }.run(progress)?;
-        bvh.add_copies(&mut faces);
+        let mut runs = Search { instance: self, bvh, region }.run(progress)?;
+        sort_by_key(&mut runs, |run| run.start, progress)?;
+        let mut faces: Vec<u32> = Vec::with_capacity(runs.iter().map(|run| (run.end - run.start) as usize).sum());
+        runs.iter().for_each(|run| faces.extend(run.start..run.end));
+        if bvh.add_copies(&mut faces) {
+            sort_by_key(&mut faces, |&face| face, progress)?;
+        }
         if faces.len() == self.mesh.faces.len() {
             return Ok((!faces.is_empty()).then(|| self.clone()));
         }
         if faces.is_empty() {
             return Ok(None);
         }
-        sort_by_key(&mut faces, |&face| face, progress)?;
         Ok(Some(self.with_mesh(Arc::new(self.mesh.compacted(&faces, progress)?), self.object)))
+    }
+}
+
+/// Consecutive faces. Neighbours in space often follow each other in the mesh, so there are fewer runs to sort.
+#[derive(Clone, Copy)]
+struct Run {
+    start: u32,
+    end: u32,
+}
+
+/// Appends faces, which ascend, to runs.
+#[inline]
+fn append(runs: &mut Vec<Run>, faces: impl Iterator<Item = u32>) {
+    for face in faces {
+        match runs.last_mut() {
+            Some(run) if run.end == face => run.end += 1,
+            _ => runs.push(Run { start: face, end: face + 1 }),
+        }
     }
 }
 
@@ -195,29 +217,29 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// The faces that touch, in the order of the tree, without copies.
-    fn run(&self, progress: &Progress) -> Result<Vec<u32>> {
-        let (mut front, mut faces) = (vec![(0, false)], Vec::new());
+    fn run(&self, progress: &Progress) -> Result<Vec<Run>> {
+        let (mut front, mut runs) = (vec![(0, false)], Vec::new());
         while !front.is_empty() && front.len() < FRONT {
             let mut next = Vec::new();
-            front.iter().for_each(|&node| self.open(node, &mut next, &mut faces));
+            front.iter().for_each(|&node| self.open(node, &mut next, &mut runs));
             front = next;
         }
         let below = front.par_iter().map(|&node| {
             progress.check()?;
-            let (mut stack, mut faces) = (vec![node], Vec::new());
+            let (mut stack, mut runs) = (vec![node], Vec::new());
             while let Some(node) = stack.pop() {
-                self.open(node, &mut stack, &mut faces);
+                self.open(node, &mut stack, &mut runs);
             }
-            Ok(faces)
+            Ok(runs)
         });
         if !front.is_empty() {
-            faces.extend(below.collect::<Result<Vec<_>>>()?.concat());
+            runs.extend(below.collect::<Result<Vec<_>>>()?.concat());
         }
-        Ok(faces)
+        Ok(runs)
     }
 
     /// Opens a node, of which is known whether it lies inside: lists its nodes and the faces of its leaves.
-    fn open(&self, (number, is_inside): (u32, bool), nodes: &mut Vec<(u32, bool)>, faces: &mut Vec<u32>) {
+    fn open(&self, (number, is_inside): (u32, bool), nodes: &mut Vec<(u32, bool)>, runs: &mut Vec<Run>) {
         let Some(node) = self.bvh.wide.nodes.get(number as usize) else { return };
         let (touching, inside) = if is_inside { (u32::MAX, u32::MAX) } else { self.classify(node) };
         for (slot, &child) in node.children.iter().enumerate().filter(|&(slot, _)| touching >> slot & 1 == 1) {
@@ -230,11 +252,11 @@ impl Search<'_> {
                 continue;
             }
             for block in self.bvh.leaf(child) {
-                let all = block.distinct_faces();
+                let all = block.distinct_faces().iter().copied();
                 if is_inside {
-                    faces.extend_from_slice(all);
+                    append(runs, all);
                 } else {
-                    faces.extend(all.iter().filter(|&&face| self.region.touches(self.instance.corners(face))));
+                    append(runs, all.filter(|&face| self.region.touches(self.instance.corners(face))));
                 }
             }
         }
