@@ -19,6 +19,12 @@ ORIGIN_LIMIT = 32_768.0
 """Distance in metres beyond which float32 steps exceed 2 mm and coordinates are stored relative to an origin."""
 
 
+def origin_for(bounds: NDArray[np.float64]) -> NDArray[np.float64]:
+    """World position (3,) that a scene with a world box (2, 3) is relative to; 0 for a box that is not finite."""
+    is_far = np.isfinite(bounds).all() and np.abs(bounds).max() >= ORIGIN_LIMIT
+    return np.rint(bounds.mean(axis=0)) if is_far else np.zeros(3)
+
+
 def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
     """Convert vertices to C-contiguous float32 relative to a base in whole metres; returns both.
 

@@ -12,11 +12,11 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.arrays import (
     MOST_CUTOFF,
-    ORIGIN_LIMIT,
     colors_of,
     faces_of,
     normals_of,
     numbers_of,
+    origin_for,
     positions_of,
     texture_of,
     transforms_of,
@@ -269,8 +269,13 @@ class Assembly:
             raise ValueError("mesh: expected a handle of this builder, which has no mesh yet")
         return self._meshes[check.integer("mesh", mesh, 0, len(self._meshes) - 1)]
 
-    def _assemble(self, dynamic: Iterable[str] = (), budget: Budget | None = None) -> Assembled:
-        """Merge static meshes that are placed once, keep the others as instances, and choose the origin.
+    def _assemble(
+        self,
+        dynamic: Iterable[str] = (),
+        budget: Budget | None = None,
+        origin: NDArray[np.float64] | None = None,
+    ) -> Assembled:
+        """Merge static meshes that are placed once, keep the others as instances, and choose the origin unless given.
 
         A `budget` counts the copies of meshes that are merged although they are placed many times.
         """
@@ -281,10 +286,9 @@ class Assembly:
         merges = self._is_merged(placed, movers[placed.object])
         if budget is not None:
             budget.take(self._copied_bytes(placed.mesh[merges]))
-        core = self._scene_at(placed, merges, np.zeros(3))
-        bounds = core.bounds()
-        if core.triangle_count and np.abs(bounds).max() >= ORIGIN_LIMIT:
-            core = self._scene_at(placed, merges, np.rint(bounds.mean(axis=0)))
+        core = self._scene_at(placed, merges, np.zeros(3) if origin is None else origin)
+        if origin is None and (chosen := origin_for(core.bounds())).any():
+            core = self._scene_at(placed, merges, chosen)
         names = tuple(self._names) if self._nameless is None else self._nameless
         return Assembled(core.with_moving(movers[:-1]), names, self._frames(), undrawn=self._materials.undrawn)
 

@@ -97,10 +97,12 @@ def assemble(
     budget: Budget | None = None,
     moves: bool = False,
     blend: str = "opaque",
+    origin: NDArray[np.float64] | None = None,
 ) -> Assembled:
     """Assemble a scene's parts in one pass over the source's meshes; SceneError if they cannot be used.
 
-    A `budget` counts the copies of what is placed many times. With `moves` all objects are dynamic.
+    A `budget` counts the copies of what is placed many times. With `moves` all objects are dynamic. The extent
+    chooses an `origin` (3,) unless it is given.
     """
     check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
@@ -141,7 +143,7 @@ def assemble(
         placed = np.array([handles[shape] for shape in single.shapes], np.int64)
         builder._place(placed, single.transforms, single.objects)
         dynamic = [*([] if isinstance(many, int) else many), *single.objects] if moves else ()
-        parts = builder._assemble(dynamic, budget)
+        parts = builder._assemble(dynamic, budget, origin)
     except ValueError as error:
         raise SceneError(f"{content.label}: {error}") from error
     notes = [*content.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]

@@ -34,6 +34,7 @@ def joined(scenes: Sequence[Scene]) -> Scene:
         rest=np.concatenate(rests),
         dropped=sum(scene._dropped for scene in scenes),
         notes=tuple(notes),
+        used=tuple(dict.fromkeys(part for scene in scenes for part in scene._used)),
         undrawn={tag: part for scene in scenes for tag, part in scene._undrawn.items()},
     )
 

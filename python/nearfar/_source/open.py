@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
 from typing import SupportsIndex
 
+from numpy.typing import ArrayLike
+
 from nearfar._base import check
-from nearfar._base.errors import SceneError
+from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene.scene import Scene
+from nearfar._scene.tileset.read import is_tileset
+from nearfar._scene.tileset.tileset import KINDS, Tileset, suffix
 from nearfar._source.protocol import SceneSource
 from nearfar._source.tile_index import DOCUMENT
 from nearfar._source.tiles import TileFolder
+from nearfar._source.tileset import TilesetSource
+
+TILESET = "tileset.json"
+"""Name that the first document of a tileset usually has."""
 
 _CACHE = 1 << 30
 """Bytes of tiles that are kept by default."""
@@ -23,6 +32,7 @@ def open_source(
     on_invalid: str = "raise",
     scale: float | None = None,
     max_bytes: int | None = None,
+    origin: ArrayLike | None = None,
     cache_bytes: SupportsIndex = _CACHE,
 ) -> SceneSource:
     """Open a world, from which `query` takes scenes box by box.
@@ -30,10 +40,13 @@ def open_source(
     Parameters
     ----------
     path
-        A folder of tiles that `nearfar.write_tiles` wrote, or a file that `Scene.load` reads: it is read whole, and the
-        scene answers through its search trees.
+        A folder of tiles that `nearfar.write_tiles` wrote; a tileset of 3D Tiles, by its document, its folder or a URL;
+        or a file that `Scene.load` reads: it is read whole, and the scene answers through its search trees.
     up, on_invalid, scale, max_bytes
-        As in `Scene.load`. Folders of tiles are upright and in metres already.
+        As in `Scene.load`. Folders of tiles and tilesets are upright and in metres already.
+    origin
+        Longitude and latitude in degrees and height in metres of (0, 0, 0), for a tileset on the Earth; by default the
+        middle of its volume.
     cache_bytes
         Memory of tiles that are kept for later queries.
 
@@ -53,14 +66,46 @@ def open_source(
     OSError
         A file that cannot be opened.
     """
-    target = check.path("path", path)
+    check.choice("on_invalid", on_invalid, ("raise", "drop"))
     most = check.integer("cache_bytes", cache_bytes, 0, 2**62)
+    upright: dict[str, tuple[object, object]] = {
+        "up": (up, "y"),
+        "scale": (scale, None),
+        "max_bytes": (max_bytes, None),
+    }
+    tileset = _tileset(path)
+    if tileset is not None:
+        _refuse("a tileset", upright)
+        return TilesetSource(Tileset.open(tileset, origin=origin, cache_bytes=most), on_invalid)
+    target = check.path("path", path)
     folder = target.parent if target.name == DOCUMENT else target
     if not folder.is_dir():
-        return Scene.load(target, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+        return Scene.load(target, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, origin=origin)
     if not (folder / DOCUMENT).is_file():
-        raise SceneError(f"{os.fspath(path)}: expected a file, or a folder of tiles with {DOCUMENT}")
-    for name, value, default in (("up", up, "y"), ("scale", scale, None), ("max_bytes", max_bytes, None)):
-        if value != default:
-            raise ValueError(f"{name}: expected none with a folder of tiles, got {check.shortened(value)}")
+        raise SceneError(f"{os.fspath(path)}: expected a file, or a folder of tiles with {DOCUMENT} or {TILESET}")
+    _refuse("a folder of tiles", upright | {"origin": (origin, None)})
     return TileFolder(folder, most)
+
+
+def _refuse(kind: str, given: dict[str, tuple[object, object]]) -> None:
+    """ValueError for arguments that are not at their defaults."""
+    for name, (value, default) in given.items():
+        if value is not default and value != default:
+            raise ValueError(f"{name}: expected none with {kind}, got {check.shortened(value)}")
+
+
+def _tileset(path: str | os.PathLike[str]) -> str | Path | None:
+    """Return the document of a tileset, or the file of a tile, that a path or URL names; None for anything else."""
+    if isinstance(path, str) and "://" in path:
+        return path
+    target = check.path("path", path)
+    if target.is_dir():
+        return target / TILESET if (target / TILESET).is_file() and not (target / DOCUMENT).is_file() else None
+    if suffix(target) in KINDS:
+        return target
+    if suffix(target) != "json" or target.name == DOCUMENT:
+        return None
+    try:
+        return target if is_tileset(target.read_bytes()) else None
+    except UnusableError:
+        return None

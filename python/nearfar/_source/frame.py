@@ -1,0 +1,24 @@
+"""Contents of files as scenes of a source: all in one frame, whatever part of the world they hold."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._scene.arrays import origin_for
+from nearfar._scene.content import Content, assemble
+from nearfar._scene.names import Names
+from nearfar._scene.scene import Scene
+from nearfar._scene.serialize import empty_core
+
+
+def scene_of(
+    content: Content, box: NDArray[np.float64], bounds: NDArray[np.float64], *, on_invalid: str = "raise"
+) -> Scene:
+    """Return the triangles of a content that touch a box, in the frame of a world of these bounds."""
+    origin = origin_for(bounds)
+    if not any(len(shape.faces) for shape in content.shapes.values()):
+        x, y, z = origin.tolist()
+        return Scene(empty_core((x, y, z)), Names(()), notes=tuple(content.notes))
+    parts = assemble(content, up="y", on_invalid=on_invalid, origin=origin)
+    return Scene._from_assembled(parts).query(box)

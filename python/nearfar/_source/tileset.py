@@ -1,0 +1,37 @@
+"""A tileset (3D Tiles) as a source: reads the tiles that show a box at a geometric error."""
+
+from __future__ import annotations
+
+from typing import SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+from nearfar._scene.scene import Scene
+from nearfar._scene.tileset.tileset import Tileset
+from nearfar._source.frame import scene_of
+
+
+class TilesetSource:
+    """World of a tileset, whose contents are kept as long as the cache has room."""
+
+    def __init__(self, tileset: Tileset, on_invalid: str) -> None:
+        self._tileset, self._on_invalid = tileset, on_invalid
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """World box (2, 3) of the tileset's volume."""
+        return self._tileset.bounds
+
+    def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
+        """Return a scene of the triangles that touch a box, whole; see `nearfar.SceneSource`.
+
+        Shows the tiles that touch with a geometric error of at most `detail`; 0 shows the finest.
+        """
+        box, error = check.box("aabb", aabb), check.at_least_zero("detail", detail)
+        content = self._tileset.read(error=error, box=box)
+        return scene_of(content, box, self.bounds, on_invalid=self._on_invalid)
+
+    def __repr__(self) -> str:
+        return f"<nearfar source: tileset {self._tileset.label}>"

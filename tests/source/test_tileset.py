@@ -1,0 +1,120 @@
+"""Tests of tilesets (3D Tiles) as sources."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._source.tileset import TilesetSource
+from tests.support.query_cases import touching
+from tests.support.tile_cases import glb
+
+CUBES = 6
+
+
+def volume(middle: float, size: float) -> dict[str, Any]:
+    return {"box": [middle, 0, 0, size, 0, 0, 0, size, 0, 0, 0, size]}
+
+
+@pytest.fixture
+def row(tmp_path: Path) -> Path:
+    """Unit cubes at x = 0, 10, …, which replace one large cube, in tiles of their own."""
+    large = glb()
+    (tmp_path / "cube.glb").write_bytes(large)
+
+    def tile(number: int) -> dict[str, Any]:
+        matrix = np.eye(4)
+        matrix[3, 0] = 10.0 * number
+        return {
+            "boundingVolume": volume(0, 0.5),
+            "geometricError": 0,
+            "transform": matrix.ravel().tolist(),
+            "content": {"uri": "cube.glb"},
+        }
+
+    root = {
+        "boundingVolume": volume(25, 30),
+        "geometricError": 40,
+        "refine": "REPLACE",
+        "content": {"uri": "cube.glb"},
+        "children": [tile(number) for number in range(CUBES)],
+    }
+    document = {"asset": {"version": "1.1"}, "geometricError": 100, "root": root}
+    (tmp_path / "tileset.json").write_text(json.dumps(document))
+    return tmp_path
+
+
+def source_of(path: Path) -> TilesetSource:
+    source = nf.open_source(path)
+    assert isinstance(source, TilesetSource)
+    return source
+
+
+def test_folders_and_documents_open(row: Path) -> None:
+    for path in (row, row / "tileset.json"):
+        source = source_of(path)
+        assert isinstance(source, nf.SceneSource)
+        whole = nf.Scene.load(row / "tileset.json")
+        everything = source.query([[-np.inf] * 3, [np.inf] * 3])
+        assert everything.triangle_count == whole.triangle_count == 12 * CUBES
+        assert (source.bounds[0] <= whole.bounds[0]).all()
+        assert (source.bounds[1] >= whole.bounds[1]).all()
+
+
+def by_corners(scene: nf.Scene) -> NDArray[np.float64]:
+    corners = (scene.triangles().astype(np.float64) + scene.origin).reshape(-1, 9)
+    return np.asarray(corners[np.lexsort(corners.T)])
+
+
+def test_a_box_gets_the_triangles_that_touch_it(row: Path) -> None:
+    aabb = [[9.7, -9, -9], [20.2, 9, 9]]
+    whole, source = nf.Scene.load(row / "tileset.json"), source_of(row)
+    part = source.query(aabb)
+    expected = whole.subset(triangles=touching(whole, aabb))
+    assert 0 < expected.triangle_count < 24
+    assert np.array_equal(by_corners(part), by_corners(expected))
+    assert source.query([[3, -1, -1], [6, 1, 1]]).triangle_count == 0
+
+
+def test_detail_chooses_the_tiles(row: Path) -> None:
+    source = source_of(row)
+    aabb = [[-np.inf] * 3, [np.inf] * 3]
+    assert source.query(aabb, 40.0).triangle_count == 12
+    assert source.query(aabb, 39.0).triangle_count == 12 * CUBES
+
+
+def test_tilesets_become_folders_of_tiles(row: Path, tmp_path: Path) -> None:
+    nf.write_tiles(source_of(row), tmp_path / "tiles", cell=7)
+    again, whole = nf.open_source(tmp_path / "tiles"), nf.Scene.load(row / "tileset.json")
+    everything = again.query([[-np.inf] * 3, [np.inf] * 3])
+    assert np.array_equal(by_corners(everything), by_corners(whole))
+
+
+def test_all_parts_have_one_frame(row: Path) -> None:
+    document = json.loads((row / "tileset.json").read_text())
+    matrix = np.eye(4)
+    matrix[3, :3] = (5e5, 100.0, 20.0)
+    document["root"]["transform"] = matrix.ravel().tolist()
+    (row / "tileset.json").write_text(json.dumps(document))
+    source = source_of(row)
+    origins = [source.query(source.bounds + shift).origin for shift in (-5.0, 0.0, 25.0)]
+    assert (np.ptp(origins, axis=0) == 0).all()
+    assert np.abs(origins[0]).max() > 4e5
+
+
+@pytest.mark.parametrize("given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}])
+def test_what_tilesets_do_not_take_is_refused(row: Path, given: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=f"^{next(iter(given))}: expected none with a tileset"):
+        nf.open_source(row, **given)
+
+
+def test_files_that_are_no_tilesets_are_told_as_before(tmp_path: Path) -> None:
+    (tmp_path / "other.json").write_text("{}")
+    with pytest.raises(nf.SceneError, match=r"other\.json"):
+        nf.open_source(tmp_path / "other.json")
