@@ -204,15 +204,17 @@ def test_files_written_from_a_scene_show_each_map_where_it_was(tmp_path: Path) -
         "emissiveTexture": info(2, 3),
         "emissiveFactor": [1.0, 1.0, 1.0],
     }
+    material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = info(2, 3)
     scene = load(tmp_path, content([material]))
-    note = "1 material with a map on other texture coordinates drawn and saved without it"
-    assert note in scene.report.notes
+    for lost in ("a map", "emission"):
+        assert f"1 material with {lost} on other texture coordinates drawn and saved without it" in scene.report.notes
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
     document, _ = decode(tmp_path / "written.glb")
     (written,) = document["materials"]
     assert "extensions" not in written["pbrMetallicRoughness"]["baseColorTexture"]
     assert "extensions" not in written["occlusionTexture"]
     assert "emissiveTexture" not in written
+    assert "metallicRoughnessTexture" not in written["pbrMetallicRoughness"]
     stated = written["normalTexture"]["extensions"][TRANSFORM]
     assert document["extensionsUsed"] == [TRANSFORM]
     for uv in SETS[1]:
