@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import struct
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -90,7 +91,8 @@ def keep(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     with atomic_file(path) as temporary:
         make(temporary)
-    _trim(limit, path)
+    if _is_due(limit, path):
+        _trim(limit, path)
     return path
 
 
@@ -109,6 +111,25 @@ def _limit() -> int:
     return int(limit * 1e9)
 
 
+_UNSEEN = 64
+"""Part of the limit that this process may add before it looks at the whole folder again."""
+
+_held: dict[tuple[Path, int], tuple[int, int]] = {}
+"""By folder and limit, bytes that the folder held when it was looked at, and bytes that this process added since."""
+
+_lock = threading.Lock()
+
+
+def _is_due(limit: int, just_made: Path) -> bool:
+    """Whether to look at the folder: thousands of small files would take a look at all of them for each."""
+    with _lock:
+        place = (folder(), limit)
+        size = just_made.stat().st_size
+        held, added = _held.get(place, (limit, 0))
+        _held[place] = (held, added + size)
+        return held + added + size > limit or added + size > limit // _UNSEEN
+
+
 def _trim(limit: int, just_made: Path) -> None:
     """Remove the least recently used files until at most `limit` bytes remain; the file just made always stays."""
     files = []
@@ -121,10 +142,12 @@ def _trim(limit: int, just_made: Path) -> None:
     held = sum(size for _, size, _ in files)
     for _, size, path in sorted(files):
         if held <= limit:
-            return
+            break
         if path != just_made:
             path.unlink(missing_ok=True)
             held -= size
+    with _lock:
+        _held[folder(), limit] = (held, 0)
 
 
 def _encoded(value: Any) -> Iterator[bytes]:

@@ -38,6 +38,9 @@ def bake(
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
     blend: options.Blend = "opaque",
+    tile_error: options.TileError = None,
+    tile_triangles: options.TileTriangles = None,
+    tile_origin: options.TileOrigin = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -48,7 +51,10 @@ def bake(
     check_target(output, ".exr")
     if equirectangular is not None:
         check_target(equirectangular, ".exr", ".png")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
+    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    loaded = options.open_scene(
+        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+    )
     place = choose(loaded, scene, middle)
     radii = default_radii.choose(loaded, place, r1, r2)
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))

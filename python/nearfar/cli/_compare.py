@@ -69,6 +69,9 @@ def compare(
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
     blend: options.Blend = "opaque",
+    tile_error: options.TileError = None,
+    tile_triangles: options.TileTriangles = None,
+    tile_origin: options.TileOrigin = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -96,17 +99,25 @@ def compare(
         _source.refuse("which has no far geometry to trace", exact=exact or None)
     elif truth is not None:
         raise ValueError(f"--truth: expected none with a scene as -i, got {checks.shortened(truth)}")
+    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
             if options.is_reduced(scene):
                 saved = nf.ReducedScene.load(scene)
                 source, loaded = _source.open_truth(
-                    scene, truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend
+                    scene,
+                    truth,
+                    up=up,
+                    on_invalid=on_invalid,
+                    scale=scale,
+                    max_bytes=max_bytes,
+                    blend=blend,
+                    tiles=tiles,
                 )
             else:
                 loaded = options.open_scene(
-                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend
+                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
                 )
         with clock.step("place"):
             place = _viewpoint.choose(loaded, source, middle if saved is None else saved.center)

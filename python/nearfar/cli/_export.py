@@ -77,12 +77,18 @@ def export(
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
     blend: options.Blend = "opaque",
+    tile_error: options.TileError = None,
+    tile_triangles: options.TileTriangles = None,
+    tile_origin: options.TileOrigin = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
     """Write near geometry in rings about centres, each with the map of what lies beyond it, as files for the web."""
     centers, chosen = _read_centers(center), options.read_radii(radii)
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
+    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    loaded = options.open_scene(
+        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+    )
     started = time.perf_counter()
     with _options_named():
         bundle = nf.stream.export(

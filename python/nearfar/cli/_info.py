@@ -19,10 +19,14 @@ from nearfar.cli._options import (
     Json,
     MaxBytes,
     Scale,
+    TileError,
+    TileOrigin,
+    TileTriangles,
     Up,
     is_reduced,
     open_scene,
     option,
+    tiles_of,
 )
 from nearfar.cli._output import bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
@@ -49,6 +53,9 @@ def info(
     scale: Scale = None,
     max_bytes: MaxBytes = None,
     blend: Blend = "opaque",
+    tile_error: TileError = None,
+    tile_triangles: TileTriangles = None,
+    tile_origin: TileOrigin = None,
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
@@ -61,10 +68,11 @@ def info(
         return
     if preview is not None:
         check_target(preview, ".png")
+    tiles = tiles_of(tile_error, tile_triangles, tile_origin)
     started = time.perf_counter()
     reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
     loaded = (
-        open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
+        open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles)
         if reduced is None
         else reduced.scene
     )

@@ -47,6 +47,9 @@ def lod(
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
     blend: options.Blend = "opaque",
+    tile_error: options.TileError = None,
+    tile_triangles: options.TileTriangles = None,
+    tile_origin: options.TileOrigin = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -55,7 +58,10 @@ def lod(
     check_target(output, ".glb", ".json")
     device = options.headset(hmd)
     shares = None if ratios is None else read_ratios(ratios)
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
+    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    loaded = options.open_scene(
+        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+    )
     started = time.perf_counter()
     name = Path(scene.partition(":")[0]).stem
     simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)

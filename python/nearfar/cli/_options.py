@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import inspect
 import math
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -74,8 +75,8 @@ def option(names: str, metavar: str, text: str) -> Any:
 INPUT = option(
     "-i --input",
     "SCENE",
-    "Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room, factory, forest, beams, spheres, landscape, world or "
-    "asteroids, as in city:blocks=4,seed=1.",
+    "Scene file (GLB, glTF, OBJ, PLY, STL, 3D Tiles …), or city, room, factory, forest, beams, spheres, landscape, "
+    "world or asteroids, as in city:blocks=4,seed=1.",
 )
 Input = Annotated[str, INPUT]
 Up = Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z.")]
@@ -94,6 +95,23 @@ MaxBytes = Annotated[
 Blend = Annotated[
     str,
     option("--blend", "opaque|cutout", "Draw materials that blend opaque, or cut them out where alpha is below 1/2."),
+]
+TileError = Annotated[
+    float | None,
+    option("--error", "METRES", "Greatest geometric error of a tileset's tiles. By default all detail is read."),
+]
+TileTriangles = Annotated[
+    int | None,
+    option("--triangles", "N", "Greatest number of triangles of a tileset; tiles with great errors are refined first."),
+]
+TileOrigin = Annotated[
+    str | None,
+    option(
+        "--origin",
+        "LON,LAT,HEIGHT",
+        "Longitude and latitude in degrees and height in metres of (0, 0, 0) for a tileset on the Earth. By default "
+        "its middle.",
+    ),
 ]
 Invalid = Annotated[
     str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")
@@ -178,6 +196,23 @@ def is_reduced(text: str) -> bool:
     return (Path(text) / folder.DOCUMENT).is_file()
 
 
+ALL_TILES: Mapping[str, Any] = {"error": None, "triangles": None, "origin": None}
+"""Arguments of `nearfar.Scene.load` that choose a tileset's detail and place: all of it, where it is."""
+
+
+def tiles_of(error: float | None, triangles: int | None, origin: str | None) -> dict[str, Any]:
+    """Arguments of `nearfar.Scene.load` by `--error`, `--triangles` and `--origin`."""
+    place = None
+    if origin is not None:
+        try:
+            longitude, latitude, height = (float(part) for part in origin.replace(",", " ").split())
+        except ValueError:
+            expected = "longitude,latitude,height such as 139.767,35.681,40"
+            raise ValueError(f"--origin: expected {expected}, got {check.shortened(origin)}") from None
+        place = (longitude, latitude, height)
+    return {"error": error, "triangles": triangles, "origin": place}
+
+
 def open_scene(
     text: str,
     *,
@@ -186,6 +221,7 @@ def open_scene(
     scale: float | None,
     max_bytes: int | None = None,
     blend: str = "opaque",
+    tiles: Mapping[str, Any] = ALL_TILES,
 ) -> nf.Scene:
     """Load the file or make the procedural scene that `-i` names; an extent that suggests another unit is said.
 
@@ -203,13 +239,23 @@ def open_scene(
             raise ValueError(f"--scale: expected none with {name}, which is in metres already, got {scale:g}")
         if max_bytes is not None:
             raise ValueError(f"--max-bytes: expected none with {name}, which is no file, got {max_bytes}")
+        for key, value in tiles.items():
+            if value is not None:
+                raise ValueError(f"--{key}: expected none with {name}, which is no tileset, got {value}")
         return _procedural(name, settings)
     if Path(text).is_dir():
         kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
         if all((Path(text) / name).is_file() for name in ("manifest.json", "tileset.json")):
             kind = "a bundle, which nearfar.stream.open reads"
         raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
-    scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
+    try:
+        scene = nf.Scene.load(
+            text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, **tiles
+        )
+    except ValueError as error:
+        if str(error).partition(":")[0] not in tiles:
+            raise
+        raise ValueError(f"--{error}") from None
     if scene.report.unit_note:
         typer.echo(f"nearfar: {text}: {scene.report.unit_note}", err=True)
     return scene

@@ -43,6 +43,9 @@ def partition(
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
     blend: options.Blend = "opaque",
+    tile_error: options.TileError = None,
+    tile_triangles: options.TileTriangles = None,
+    tile_origin: options.TileOrigin = None,
     on_invalid: options.Invalid = "raise",
     output: Annotated[Path | None, option("-o --output", "FILE", "Also write the JSON document to a file.")] = None,
     max_triangles: Annotated[
@@ -56,7 +59,10 @@ def partition(
         check.integer("--max-triangles", max_triangles, 0, 2**63 - 1)
     if output:
         check_target(output, ".json")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
+    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    loaded = options.open_scene(
+        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+    )
     place = choose(loaded, scene, options.read_point("--center", center))
     document = describe(loaded, scene, place.eye, default_radii.choose(loaded, place, r1, r2))
     if output:

@@ -43,6 +43,9 @@ def reduce(
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
     blend: options.Blend = "opaque",
+    tile_error: options.TileError = None,
+    tile_triangles: options.TileTriangles = None,
+    tile_origin: options.TileOrigin = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -56,11 +59,12 @@ def reduce(
         check.choice("--equirectangular", equirectangular, ("exr", "png"))
     options.check_backend(backend)
     clock, pixels, middle = Clock(), options.read_size("--size", size), options.read_point("--center", center)
+    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="reduced.json") as folder:
         with clock.step("scene"):
             loaded = options.open_scene(
-                scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend
+                scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
             )
         with clock.step("place"):
             place = _viewpoint.choose(loaded, scene, middle)
@@ -97,6 +101,7 @@ def reduce(
             "on_invalid": on_invalid,
             "scale": scale,
             "blend": blend,
+            "tiles": {name: value for name, value in tiles.items() if value is not None},
             "unit_note": loaded.report.unit_note,
             "notes": list(loaded.report.notes),
             "triangles": int(loaded.triangle_count),

@@ -63,6 +63,9 @@ def render(
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
     blend: options.Blend = "opaque",
+    tile_error: options.TileError = None,
+    tile_triangles: options.TileTriangles = None,
+    tile_origin: options.TileOrigin = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -95,7 +98,10 @@ def render(
         loaded, middle = saved.scene, saved.center
     else:
         method = method or "truth"
-        loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
+        tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+        loaded = options.open_scene(
+            scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+        )
     stand = None
     place = _viewpoint.choose(loaded, scene, user if method == "truth" else middle)
     if method == "truth":

@@ -54,6 +54,9 @@ def stereo(
     scale: options.Scale = None,
     max_bytes: options.MaxBytes = None,
     blend: options.Blend = "opaque",
+    tile_error: options.TileError = None,
+    tile_triangles: options.TileTriangles = None,
+    tile_origin: options.TileOrigin = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -68,6 +71,7 @@ def stereo(
     if zone_end is not None:
         rig = _with_zone(rig, zone_end)
     output.parent.mkdir(parents=True, exist_ok=True)
+    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
             source: nf.Scene | nf.ReducedScene
@@ -76,7 +80,7 @@ def stereo(
                 loaded, head = source.scene, head or source.center
             else:
                 source = loaded = options.open_scene(
-                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend
+                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
                 )
             place = _viewpoint.choose(loaded, scene, head)
             stand = _source.view_of(scene) if options.is_reduced(scene) and eye is None and target is None else None

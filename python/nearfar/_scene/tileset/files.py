@@ -120,7 +120,7 @@ class Remote:
 
     def shown(self, name: str) -> str:
         """Path relative to the first file's folder, without a query, which may hold a key."""
-        return posixpath.relpath(urlsplit(name).path or "/", self._folder or "/")
+        return unquote(posixpath.relpath(urlsplit(name).path or "/", self._folder or "/"))
 
     def read(self, name: str, budget: Budget) -> bytes:
         """Bytes of a file, from the cache if the server states that it is unchanged."""
