@@ -190,6 +190,8 @@ def test_packed_tiles(tmp_path: Path) -> None:
     document = gzip.compress(tileset(tile(0.0, "a.b3dm")))
     scene = nf.Scene.load(write(tmp_path, {"tileset.json.gz": document, "a.b3dm": gzip.compress(b3dm(glb()))}))
     assert scene.triangle_count == 12
+    alone = write(tmp_path, {"b.b3dm.gz": gzip.compress(b3dm(glb()))})
+    assert nf.Scene.load(alone).triangle_count == 12
 
 
 def test_a_gltf_with_files_of_its_own(tmp_path: Path) -> None:

@@ -36,7 +36,7 @@ class Detail:
 
     def check_kind(self, path: str | os.PathLike[str]) -> None:
         """Refuse fields for files that are no tilesets; footprints have an origin, too."""
-        if suffix(path) not in (*KINDS, "json", "gz"):
+        if suffix(path) not in (*KINDS, "json"):
             for name in ("error", "triangles", *(() if suffix(path) in CITIES else ("origin",))):
                 if getattr(self, name) is not None:
                     raise ValueError(f"{name}: expected none with {os.fspath(path)}, which is no tileset")

@@ -81,6 +81,7 @@ class Reading:
         self._reader = Reader(files, budget, Materials(budget))
         self._contents: dict[Key, TileContent] = {}
         self._failed: dict[Key, str] = {}
+        self._known: dict[Tile, list[Key]] = {}
 
     def sizes(self, tiles: Sequence[Tile]) -> list[int | None]:
         """Triangles of tiles; None for those of which no content can be read."""
@@ -93,9 +94,11 @@ class Reading:
         return found
 
     def _keys(self, tile: Tile) -> list[Key]:
-        source, place = tile.source, tile.transform.tobytes()
-        names = [self._files.resolve(source.name, uri) if uri else source.name for uri in tile.contents]
-        return [Key(name, source.up, place) for name in names]
+        if tile not in self._known:
+            source, place = tile.source, tile.transform.tobytes()
+            names = [self._files.resolve(source.name, uri) if uri else source.name for uri in tile.contents]
+            self._known[tile] = [Key(name, source.up, place) for name in names]
+        return self._known[tile]
 
     def _read(self, wanted: dict[Key, Tile]) -> None:
         missing: list[Key] = []

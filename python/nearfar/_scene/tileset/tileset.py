@@ -175,10 +175,10 @@ class Tileset:
 
 
 def suffix(path: str | os.PathLike[str]) -> str:
-    """Kind of a file at a path or URL, in small letters."""
-    text = os.fspath(path)
-    text = urlsplit(text).path if "://" in text else text
-    return os.path.splitext(text)[1].lower().lstrip(".")
+    """Kind of a file at a path or URL, in small letters; of a file that is packed, too."""
+    text = os.fspath(path).lower()
+    text = (urlsplit(text).path if "://" in text else text).removesuffix(".gz")
+    return os.path.splitext(text)[1].lstrip(".")
 
 
 def _frame(root: Tile, origin: tuple[float, float, float] | None) -> Frame:
