@@ -12,7 +12,6 @@ from nearfar._base import check
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _rocks as rocks
-from nearfar.datasets._box import box
 from nearfar.datasets._draw import Floats, turn
 from nearfar.datasets._world.noise import hashed
 
@@ -88,7 +87,7 @@ class Asteroids:
         Returns
         -------
         Scene
-            The bodies whose spheres touch the box, whole, as instances "asteroid_17" in the places of `scene`.
+            The whole triangles that touch the box, of objects "asteroid_17"; bodies inside of it stay instances.
 
         Raises
         ------
@@ -97,10 +96,7 @@ class Asteroids:
         TypeError
             Values that are not numbers.
         """
-        low, high = box("aabb", aabb)
-        away = np.maximum(low - self.centers, 0.0) + np.maximum(self.centers - high, 0.0)
-        near = np.flatnonzero((away * away).sum(1) <= self.radii * self.radii)
-        return self.scene(detail).subset(objects=[f"asteroid_{k}" for k in near.tolist()])
+        return self.scene(detail).query(check.box("aabb", aabb))
 
     def scene(self, detail: SupportsFloat = 0.0) -> Scene:
         """Make all bodies as one scene of instances; see `query` for `detail`."""

@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets._box import box
 from nearfar.datasets._world import contents, lattice, tiles
 from nearfar.datasets._world.contents import Wanted
 from nearfar.datasets._world.parts import Parts
@@ -68,7 +67,7 @@ class World:
         TypeError
             Values that are not numbers.
         """
-        corners = box("aabb", aabb)
+        corners = check.box("aabb", aabb)
         detail = check.at_least_zero("detail", detail)
         low, high = np.maximum(corners[0], self.bounds[0]), np.minimum(corners[1], self.bounds[1])
         parts = Parts(low, high, self.bounds[1][0])
@@ -83,7 +82,7 @@ class World:
             )
         for add in (contents.add_ground, contents.add_plants, contents.add_towns, contents.add_roads):
             add(parts, wanted)
-        return parts.scene()
+        return parts.scene().query(corners)
 
     def _level(self, detail: float) -> int:
         """The coarsest level of the ground for an error in metres, whose grid ends at the world's border."""
