@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -93,18 +92,6 @@ def _throttle(session: Any, link: nf.stream.Link) -> None:
     rate = link.mbps * 1e6 / 8.0
     limits = {"latency": link.rtt_ms, "downloadThroughput": rate, "uploadThroughput": rate}
     session.send("Network.emulateNetworkConditions", {"offline": False, **limits})
-
-
-@contextmanager
-def ahead_of_others() -> Iterator[None]:
-    """Let this process, and what it starts meanwhile, run before all else on the machine, where that is allowed."""
-    kind, parameters = os.sched_getscheduler(0), os.sched_getparam(0)
-    try:
-        with suppress(OSError):
-            os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(1))
-        yield
-    finally:
-        os.sched_setscheduler(0, kind, parameters)
 
 
 @contextmanager

@@ -27,8 +27,8 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.link import no_link
-from benchmarks.harness.loads import Network, ahead_of_others, network
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.loads import Network, network
+from benchmarks.harness.timing import ahead_of_others, machine, table
 from benchmarks.stream._loaded import Loaded, load
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from benchmarks.stream._requests import requests, round_trip, simulated_requests

@@ -1,0 +1,133 @@
+"""One reader of the benchmark `files`, in a process of its own: python -m benchmarks.scene._reader READER FILE."""
+
+from __future__ import annotations
+
+import json
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import ahead_of_others
+from nearfar import _core
+
+ENOUGH = 3.0
+"""Seconds of loading after which no further load is timed."""
+
+
+def _nearfar(path: Path) -> nf.Scene:
+    return nf.Scene.load(path)
+
+
+def _trimesh(path: Path) -> Any:
+    """With the images of base colours, which trimesh decodes when they are asked for."""
+    import trimesh
+
+    loaded = trimesh.load_scene(path, process=False)
+    materials = [getattr(mesh.visual, "material", None) for mesh in loaded.geometry.values()]
+    images = [getattr(material, "baseColorTexture", getattr(material, "image", None)) for material in materials]
+    for image in {id(image): image for image in images if image is not None}.values():
+        np.asarray(image.convert("RGBA"))
+    return loaded
+
+
+def _pygltflib(path: Path) -> Any:
+    """The arrays of all primitives as views of the file's bytes, without transforms, materials and images."""
+    from pygltflib import GLTF2
+
+    document = GLTF2().load(str(path))
+    blob = document.binary_blob()
+    blobs = [document.get_data_from_buffer_uri(buffer.uri) if buffer.uri else blob for buffer in document.buffers]
+    kinds = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+    widths = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+
+    def array(number: int) -> Any:
+        accessor = document.accessors[number]
+        view = document.bufferViews[accessor.bufferView]
+        kind, width = np.dtype(kinds[accessor.componentType]), widths[accessor.type]
+        start = (view.byteOffset or 0) + (accessor.byteOffset or 0)
+        step = view.byteStride or kind.itemsize * width
+        return np.ndarray((accessor.count, width), kind, blobs[view.buffer], start, (step, kind.itemsize))
+
+    return [
+        [array(number) for number in (*vars(primitive.attributes).values(), primitive.indices) if number is not None]
+        for mesh in document.meshes
+        for primitive in mesh.primitives
+    ]
+
+
+def _open3d(path: Path) -> Any:
+    import open3d
+
+    open3d.utility.set_verbosity_level(open3d.utility.VerbosityLevel.Error)
+    if path.suffix in (".glb", ".gltf"):
+        model = open3d.io.read_triangle_model(str(path))
+        if not model.meshes:
+            raise ValueError("nothing was read")
+        return model
+    return open3d.io.read_triangle_mesh(str(path))
+
+
+READERS: dict[str, Callable[[Path], Any]] = {
+    "nearfar": _nearfar,
+    "trimesh": _trimesh,
+    "pygltflib": _pygltflib,
+    "Open3D": _open3d,
+}
+
+
+def child(reader: str, path: Path) -> None:
+    """Load a file some times and print what that took."""
+    read = READERS[reader]
+    _warm(read, path.suffix)
+    Path("/proc/self/clear_refs").write_text("5")
+    before = _status("VmRSS")
+    seconds: list[float] = []
+    loaded = None
+    with ahead_of_others():
+        while not seconds or (len(seconds) < 5 and sum(seconds) < ENOUGH):
+            loaded = None
+            started = time.perf_counter()
+            loaded = read(path)
+            seconds.append(time.perf_counter() - started)
+            if len(seconds) == 1:
+                growth = _status("VmHWM") - before
+    print(json.dumps({"seconds": min(seconds), "growth": growth, "size": scene_size(loaded)}))
+
+
+def _warm(read: Callable[[Path], Any], suffix: str) -> None:
+    """Load a triangle, so that modules are imported before memory is measured."""
+    import trimesh
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"triangle{suffix}"
+        mesh = trimesh.Trimesh(np.eye(3), [[0, 1, 2]], process=False)
+        written = mesh.export(None if suffix == ".gltf" else path, file_type=suffix[1:])
+        if suffix == ".gltf":
+            for name, content in written.items():
+                (Path(folder) / name.replace("model.gltf", path.name)).write_bytes(content)
+        read(path)
+
+
+def _status(key: str) -> int:
+    lines = Path("/proc/self/status").read_text(encoding="ascii").splitlines()
+    return 1024 * int(next(line for line in lines if line.startswith(key)).split()[1])
+
+
+def scene_size(scene: Any) -> int:
+    """Bytes of the arrays of a scene of nearfar, and 0 for others."""
+    if not isinstance(scene, nf.Scene):
+        return 0
+    parts = _core.scene_parts(scene._core)
+    meshes = {id(mesh): mesh for mesh in parts["meshes"]}.values()
+    arrays = [array for mesh in meshes for array in _core.mesh_parts(mesh).values()]
+    return sum(array.nbytes for array in [*arrays, *parts["textures"]] if isinstance(array, np.ndarray))
+
+
+if __name__ == "__main__":
+    child(sys.argv[1], Path(sys.argv[2]))
