@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import SupportsIndex
+from typing import Any, SupportsIndex
 
 from numpy.typing import ArrayLike
 
@@ -13,6 +13,7 @@ from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene.scene import Scene
 from nearfar._scene.tileset.read import is_tileset
 from nearfar._scene.tileset.tileset import KINDS, Tileset, suffix
+from nearfar._source.footprints import SUFFIXES as FOOTPRINTS, FootprintFile
 from nearfar._source.protocol import SceneSource
 from nearfar._source.tile_index import DOCUMENT
 from nearfar._source.tiles import TileFolder
@@ -33,6 +34,7 @@ def open_source(
     scale: float | None = None,
     max_bytes: int | None = None,
     origin: ArrayLike | None = None,
+    height: str | None = None,
     cache_bytes: SupportsIndex = _CACHE,
 ) -> SceneSource:
     """Open a world, from which `query` takes scenes box by box.
@@ -41,12 +43,15 @@ def open_source(
     ----------
     path
         A folder of tiles that `nearfar.write_tiles` wrote; a tileset of 3D Tiles, by its document, its folder or a URL;
+        footprints (.geojson, .parquet, .geoparquet), of which the outlines are kept and triangles made when asked for;
         or a file that `Scene.load` reads: it is read whole, and the scene answers through its search trees.
     up, on_invalid, scale, max_bytes
-        As in `Scene.load`. Folders of tiles and tilesets are upright and in metres already.
+        As in `Scene.load`. Folders of tiles, tilesets and footprints are upright and in metres already.
     origin
-        Longitude and latitude in degrees and height in metres of (0, 0, 0), for a tileset on the Earth; by default the
-        middle of its volume.
+        Longitude and latitude in degrees and height in metres of (0, 0, 0), for a tileset on the Earth and for
+        footprints in degrees; by default the middle of the data.
+    height
+        The property of footprints that states their height, as in `Scene.load`.
     cache_bytes
         Memory of tiles that are kept for later queries.
 
@@ -75,15 +80,20 @@ def open_source(
     }
     tileset = _tileset(path)
     if tileset is not None:
-        _refuse("a tileset", upright)
+        _refuse("a tileset", upright | {"height": (height, None)})
         return TilesetSource(Tileset.open(tileset, origin=origin, cache_bytes=most), on_invalid)
     target = check.path("path", path)
     folder = target.parent if target.name == DOCUMENT else target
+    if not folder.is_dir() and suffix(target) in FOOTPRINTS:
+        del upright["max_bytes"]
+        _refuse("footprints", upright)
+        return FootprintFile.open(target, origin=origin, height=height, max_bytes=max_bytes, on_invalid=on_invalid)
     if not folder.is_dir():
-        return Scene.load(target, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, origin=origin)
+        how: dict[str, Any] = {"scale": scale, "max_bytes": max_bytes, "origin": origin, "height": height}
+        return Scene.load(target, up=up, on_invalid=on_invalid, **how)
     if not (folder / DOCUMENT).is_file():
         raise SceneError(f"{os.fspath(path)}: expected a file, or a folder of tiles with {DOCUMENT} or {TILESET}")
-    _refuse("a folder of tiles", upright | {"origin": (origin, None)})
+    _refuse("a folder of tiles", upright | {"origin": (origin, None), "height": (height, None)})
     return TileFolder(folder, most)
 
 

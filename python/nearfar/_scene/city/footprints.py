@@ -65,6 +65,8 @@ class Footprints:
         """Names of the features; their number if they have none, then feature n is called ``object_n``."""
         self.boxes = self._boxes()
         """World boxes (F, 2, 3) of the features; infinite and inverted for those without polygons."""
+        # One for all, so that a triangle has the same float32 corners whatever features it is made with.
+        self._base = _base(self.boxes)
         self._index = BoxIndex(self.boxes)
         self.format = table.format
         self._system = [self.ground.note] if self.ground.is_kept else []
@@ -91,21 +93,20 @@ class Footprints:
         owner = np.arange(len(chosen)).repeat(np.diff(outlines.point_starts))
         polygon_owner = np.arange(len(chosen)).repeat(np.diff(outlines.features))
         low, high = self._low[chosen], self._high[chosen]
-        base = _base(self.boxes[chosen])
         vertices = np.empty((2, len(owner), 3), np.float32)
         plan = np.empty((len(owner), 2))
         for start in range(0, len(owner), _POINTS_AT_ONCE):
             part = slice(start, start + _POINTS_AT_ONCE)
             for level, ends in enumerate((low, high)):
                 world = self.ground.world(outlines.points[part], ends[owner[part]])
-                vertices[level, part] = world - base
+                vertices[level, part] = world - self._base
                 if level == 0:
                     plan[part] = world[:, ::2] * (1, -1)
         floors = (low > 0)[polygon_owner]
         faces, offsets = _core.polygon_prisms(plan, outlines.rings, outlines.polygons, floors)
         face_object = polygon_owner.astype(np.int32).repeat(np.diff(offsets))
         transform = np.eye(4)
-        transform[:3, 3] = base
+        transform[:3, 3] = self._base
         shape = Shape(vertices.reshape(-1, 3), faces, face_object=face_object)
         nodes = Nodes([""], transform[None], [_KEY])
         used = [f"{self.format}: {count(len(chosen), 'feature')} extruded", *self._system]

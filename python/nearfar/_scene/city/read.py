@@ -67,7 +67,9 @@ def read(label: str, kind: str, data: bytes, options: CityOptions, budget: Budge
     return Footprints(label, _table(root, data, budget), options.extrusion, drop=drop).content()
 
 
-def open_footprints(path: Path, options: CityOptions | None = None, budget: Budget | None = None) -> Footprints:
+def open_footprints(
+    path: Path, options: CityOptions | None = None, budget: Budget | None = None, *, drop: bool = False
+) -> Footprints:
     """The footprints of a GeoJSON or GeoParquet file; SceneError with its name if it is none."""
     label, kind = os.fspath(path), path.suffix.lower().lstrip(".")
     budget = Budget() if budget is None else budget
@@ -75,7 +77,7 @@ def open_footprints(path: Path, options: CityOptions | None = None, budget: Budg
         data = read_file(path, budget)
     with explained(label):
         table = _table(_root(kind, data), data, budget)
-        return Footprints(label, table, (options or CityOptions()).extrusion, drop=False)
+        return Footprints(label, table, (options or CityOptions()).extrusion, drop=drop)
 
 
 def _root(kind: str, data: bytes) -> Any:

@@ -1,0 +1,58 @@
+"""A file of footprints with heights as a source: triangles are made of the features whose boxes touch."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import background, check
+from nearfar._scene.budget import Budget
+from nearfar._scene.city.footprints import Footprints
+from nearfar._scene.city.read import CityOptions, open_footprints
+from nearfar._scene.scene import Scene
+from nearfar._scene.tileset.frames import checked_origin
+from nearfar._source.frame import scene_of
+
+SUFFIXES = ("geojson", "parquet", "geoparquet")
+"""Of files that hold nothing but footprints."""
+
+
+class FootprintFile:
+    """World of outlines of buildings, which are kept; their triangles are not."""
+
+    def __init__(self, footprints: Footprints) -> None:
+        self._footprints = footprints
+
+    @classmethod
+    def open(
+        cls, path: Path, *, origin: ArrayLike | None, height: str | None, max_bytes: int | None, on_invalid: str
+    ) -> FootprintFile:
+        """Read the outlines of a file; `nearfar.open_source` documents the arguments."""
+        options = CityOptions.checked(None, height, checked_origin(origin))
+        most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
+        drop = on_invalid == "drop"
+        return cls(background.run(lambda: open_footprints(path, options, Budget(most), drop=drop)))
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """World box (2, 3) of all features; infinite and inverted without any."""
+        return self._footprints.bounds
+
+    def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
+        """Return a scene of the triangles that touch a box, whole; see `nearfar.SceneSource`.
+
+        The features whose boxes touch are extruded, for any `detail`.
+        """
+        box = check.box("aabb", aabb)
+        check.at_least_zero("detail", detail)
+        return background.run(lambda: self._query(box))
+
+    def _query(self, box: NDArray[np.float64]) -> Scene:
+        rows = self._footprints.rows_touching(box)
+        return scene_of(self._footprints.content(rows), box, self.bounds)
+
+    def __repr__(self) -> str:
+        return f"<nearfar source: {self._footprints.count:,} footprints in {self._footprints.label}>"
