@@ -143,7 +143,9 @@ class Remote:
             described = self._system.info(path)
         except FileNotFoundError:  # also of servers that answer nothing but requests for the whole file
             return []
-        return [f"{key} {described[key]}" for key in _VALIDATORS if described.get(key)]
+        stated = [f"{key} {described[key]}" for key in _VALIDATORS if described.get(key)]
+        # Dates have whole seconds, in which a file may change again.
+        return [*stated, f"size {described.get('size')}"] if stated else []
 
 
 def _kept(key: str) -> bytes | None:
