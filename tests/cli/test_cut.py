@@ -26,9 +26,10 @@ def test_a_box_becomes_a_scene_file_that_other_commands_take(
     assert np.allclose(part.bounds, expected.bounds, atol=1e-3)
 
 
+@pytest.mark.slow
 def test_tiles_are_a_world_again(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     tiles, file = tmp_path / "tiles", tmp_path / "part.glb"
-    assert command(capsys, "cut", "-i", CITY, "-o", tiles, "--cell", "40")[0] == 0
+    assert command(capsys, "cut", "-i", CITY, "-o", tiles, "--cell", "150")[0] == 0
     city = nf.datasets.city(blocks=2, detail=0)
     for world in (tiles, tiles / "tiles.json"):
         assert command(capsys, "cut", "-i", world, "-o", file, "--box", "-30,-30,10,10")[0] == 0

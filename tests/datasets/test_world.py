@@ -76,6 +76,7 @@ for place in ORDER:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("detail", [0.0, 6.0])
 def test_equal_in_other_processes_and_orders(detail: float) -> None:
     said = []
@@ -128,6 +129,7 @@ def test_coarse_ground_stays_within_its_error(place: tuple[int, int]) -> None:
         assert worst <= lattice.error(level)
 
 
+@pytest.mark.slow
 def test_the_coarsest_ground_stays_within_its_error() -> None:
     for level in (7, 9, 11):
         for i, j in ((0, 0), (-1, 0), (-1, -1)):

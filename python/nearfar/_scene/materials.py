@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from nearfar._scene import undrawn as undrawn_parts, wavefront_materials
 from nearfar._scene.arrays import MOST_CUTOFF
@@ -269,6 +268,8 @@ class Materials:
 
 def texels_of(data: bytes) -> NDArray[np.uint8] | None:
     """The texels (H, W, 4) of an image file; None for what cannot be read."""
+    from PIL import Image  # not needed by scenes without files
+
     try:
         with Image.open(io.BytesIO(data)) as image:
             return _decoded(image)
@@ -277,6 +278,8 @@ def texels_of(data: bytes) -> NDArray[np.uint8] | None:
 
 
 def _decoded(image: Any) -> NDArray[np.uint8] | None:
+    from PIL import Image
+
     if image.size[0] * image.size[1] > MOST_TEXELS:
         return None
     try:

@@ -31,14 +31,15 @@ class Grid:
     @classmethod
     def over(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
         """Return the grid over a world box; ValueError where it would have too many cells."""
-        low, high = bounds[:, (0, 2)] / cell
-        if not (np.isfinite(low).all() and np.isfinite(high).all()):
+        if not np.isfinite(bounds[:, (0, 2)]).all():
             return cls(cell, (0, 0), (0, 0))
-        first, last = np.floor(low), np.floor(high)
-        counts = last - first + 1
-        if counts.prod() > MOST_CELLS:
+        with np.errstate(over="ignore", invalid="ignore"):  # a width near 0 asks for infinitely many cells
+            first, last = np.floor(bounds[:, (0, 2)] / cell)
+            counts = last - first + 1
+            total = counts.prod()
+        if not total <= MOST_CELLS:
             raise ValueError(
-                f"cell: expected a width with at most {MOST_CELLS:,} cells, got {cell:g} m, {counts.prod():.3g} cells"
+                f"cell: expected a width with at most {MOST_CELLS:,} cells, got {cell:g} m, {total:.3g} cells"
             )
         x, z = first.astype(np.int64).tolist()
         columns, rows = counts.astype(np.int64).tolist()
