@@ -98,7 +98,9 @@ def test_arrays_are_those_of_the_files(bundles: dict[str, Path], decoded: dict[s
                 if key == "normals":
                     unit = buffers.fractions(number, rows).astype(np.float64)
                     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
-                    np.testing.assert_allclose(piece[key], unit, rtol=0, atol=1e-7)
+                    # The octahedral filter's decoders take the processor's own estimate of 1/√x: rows differ by a step.
+                    step = 0.0 if rows.dtype.kind == "f" else 2.0 / np.iinfo(rows.dtype).max
+                    np.testing.assert_allclose(piece[key], unit, rtol=0, atol=step + 1e-7)
                 else:
                     np.testing.assert_array_equal(piece[key], rows)
     expected_kinds = {"city": {"colors"}, "room": {"uvs"}, "balls": {"uvs", "normals"}}[name.split("-")[0]]
