@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import subprocess
 from collections.abc import Callable, Sequence
@@ -16,9 +17,16 @@ from tests.support.exporters import SOURCES, Case, plain
 from tests.support.reader_cases import EXPORTERS as FOLDER, SECONDS
 
 
-def _run(*command: str | Path, folder: Path) -> str:
+def _run(*command: str | Path, folder: Path, **environment: str) -> str:
     process = subprocess.run(
-        command, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False, stdin=subprocess.DEVNULL
+        command,
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=SECONDS,
+        check=False,
+        stdin=subprocess.DEVNULL,
+        env=os.environ | environment,
     )
     assert process.returncode == 0, f"{command}: {process.stdout[-2000:]}{process.stderr[-2000:]}"
     return process.stdout
@@ -56,7 +64,9 @@ def _blender(cases: Sequence[Case], folder: Path) -> None:
     (folder / "jobs.json").write_text(json.dumps(jobs))
     _copy_pictures(cases, folder)
     script = FOLDER / "in_blender.py"
-    _run("blender", "-b", "--python-exit-code", "3", "--python", script, "--", "jobs.json", folder=folder)
+    # Blender takes the modules of the first python3 in PATH; NumPy is installed for the system's.
+    path = os.pathsep.join(["/usr/bin", os.environ.get("PATH", "")])
+    _run("blender", "-b", "--python-exit-code", "3", "--python", script, "--", "jobs.json", folder=folder, PATH=path)
 
 
 def _assimp(cases: Sequence[Case], folder: Path) -> None:
