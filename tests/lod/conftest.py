@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import nearfar as nf
+from tests.support import need
 from tests.support.leveled_cases import model_of
 
 METHODS = ("fast", "meshopt")
@@ -17,5 +18,5 @@ def models() -> list[nf.lod.LodModel]:
 
 @pytest.fixture(params=METHODS)
 def method(request: pytest.FixtureRequest) -> str:
-    pytest.importorskip("fast_simplification")
+    need("fast_simplification")
     return str(request.param)

@@ -16,7 +16,7 @@ import nearfar as nf
 from nearfar._scene.builder import SceneBuilder
 from nearfar.lod._simplify import deviation
 from nearfar.lod._simplify.surface import Base
-from tests.support import printed_by_threads
+from tests.support import need, printed_by_threads
 from tests.support.simplify_cases import globe, open_edges
 
 Array = NDArray[Any]
@@ -157,7 +157,7 @@ def test_odd_meshes_are_simplified_or_left_alone(method: str, name: str) -> None
 
 @pytest.mark.slow
 def test_levels_do_not_depend_on_threads_or_on_what_came_before() -> None:
-    pytest.importorskip("fast_simplification")
+    need("fast_simplification")
     code = (
         "import nearfar as nf, trimesh, hashlib\n"
         "for method in ('fast', 'meshopt', 'fast'):\n"

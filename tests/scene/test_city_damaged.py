@@ -31,7 +31,7 @@ Json = dict[str, Any]
 
 
 def message(path: Path, **how: Any) -> str:
-    """What loading the file says, without its name."""
+    """The message of the error that loading the file raises, without its name."""
     with pytest.raises(nf.SceneError) as caught:
         nf.Scene.load(path, **how)
     text = str(caught.value)

@@ -158,7 +158,7 @@ def test_coordinates_of_small_whole_numbers_are_moved_in_full(tmp_path: Path) ->
 
 @given(TRANSFORMS, TRANSFORMS, st.lists(NUMBERS, min_size=2, max_size=2))
 def test_maps_keep_their_place_on_the_shape(one: dict[str, Any], other: dict[str, Any], uv: list[float]) -> None:
-    """What is stated for a map leads from the base colour's coordinates to its own; or nothing is stated."""
+    """The transform stated for a map leads from the base colour's coordinates to its own; or nothing is stated."""
     shown_first, own = coordinates.of(info(**one)), coordinates.of(info(**other))
     stated = coordinates.relative(info(**other), shown_first)
     linear = shown_first.matrix[:, :2]

@@ -13,10 +13,11 @@ import pytest
 
 import nearfar as nf
 from nearfar._base import cache
+from tests.support import need
 from tests.support.tile_cases import b3dm, glb, instanced, levels, tile, tileset, write
 
-pytest.importorskip("fsspec")
-pytest.importorskip("aiohttp")
+need("fsspec")
+need("aiohttp")
 
 CUBE = b3dm(glb())
 
@@ -76,7 +77,7 @@ def test_a_tileset_at_a_url(served: Served) -> None:
     assert set(scene.object_names) == {"../root", "../trees here/0", "../trees here/1"}
     expected = ["/a/b/inner.json", "/a/tileset.json?key=secret", "/box.glb", "/root.b3dm", "/trees%20here.i3dm?v=1"]
     assert served.gets() == expected
-    # What is unchanged is not read again.
+    # An unchanged file is not read again.
     assert nf.Scene.load(f"{served.url}/a/tileset.json?key=secret").triangle_count == 36
     assert served.gets() == []
     (served.folder / "root.b3dm").write_bytes(b3dm(glb(np.eye(3), [[0, 1, 2]])) + bytes(7))

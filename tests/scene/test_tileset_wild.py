@@ -176,7 +176,7 @@ def test_a_tileset_without_a_usable_tile_is_refused(folder: str, words: str) -> 
 @pytest.mark.parametrize("name", ["cube.b3dm", "cube.i3dm", "draco.b3dm"])
 def test_tiles_of_3d_tiles_tools(tmp_path: Path, name: str) -> None:
     if name.startswith("draco"):
-        pytest.importorskip("DracoPy")
+        need("DracoPy")
     scene = nf.Scene.load(made(tmp_path, name))
     assert scene.triangle_count == 12
     # Draco rounds to 2^-11 of the size.

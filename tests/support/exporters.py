@@ -57,7 +57,7 @@ class Case:
     options: Any = None
     """The settings as the exporter takes them."""
     compared: str = FULL
-    """What the exporter keeps of the plain file."""
+    """Parts of the plain file that the exporter keeps."""
     load: dict[str, Any] = field(default_factory=dict)
     """Arguments of `Scene.load`."""
 

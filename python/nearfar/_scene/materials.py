@@ -224,7 +224,7 @@ class Materials:
         return BaseColor(factor, texture, cutoff, light, glow, unlit, notes, undrawn, blend)
 
     def _emission(self, undrawn: Undrawn | None, image: Any) -> tuple[Light, NDArray[np.uint8] | None, tuple[str, ...]]:
-        """What is drawn of a material's emission, with notes on the rest; `image` is that of its texture."""
+        """The drawn part of a material's emission, with notes on the rest; `image` is that of its texture."""
         light = DARK if undrawn is None else emission_of(undrawn.material)
         if undrawn is None or light == DARK or MAP not in undrawn.material:
             return light, None, ()

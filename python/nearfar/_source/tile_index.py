@@ -41,7 +41,7 @@ class TileIndex:
     origin: tuple[float, float, float]
     """World position that float32 coordinates are relative to."""
     settings: dict[str, Any]
-    """What the tiles were made of, so that only the same work goes on: `cell`, `detail` and `bounds`."""
+    """Arguments that the tiles were made with, so that only the same work goes on: `cell`, `detail` and `bounds`."""
     done: int
     """Number of cells whose tiles are there."""
     cells: int

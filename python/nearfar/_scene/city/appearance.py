@@ -29,7 +29,7 @@ class Appearance:
             for number, item in enumerate(entry(appearance, "materials", list, "appearance.", []))
         ]
         self.notes = Counter[tuple[str, str]]()
-        """What is not drawn, as a noun and what follows it, with its number."""
+        """Parts that are not drawn, as a noun and its complement, with their number."""
         if textures := len(entry(appearance, "textures", list, "appearance.", [])):
             self.notes["texture", "not drawn"] = textures
 

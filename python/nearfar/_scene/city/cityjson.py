@@ -170,7 +170,7 @@ class _Reader:
 
 
 def _system(header: dict[str, Any]) -> list[str]:
-    """What is told of the coordinate system and the extent that a document states; UnusableError for degrees."""
+    """Phrases on the coordinate system and the extent that a document states; UnusableError for degrees."""
     metadata = entry(header, "metadata", dict, "", {})
     name = metadata.get("referenceSystem")
     notes = []

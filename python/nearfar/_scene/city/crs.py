@@ -1,4 +1,4 @@
-"""What files say of their coordinate systems: degrees, or metres of a projection."""
+"""Coordinate systems that files state: degrees, or metres of a projection."""
 
 from __future__ import annotations
 

@@ -93,7 +93,7 @@ class Levels:
             yield level, number, geometry
 
     def notes(self) -> list[str]:
-        """What is not drawn, and which levels there are if there are several."""
+        """Notes on parts that are not drawn, and on the levels if there are several."""
         plurals = {"geometry": "geometries"}
         notes = [f"{count(n, noun, plurals.get(noun, ''))} {rest}" for (noun, rest), n in self._left.items()]
         if len(self._known) > 1:

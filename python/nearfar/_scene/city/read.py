@@ -28,7 +28,7 @@ _UNKNOWN = "its JSON is no scene that nearfar reads: no CityJSON, no GeoJSON and
 
 @dataclass(frozen=True)
 class CityOptions:
-    """What a caller chooses of a city's file."""
+    """Choices of a caller about a city's file."""
 
     lod: float | None = None
     """Greatest level of detail of CityJSON that is drawn; None for the highest of each object."""

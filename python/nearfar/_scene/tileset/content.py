@@ -36,7 +36,7 @@ _INSTANCE_BYTES = 512
 
 @dataclass
 class TileContent:
-    """What one file of a tile holds."""
+    """Content of one file of a tile."""
 
     content: Content
     """Its shapes, placed in the tile's frame, z up."""

@@ -29,7 +29,7 @@ class Parts:
     format: int
     """Of an i3dm: 0 for a reference to a glTF file, 1 for a GLB in the tile."""
     body: bytes
-    """What follows the tables."""
+    """Bytes after the tables."""
 
 
 def framed(data: bytes) -> bytes:

@@ -19,7 +19,7 @@ FARMED = 1100.0
 
 @dataclass(frozen=True)
 class Cover:
-    """What covers the ground at positions; all shares are 0 … 1."""
+    """Cover of the ground at positions; all shares are 0 … 1."""
 
     forest: Floats
     """Share of the ground under trees."""

@@ -1,4 +1,4 @@
-"""What a query's box holds: ground and water, plants, towns and roads, at a level of detail."""
+"""Contents of a query's box: ground and water, plants, towns and roads, at a level of detail."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from nearfar.datasets._world.tiles import COUNT, Tile
 
 
 class Parts:
-    """What a query has found in a box, from least to greatest corner (3,), of a world of half the side `half`."""
+    """Parts that a query has found in a box, from least to greatest corner (3,), of a world of half the side `half`."""
 
     def __init__(self, low: Floats, high: Floats, half: float) -> None:
         self.low, self.high, self.half = low, high, half
