@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import hashlib
 import io
 import json
 from pathlib import Path
@@ -100,7 +99,12 @@ def test_meshoptimizers_decoder_gives_our_bytes(bundles: dict[str, Path]) -> Non
             for number, view in enumerate(document.get("bufferViews", []))
             if "EXT_meshopt_compression" in view.get("extensions", {})
         }
-        assert [hashlib.sha256(buffers.blob(number)).hexdigest() for number in streams] == decoded[str(path)]
+        for (number, stream), text in zip(streams.items(), decoded[str(path)], strict=True):
+            blobs = (buffers.blob(number), base64.b64decode(text))
+            ours, theirs = (np.frombuffer(blob, np.int8).astype(np.int16) for blob in blobs)
+            # The octahedral filter's decoders take the processor's own estimate of 1/√x: normals differ by a step.
+            steps = 1 if stream.get("filter") == "OCTAHEDRAL" else 0
+            np.testing.assert_allclose(ours, theirs, rtol=0, atol=steps)
         filters |= {(stream["mode"], stream.get("filter")) for stream in streams.values()}
     expected = {("ATTRIBUTES", None), ("ATTRIBUTES", "EXPONENTIAL"), ("ATTRIBUTES", "OCTAHEDRAL"), ("TRIANGLES", None)}
     assert filters == expected
