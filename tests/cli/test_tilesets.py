@@ -48,7 +48,7 @@ def test_compare_takes_the_tiles_that_reduce_took(path: Path, capsys: pytest.Cap
     folder, compared = str(path.parent / "reduced"), str(path.parent / "compared")
     assert run(["reduce", "-i", str(path), "-o", folder, *PLACE, "--error", "9", "--origin", "0,0,0"]) == 0
     report = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))
-    assert (report["triangles"], report["tiles"]) == (12, {"error": 9.0, "origin": [0.0, 0.0, 0.0]})
+    assert (report["triangles"], report["parts"]) == (12, {"error": 9.0, "origin": [0.0, 0.0, 0.0]})
     capsys.readouterr()
     assert run(["compare", "-i", folder, "-o", compared, "--samples", "1", "--size", "16x12", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["triangles"] == 12

@@ -6,6 +6,7 @@ import io
 import json
 import struct
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from nearfar._scene import load
 from nearfar._scene.budget import Budget
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.content import Content, Shape
+from nearfar._scene.gltf import document
 from nearfar._scene.materials import BaseColor, colors_of
 from nearfar._scene.srgb import to_linear, to_srgb
 from tests.support import need
@@ -28,7 +30,10 @@ PBR = trimesh.visual.material.PBRMaterial
 
 
 def source_of(path: Path) -> Content:
-    return load._read(str(path), path, path.read_bytes(), Budget())
+    """The content of a file, all of it as arrays."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(load, "read_gltf", partial(document.read, stores=False))
+        return load._read(str(path), path, path.read_bytes(), Budget())
 
 
 def shape_of(path: Path) -> Shape:

@@ -97,7 +97,7 @@ def test_empty_places_give_empty_scenes_in_the_same_frame(town: Path) -> None:
     np.testing.assert_array_equal(empty.origin, source.query([[-np.inf] * 3, [np.inf] * 3]).origin)
 
 
-@pytest.mark.parametrize(("name", "value"), [("up", "z"), ("scale", 2.0)])
+@pytest.mark.parametrize(("name", "value"), [("up", "z"), ("scale", 2.0), ("lod", 1), ("blend", "cutout")])
 def test_arguments_without_a_meaning_are_refused(town: Path, name: str, value: object) -> None:
     how: dict[str, Any] = {name: value}
     with pytest.raises(ValueError, match=f"{name}: expected none with footprints"):

@@ -11,7 +11,10 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._source.tiles import TileFolder
+from tests.support.city_cases import everything, written
+from tests.support.gltf_cases import MATERIALS, gltf
 from tests.support.query_cases import BOXES, soup
+from tests.support.tile_cases import tile, tileset, write
 
 
 class Halves:
@@ -44,6 +47,22 @@ def test_a_scene_file_is_read_whole(tmp_path: Path) -> None:
     assert np.allclose(scaled.bounds, 2 * loaded.bounds)
 
 
+def test_cities_are_read_up_to_a_level(tmp_path: Path) -> None:
+    path = written(tmp_path / "town.city.json", everything())
+    source, loaded = nf.open_source(path, lod=1), nf.Scene.load(path, lod=1)
+    assert isinstance(source, nf.Scene)
+    assert 0 < source.triangle_count == loaded.triangle_count < nf.Scene.load(path).triangle_count
+
+
+@pytest.mark.parametrize("kind", ["glb", "json"])
+def test_materials_that_blend_are_cut_out(tmp_path: Path, kind: str) -> None:
+    data = gltf([MATERIALS[0]])
+    write(tmp_path, {"t.glb": data, "t.json": tileset(tile(0.0, "t.glb"))})
+    for blend, note in (("opaque", "opaque"), ("cutout", "where alpha is at least 1/2")):
+        part = nf.open_source(tmp_path / f"t.{kind}", blend=blend).query([[-np.inf] * 3, [np.inf] * 3])
+        assert f"1 material with blending drawn {note}" in part.report.notes
+
+
 def test_folders_of_tiles_open_by_folder_and_by_index(tmp_path: Path) -> None:
     nf.write_tiles(soup(), tmp_path / "tiles", cell=4)
     for path in (tmp_path / "tiles", tmp_path / "tiles" / "tiles.json"):
@@ -57,7 +76,7 @@ def test_other_folders_are_refused(tmp_path: Path) -> None:
         nf.open_source(tmp_path / "nowhere.glb")
 
 
-@pytest.mark.parametrize("given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}])
+@pytest.mark.parametrize("given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}, {"lod": 1}, {"blend": "cutout"}])
 def test_what_folders_of_tiles_do_not_take_is_refused(tmp_path: Path, given: dict[str, Any]) -> None:
     nf.write_tiles(soup(), tmp_path / "tiles", cell=8)
     with pytest.raises(ValueError, match=f"^{next(iter(given))}: expected none"):

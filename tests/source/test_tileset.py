@@ -108,7 +108,7 @@ def test_all_parts_have_one_frame(row: Path) -> None:
     assert np.abs(origins[0]).max() > 4e5
 
 
-@pytest.mark.parametrize("given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}])
+@pytest.mark.parametrize("given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}, {"lod": "1"}])
 def test_what_tilesets_do_not_take_is_refused(row: Path, given: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match=f"^{next(iter(given))}: expected none with a tileset"):
         nf.open_source(row, **given)

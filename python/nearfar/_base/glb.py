@@ -103,7 +103,7 @@ def header(data: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_jso
     return json_object(data[start : start + length], parse), start + length
 
 
-def binary(data: bytes, end: int) -> bytes:
+def binary(data: bytes, end: int) -> memoryview:
     """Content of a GLB's chunk of binary data, the first among those that begin at `end`; empty for none."""
     while len(data) >= end + _CHUNK.size:
         length, kind = _CHUNK.unpack_from(data, end)
@@ -111,8 +111,8 @@ def binary(data: bytes, end: int) -> bytes:
         if end > len(data):
             raise ValueError(f"it ends within a chunk of {length} bytes")
         if kind == b"BIN\0":
-            return data[start:end]
-    return b""
+            return memoryview(data)[start:end]
+    return memoryview(b"")
 
 
 def entry(document: dict[str, Any], section: str, number: Any) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Collects materials, meshes and placements, and decides which meshes are merged and which stay instances."""
+"""Collects the materials, meshes and placements of a scene."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from nearfar._scene.arrays import (
     faces_of,
     normals_of,
     numbers_of,
-    origin_for,
     positions_of,
     texture_of,
     transforms_of,
@@ -26,17 +25,10 @@ from nearfar._scene.budget import Budget
 from nearfar._scene.emission import DARK, MOST_EMISSION
 from nearfar._scene.material_list import MaterialList
 from nearfar._scene.materials import BaseColor
+from nearfar._scene.mesh_list import MeshList
 from nearfar._scene.names import MOST_OBJECTS, names_of
+from nearfar._scene.placing import OWN_OBJECTS, Placements, core_scene
 from nearfar._scene.undrawn import Undrawn
-
-_OWN_OBJECTS = -1
-"""Object number of an instance whose mesh has an object number for each face."""
-
-_ROW = 12
-"""Bytes of a vertex's position, and of a face."""
-
-_MOST_VERTICES = 2**32 - 2**16
-"""Greatest number of vertices of a merged mesh, whose indices have 32 bits."""
 
 
 @dataclass(frozen=True)
@@ -57,29 +49,12 @@ class Assembled:
     """Properties of materials that are not drawn, by their tags in `core`."""
 
 
-@dataclass(frozen=True)
-class _Mesh:
-    core: _core.Mesh
-    base: NDArray[np.float64]
-    """Whole metres (3,) that were subtracted from the vertices."""
-    has_objects: bool
-
-
-@dataclass(frozen=True)
-class _Placements:
-    """For each of K instances: mesh (K,), transform mesh→world including the mesh's base (K, 4, 4), object (K,)."""
-
-    mesh: NDArray[np.int64]
-    transform: NDArray[np.float64]
-    object: NDArray[np.int32]
-
-
 class Assembly:
     """Implementation of `nearfar.SceneBuilder`, which adds the step to a `Scene`."""
 
     def __init__(self) -> None:
         self._materials = MaterialList()
-        self._meshes: list[_Mesh] = []
+        self._meshes = MeshList()
         self._placed: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]] = []
         self._names: dict[str, int] = {}
         self._nameless: int | None = None
@@ -173,7 +148,7 @@ class Assembly:
         local, base = positions_of("positions", positions, copy=copy)
         triangles = faces_of("faces", faces, copy=copy)
         count = len(triangles)
-        objects: int | NDArray[np.int32] = _OWN_OBJECTS
+        objects: int | NDArray[np.int32] = OWN_OBJECTS
         if face_object is not None:
             objects = numbers_of("face_object", face_object, count, self.object_count, copy=copy)
         core = _core.Mesh(
@@ -185,8 +160,11 @@ class Assembly:
             objects=objects,
             materials=self._face_materials(material, count),
         )
-        self._meshes.append(_Mesh(core, base, face_object is not None))
-        return len(self._meshes) - 1
+        return self._meshes.add(core, base, has_objects=face_object is not None)
+
+    def _store(self, stored: _core.StoredMeshes) -> None:
+        """Add meshes of a file before any other; their handles are their numbers."""
+        self._meshes.store(stored)
 
     def _face_materials(self, material: int | ArrayLike, count: int) -> int | NDArray[np.int32]:
         limit = len(self._materials)
@@ -230,9 +208,9 @@ class Assembly:
         matrix = np.eye(4) if transform is None else transforms_of("transform", transform)
         if matrix.ndim != 2:
             raise ValueError(f"transform: expected one 4x4 matrix, got shape {matrix.shape}")
-        if self._checked(mesh).has_objects != (name is None):
+        if self._meshes.has_objects(mesh) != (name is None):
             raise ValueError("name: expected one exactly for meshes without face_object")
-        number = _OWN_OBJECTS if name is None else self.object(name)
+        number = OWN_OBJECTS if name is None else self.object(name)
         self._placed.append((np.array([mesh], np.int64), matrix[None], np.array([number], np.int32)))
 
     def place_many(self, mesh: int, transforms: ArrayLike, names: Sequence[str] | str) -> None:
@@ -250,7 +228,7 @@ class Assembly:
         matrices = transforms_of("transforms", transforms)
         if matrices.ndim != 3:
             raise ValueError(f"transforms: expected shape (K, 4, 4), got {matrices.shape}")
-        if self._checked(mesh).has_objects:
+        if self._meshes.has_objects(mesh):
             raise ValueError("mesh: expected one without face_object")
         if isinstance(names, str):
             names = [f"{names}_{index}" for index in range(len(matrices))]
@@ -264,11 +242,6 @@ class Assembly:
         numbers = np.fromiter((self.object(name) for name in names), np.int32, len(names))
         self._placed.append((meshes, transforms, numbers))
 
-    def _checked(self, mesh: int) -> _Mesh:
-        if not self._meshes:
-            raise ValueError("mesh: expected a handle of this builder, which has no mesh yet")
-        return self._meshes[check.integer("mesh", mesh, 0, len(self._meshes) - 1)]
-
     def _assemble(
         self,
         dynamic: Iterable[str] = (),
@@ -279,16 +252,15 @@ class Assembly:
 
         A `budget` counts the copies of meshes that are merged although they are placed many times.
         """
-        placed = self._placements()
+        placed = Placements.of(self._placed, self._meshes.bases())
         movers = np.zeros(self.object_count + 1, bool)  # the last entry, index -1, is for meshes with `face_object`
         named = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
         movers[[self._object_number(name) for name in named]] = True
-        merges = self._is_merged(placed, movers[placed.object])
+        merges = placed.merges(movers[placed.object], tuple(self._names))
         if budget is not None:
-            budget.take(self._copied_bytes(placed.mesh[merges]))
-        core = self._scene_at(placed, merges, np.zeros(3) if origin is None else origin)
-        if origin is None and (chosen := origin_for(core.bounds())).any():
-            core = self._scene_at(placed, merges, chosen)
+            budget.take(placed.copied_bytes(merges, self._meshes))
+        chosen = placed.origin(self._meshes) if origin is None else origin
+        core = core_scene(placed, merges, chosen, self._meshes, self._materials.arguments())
         names = tuple(self._names) if self._nameless is None else self._nameless
         return Assembled(core.with_moving(movers[:-1]), names, self._frames(), undrawn=self._materials.undrawn)
 
@@ -297,76 +269,10 @@ class Assembly:
             raise ValueError(f"dynamic: expected names of objects, got {check.shortened(name)}")
         return self._names[name]
 
-    def _placements(self) -> _Placements:
-        if not self._placed:
-            return _Placements(np.zeros(0, np.int64), np.zeros((0, 4, 4)), np.zeros(0, np.int32))
-        mesh = np.concatenate([handles for handles, _, _ in self._placed])
-        transform = np.concatenate([matrices for _, matrices, _ in self._placed])
-        bases = np.array([mesh.base for mesh in self._meshes])
-        if bases.any():
-            transform[:, :3, 3] += np.einsum("kij,kj->ki", transform[:, :3, :3], bases[mesh])
-        return _Placements(mesh, transform, np.concatenate([objects for _, _, objects in self._placed]))
-
-    def _copied_bytes(self, merged: NDArray[np.int64]) -> int:
-        """Bytes of the merged copies of meshes beside the first of each."""
-        copies = np.maximum(np.bincount(merged, minlength=len(self._meshes)) - 1, 0)
-        used = np.flatnonzero(copies)
-        sizes = [self._meshes[handle].core.vertex_count + self._meshes[handle].core.face_count for handle in used]
-        return sum(_ROW * size * count for size, count in zip(sizes, copies[used].tolist(), strict=True))
-
-    def _is_merged(self, placed: _Placements, moves: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Flags of the merged instances: static meshes placed once, and flat ones, whose transforms have no inverse."""
-        once = np.bincount(placed.mesh, minlength=len(self._meshes))[placed.mesh] == 1
-        scale = np.abs(placed.transform[:, :3, :3]).sum(axis=(1, 2)) ** 3
-        # A determinant below 1e-30 of the size cubed is rounding error: float64 has 16 digits on each of three axes.
-        flat = np.abs(np.linalg.det(placed.transform[:, :3, :3])) <= 1e-30 * scale
-        if (flat & moves).any():
-            name = tuple(self._names)[placed.object[np.argmax(flat & moves)]]
-            raise ValueError(f"dynamic: expected objects with invertible transforms, got a flat one for {name!r}")
-        merged: NDArray[np.bool_] = (once & ~moves) | flat
-        return merged
-
-    def _scene_at(self, placed: _Placements, merges: NDArray[np.bool_], origin: NDArray[np.float64]) -> _core.Scene:
-        placements = placed.transform[:, :3].copy()
-        placements[:, :, 3] -= origin
-        groups = self._merge_groups(np.flatnonzero(merges), placed)
-        if len(groups) == 1 and len(groups[0]) == 1 and np.array_equal(placements[groups[0][0]], np.eye(4)[:3]):
-            merges, groups = np.zeros_like(merges), []  # a single mesh at the identity is used without a copy
-        merged = [self._merged(rows, placed, placements) for rows in groups]
-        rest = np.flatnonzero(~merges)
-        identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
-        face_objects = np.full(len(merged), _OWN_OBJECTS, np.int32)
-        return _core.Scene(
-            origin=(float(origin[0]), float(origin[1]), float(origin[2])),
-            meshes=merged + self._instanced(rest, placed),
-            placements=np.concatenate([identities, placements[rest]]),
-            objects=np.concatenate([face_objects, placed.object[rest]]),
-            standing_count=len(merged) + len(rest),
-            **self._materials.arguments(),
-        )
-
-    def _instanced(self, rows: NDArray[np.int64], placed: _Placements) -> list[_core.Mesh]:
-        """Meshes of instances; mirrored instances get meshes with reversed faces, so that outsides stay outsides."""
-        mirrored = np.linalg.det(placed.transform[rows, :3, :3]) < 0
-        twins = {handle: self._meshes[handle].core.turned() for handle in set(placed.mesh[rows[mirrored]].tolist())}
-        pairs = zip(placed.mesh[rows].tolist(), mirrored.tolist(), strict=True)
-        return [twins[handle] if is_mirrored else self._meshes[handle].core for handle, is_mirrored in pairs]
-
-    def _merge_groups(self, rows: NDArray[np.int64], placed: _Placements) -> list[NDArray[np.int64]]:
-        if not len(rows):
-            return []
-        vertices = np.cumsum([self._meshes[handle].core.vertex_count for handle in placed.mesh[rows]])
-        group = vertices // _MOST_VERTICES
-        return np.split(rows, np.flatnonzero(np.diff(group)) + 1)
-
-    def _merged(self, rows: NDArray[np.int64], placed: _Placements, placements: NDArray[np.float64]) -> _core.Mesh:
-        meshes = [self._meshes[handle].core for handle in placed.mesh[rows]]
-        return _core.Mesh.merged(meshes, placements[rows], placed.object[rows])
-
     def _frames(self) -> NDArray[np.float64] | None:
         """Load transforms of the objects (N, 4, 4), those of their first instances; None if all are identities."""
         frames = np.tile(np.eye(4), (len(self._names), 1, 1))
         for _, matrices, objects in reversed(self._placed):
-            if len(objects) and objects[0] != _OWN_OBJECTS:
+            if len(objects) and objects[0] != OWN_OBJECTS:
                 frames[objects[::-1]] = matrices[::-1]
         return frames if len(frames) and (frames != np.eye(4)).any() else None

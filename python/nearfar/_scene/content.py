@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -15,8 +14,10 @@ from nearfar._base.errors import SceneError
 from nearfar._scene.arrays import transforms_of
 from nearfar._scene.assembly import Assembled, Assembly
 from nearfar._scene.budget import Budget
+from nearfar._scene.looks import Look, inventory, notes as notes_on
 from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
 from nearfar._scene.report import count
+from nearfar._scene.stored import Stored
 from nearfar._scene.units import metres_in
 
 _TURNS = {
@@ -57,6 +58,13 @@ class Shape:
     face_object: NDArray[np.int32] | None = None
     """Index into the content's `names` for each face (F,), for shapes of many objects; None for those of one."""
 
+    @property
+    def look(self) -> Look:
+        """What is to be said about it."""
+        see_through = self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
+        has_normals, has_uvs, has_colors = (rows is not None for rows in (self.normals, self.uvs, self.colors))
+        return Look(1, self.materials, has_normals, has_uvs, has_colors, int(see_through))
+
 
 @dataclass(frozen=True)
 class Nodes:
@@ -86,6 +94,8 @@ class Content:
     """Units that the meshes state, in trimesh's names and "" for none; without any the unit is the metre."""
     names: Sequence[str] | int = ()
     """Objects of the shapes with a `face_object`, or the number of nameless ones."""
+    stored: Stored | None = None
+    """Further shapes, whose meshes lie in the source's bytes."""
 
 
 def assemble(
@@ -122,34 +132,42 @@ def assemble(
         raise SceneError(
             f"{content.label}: {', '.join(flaws[:_MOST_NAMED])}{more}; on_invalid='drop' leaves the faces out"
         )
-    if not any(len(shape.faces) for shape in shapes.values()):
+    placed = np.zeros(0, bool) if content.stored is None else np.array([name in used for name in content.stored.names])
+    has_faces = content.stored is not None and content.stored.core.face_counts()[placed].any()
+    if not has_faces and not any(len(shape.faces) for shape in shapes.values()):
         raise SceneError(f"{content.label}: no triangles" + "".join(f"; {note}" for note in content.notes))
+    stored = content.stored
     if blend == "cutout":
-        _cut_out(shapes.values())
+        stored = _cut_out(shapes.values(), stored)
     builder = Assembly()
     many = _many_objects(content, moves)
     builder.objects(many)
-    handles = {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
+    handles = {} if stored is None else _store(builder, stored)
+    handles |= {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     # The opposite axis is turned by another half turn about x.
     turn = np.diag([1.0, -1.0, -1.0, 1.0]) @ _TURNS[up[1:]] if up.startswith("-") else _TURNS[up]
     nodes = _chosen(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
     transforms = nodes.transforms if up == "y" else turn @ nodes.transforms
     try:
         transforms = transforms_of("transforms", transforms)
-        has_many = np.array([shapes[name].face_object is not None for name in nodes.shapes], bool)
+        of_many = {name for name, shape in shapes.items() if shape.face_object is not None}
+        has_many = np.array([name in of_many for name in nodes.shapes], bool)
         for row in np.flatnonzero(has_many):
             builder.instance(handles[nodes.shapes[row]], transforms[row])
         single = _chosen(replace(nodes, transforms=transforms), ~has_many)
-        placed = np.array([handles[shape] for shape in single.shapes], np.int64)
-        builder._place(placed, single.transforms, single.objects)
+        meshes = np.array([handles[shape] for shape in single.shapes], np.int64)
+        builder._place(meshes, single.transforms, single.objects)
         dynamic = [*([] if isinstance(many, int) else many), *single.objects] if moves else ()
         parts = builder._assemble(dynamic, budget, origin)
     except ValueError as error:
         raise SceneError(f"{content.label}: {error}") from error
-    notes = [*content.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]
-    notes += _emission_notes(shapes.values())
-    held = (*content.used, *_inventory(shapes.values()))
-    return replace(parts, dropped=dropped, notes=tuple(notes), used=held)
+    looks = [shape.look for shape in shapes.values()]
+    vertices = sum(len(shape.vertices) for shape in shapes.values())
+    if stored is not None:
+        looks += stored.looks(placed)
+        vertices += int(stored.core.vertex_counts()[placed].sum())
+    notes, held = (*content.notes, *notes_on(looks)), (*content.used, *inventory(looks, vertices))
+    return replace(parts, dropped=dropped, notes=notes, used=held)
 
 
 def _many_objects(content: Content, moves: bool) -> Sequence[str] | int:
@@ -167,6 +185,8 @@ def _to_metres(content: Content, scale: float | None) -> None:
         content.notes.append(f"unit '{content.units[0]}' converted, {metres:g} m")
     for shape in content.shapes.values():
         shape.vertices = np.asarray(shape.vertices, np.float64) * metres
+    if content.stored is not None:
+        content.stored = replace(content.stored, core=content.stored.core.scaled(metres))
     factors = np.ones((4, 4))
     factors[:3, 3] = metres
     content.nodes = replace(content.nodes, transforms=content.nodes.transforms * factors)
@@ -240,61 +260,24 @@ def _finite(normals: NDArray[Any]) -> NDArray[Any]:
     return normals if good.all() else np.where(good, normals, 0)
 
 
-def _inventory(shapes: Collection[Shape]) -> list[str]:
-    """Count shapes, their vertices, and those that have an attribute, one phrase each."""
-    vertices = sum(len(shape.vertices) for shape in shapes)
-    attributes = {
-        "vertex normals": sum(shape.normals is not None for shape in shapes),
-        "texture coordinates": sum(shape.uvs is not None for shape in shapes),
-        "vertex colours": sum(shape.colors is not None for shape in shapes),
-    }
-    whole = "all of them" if len(shapes) > 1 else "it"
-    return [
-        f"{count(len(shapes), 'mesh', 'meshes')} with {count(vertices, 'vertex', 'vertices')}",
-        *(
-            f"{name} of {whole if number == len(shapes) else f'{number:,} of them'}"
-            for name, number in attributes.items()
-            if number
-        ),
-    ]
+def _store(builder: Assembly, stored: Stored) -> dict[str, int]:
+    """Add stored meshes to a builder; returns the handles of those with faces, by their shapes' names."""
+    numbers = np.array([builder._material(surface.drawn) for surface in stored.surfaces], np.int32)
+    builder._store(stored.core.with_materials(numbers))
+    counts = stored.core.face_counts().tolist()
+    return {name: number for number, (name, faces) in enumerate(zip(stored.names, counts, strict=True)) if faces}
 
 
-def _cut_out(shapes: Iterable[Shape]) -> None:
-    """Cut materials that blend out; those that shapes share stay shared."""
+def _cut_out(shapes: Iterable[Shape], stored: Stored | None) -> Stored | None:
+    """Cut materials that blend out, those of stored meshes in the result; those that shapes share stay shared."""
     cut: dict[int, BaseColor] = {}
-    for shape in shapes:
-        for material in shape.materials:
+
+    def chosen(materials: Sequence[BaseColor]) -> list[BaseColor]:
+        for material in materials:
             if material.blend and id(material) not in cut:
                 cut[id(material)] = replace(material, cutoff=_HALF)
-        shape.materials = [cut.get(id(material), material) for material in shape.materials]
+        return [cut.get(id(material), material) for material in materials]
 
-
-def _material_notes(shapes: Iterable[Shape]) -> list[str]:
-    materials = {id(material): material for shape in shapes for material in shape.materials}
-    counts = Counter(note for material in materials.values() for note in (*_blend_notes(material), *material.notes))
-    return [f"{count(number, 'material')} {note}" for note, number in counts.items()]
-
-
-def _blend_notes(material: BaseColor) -> list[str]:
-    drawn = "opaque" if material.cutoff is None else "where alpha is at least 1/2"
-    return [f"with {material.blend} drawn {drawn}"] if material.blend else []
-
-
-def _alpha_notes(shapes: Iterable[Shape]) -> list[str]:
-    transparent = sum(_ignores_alpha(shape) for shape in shapes)
-    return [f"{count(transparent, 'mesh', 'meshes')} with vertex alpha below 1 drawn opaque"] if transparent else []
-
-
-def _emission_notes(shapes: Iterable[Shape]) -> list[str]:
-    lost = sum(
-        shape.uvs is None and any(material.emission_texture is not None for material in shape.materials)
-        for shape in shapes
-    )
-    ending = "with a map of emission but no texture coordinates drawn and saved without it"
-    return [f"{count(lost, 'mesh', 'meshes')} {ending}"] if lost else []
-
-
-def _ignores_alpha(shape: Shape) -> bool:
-    if shape.colors is None or shape.colors.shape[1] < 4 or (shape.colors[:, 3] == 255).all():
-        return False
-    return not shape.materials or any(material.cutoff is None for material in shape.materials)
+    for shape in shapes:
+        shape.materials = chosen(shape.materials)
+    return None if stored is None else stored.with_materials([chosen(one.materials) for one in stored.surfaces])

@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar import _core
 from nearfar._scene import undrawn as undrawn_parts, wavefront_materials
 from nearfar._scene.arrays import MOST_CUTOFF
 from nearfar._scene.budget import Budget
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, is_unlit
-from nearfar._scene.srgb import to_linear, to_srgb
+from nearfar._scene.srgb import to_linear
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
 MOST_TEXELS = 1 << 27
@@ -76,14 +77,13 @@ def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.u
         return None
     full = 1.0 if values.dtype.kind == "f" else float(np.iinfo(values.dtype).max)
     rgba = np.full((count, 4), 255, np.uint8)
-    if values.dtype == np.uint8 and linear:
-        table = _to_bytes(to_srgb(np.arange(256) / 255))
-        rgba[:, :3] = table[values[:, :3]]
+    if linear:
+        light = (values[:, :3] / full).astype(np.float32)
+        rgba[:, :3] = _core.encode_srgb(light.ravel()).reshape(-1, 3)
     elif values.dtype == np.uint8:
         rgba[:, :3] = values[:, :3]
     else:
-        light = values[:, :3] / full
-        rgba[:, :3] = _to_bytes(to_srgb(np.clip(light, 0, 1)) if linear else light)
+        rgba[:, :3] = _to_bytes(values[:, :3] / full)
     if values.shape[1] == 4:
         rgba[:, 3] = values[:, 3] if values.dtype == np.uint8 else _to_bytes(values[:, 3] / full)
     return rgba
@@ -176,7 +176,7 @@ class Materials:
     def __init__(self, budget: Budget | None = None) -> None:
         self._budget = budget
         self._colors: dict[int, tuple[Any, BaseColor]] = {}
-        self._textures: dict[tuple[int, int, int], NDArray[np.uint8]] = {}
+        self._textures: dict[tuple[tuple[int, ...], int], list[NDArray[np.uint8]]] = {}
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
 
     def of(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
@@ -263,7 +263,17 @@ class Materials:
         if self._budget is not None and image.size[0] * image.size[1] <= MOST_TEXELS:
             self._budget.take(4 * image.size[0] * image.size[1])
         texels = _decoded(image)
-        return None if texels is None else self._textures.setdefault((*image.size, hash(texels.tobytes())), texels)
+        return None if texels is None else self._shared(texels)
+
+    def _shared(self, texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """The first of equal images."""
+        # Few rows tell most images apart.
+        alike = self._textures.setdefault((texels.shape, hash(texels[:: len(texels) // 8 + 1].tobytes())), [])
+        for other in alike:
+            if np.array_equal(other, texels):
+                return other
+        alike.append(texels)
+        return texels
 
 
 def texels_of(data: bytes) -> NDArray[np.uint8] | None:

@@ -13,12 +13,17 @@ from nearfar._scene.serialize import empty_core
 
 
 def scene_of(
-    content: Content, box: NDArray[np.float64], bounds: NDArray[np.float64], *, on_invalid: str = "raise"
+    content: Content,
+    box: NDArray[np.float64],
+    bounds: NDArray[np.float64],
+    *,
+    on_invalid: str = "raise",
+    blend: str = "opaque",
 ) -> Scene:
     """Return the triangles of a content that touch a box, in the frame of a world of these bounds."""
     origin = origin_for(bounds)
     if not any(len(shape.faces) for shape in content.shapes.values()):
         x, y, z = origin.tolist()
         return Scene(empty_core((x, y, z)), Names(()), notes=tuple(content.notes))
-    parts = assemble(content, up="y", on_invalid=on_invalid, origin=origin)
+    parts = assemble(content, up="y", on_invalid=on_invalid, blend=blend, origin=origin)
     return Scene._from_assembled(parts).query(box)

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import check
 from nearfar._base.errors import SceneError, UnusableError
+from nearfar._scene.content import BLEND
 from nearfar._scene.scene import Scene
 from nearfar._scene.tileset.read import is_tileset
 from nearfar._scene.tileset.tileset import KINDS, Tileset, suffix
@@ -33,7 +34,9 @@ def open_source(
     on_invalid: str = "raise",
     scale: float | None = None,
     max_bytes: int | None = None,
+    blend: str = "opaque",
     origin: ArrayLike | None = None,
+    lod: str | float | None = None,
     height: str | None = None,
     cache_bytes: SupportsIndex = _CACHE,
 ) -> SceneSource:
@@ -45,11 +48,14 @@ def open_source(
         A folder of tiles that `nearfar.write_tiles` wrote; a tileset of 3D Tiles, by its document, its folder or a URL;
         footprints (.geojson, .parquet, .geoparquet), of which the outlines are kept and triangles made when asked for;
         or a file that `Scene.load` reads: it is read whole, and the scene answers through its search trees.
-    up, on_invalid, scale, max_bytes
-        As in `Scene.load`. Folders of tiles, tilesets and footprints are upright and in metres already.
+    up, on_invalid, scale, max_bytes, blend
+        As in `Scene.load`. Folders of tiles, tilesets and footprints are upright and in metres already; the materials
+        of folders of tiles are what they were written with, and footprints have none.
     origin
         Longitude and latitude in degrees and height in metres of (0, 0, 0), for a tileset on the Earth and for
         footprints in degrees; by default the middle of the data.
+    lod
+        Greatest level of detail of CityJSON, as in `Scene.load`.
     height
         The property of footprints that states their height, as in `Scene.load`.
     cache_bytes
@@ -72,28 +78,31 @@ def open_source(
         A file that cannot be opened.
     """
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
+    check.choice("blend", blend, BLEND)
     most = check.integer("cache_bytes", cache_bytes, 0, 2**62)
     upright: dict[str, tuple[object, object]] = {
         "up": (up, "y"),
         "scale": (scale, None),
         "max_bytes": (max_bytes, None),
+        "lod": (lod, None),
     }
     tileset = _tileset(path)
     if tileset is not None:
         _refuse("a tileset", upright | {"height": (height, None)})
-        return TilesetSource(Tileset.open(tileset, origin=origin, cache_bytes=most), on_invalid)
+        return TilesetSource(Tileset.open(tileset, origin=origin, cache_bytes=most), on_invalid, blend)
     target = check.path("path", path)
     folder = target.parent if target.name == DOCUMENT else target
     if not folder.is_dir() and suffix(target) in FOOTPRINTS:
         del upright["max_bytes"]
-        _refuse("footprints", upright)
+        _refuse("footprints", upright | {"blend": (blend, "opaque")})
         return FootprintFile.open(target, origin=origin, height=height, max_bytes=max_bytes, on_invalid=on_invalid)
     if not folder.is_dir():
-        how: dict[str, Any] = {"scale": scale, "max_bytes": max_bytes, "origin": origin, "height": height}
-        return Scene.load(target, up=up, on_invalid=on_invalid, **how)
+        how: dict[str, Any] = {"scale": scale, "max_bytes": max_bytes, "origin": origin, "lod": lod, "height": height}
+        return Scene.load(target, up=up, on_invalid=on_invalid, blend=blend, **how)
     if not (folder / DOCUMENT).is_file():
         raise SceneError(f"{os.fspath(path)}: expected a file, or a folder of tiles with {DOCUMENT} or {TILESET}")
-    _refuse("a folder of tiles", upright | {"origin": (origin, None), "height": (height, None)})
+    given = {"origin": (origin, None), "height": (height, None), "blend": (blend, "opaque")}
+    _refuse("a folder of tiles", upright | given)
     return TileFolder(folder, most)
 
 

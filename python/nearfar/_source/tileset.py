@@ -16,8 +16,8 @@ from nearfar._source.frame import scene_of
 class TilesetSource:
     """World of a tileset, whose contents are kept as long as the cache has room."""
 
-    def __init__(self, tileset: Tileset, on_invalid: str) -> None:
-        self._tileset, self._on_invalid = tileset, on_invalid
+    def __init__(self, tileset: Tileset, on_invalid: str, blend: str) -> None:
+        self._tileset, self._on_invalid, self._blend = tileset, on_invalid, blend
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -31,7 +31,7 @@ class TilesetSource:
         """
         box, error = check.box("aabb", aabb), check.at_least_zero("detail", detail)
         content = self._tileset.read(error=error, box=box)
-        return scene_of(content, box, self.bounds, on_invalid=self._on_invalid)
+        return scene_of(content, box, self.bounds, on_invalid=self._on_invalid, blend=self._blend)
 
     def __repr__(self) -> str:
         return f"<nearfar source: tileset {self._tileset.label}>"

@@ -41,6 +41,8 @@ def bake(
     tile_error: options.TileError = None,
     tile_triangles: options.TileTriangles = None,
     tile_origin: options.TileOrigin = None,
+    city_lod: options.CityLod = None,
+    city_height: options.CityHeight = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -51,9 +53,9 @@ def bake(
     check_target(output, ".exr")
     if equirectangular is not None:
         check_target(equirectangular, ".exr", ".png")
-    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     loaded = options.open_scene(
-        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
     )
     place = choose(loaded, scene, middle)
     radii = default_radii.choose(loaded, place, r1, r2)

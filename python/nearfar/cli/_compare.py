@@ -72,6 +72,8 @@ def compare(
     tile_error: options.TileError = None,
     tile_triangles: options.TileTriangles = None,
     tile_origin: options.TileOrigin = None,
+    city_lod: options.CityLod = None,
+    city_height: options.CityHeight = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -99,7 +101,7 @@ def compare(
         _source.refuse("which has no far geometry to trace", exact=exact or None)
     elif truth is not None:
         raise ValueError(f"--truth: expected none with a scene as -i, got {checks.shortened(truth)}")
-    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
@@ -113,11 +115,11 @@ def compare(
                     scale=scale,
                     max_bytes=max_bytes,
                     blend=blend,
-                    tiles=tiles,
+                    parts=parts,
                 )
             else:
                 loaded = options.open_scene(
-                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
                 )
         with clock.step("place"):
             place = _viewpoint.choose(loaded, source, middle if saved is None else saved.center)

@@ -15,6 +15,8 @@ from nearfar.cli import _source, _viewpoint
 from nearfar.cli._options import (
     SCENE_OR_FOLDER,
     Blend,
+    CityHeight,
+    CityLod,
     Invalid,
     Json,
     MaxBytes,
@@ -26,7 +28,7 @@ from nearfar.cli._options import (
     is_reduced,
     open_scene,
     option,
-    tiles_of,
+    parts_of,
 )
 from nearfar.cli._output import bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
@@ -56,6 +58,8 @@ def info(
     tile_error: TileError = None,
     tile_triangles: TileTriangles = None,
     tile_origin: TileOrigin = None,
+    city_lod: CityLod = None,
+    city_height: CityHeight = None,
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
@@ -68,11 +72,11 @@ def info(
         return
     if preview is not None:
         check_target(preview, ".png")
-    tiles = tiles_of(tile_error, tile_triangles, tile_origin)
+    parts = parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     started = time.perf_counter()
     reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
     loaded = (
-        open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles)
+        open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts)
         if reduced is None
         else reduced.scene
     )

@@ -50,6 +50,8 @@ def lod(
     tile_error: options.TileError = None,
     tile_triangles: options.TileTriangles = None,
     tile_origin: options.TileOrigin = None,
+    city_lod: options.CityLod = None,
+    city_height: options.CityHeight = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -58,9 +60,9 @@ def lod(
     check_target(output, ".glb", ".json")
     device = options.headset(hmd)
     shares = None if ratios is None else read_ratios(ratios)
-    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     loaded = options.open_scene(
-        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
     )
     started = time.perf_counter()
     name = Path(scene.partition(":")[0]).stem

@@ -113,6 +113,14 @@ TileOrigin = Annotated[
         "its middle.",
     ),
 ]
+CityLod = Annotated[
+    str | None,
+    option("--lod", "LEVEL", "Greatest level of detail of CityJSON, such as 2.2; by default each object's highest."),
+]
+CityHeight = Annotated[
+    str | None,
+    option("--height", "NAME", "Property of GeoJSON's or GeoParquet's footprints that states their height in metres."),
+]
 Invalid = Annotated[
     str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")
 ]
@@ -196,21 +204,23 @@ def is_reduced(text: str) -> bool:
     return (Path(text) / folder.DOCUMENT).is_file()
 
 
-ALL_TILES: Mapping[str, Any] = {"error": None, "triangles": None, "origin": None}
-"""Arguments of `nearfar.Scene.load` that choose a tileset's detail and place: all of it, where it is."""
+WHOLE: Mapping[str, Any] = {"error": None, "triangles": None, "origin": None, "lod": None, "height": None}
+"""Arguments of `nearfar.Scene.load` that choose the part of a tileset or a city, and its place: all of it."""
 
 
-def tiles_of(error: float | None, triangles: int | None, origin: str | None) -> dict[str, Any]:
-    """Arguments of `nearfar.Scene.load` by `--error`, `--triangles` and `--origin`."""
+def parts_of(
+    error: float | None, triangles: int | None, origin: str | None, lod: str | None, height: str | None
+) -> dict[str, Any]:
+    """Arguments of `nearfar.Scene.load` by `--error`, `--triangles`, `--origin`, `--lod` and `--height`."""
     place = None
     if origin is not None:
         try:
-            longitude, latitude, height = (float(part) for part in origin.replace(",", " ").split())
+            longitude, latitude, metres = (float(part) for part in origin.replace(",", " ").split())
         except ValueError:
             expected = "longitude,latitude,height such as 139.767,35.681,40"
             raise ValueError(f"--origin: expected {expected}, got {check.shortened(origin)}") from None
-        place = (longitude, latitude, height)
-    return {"error": error, "triangles": triangles, "origin": place}
+        place = (longitude, latitude, metres)
+    return {"error": error, "triangles": triangles, "origin": place, "lod": lod, "height": height}
 
 
 def open_scene(
@@ -221,7 +231,7 @@ def open_scene(
     scale: float | None,
     max_bytes: int | None = None,
     blend: str = "opaque",
-    tiles: Mapping[str, Any] = ALL_TILES,
+    parts: Mapping[str, Any] = WHOLE,
 ) -> nf.Scene:
     """Load the file or make the procedural scene that `-i` names; an extent that suggests another unit is said.
 
@@ -239,9 +249,9 @@ def open_scene(
             raise ValueError(f"--scale: expected none with {name}, which is in metres already, got {scale:g}")
         if max_bytes is not None:
             raise ValueError(f"--max-bytes: expected none with {name}, which is no file, got {max_bytes}")
-        for key, value in tiles.items():
+        for key, value in parts.items():
             if value is not None:
-                raise ValueError(f"--{key}: expected none with {name}, which is no tileset, got {value}")
+                raise ValueError(f"--{key}: expected none with {name}, which is no file, got {check.shortened(value)}")
         return _procedural(name, settings)
     if Path(text).is_dir():
         kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
@@ -250,10 +260,10 @@ def open_scene(
         raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
     try:
         scene = nf.Scene.load(
-            text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, **tiles
+            text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, **parts
         )
     except ValueError as error:
-        if str(error).partition(":")[0] not in tiles:
+        if str(error).partition(":")[0] not in parts:
             raise
         raise ValueError(f"--{error}") from None
     if scene.report.unit_note:

@@ -46,6 +46,8 @@ def partition(
     tile_error: options.TileError = None,
     tile_triangles: options.TileTriangles = None,
     tile_origin: options.TileOrigin = None,
+    city_lod: options.CityLod = None,
+    city_height: options.CityHeight = None,
     on_invalid: options.Invalid = "raise",
     output: Annotated[Path | None, option("-o --output", "FILE", "Also write the JSON document to a file.")] = None,
     max_triangles: Annotated[
@@ -59,9 +61,9 @@ def partition(
         check.integer("--max-triangles", max_triangles, 0, 2**63 - 1)
     if output:
         check_target(output, ".json")
-    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     loaded = options.open_scene(
-        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+        scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
     )
     place = choose(loaded, scene, options.read_point("--center", center))
     document = describe(loaded, scene, place.eye, default_radii.choose(loaded, place, r1, r2))

@@ -46,6 +46,8 @@ def reduce(
     tile_error: options.TileError = None,
     tile_triangles: options.TileTriangles = None,
     tile_origin: options.TileOrigin = None,
+    city_lod: options.CityLod = None,
+    city_height: options.CityHeight = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -59,12 +61,12 @@ def reduce(
         check.choice("--equirectangular", equirectangular, ("exr", "png"))
     options.check_backend(backend)
     clock, pixels, middle = Clock(), options.read_size("--size", size), options.read_point("--center", center)
-    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="reduced.json") as folder:
         with clock.step("scene"):
             loaded = options.open_scene(
-                scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+                scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
             )
         with clock.step("place"):
             place = _viewpoint.choose(loaded, scene, middle)
@@ -101,7 +103,7 @@ def reduce(
             "on_invalid": on_invalid,
             "scale": scale,
             "blend": blend,
-            "tiles": {name: value for name, value in tiles.items() if value is not None},
+            "parts": {name: value for name, value in parts.items() if value is not None},
             "unit_note": loaded.report.unit_note,
             "notes": list(loaded.report.notes),
             "triangles": int(loaded.triangle_count),

@@ -66,6 +66,8 @@ def render(
     tile_error: options.TileError = None,
     tile_triangles: options.TileTriangles = None,
     tile_origin: options.TileOrigin = None,
+    city_lod: options.CityLod = None,
+    city_height: options.CityHeight = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -98,9 +100,9 @@ def render(
         loaded, middle = saved.scene, saved.center
     else:
         method = method or "truth"
-        tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+        parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
         loaded = options.open_scene(
-            scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+            scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
         )
     stand = None
     place = _viewpoint.choose(loaded, scene, user if method == "truth" else middle)

@@ -50,12 +50,12 @@ def open_truth(
     scale: float | None,
     max_bytes: int | None = None,
     blend: str = "opaque",
-    tiles: Mapping[str, Any] = options.ALL_TILES,
+    parts: Mapping[str, Any] = options.WHOLE,
 ) -> tuple[str, nf.Scene]:
     """Open the scene that a folder was made from, `truth` or what its report names; also returns its name."""
     if truth is not None:
         return truth, options.open_scene(
-            truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+            truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
         )
     report = report_of(folder)
     source = report.get("source")
@@ -70,15 +70,15 @@ def open_truth(
             scale=stated if isinstance(stated, float) else scale,
             max_bytes=max_bytes,
             blend=str(report.get("blend", blend)),
-            tiles=_tiles_of(report) | {name: value for name, value in tiles.items() if value is not None},
+            parts=_parts_of(report) | {name: value for name, value in parts.items() if value is not None},
         )
     except FileNotFoundError:
         raise ValueError(f"--truth: expected the scene that {folder} was made from; {source} is not there") from None
     return source, loaded
 
 
-def _tiles_of(report: dict[str, Any]) -> dict[str, Any]:
-    """Detail and place of the tileset that a report is about."""
-    stated = report.get("tiles")
+def _parts_of(report: dict[str, Any]) -> dict[str, Any]:
+    """What a report is about of a tileset or a city."""
+    stated = report.get("parts")
     known = stated if isinstance(stated, dict) else {}
-    return {name: known.get(name) for name in options.ALL_TILES}
+    return {name: known.get(name) for name in options.WHOLE}

@@ -57,6 +57,8 @@ def stereo(
     tile_error: options.TileError = None,
     tile_triangles: options.TileTriangles = None,
     tile_origin: options.TileOrigin = None,
+    city_lod: options.CityLod = None,
+    city_height: options.CityHeight = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -71,7 +73,7 @@ def stereo(
     if zone_end is not None:
         rig = _with_zone(rig, zone_end)
     output.parent.mkdir(parents=True, exist_ok=True)
-    tiles = options.tiles_of(tile_error, tile_triangles, tile_origin)
+    parts = options.parts_of(tile_error, tile_triangles, tile_origin, city_lod, city_height)
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
             source: nf.Scene | nf.ReducedScene
@@ -80,7 +82,7 @@ def stereo(
                 loaded, head = source.scene, head or source.center
             else:
                 source = loaded = options.open_scene(
-                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, tiles=tiles
+                    scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
                 )
             place = _viewpoint.choose(loaded, scene, head)
             stand = _source.view_of(scene) if options.is_reduced(scene) and eye is None and target is None else None

@@ -63,6 +63,7 @@ mod _core {
         scene::meshopt::decode_meshopt,
         scene::parts::{mesh_parts, scene_parts},
         scene::polygons::{polygon_prisms, read_wkb, triangulate_polygons},
+        scene::stored::StoredMeshes,
         scene::wavefront::read_wavefront,
         scene::{Mesh, Scene},
         serve::{Server, begin_log, certificate, self_signed},

@@ -15,7 +15,7 @@ from nearfar._base import check
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget, TooLargeError
-from nearfar._scene.gltf import meshopt
+from nearfar._scene.gltf import ktx2, meshopt
 from nearfar._scene.undrawn import EncodedImage, TextureSource
 
 COMPONENTS: dict[int, type[np.generic]] = {
@@ -34,7 +34,7 @@ IMAGE_EXTENSIONS = {"EXT_texture_webp": "webp", "EXT_texture_avif": "avif"}
 _SIGNATURES = {
     b"\x89PNG\r\n\x1a\n": "image/png",
     b"\xff\xd8\xff": "image/jpeg",
-    b"\xabKTX 20\xbb\r\n\x1a\n": "image/ktx2",
+    ktx2.SIGNATURE: ktx2.KIND,
 }
 _CONTAINERS = {(b"RIFF", b"WEBP"): "image/webp", (b"\0\0\0", b"ftyp"): "image/avif"}
 
@@ -71,12 +71,12 @@ class Buffers:
         Counts what is copied: many parts may refer to the same bytes.
     """
 
-    def __init__(self, header: dict[str, Any], binary: bytes, resolver: Any, budget: Budget) -> None:
+    def __init__(self, header: dict[str, Any], binary: bytes | memoryview, resolver: Any, budget: Budget) -> None:
         self._header, self._binary, self._resolver, self._budget = header, binary, resolver, budget
-        self._buffers: dict[int, bytes] = {}
+        self._buffers: dict[int, memoryview] = {}
         self._blobs: dict[tuple[int, int, int], bytes] = {}
         self._decoded: dict[int, memoryview] = {}
-        self._images: dict[int, EncodedImage | None] = {}
+        self._images: dict[Any, bytes | None] = {}
         self._encoded: dict[bytes, EncodedImage | None] = {}
         self._textures: dict[int, TextureSource | None] = {}
         self._arrays: dict[int, NDArray[Any]] = {}
@@ -93,23 +93,37 @@ class Buffers:
         return self._textures[number]
 
     def _texture(self, number: int) -> TextureSource | None:
+        data = self.picture(number)
+        if data is None:
+            return None
         described = entry(self._header, "textures", number)
         sampler = entry(self._header, "samplers", described["sampler"]) if "sampler" in described else {}
         settings = {key: sampler[key] for key in _SAMPLER if isinstance(sampler.get(key), int)}
-        others = [content["source"] for content in described.get("extensions", {}).values() if "source" in content]
-        sources = [described["source"]] if "source" in described else others
-        image = self._image(sources[0]) if sources else None
+        # Equal images share one object, which knows its hash.
+        if data not in self._encoded:
+            self._encoded[data] = EncodedImage(data, kind) if (kind := _kind(data)) else None
+        image = self._encoded[data]
         return None if image is None else TextureSource(image, json.dumps(settings) if settings else "")
 
-    def _image(self, number: int) -> EncodedImage | None:
+    def picture(self, number: Any) -> bytes | None:
+        """The bytes of a texture's image; None where there are none."""
         if number not in self._images:
-            described = entry(self._header, "images", number)
-            data = self.blob(described["bufferView"]) if "bufferView" in described else self._file(described["uri"])
-            # Equal images share one object, which knows its hash.
-            if data not in self._encoded:
-                self._encoded[data] = EncodedImage(data, kind) if (kind := _kind(data)) else None
-            self._images[number] = self._encoded[data]
+            try:
+                self._images[number] = self._picture(number)
+            except TooLargeError:
+                raise
+            except Exception:  # a texture is never needed, and resolvers may raise any type
+                self._images[number] = None
         return self._images[number]
+
+    def _picture(self, number: Any) -> bytes | None:
+        described = entry(self._header, "textures", number)
+        others = [content["source"] for content in described.get("extensions", {}).values() if "source" in content]
+        sources = [described["source"]] if "source" in described else others
+        if not sources:
+            return None
+        image = entry(self._header, "images", sources[0])
+        return self.blob(image["bufferView"]) if "bufferView" in image else self._file(image["uri"])
 
     def _file(self, uri: str) -> bytes:
         if not uri.startswith("data:"):
@@ -123,34 +137,43 @@ class Buffers:
         described = entry(self._header, "bufferViews", view)
         key = _range(meshopt.stream(described) or described)
         if key not in self._blobs:
-            data = self._view(view)
+            data = self.view(view)
             self._budget.hold(len(data))
             self._blobs[key] = bytes(data)
         return self._blobs[key]
 
-    def _view(self, number: int) -> memoryview:
+    def view(self, number: int) -> memoryview:
         """The bytes of a buffer view. Plain ones are preferred to compressed ones beside them."""
         described = entry(self._header, "bufferViews", number)
         stream = meshopt.stream(described)
-        if stream is None or not self._is_placeholder(described["buffer"]):
+        if stream is None or not self.is_packed(number):
             return self._bytes(*_range(described))
         if number not in self._decoded:
             data = self._bytes(*_range(stream))
             self._decoded[number] = meshopt.decoded(number, described, stream, data, self._budget)
         return self._decoded[number]
 
-    def _is_placeholder(self, buffer: int) -> bool:
-        described = entry(self._header, "buffers", buffer)
-        return meshopt.is_placeholder(described, buffer, has_binary=bool(self._binary))
+    def is_packed(self, view: int) -> bool:
+        """Whether the bytes of a view have to be decoded."""
+        described = entry(self._header, "bufferViews", view)
+        if meshopt.stream(described) is None:
+            return False
+        number = described["buffer"]
+        buffer = entry(self._header, "buffers", number)
+        return meshopt.is_placeholder(buffer, number, has_binary=bool(self._binary))
 
     def _bytes(self, buffer: int, start: int, length: int) -> memoryview:
-        if buffer not in self._buffers:
-            described = entry(self._header, "buffers", buffer)
-            self._buffers[buffer] = self._file(described["uri"]) if "uri" in described else self._binary
-        data = memoryview(self._buffers[buffer])
+        data = self.whole(buffer)
         if not 0 <= start <= start + length <= len(data):
             raise IndexError(f"bytes {start} to {start + length} of a buffer of {len(data)}")
         return data[start : start + length]
+
+    def whole(self, buffer: int) -> memoryview:
+        """The bytes of a buffer."""
+        if buffer not in self._buffers:
+            described = entry(self._header, "buffers", buffer)
+            self._buffers[buffer] = memoryview(self._file(described["uri"]) if "uri" in described else self._binary)
+        return self._buffers[buffer]
 
     def replace(self, number: int, rows: NDArray[Any]) -> None:
         """Let an accessor stand for rows that an extension has decoded; its own sparse changes are applied to them."""
@@ -197,7 +220,7 @@ class Buffers:
         return rows
 
     def _rows(self, view: int, start: int, kind: np.dtype[Any], count: int, width: int) -> NDArray[Any]:
-        data = self._view(view)
+        data = self.view(view)
         size = kind.itemsize * width
         step = int(entry(self._header, "bufferViews", view).get("byteStride", size))
         if count < 0 or start < 0 or step < size or (count and start + (count - 1) * step + size > len(data)):

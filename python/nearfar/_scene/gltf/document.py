@@ -1,17 +1,20 @@
-"""Reads glTF and GLB; trimesh reads their materials and what Draco compresses."""
+"""Reads glTF and GLB."""
 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from nearfar._base import glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Shape
-from nearfar._scene.gltf import extensions, instances, inventory, nodes
+from nearfar._scene.gltf import extensions, instances, inventory, nodes, stored
 from nearfar._scene.gltf.buffers import Buffers, name_files
 from nearfar._scene.gltf.corners import MODES, OTHERS, mode
+from nearfar._scene.gltf.material_reader import MaterialReader
 from nearfar._scene.gltf.primitives import Primitives
 from nearfar._scene.materials import Materials
 from nearfar._scene.names import distinct
@@ -23,8 +26,20 @@ _PLURALS = {
 }
 
 
-def read(label: str, data: bytes, kind: str, resolver: Any, materials: Materials, budget: Budget) -> Content:
-    """Read a GLB or the JSON of a glTF; the resolver loads its buffers and images."""
+def read(
+    label: str,
+    data: bytes,
+    kind: str,
+    resolver: Any,
+    materials: Materials,
+    budget: Budget,
+    *,
+    stores: bool = True,
+) -> Content:
+    """Read a GLB or the JSON of a glTF; the resolver loads its buffers and images.
+
+    With `stores`, meshes that the core can read from the file are left to it.
+    """
     header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
     version = str(header.get("asset", {}).get("version", "2.0"))
     if version.split(".")[0] != "2":
@@ -35,29 +50,49 @@ def read(label: str, data: bytes, kind: str, resolver: Any, materials: Materials
     extensions.check(header)
     name_files(header, resolver)
     buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver, budget)
-    shapes, names = _shapes(header, Primitives(header, buffers, resolver, materials, budget))
+    reader = MaterialReader(header, buffers, resolver, materials, budget)
+    primitives = Primitives(header, buffers, reader, budget)
+    kept, whole = stored.stored(header, reader, buffers, budget) if stores else (None, [])
+    names = _names(header, whole)
+    others = set(names).difference(whole)
+    shapes = _shapes(header, primitives, {number: own for number, own in names.items() if number in others})
+    if kept is not None:
+        kept = replace(kept, names=[names[number][0] for number in whole])
     placed = nodes.placed(header, names, instances.transforms(header, buffers, budget))
-    return Content(label, shapes, placed, notes, used=inventory.used(header))
+    return Content(label, shapes, placed, notes, used=inventory.used(header), stored=kept)
 
 
-def _shapes(header: dict[str, Any], primitives: Primitives) -> tuple[dict[str, Shape], dict[int, list[str]]]:
-    """The shapes of all meshes by names, and the names of each mesh's shapes."""
+def _names(header: dict[str, Any], stored: Iterable[int]) -> dict[int, list[str]]:
+    """Names of each mesh's shapes: one for a mesh that is stored, else one for each of its primitives."""
+    whole = set(stored)
     read = [
-        (number, mesh.get("name") or "mesh", primitive)
+        (number, str(mesh.get("name") or "mesh"))
         for number, mesh in enumerate(header.get("meshes", []))
-        for primitive in mesh["primitives"]
-        if mode(primitive) in MODES
+        for _ in ([mesh] if number in whole else _primitives(mesh))
     ]
-    names = distinct([str(name) for _, name, _ in read])
     of_mesh: dict[int, list[str]] = {}
-    for (number, _, _), name in zip(read, names, strict=True):
+    for (number, _), name in zip(read, distinct([name for _, name in read]), strict=True):
         of_mesh.setdefault(number, []).append(name)
-    uses = Counter(primitive.get("attributes", {}).get("POSITION") for _, _, primitive in read)
-    shapes = {
-        name: primitives.shape(primitive, is_shared=uses[primitive.get("attributes", {}).get("POSITION")] > 1)
-        for (_, _, primitive), name in zip(read, names, strict=True)
+    return of_mesh
+
+
+def _shapes(header: dict[str, Any], primitives: Primitives, names: dict[int, list[str]]) -> dict[str, Shape]:
+    """The shapes of some meshes, by their names."""
+    uses = Counter(_positions(primitive) for mesh in header.get("meshes", []) for primitive in _primitives(mesh))
+    return {
+        name: primitives.shape(primitive, is_shared=uses[_positions(primitive)] > 1)
+        for number, own in names.items()
+        for name, primitive in zip(own, _primitives(header["meshes"][number]), strict=True)
     }
-    return shapes, of_mesh
+
+
+def _primitives(mesh: dict[str, Any]) -> list[dict[str, Any]]:
+    """The primitives of a mesh that are read."""
+    return [primitive for primitive in mesh["primitives"] if mode(primitive) in MODES]
+
+
+def _positions(primitive: dict[str, Any]) -> Any:
+    return primitive.get("attributes", {}).get("POSITION")
 
 
 def _notes(header: dict[str, Any]) -> list[str]:

@@ -18,6 +18,7 @@ from nearfar._scene.srgb import to_srgb
 
 BASISU = "KHR_texture_basisu"
 KIND = "image/ktx2"
+SIGNATURE = b"\xabKTX 20\xbb\r\n\x1a\n"
 
 _START = struct.Struct("<12s9I4I2Q")
 _LEVEL = struct.Struct("<3Q")

@@ -156,7 +156,9 @@ class Reader:
         kind = "glb" if data.startswith(b"glTF") else "gltf"
         if kind == "glb" and data[4:8] == b"\1\0\0\0":
             raise UnusableError("it holds glTF 1.0, and only glTF 2 is read; 3d-tiles-tools (upgrade) converts it")
-        content = read_gltf(name, data, kind, _Beside(self.files, name, self.budget), self.materials, self.budget)
+        beside = _Beside(self.files, name, self.budget)
+        # Tiles are counted, turned and joined by their shapes.
+        content = read_gltf(name, data, kind, beside, self.materials, self.budget, stores=False)
         _check_vertices(content)
         shift = np.eye(4)
         if (center := _center(data, kind)) is not None:

@@ -71,7 +71,7 @@ pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
 }
 
 /// Splits an array into consecutive pieces of the given lengths.
-fn pieces<T>(mut rest: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
+pub(super) fn pieces<T>(mut rest: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
     lengths
         .map(|length| {
             let (piece, others) = std::mem::take(&mut rest).split_at_mut(length);

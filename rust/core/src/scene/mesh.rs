@@ -61,15 +61,20 @@ impl Mesh {
         objects.validate("objects", faces.len(), i32::MAX)?;
         materials.validate("materials", faces.len(), i32::MAX)?;
         check_finite("vertices", &positions)?;
-        let mesh = Self::unchecked(positions, faces, uvs, colors, objects, materials);
-        if mesh.bounds.reach() > REACH as f32 {
-            let got = format!("{:e} m", mesh.bounds.reach());
-            return Err(Error::value("vertices", format!("coordinates within ±{REACH:e} m"), got));
-        }
-        Ok(mesh)
+        Self::unchecked(positions, faces, uvs, colors, objects, materials).within_reach()
     }
 
-    fn unchecked(
+    /// Fails if the mesh reaches farther than rays do.
+    pub(super) fn within_reach(self) -> Result<Self> {
+        if self.bounds.reach() > REACH as f32 {
+            let got = format!("{:e} m", self.bounds.reach());
+            return Err(Error::value("vertices", format!("coordinates within ±{REACH:e} m"), got));
+        }
+        Ok(self)
+    }
+
+    /// The arrays fit together.
+    pub(super) fn unchecked(
         positions: Buffer<[f32; 3]>,
         faces: Buffer<[u32; 3]>,
         uvs: Option<Buffer<[f32; 2]>>,

@@ -14,6 +14,7 @@ mod normal;
 pub mod polygons;
 mod query;
 pub mod srgb;
+pub mod stored;
 mod texture;
 pub mod wavefront;
 mod world;

@@ -20,7 +20,7 @@ pub(super) fn normal_matrix(to_scene: &DAffine3) -> DMat3 {
 
 /// Unit normal of the placed mesh; zero stays zero.
 #[inline]
-fn placed(matrix: &DMat3, normal: [f32; 3]) -> Vec3 {
+pub(super) fn placed(matrix: &DMat3, normal: [f32; 3]) -> Vec3 {
     (*matrix * Vec3::from_array(normal).as_dvec3()).normalize_or_zero().as_vec3()
 }
 

@@ -29,6 +29,19 @@ pub fn srgb_from_linear(linear: f32) -> u8 {
     CODES.of(linear)
 }
 
+/// The codes of the 65,536 fractions of 65,535. Loops should fetch them once.
+pub fn srgb_from_u16() -> &'static [u8; 1 << 16] {
+    static OF_SHORTS: LazyLock<Box<[u8; 1 << 16]>> = LazyLock::new(|| {
+        let codes: Vec<u8> = (0..=u16::MAX).map(|short| srgb_from_linear(fraction(short))).collect();
+        codes.try_into().expect("there are 65,536 of them")
+    });
+    &OF_SHORTS
+}
+
+fn fraction(short: u16) -> f32 {
+    (f64::from(short) / f64::from(u16::MAX)) as f32
+}
+
 /// `srgb_from_linear` of many values.
 pub fn srgb_from_all_linear(linear: &[f32], codes: &mut [u8], progress: &Progress) -> Result<()> {
     linear.par_chunks(TILE).zip(codes.par_chunks_mut(TILE)).try_for_each(|(linear, codes)| {

@@ -8,6 +8,7 @@ pub mod placements;
 pub mod polygons;
 #[expect(clippy::module_inception, reason = "the file of the class Scene")]
 pub mod scene;
+pub mod stored;
 pub mod wavefront;
 
 pub use mesh::Mesh;

@@ -1,0 +1,145 @@
+"""The materials of glTF documents, with those of their images that are drawn."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from nearfar._base.errors import UnusableError
+from nearfar._base.glb import entry
+from nearfar._scene import coordinates
+from nearfar._scene.budget import Budget, TooLargeError
+from nearfar._scene.coordinates import Coordinates
+from nearfar._scene.gltf import ktx2
+from nearfar._scene.gltf.buffers import Buffers
+from nearfar._scene.materials import BaseColor, Described, Materials
+
+NONE = -1
+"""Stands for the number of no material."""
+
+_GLOSS = "KHR_materials_pbrSpecularGlossiness"
+_GLOSS_BYTES = 128
+"""Bytes for each texel while trimesh converts a material of that extension: four images, float64 RGBA."""
+
+
+@dataclass
+class _Surface:
+    """What is drawn of a material, under trimesh's names."""
+
+    baseColorFactor: None = None  # noqa: N815 - full precision comes from the document
+    baseColorTexture: Any = None  # noqa: N815
+    emissiveTexture: Any = None  # noqa: N815
+    alphaMode: Any = None  # noqa: N815
+    alphaCutoff: Any = None  # noqa: N815
+
+
+class MaterialReader:
+    """Reads the materials of one document, each image once and only if it is drawn.
+
+    Parameters
+    ----------
+    header
+        The document.
+    buffers
+        Its images.
+    resolver
+        Trimesh's, which reads images beside the document.
+    materials
+        Converts materials to base colours.
+    budget
+        Counts what images unpack to.
+    """
+
+    def __init__(
+        self, header: dict[str, Any], buffers: Buffers, resolver: Any, materials: Materials, budget: Budget
+    ) -> None:
+        self._header, self._buffers, self._resolver = header, buffers, resolver
+        self._materials, self._budget = materials, budget
+        self._surfaces: dict[int, Any] = {}
+        self._pictures: dict[bytes, Any] = {}
+        self._coordinates: dict[int, Coordinates | None] = {NONE: None}
+
+    def material(self, number: int) -> list[BaseColor]:
+        """The material of a number, in a list."""
+        described = entry(self._header, "materials", number)
+        if number not in self._surfaces:
+            self._surfaces[number] = self._surface(number, described)
+        return self._materials.of(self._surfaces[number], described=Described(described, self._buffers.texture))
+
+    def coordinates(self, number: int) -> Coordinates | None:
+        """The texture coordinates that a material uses, if any; also for `NONE`."""
+        if number not in self._coordinates:
+            self._coordinates[number] = coordinates.drawn(entry(self._header, "materials", number))
+        return self._coordinates[number]
+
+    def _surface(self, number: int, described: dict[str, Any]) -> Any:
+        surface = described.get("pbrMetallicRoughness", {})
+        if _GLOSS in (described.get("extensions") or ()):
+            read = self._converted[number]
+        else:
+            read = _Surface(alphaMode=described.get("alphaMode"), alphaCutoff=described.get("alphaCutoff"))
+        for owner, key in ((surface, "baseColorTexture"), (described, "emissiveTexture")):
+            if coordinates.is_texture(key, owner.get(key)):
+                picture = self._picture(owner[key]["index"])
+                if picture is not None:
+                    setattr(read, key, picture)
+        return read
+
+    def _picture(self, number: Any) -> Any:
+        """The image of a texture; None for one that cannot be read."""
+        from PIL import Image
+
+        data = self._buffers.picture(number)
+        if data is None:
+            return None
+        if data not in self._pictures:
+            try:
+                is_packed = data.startswith(ktx2.SIGNATURE)
+                picture = (
+                    Image.fromarray(ktx2.decode(data, self._budget)) if is_packed else Image.open(io.BytesIO(data))
+                )
+            except TooLargeError:
+                raise
+            except UnusableError as error:
+                raise UnusableError(f"its texture {number}, a KTX 2 image, {error}") from None
+            except Exception:  # Pillow's decoders raise errors of any type
+                picture = None
+            self._pictures[data] = picture
+        return self._pictures[data]
+
+    @cached_property
+    def _converted(self) -> list[Any]:
+        """All materials as trimesh reads them, which converts those of specular colour and gloss."""
+        from trimesh.exchange.gltf import _parse_materials
+
+        for material in self._header.get("materials", []):
+            if isinstance(material, dict) and _GLOSS in (material.get("extensions") or ()):
+                self._count_gloss(material["extensions"][_GLOSS])
+        converted: list[Any] = _parse_materials(self._header, _Views(self._buffers), self._resolver)
+        return converted
+
+    def _count_gloss(self, described: dict[str, Any]) -> None:
+        """Count what trimesh needs to convert a material's images."""
+        from PIL import Image
+
+        for key in ("diffuseTexture", "specularGlossinessTexture"):
+            data = self._buffers.picture(described[key]["index"]) if key in described else None
+            if data is not None:
+                try:
+                    with Image.open(io.BytesIO(data)) as image:
+                        size = image.size
+                except Exception:  # Pillow's decoders raise errors of any type; trimesh draws without the image
+                    continue
+                self._budget.take(_GLOSS_BYTES * size[0] * size[1])
+
+
+class _Views:
+    """The buffer views of a document, as trimesh expects them; each is copied when it is asked for."""
+
+    def __init__(self, buffers: Buffers) -> None:
+        self._buffers = buffers
+
+    def __getitem__(self, number: int) -> bytes:
+        return self._buffers.blob(number)

@@ -1,0 +1,148 @@
+"""The accessors of a glTF document as one table: where their rows lie, and which of them lie there unchanged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._scene.gltf.buffers import COMPONENTS, WIDTHS, Buffers
+
+_NONE = -1
+_FIRST, _FLOAT = 5120, 5126
+"""Least and greatest number of a type."""
+
+_MOST_WIDTH = max(WIDTHS.values())
+_SIZES = {code: np.dtype(kind).itemsize for code, kind in COMPONENTS.items()}
+_EMPTY = (0, 0, 4, 0, 1, _FLOAT, 0)
+"""Row of an accessor that is not plain."""
+
+Numbers = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of A accessors in blocks of bytes."""
+
+    blocks: list[NDArray[np.uint8]]
+    rows: Numbers
+    """Block, first byte, step, count, width, type and whether they are fractions (A, 7)."""
+    is_plain: NDArray[np.bool_]
+    """Whether the rows lie in a buffer, unchanged (A,)."""
+
+    def allows(self, widths: tuple[int, ...], kinds: Iterable[int] = COMPONENTS) -> NDArray[np.bool_]:
+        """Whether each accessor is plain, with rows of one of the widths and numbers of one of the types (A,)."""
+        has_width, has_kind = np.zeros(_MOST_WIDTH + 1, bool), np.zeros(_FLOAT - _FIRST + 1, bool)
+        has_width[[*widths]] = True
+        has_kind[[kind - _FIRST for kind in kinds]] = True
+        return self.is_plain & has_width[self.rows[:, 4]] & has_kind[self.rows[:, 5] - _FIRST]
+
+    @property
+    def counts(self) -> Numbers:
+        """Numbers of rows (A,)."""
+        return self.rows[:, 3]
+
+    @property
+    def is_tight(self) -> NDArray[np.bool_]:
+        """Whether rows follow each other without gaps (A,)."""
+        tight: NDArray[np.bool_] = self.rows[:, 2] == _sizes(self.rows[:, 5]) * self.rows[:, 4]
+        return tight
+
+
+def _sizes(kinds: Numbers) -> Numbers:
+    """Bytes of a number of each type; 0 for unknown types."""
+    known, places = np.unique(kinds, return_inverse=True)
+    return np.array([_SIZES.get(kind, 0) for kind in known.tolist()], np.int64)[places]
+
+
+def table(header: dict[str, Any], buffers: Buffers, used: Iterable[int]) -> Table | None:
+    """The table of the `used` accessors, all others being empty; None for a document whose entries are damaged."""
+    accessors, views = _accessors(header), _views(header)
+    if accessors is None or views is None or not len(accessors) or not len(views):
+        return None
+    view, offset, kind, count, width, is_fraction, is_sparse = accessors.T
+    chosen = np.zeros(len(accessors), bool)
+    chosen[[number for number in used if type(number) is int and 0 <= number < len(accessors)]] = True
+    chosen &= (view >= 0) & (view < len(views)) & (is_sparse == 0) & (width > 0)
+    view = np.where(chosen, view, 0)
+    blocks, block, start, length = _blocks(buffers, views, np.unique(view[chosen]).tolist())
+    size = _sizes(kind) * width
+    step = np.where(views[view, 3] == _NONE, size, views[view, 3])
+    chosen &= (size > 0) & (step >= size) & (count >= 0) & (offset >= 0) & (length[view] >= 0)
+    # No product overflows: nothing that lies in a file has as many rows or bytes.
+    chosen &= np.maximum(count, offset) <= length[view]
+    chosen &= (step <= np.maximum(length[view], size)) & (count <= np.iinfo(np.int64).max // np.maximum(step, 1))
+    end = offset + np.where(count > 0, (count - 1) * np.where(chosen, step, 0) + size, 0)
+    chosen &= end <= length[view]
+    rows = np.column_stack([block[view], start[view] + offset, step, count, width, kind, is_fraction])
+    rows[~chosen] = _EMPTY
+    return Table(blocks, rows, chosen)
+
+
+def _accessors(header: dict[str, Any]) -> Numbers | None:
+    """View, first byte, type, count, width, whether they are fractions, and whether some change (A, 7)."""
+    return _numbers(
+        [
+            (
+                accessor.get("bufferView", _NONE),
+                accessor.get("byteOffset", 0),
+                accessor.get("componentType", 0),
+                accessor.get("count", _NONE),
+                WIDTHS.get(accessor.get("type"), 0),
+                accessor.get("normalized", False),
+                "sparse" in accessor,
+            )
+            for accessor in header.get("accessors", [])
+        ]
+    )
+
+
+def _views(header: dict[str, Any]) -> Numbers | None:
+    """Buffer, first byte, length and step, −1 for none (V, 4)."""
+    return _numbers(
+        [
+            (
+                view.get("buffer", _NONE),
+                view.get("byteOffset", 0),
+                view.get("byteLength", _NONE),
+                view.get("byteStride", _NONE),
+            )
+            for view in header.get("bufferViews", [])
+        ]
+    )
+
+
+def _numbers(rows: list[tuple[Any, ...]]) -> Numbers | None:
+    """Rows as an array; None if one holds anything else than whole numbers."""
+    if not {type(value) for row in rows for value in row} <= {int, bool}:
+        return None
+    try:
+        return np.array(rows, np.int64)
+    except OverflowError:
+        return None
+
+
+def _blocks(
+    buffers: Buffers, views: Numbers, used: list[int]
+) -> tuple[list[NDArray[np.uint8]], Numbers, Numbers, Numbers]:
+    """Blocks of bytes, and for each view (V,) its block, the view's first byte in it, and its length; −1 for none."""
+    blocks: list[NDArray[np.uint8]] = []
+    of_buffer: dict[int, int] = {}
+    block, start, length = (np.full(len(views), value, np.int64) for value in (0, 0, _NONE))
+    for number in used:
+        buffer, first, size, _ = views[number].tolist()
+        if buffers.is_packed(number):
+            content = buffers.view(number)
+            block[number], length[number] = len(blocks), len(content)
+            blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
+            continue
+        if buffer not in of_buffer:
+            content = buffers.whole(buffer)
+            of_buffer[buffer] = len(blocks)
+            blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
+        if 0 <= first <= first + size <= len(blocks[of_buffer[buffer]]):
+            block[number], start[number], length[number] = of_buffer[buffer], first, size
+    return blocks, block, start, length

@@ -1,0 +1,124 @@
+"""Placed meshes: which are merged and which stay instances, where the scene's origin lies, and its kernels' form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import check
+from nearfar._scene.arrays import origin_for
+from nearfar._scene.mesh_list import MeshList
+
+OWN_OBJECTS = -1
+"""Object number of an instance whose mesh has an object number for each face."""
+
+_ROW = 12
+"""Bytes of a vertex's position, and of a face."""
+
+
+@dataclass(frozen=True)
+class Placements:
+    """For each of K instances: mesh (K,), transform mesh→world including the mesh's base (K, 4, 4), object (K,)."""
+
+    mesh: NDArray[np.int64]
+    transform: NDArray[np.float64]
+    object: NDArray[np.int32]
+
+    @classmethod
+    def of(
+        cls,
+        parts: Sequence[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]],
+        bases: NDArray[np.float64],
+    ) -> Placements:
+        """Join columns without the meshes' bases (M, 3)."""
+        if not parts:
+            return cls(np.zeros(0, np.int64), np.zeros((0, 4, 4)), np.zeros(0, np.int32))
+        mesh, transform, numbers = (np.concatenate(column) for column in zip(*parts, strict=True))
+        if bases.any():
+            transform[:, :3, 3] += np.einsum("kij,kj->ki", transform[:, :3, :3], bases[mesh])
+        return cls(mesh, transform, numbers)
+
+    def merges(self, moves: NDArray[np.bool_], names: Sequence[str]) -> NDArray[np.bool_]:
+        """Flags of the merged instances: static meshes placed once, and flat ones, whose transforms have no inverse."""
+        once = np.bincount(self.mesh, minlength=1)[self.mesh] == 1
+        scale = np.abs(self.transform[:, :3, :3]).sum(axis=(1, 2)) ** 3
+        # A determinant below 1e-30 of the size cubed is rounding error: float64 has 16 digits on each of three axes.
+        flat = np.abs(np.linalg.det(self.transform[:, :3, :3])) <= 1e-30 * scale
+        if (flat & moves).any():
+            name = names[self.object[np.argmax(flat & moves)]]
+            raise ValueError(f"dynamic: expected objects with invertible transforms, got a flat one for {name!r}")
+        merged: NDArray[np.bool_] = (once & ~moves) | flat
+        return merged
+
+    def origin(self, meshes: MeshList) -> NDArray[np.float64]:
+        """World position (3,) for the scene's origin."""
+        filled = meshes.face_counts()[self.mesh] > 0
+        if not filled.any():
+            return np.zeros(3)
+        # Unused vertices do not move the origin: they are looked for only where it would not be 0.
+        if not origin_for(self._bounds(filled, meshes.boxes())).any():
+            return np.zeros(3)
+        bounds = self._bounds(filled, meshes.face_boxes())
+        if (reach := np.abs(bounds).max()) > check.FARTHEST:
+            raise ValueError(f"vertices: expected coordinates within ±1e30 m, got {reach:g} m")
+        return origin_for(bounds)
+
+    def _bounds(self, chosen: NDArray[np.bool_], boxes: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Box (2, 3) of the chosen instances of meshes with boxes (M, 2, 3)."""
+        # The sides of a turned box are sums over its axes; those of a box whose axes stay axes are exact.
+        products = self.transform[chosen, None, :3, :3] * boxes[self.mesh[chosen]][:, :, None, :]
+        places = self.transform[chosen, :3, 3]
+        least = products.min(axis=1).sum(axis=-1) + places
+        greatest = products.max(axis=1).sum(axis=-1) + places
+        return np.stack([least.min(axis=0), greatest.max(axis=0)])
+
+    def copied_bytes(self, merged: NDArray[np.bool_], meshes: MeshList) -> int:
+        """Bytes of the merged copies of meshes beside the first of each."""
+        copies = np.maximum(np.bincount(self.mesh[merged], minlength=len(meshes)) - 1, 0)
+        # Whole numbers of any size: counts of absurd files overflow 64 bits.
+        sizes = (meshes.vertex_counts() + meshes.face_counts()).tolist()
+        return sum(_ROW * size * count for size, count in zip(sizes, copies.tolist(), strict=True) if count)
+
+
+def core_scene(
+    placed: Placements,
+    merges: NDArray[np.bool_],
+    origin: NDArray[np.float64],
+    meshes: MeshList,
+    materials: dict[str, Any],
+) -> _core.Scene:
+    """The scene about an origin, its merged meshes first."""
+    placements = placed.transform[:, :3].copy()
+    placements[:, :, 3] -= origin
+    rows = np.flatnonzero(merges)
+    if len(rows) == 1 and np.array_equal(placements[rows[0]], np.eye(4)[:3]):
+        rows = rows[:0]  # a single mesh at the identity is used without a copy
+        merges = np.zeros_like(merges)
+    merged = meshes.joined(placed.mesh[rows], placements[rows], placed.object[rows])
+    rest = np.flatnonzero(~merges)
+    identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
+    return _core.Scene(
+        origin=(float(origin[0]), float(origin[1]), float(origin[2])),
+        meshes=merged + _instanced(placed, rest, meshes),
+        placements=np.concatenate([identities, placements[rest]]),
+        objects=np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), placed.object[rest]]),
+        standing_count=len(merged) + len(rest),
+        **materials,
+    )
+
+
+def _instanced(placed: Placements, rows: NDArray[np.int64], meshes: MeshList) -> list[_core.Mesh]:
+    """Meshes of instances; mirrored instances get meshes with reversed faces, so that outsides stay outsides."""
+    if not len(rows):
+        return []
+    handles = placed.mesh[rows]
+    mirrored = np.linalg.det(placed.transform[rows, :3, :3]) < 0
+    cores = meshes.each(handles)
+    twins = {handle: cores[handle].turned() for handle in set(handles[mirrored].tolist())}
+    pairs = zip(handles.tolist(), mirrored.tolist(), strict=True)
+    return [twins[handle] if is_mirrored else cores[handle] for handle, is_mirrored in pairs]

@@ -1,0 +1,70 @@
+//! Colours of stored vertices: linear fractions in files, sRGB with linear alpha in scenes.
+
+use rayon::prelude::*;
+
+use super::fitness::{PIECE, pieces_of};
+use super::rows::{Number, Table};
+use super::{StoredMeshes, VertexSet};
+use crate::scene::srgb::{srgb_from_linear, srgb_from_u16};
+
+impl StoredMeshes {
+    /// For each of the faces that `new` took, whether colours of their vertices have an alpha below 1.
+    pub fn see_through(&self) -> Vec<bool> {
+        let of_mesh = |mesh: &super::StoredMesh| {
+            let of_sets: Vec<bool> = mesh.vertices.iter().map(|set| self.is_see_through(set)).collect();
+            mesh.faces.iter().map(|faces| of_sets[faces.set]).collect::<Vec<_>>()
+        };
+        self.meshes.par_iter().flat_map_iter(of_mesh).collect()
+    }
+
+    fn is_see_through(&self, set: &VertexSet) -> bool {
+        let Some(rows) = set.attributes.colors.filter(|&rows| self.rows[rows].width == 4) else { return false };
+        let table = self.table(rows).column(3);
+        pieces_of(set.count).any(|first| {
+            let mut slots = [[0.0; 1]; PIECE];
+            let slots = &mut slots[..PIECE.min(set.count - first)];
+            table.fractions(set.first + first, slots);
+            slots.iter().any(|&[opacity]| alpha(opacity) != u8::MAX)
+        })
+    }
+}
+
+/// The nearest of 255 steps.
+fn alpha(value: f32) -> u8 {
+    (value.clamp(0.0, 1.0) * 255.0).round_ties_even() as u8
+}
+
+impl Table<'_> {
+    /// Writes linear colours as sRGB with linear alpha; rows of three numbers are opaque.
+    pub(super) fn colors(&self, first: usize, slots: &mut [[u8; 4]]) {
+        if let (Number::U16, 4) = (self.number(), self.width()) {
+            let codes = srgb_from_u16();
+            self.shorts(first, slots, |[red, green, blue, opacity]| {
+                let [red, green, blue] = [red, green, blue].map(|light| codes[usize::from(light)]);
+                // 65535 is 255 · 257.
+                [red, green, blue, ((u32::from(opacity) + 128) / 257) as u8]
+            });
+            return;
+        }
+        let mut light = [[0.0; 4]; PIECE];
+        for (piece, slots) in slots.chunks_mut(PIECE).enumerate() {
+            let light = &mut light[..slots.len()];
+            self.light(first + piece * PIECE, light);
+            for (slot, [red, green, blue, opacity]) in slots.iter_mut().zip(&*light) {
+                *slot = [srgb_from_linear(*red), srgb_from_linear(*green), srgb_from_linear(*blue), alpha(*opacity)];
+            }
+        }
+    }
+
+    fn light(&self, first: usize, slots: &mut [[f32; 4]]) {
+        if self.width() == 4 {
+            return self.fractions(first, slots);
+        }
+        let mut opaque = [[0.0; 3]; PIECE];
+        let opaque = &mut opaque[..slots.len()];
+        self.fractions(first, opaque);
+        for (slot, &[red, green, blue]) in slots.iter_mut().zip(&*opaque) {
+            *slot = [red, green, blue, 1.0];
+        }
+    }
+}

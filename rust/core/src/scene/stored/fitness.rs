@@ -1,0 +1,120 @@
+//! Which meshes can be used as the file holds them, found in one pass over their bytes.
+
+use glam::Vec3;
+use rayon::prelude::*;
+
+use super::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
+use crate::base::{Aabb, Progress, REACH, Result};
+
+/// Number of rows that are read at a time; they stay in the first-level cache.
+pub(super) const PIECE: usize = 1 << 10;
+
+/// Greatest number of vertices for each corner that a shared set may take. Vertices that faces do not use cost memory.
+const MOST_SPREAD: usize = 2;
+
+/// What faces use of a set of vertices.
+#[derive(Clone)]
+struct Use {
+    least: usize,
+    end: usize,
+    corners: usize,
+}
+
+impl StoredMeshes {
+    /// Sets `is_fit` and `bounds` of all meshes, and the ranges of shared vertices.
+    pub(super) fn find_fit(&mut self, progress: &Progress) -> Result<()> {
+        let found = |mesh: &StoredMesh| progress.check().map(|()| self.examined(mesh));
+        self.meshes = self.meshes.par_iter().map(found).collect::<Result<_>>()?;
+        Ok(())
+    }
+
+    fn examined(&self, mesh: &StoredMesh) -> StoredMesh {
+        let mut mesh = mesh.clone();
+        let mut uses = vec![Use { least: usize::MAX, end: 0, corners: 0 }; mesh.vertices.len()];
+        for faces in mesh.faces.iter().filter(|faces| faces.count > 0) {
+            let (least, most) = self.limits(faces, &mesh.vertices);
+            let used = &mut uses[faces.set];
+            used.least = used.least.min(least as usize);
+            used.end = used.end.max(most as usize + 1);
+            used.corners += 3 * faces.count;
+        }
+        let mut is_fit = true;
+        for (set, used) in mesh.vertices.iter_mut().zip(&uses) {
+            is_fit &= used.end <= set.count;
+            if set.is_shared {
+                (set.first, set.count) = (used.least.min(used.end), used.end.saturating_sub(used.least));
+                is_fit &= set.count <= MOST_SPREAD * used.corners;
+            }
+        }
+        if is_fit {
+            let bounds = mesh.vertices.par_iter().map(|set| self.box_of(set)).collect::<Option<Vec<_>>>();
+            mesh.bounds = bounds.iter().flatten().fold(Aabb::EMPTY, |all, one| all.union(one));
+            mesh.is_fit = bounds.is_some() && f64::from(mesh.bounds.reach()) <= REACH;
+        }
+        mesh
+    }
+
+    /// Least and greatest vertex number of faces.
+    fn limits(&self, faces: &FaceSet, vertices: &[VertexSet]) -> (u32, u32) {
+        let Some(rows) = faces.corners else { return (0, (vertices[faces.set].count as u32).saturating_sub(1)) };
+        let table = self.table(rows);
+        let of_piece = |first: usize| {
+            let mut slots = [[0; 3]; PIECE];
+            let slots = &mut slots[..PIECE.min(faces.count - first)];
+            table.corners(first, slots);
+            let numbers = slots.as_flattened();
+            numbers.iter().fold((u32::MAX, 0), |(least, most), &number| (least.min(number), most.max(number)))
+        };
+        pieces_of(faces.count).map(of_piece).reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)))
+    }
+
+    /// Boxes of the faces of meshes that are fit, each in its own frame: within `bounds`, as vertices may be unused.
+    pub fn face_bounds(&self, progress: &Progress) -> Result<Vec<[[f64; 3]; 2]>> {
+        let of_mesh = |mesh: &StoredMesh| {
+            progress.check()?;
+            let sets = mesh.faces.par_iter().filter(|_| mesh.is_fit).map(|faces| self.box_of_faces(faces, mesh));
+            Ok(self.sides(&sets.reduce(|| Aabb::EMPTY, |a, b| a.union(&b))))
+        };
+        self.meshes.par_iter().map(of_mesh).collect()
+    }
+
+    fn box_of_faces(&self, faces: &FaceSet, mesh: &StoredMesh) -> Aabb {
+        let vertices = self.table(mesh.vertices[faces.set].attributes.positions);
+        let of_piece = |first: usize| {
+            let mut slots = [[0; 3]; PIECE];
+            let slots = &mut slots[..PIECE.min(faces.count - first)];
+            self.write_faces(faces, first, slots);
+            slots.as_flattened().iter().fold(Aabb::EMPTY, |mut bounds, &vertex| {
+                let mut point = [[0.0; 3]];
+                vertices.floats(vertex as usize, &mut point);
+                bounds.extend(point[0].into());
+                bounds
+            })
+        };
+        pieces_of(faces.count).map(of_piece).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
+    }
+
+    /// Box of a set's vertices; `None` if one is not finite.
+    fn box_of(&self, set: &VertexSet) -> Option<Aabb> {
+        let table = self.table(set.attributes.positions);
+        let of_piece = |first: usize| {
+            let mut slots = [[0.0; 3]; PIECE];
+            let slots = &mut slots[..PIECE.min(set.count - first)];
+            table.floats(set.first + first, slots);
+            let mut bounds = Aabb::EMPTY;
+            let mut sum = Vec3::ZERO;
+            for slot in slots {
+                bounds.extend((*slot).into());
+                // NaN and infinity stay in a sum of zeros.
+                sum += Vec3::from_array(*slot) * 0.0;
+            }
+            (sum == Vec3::ZERO).then_some(bounds)
+        };
+        pieces_of(set.count).map(of_piece).try_reduce(|| Aabb::EMPTY, |a, b| Some(a.union(&b)))
+    }
+}
+
+/// First rows of pieces.
+pub(super) fn pieces_of(count: usize) -> impl IndexedParallelIterator<Item = usize> {
+    (0..count.div_ceil(PIECE)).into_par_iter().with_min_len(64).map(|piece| piece * PIECE)
+}

@@ -1,0 +1,259 @@
+//! One mesh from stored meshes, each placed: their bytes are read once, into the arrays of the result.
+
+use glam::{DAffine3, Vec3};
+use rayon::prelude::*;
+
+use super::rows::Number;
+use super::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
+use crate::base::{Buffer, Error, FaceMap, Progress, Result};
+use crate::scene::merge::pieces;
+use crate::scene::mesh::{Mesh, TILE, turned};
+use crate::scene::normal::{normal_matrix, placed};
+
+/// Greatest difference from 1 of the squared length of a unit normal, so that normals of four digits count as unit.
+const UNIT: f32 = 1e-4;
+
+/// A stored mesh to be joined.
+#[derive(Clone, Copy, Debug)]
+pub struct StoredPart {
+    /// Its number; it is fit.
+    pub mesh: usize,
+    /// Transform object→scene; need not be invertible.
+    pub to_scene: DAffine3,
+    /// Object of all faces; −1 for none.
+    pub object: i32,
+}
+
+impl StoredPart {
+    fn stands_in_place(&self) -> bool {
+        self.to_scene == DAffine3::IDENTITY
+    }
+
+    /// Whether the transform is a mirror, which turns faces inside out.
+    fn is_mirrored(&self) -> bool {
+        self.to_scene.matrix3.determinant() < 0.0
+    }
+}
+
+impl StoredMeshes {
+    /// A mesh in its own frame, without an object. Arrays that lie in the file as they are used are not copied.
+    pub fn mesh(&self, mesh: usize, progress: &Progress) -> Result<Mesh> {
+        self.joined(&[StoredPart { mesh, to_scene: DAffine3::IDENTITY, object: -1 }], progress)
+    }
+
+    /// Several meshes, as `mesh` makes one.
+    pub fn meshes(&self, chosen: &[usize], progress: &Progress) -> Result<Vec<Mesh>> {
+        chosen.par_iter().map(|&mesh| self.mesh(mesh, progress)).collect()
+    }
+
+    /// Joins meshes in order. An attribute that only some vertices have is neutral at the others: white, without a
+    /// normal, texture coordinates 0.
+    pub fn joined(&self, parts: &[StoredPart], progress: &Progress) -> Result<Mesh> {
+        if parts.iter().any(|part| !part.to_scene.is_finite()) {
+            return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
+        }
+        let vertex_count: usize = parts.iter().map(|part| self.vertex_count(part.mesh)).sum();
+        let face_count: usize = parts.iter().map(|part| self.face_count(part.mesh)).sum();
+        if vertex_count.max(face_count) >= u32::MAX as usize {
+            return Err(Error::value("meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count));
+        }
+        let sets = || parts.iter().flat_map(|part| &self.meshes[part.mesh].vertices);
+        let positions = match self.borrowed_positions(parts) {
+            Some(positions) => positions,
+            None => self.positions(parts, progress)?.into(),
+        };
+        let faces = match self.borrowed_faces(parts) {
+            Some(faces) => faces,
+            None => self.faces(parts, progress)?.into(),
+        };
+        let uvs = sets().any(|set| set.attributes.uvs.is_some()).then(|| self.uvs(parts, progress)).transpose()?;
+        let colors =
+            sets().any(|set| set.attributes.colors.is_some()).then(|| self.colors(parts, progress)).transpose()?;
+        let normals =
+            sets().any(|set| set.attributes.normals.is_some()).then(|| self.normals(parts, progress)).transpose()?;
+        let objects: Vec<_> =
+            parts.iter().map(|part| (FaceMap::Uniform(part.object), self.face_count(part.mesh))).collect();
+        let face_sets = parts.iter().flat_map(|part| &self.meshes[part.mesh].faces);
+        let materials: Vec<_> = face_sets.map(|faces| (FaceMap::Uniform(faces.material), faces.count)).collect();
+        let joined = |maps: &[(FaceMap, usize)]| FaceMap::joined(maps.iter().map(|(map, count)| (map, *count)));
+        let (objects, materials) = (joined(&objects), joined(&materials));
+        progress.check()?;
+        let mesh = Mesh::unchecked(positions, faces, uvs.map(Into::into), colors.map(Into::into), objects, materials);
+        mesh.shaded_by(normals.map(Into::into)).within_reach()
+    }
+
+    fn positions(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[f32; 3]>> {
+        self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
+            self.table(set.attributes.positions).floats(first, slots);
+            if self.scale != 1.0 {
+                slots.as_flattened_mut().iter_mut().for_each(|x| *x = (f64::from(*x) * self.scale) as f32);
+            }
+            if !part.stands_in_place() {
+                for slot in slots {
+                    let point = Vec3::from_array(*slot).as_dvec3();
+                    *slot = part.to_scene.transform_point3(point).as_vec3().to_array();
+                }
+            }
+        })
+    }
+
+    fn normals(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[f32; 3]>> {
+        self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
+            let Some(rows) = set.attributes.normals else { return };
+            self.table(rows).floats(first, slots);
+            // Whole numbers are never exact.
+            let unit_enough = if self.rows[rows].number == Number::F32 { UNIT } else { 0.0 };
+            slots.iter_mut().for_each(|slot| *slot = unit(*slot, unit_enough));
+            if !part.stands_in_place() {
+                let matrix = normal_matrix(&part.to_scene);
+                slots.iter_mut().for_each(|slot| *slot = placed(&matrix, *slot).to_array());
+            }
+        })
+    }
+
+    fn uvs(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[f32; 2]>> {
+        self.by_vertex(parts, [0.0; 2], progress, |_, set, first, slots| {
+            let Some(rows) = set.attributes.uvs else { return };
+            self.table(rows).floats(first, slots);
+            // v points down in files.
+            slots.iter_mut().for_each(|[_, v]| *v = 1.0 - *v);
+        })
+    }
+
+    fn colors(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[u8; 4]>> {
+        self.by_vertex(parts, [255; 4], progress, |_, set, first, slots| {
+            if let Some(rows) = set.attributes.colors {
+                self.table(rows).colors(first, slots);
+            }
+        })
+    }
+
+    /// Values of all vertices; `write` gets a part, one of its sets, the first of some of its rows, and their slots.
+    fn by_vertex<T: Copy + Send + Sync>(
+        &self,
+        parts: &[StoredPart],
+        neutral: T,
+        progress: &Progress,
+        write: impl Fn(&StoredPart, &VertexSet, usize, &mut [T]) + Sync,
+    ) -> Result<Vec<T>> {
+        let lengths = || parts.iter().map(|part| self.vertex_count(part.mesh));
+        let mut values = vec![neutral; lengths().sum()];
+        parts.par_iter().zip(pieces(&mut values, lengths())).try_for_each(|(part, slots)| {
+            let sets = &self.meshes[part.mesh].vertices;
+            let slots = pieces(slots, sets.iter().map(|set| set.count));
+            sets.par_iter().zip(slots).try_for_each(|(set, slots)| {
+                slots.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, slots)| {
+                    write(part, set, set.first + tile * TILE, slots);
+                    progress.check()
+                })
+            })
+        })?;
+        Ok(values)
+    }
+
+    fn faces(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[u32; 3]>> {
+        let lengths = || parts.iter().map(|part| self.face_count(part.mesh));
+        let mut faces = vec![[0; 3]; lengths().sum()];
+        let firsts: Vec<usize> = starts(parts.iter().map(|part| self.vertex_count(part.mesh))).collect();
+        parts.par_iter().zip(firsts).zip(pieces(&mut faces, lengths())).try_for_each(|((part, first), slots)| {
+            let mesh = &self.meshes[part.mesh];
+            let shifts = mesh.shifts(first);
+            let slots = pieces(slots, mesh.faces.iter().map(|faces| faces.count));
+            mesh.faces.par_iter().zip(slots).try_for_each(|(faces, slots)| {
+                let (shift, mirrors) = (shifts[faces.set], part.is_mirrored());
+                slots.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, slots)| {
+                    self.write_faces(faces, tile * TILE, slots);
+                    for slot in slots {
+                        let face = slot.map(|vertex| vertex.wrapping_add(shift));
+                        *slot = if mirrors { turned(&face) } else { face };
+                    }
+                    progress.check()
+                })
+            })
+        })?;
+        Ok(faces)
+    }
+
+    /// Writes faces from number `first` on, with the vertex numbers of the file.
+    pub(super) fn write_faces(&self, faces: &FaceSet, first: usize, slots: &mut [[u32; 3]]) {
+        match faces.corners {
+            Some(rows) => self.table(rows).corners(first, slots),
+            None => {
+                for (row, slot) in slots.iter_mut().enumerate() {
+                    let corner = 3 * (first + row) as u32;
+                    *slot = [corner, corner + 1, corner + 2];
+                }
+            }
+        }
+    }
+
+    /// The file's own positions, for one mesh that stays where it is.
+    fn borrowed_positions(&self, parts: &[StoredPart]) -> Option<Buffer<[f32; 3]>> {
+        let [part] = parts else { return None };
+        let [set] = &self.meshes[part.mesh].vertices[..] else { return None };
+        let is_plain = self.scale == 1.0 && part.stands_in_place();
+        is_plain.then(|| self.borrowed(set.attributes.positions, Number::F32, set.first, set.count))?
+    }
+
+    /// The file's own faces, for one mesh of one set of them.
+    fn borrowed_faces(&self, parts: &[StoredPart]) -> Option<Buffer<[u32; 3]>> {
+        let [part] = parts else { return None };
+        let mesh = &self.meshes[part.mesh];
+        let [faces] = &mesh.faces[..] else { return None };
+        let is_plain = mesh.vertices[0].first == 0 && !part.is_mirrored();
+        is_plain.then(|| self.borrowed(faces.corners?, Number::U32, 0, 3 * faces.count))?
+    }
+
+    fn borrowed<T: bytemuck::AnyBitPattern + Send + Sync>(
+        &self,
+        rows: usize,
+        number: Number,
+        first: usize,
+        count: usize,
+    ) -> Option<Buffer<T>> {
+        let rows = &self.rows[rows];
+        let range = rows.tight(first, count).filter(|_| rows.number == number)?;
+        let block = self.blocks[rows.block].clone();
+        bytemuck::try_cast_slice::<u8, T>(&block[range.clone()]).ok()?;
+        Some(Buffer::from_owner(Borrowed { block, range, of: std::marker::PhantomData }))
+    }
+}
+
+/// A range of a block that holds aligned values.
+struct Borrowed<T> {
+    block: Buffer<u8>,
+    range: std::ops::Range<usize>,
+    of: std::marker::PhantomData<fn() -> T>,
+}
+
+impl<T: bytemuck::AnyBitPattern> AsRef<[T]> for Borrowed<T> {
+    fn as_ref(&self) -> &[T] {
+        bytemuck::cast_slice(&self.block[self.range.clone()])
+    }
+}
+
+impl StoredMesh {
+    /// What is added to the numbers of each set's vertices where the mesh's first one is `first`.
+    fn shifts(&self, first: usize) -> Vec<u32> {
+        let starts = starts(self.vertices.iter().map(|set| set.count));
+        starts.zip(&self.vertices).map(|(start, set)| (first + start).wrapping_sub(set.first) as u32).collect()
+    }
+}
+
+/// The sum of the lengths before each.
+fn starts(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = usize> {
+    lengths.scan(0, |next, length| {
+        let start = *next;
+        *next += length;
+        Some(start)
+    })
+}
+
+/// A normal of unit length, itself if its squared length is at most `enough` from 1; zeros for one that is not finite.
+fn unit(normal: [f32; 3], enough: f32) -> [f32; 3] {
+    let vector = Vec3::from_array(normal);
+    if (vector.length_squared() - 1.0).abs() <= enough {
+        return normal;
+    }
+    if vector.is_finite() { vector.as_dvec3().normalize_or_zero().as_vec3().to_array() } else { [0.0; 3] }
+}

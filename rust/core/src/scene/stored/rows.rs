@@ -1,0 +1,250 @@
+//! Rows of numbers in a block of bytes, as files describe them: a type, a place, a distance from row to row.
+
+use crate::base::Buffer;
+
+/// Type of the numbers of rows, little-endian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Number {
+    I8,
+    U8,
+    I16,
+    U16,
+    U32,
+    F32,
+}
+
+impl Number {
+    /// Bytes of a number.
+    pub fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::U32 | Self::F32 => 4,
+        }
+    }
+}
+
+/// The place of rows.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows {
+    /// Number of the block of bytes.
+    pub block: usize,
+    /// First byte of the first row.
+    pub start: usize,
+    /// Bytes from one row to the next.
+    pub step: usize,
+    /// Number of rows.
+    pub count: usize,
+    /// Numbers in a row.
+    pub width: usize,
+    /// Type of the numbers.
+    pub number: Number,
+    /// Whether whole numbers stand for fractions of the greatest one of their type.
+    pub is_fraction: bool,
+}
+
+impl Rows {
+    /// Bytes of a row.
+    pub fn size(&self) -> usize {
+        self.width * self.number.size()
+    }
+
+    /// The byte after the last row; `None` beyond all numbers.
+    pub fn end(&self) -> Option<usize> {
+        let Some(before) = self.count.checked_sub(1) else { return Some(self.start) };
+        before.checked_mul(self.step)?.checked_add(self.start)?.checked_add(self.size())
+    }
+
+    /// The bytes of rows that follow each other without gaps.
+    pub fn tight(&self, first: usize, count: usize) -> Option<std::ops::Range<usize>> {
+        let start = self.start + first * self.step;
+        (self.step == self.size()).then(|| start..start + count * self.step)
+    }
+}
+
+/// A type of numbers in a file.
+trait Stored: Copy {
+    const SIZE: usize;
+    /// The number that begins with the first of these bytes.
+    fn first_of(bytes: &[u8]) -> Self;
+    /// The number itself.
+    fn plain(self) -> f32;
+    /// The fraction of the type's greatest number, at least −1 (glTF 2.0, 3.6.2.2).
+    fn fraction(self) -> f32;
+}
+
+macro_rules! whole {
+    ($($number:ty),+) => {
+        $(impl Stored for $number {
+            const SIZE: usize = size_of::<$number>();
+            #[inline]
+            fn first_of(bytes: &[u8]) -> Self {
+                Self::from_le_bytes(*bytes.first_chunk().expect("rows lie within their block"))
+            }
+            #[inline]
+            fn plain(self) -> f32 {
+                self as f32
+            }
+            #[inline]
+            fn fraction(self) -> f32 {
+                (f64::from(self) / f64::from(Self::MAX)).max(-1.0) as f32
+            }
+        })+
+    };
+}
+
+whole!(i8, u8, i16, u16, u32);
+
+impl Stored for f32 {
+    const SIZE: usize = 4;
+    #[inline]
+    fn first_of(bytes: &[u8]) -> Self {
+        Self::from_le_bytes(*bytes.first_chunk().expect("rows lie within their block"))
+    }
+    #[inline]
+    fn plain(self) -> f32 {
+        self
+    }
+    #[inline]
+    fn fraction(self) -> f32 {
+        self
+    }
+}
+
+/// Evaluates an expression with `$type` as the type of a number.
+macro_rules! with_number {
+    ($number:expr, $type:ident => $body:expr) => {
+        match $number {
+            Number::I8 => {
+                type $type = i8;
+                $body
+            }
+            Number::U8 => {
+                type $type = u8;
+                $body
+            }
+            Number::I16 => {
+                type $type = i16;
+                $body
+            }
+            Number::U16 => {
+                type $type = u16;
+                $body
+            }
+            Number::U32 => {
+                type $type = u32;
+                $body
+            }
+            Number::F32 => {
+                type $type = f32;
+                $body
+            }
+        }
+    };
+}
+
+/// Rows with the bytes that hold them.
+#[derive(Clone, Copy)]
+pub struct Table<'a> {
+    rows: Rows,
+    bytes: &'a [u8],
+}
+
+impl<'a> Table<'a> {
+    /// The rows lie within their block.
+    pub fn new(rows: Rows, blocks: &'a [Buffer<u8>]) -> Self {
+        Self { rows, bytes: &blocks[rows.block] }
+    }
+
+    /// Numbers in a row.
+    pub fn width(&self) -> usize {
+        self.rows.width
+    }
+
+    /// Type of the numbers.
+    pub fn number(&self) -> Number {
+        self.rows.number
+    }
+
+    /// One number of each row.
+    pub fn column(&self, column: usize) -> Self {
+        let rows = Rows { start: self.rows.start + column * self.rows.number.size(), width: 1, ..self.rows };
+        Self { rows, bytes: self.bytes }
+    }
+
+    /// Writes what is made of rows of `W` numbers of 16 bits.
+    pub fn shorts<R, const W: usize>(&self, first: usize, slots: &mut [R], of: impl Fn([u16; W]) -> R) {
+        let start = self.rows.start + first * self.rows.step;
+        for (row, slot) in slots.iter_mut().enumerate() {
+            let at = start + row * self.rows.step;
+            let bytes = self.bytes[at..at + 2 * W].as_chunks::<2>().0;
+            *slot = of(std::array::from_fn(|column| u16::from_le_bytes(bytes[column])));
+        }
+    }
+
+    /// Writes rows from number `first` on as float32; fractions are those of the type's greatest number.
+    pub fn floats<const W: usize>(&self, first: usize, slots: &mut [[f32; W]]) {
+        with_number!(self.rows.number, T => {
+            if self.rows.is_fraction {
+                self.each(first, slots, T::fraction);
+            } else {
+                self.each(first, slots, T::plain);
+            }
+        });
+    }
+
+    /// Writes three rows of one whole number each, from face `first` on.
+    pub fn corners(&self, first: usize, slots: &mut [[u32; 3]]) {
+        let faces = Self { rows: Rows { step: 3 * self.rows.step, width: 3, ..self.rows }, bytes: self.bytes };
+        match self.rows.number {
+            Number::U8 => faces.each(first, slots, |number: u8| u32::from(number)),
+            Number::U16 => faces.each(first, slots, |number: u16| u32::from(number)),
+            _ => faces.each(first, slots, |number: u32| number),
+        }
+    }
+
+    /// Writes rows of `W` numbers as fractions of 1: whole numbers are fractions in any case.
+    pub fn fractions<const W: usize>(&self, first: usize, slots: &mut [[f32; W]]) {
+        with_number!(self.rows.number, T => self.each(first, slots, T::fraction));
+    }
+
+    fn each<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [[R; W]], of: impl Fn(T) -> R) {
+        let start = self.rows.start + first * self.rows.step;
+        for (row, slot) in slots.iter_mut().enumerate() {
+            let at = start + row * self.rows.step;
+            let bytes = &self.bytes[at..at + W * T::SIZE];
+            *slot = std::array::from_fn(|column| of(T::first_of(&bytes[column * T::SIZE..])));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_every_type_and_fractions_of_their_greatest() {
+        let blocks = [Buffer::from(vec![0u8, 0x80, 0x7f, 0xff, 0, 0, 0x80, 0x3f])];
+        let one = |start, number, is_fraction| {
+            let rows = Rows { block: 0, start, step: 4, count: 1, width: 1, number, is_fraction };
+            let mut slot = [[0.0]];
+            Table::new(rows, &blocks).floats(0, &mut slot);
+            slot[0][0]
+        };
+        assert_eq!((one(1, Number::I8, false), one(1, Number::I8, true)), (-128.0, -1.0));
+        assert_eq!((one(2, Number::U8, false), one(3, Number::U8, true)), (127.0, 1.0));
+        assert_eq!((one(0, Number::I16, false), one(0, Number::I16, true)), (-32768.0, -1.0));
+        assert_eq!(one(2, Number::U16, true), 0xff7f as f32 / 65535.0);
+        assert_eq!((one(4, Number::F32, false), one(4, Number::U32, false)), (1.0, 1_065_353_216.0));
+    }
+
+    #[test]
+    fn ends_are_known_without_overflow() {
+        let rows = Rows { block: 0, start: 4, step: 12, count: 3, width: 2, number: Number::U16, is_fraction: false };
+        assert_eq!((rows.size(), rows.end()), (4, Some(32)));
+        assert_eq!(Rows { count: 0, ..rows }.end(), Some(4));
+        assert_eq!(Rows { count: usize::MAX, ..rows }.end(), None);
+        assert_eq!((rows.tight(1, 1), Rows { step: 4, ..rows }.tight(1, 2)), (None, Some(8..16)));
+    }
+}

@@ -1,0 +1,240 @@
+//! Stored meshes against meshes that are made of arrays and merged.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::*;
+use crate::base::FaceMap;
+use crate::scene::{Mesh, PlacedMesh, merge};
+
+/// Bytes that grow, and the rows that describe them.
+#[derive(Default)]
+struct Bytes {
+    bytes: Vec<u8>,
+    rows: Vec<Rows>,
+}
+
+impl Bytes {
+    /// Adds rows with a gap of `gap` bytes after each.
+    fn add<const W: usize>(&mut self, values: &[[f32; W]], number: Number, is_fraction: bool, gap: usize) -> usize {
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0xee);
+        let start = self.bytes.len();
+        for value in values.iter().map(|row| row.as_slice()) {
+            for &value in value {
+                match number {
+                    Number::I8 => self.bytes.extend((value as i8).to_le_bytes()),
+                    Number::U8 => self.bytes.extend((value as u8).to_le_bytes()),
+                    Number::I16 => self.bytes.extend((value as i16).to_le_bytes()),
+                    Number::U16 => self.bytes.extend((value as u16).to_le_bytes()),
+                    Number::U32 => self.bytes.extend((value as u32).to_le_bytes()),
+                    Number::F32 => self.bytes.extend(value.to_le_bytes()),
+                }
+            }
+            self.bytes.resize(self.bytes.len() + gap, 0xee);
+        }
+        let step = W * number.size() + gap;
+        self.rows.push(Rows { block: 0, start, step, count: values.len(), width: W, number, is_fraction });
+        self.rows.len() - 1
+    }
+
+    fn stored(self, faces: &[StoredFaces]) -> StoredMeshes {
+        StoredMeshes::new(vec![self.bytes.into()], self.rows, faces, &Progress::new()).unwrap()
+    }
+}
+
+const SQUARE: [[f32; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 1.0], [0.0, 2.0, 0.0]];
+const HALVES: [[f32; 1]; 6] = [[0.0], [1.0], [2.0], [0.0], [2.0], [3.0]];
+
+fn attributes(positions: usize) -> Attributes {
+    Attributes { positions, normals: None, uvs: None, colors: None }
+}
+
+fn faces(mesh: usize, attributes: Attributes, corners: usize, material: i32) -> StoredFaces {
+    StoredFaces { mesh, attributes, corners: Some(corners), material }
+}
+
+fn part(mesh: usize, to_scene: DAffine3, object: i32) -> StoredPart {
+    StoredPart { mesh, to_scene, object }
+}
+
+#[test]
+fn joined_meshes_are_those_merged_from_arrays() {
+    let mut bytes = Bytes::default();
+    let positions = bytes.add(&SQUARE, Number::F32, false, 4);
+    let normals = bytes.add(&[[0.0, 0.0, 127.0]; 4], Number::I8, true, 1);
+    let uvs = bytes.add(&[[0.0, 0.0], [65535.0, 0.0], [65535.0, 65535.0], [0.0, 65535.0]], Number::U16, true, 0);
+    let colors = bytes.add(&[[255.0, 0.0, 0.0]; 4], Number::U8, true, 1);
+    let corners = bytes.add(&HALVES, Number::U16, false, 0);
+    let other = bytes.add(&SQUARE.map(|p| p.map(|x| 10.0 * x)), Number::I16, false, 2);
+    let rich = Attributes { positions, normals: Some(normals), uvs: Some(uvs), colors: Some(colors) };
+    let stored = bytes.stored(&[faces(0, rich, corners, 3), faces(1, attributes(other), corners, 5)]);
+    assert!(stored.is_fit(0) && stored.is_fit(1));
+
+    let indices = || Buffer::from(vec![[0, 1, 2], [0, 2, 3]]);
+    let up = vec![[0.0, 0.0, 1.0]; 4];
+    let flipped = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
+    let first = Mesh::new(
+        SQUARE.to_vec().into(),
+        indices(),
+        Some(flipped.into()),
+        Some(vec![[255, 0, 0, 255]; 4].into()),
+        FaceMap::Uniform(-1),
+        FaceMap::Uniform(3),
+    );
+    let first = first.unwrap().with_normals(Some(up.into())).unwrap();
+    let tenfold = SQUARE.map(|p| p.map(|x| 10.0 * x)).to_vec();
+    let second = Mesh::new(tenfold.into(), indices(), None, None, FaceMap::Uniform(-1), FaceMap::Uniform(5)).unwrap();
+    let turn = DAffine3 {
+        matrix3: DMat3::from_rotation_y(0.7) * DMat3::from_diagonal(DVec3::new(1.0, -2.0, 1.0)),
+        translation: DVec3::new(100.0, -3.0, 0.5),
+    };
+    let meshes = [Arc::new(first), Arc::new(second)];
+    let placed = |mesh: usize, to_scene, object| PlacedMesh { mesh: Arc::clone(&meshes[mesh]), to_scene, object };
+    let expected = merge(
+        &[placed(0, turn, Some(7)), placed(1, DAffine3::IDENTITY, Some(2)), placed(0, DAffine3::IDENTITY, Some(1))],
+        &Progress::new(),
+    )
+    .unwrap();
+    let parts = [part(0, turn, 7), part(1, DAffine3::IDENTITY, 2), part(0, DAffine3::IDENTITY, 1)];
+    let found = stored.joined(&parts, &Progress::new()).unwrap();
+    assert_eq!(found.positions[..], expected.positions[..]);
+    assert_eq!(found.faces[..], expected.faces[..]);
+    assert_eq!(found.uvs.as_deref(), expected.uvs.as_deref());
+    assert_eq!(found.colors.as_deref(), expected.colors.as_deref());
+    assert_eq!(found.normals.as_deref(), expected.normals.as_deref());
+    let labels =
+        |mesh: &Mesh| (0..6).map(|face| (mesh.objects.get(face), mesh.materials.get(face))).collect::<Vec<_>>();
+    assert_eq!(labels(&found), labels(&expected));
+    assert_eq!(found.bounds(), expected.bounds());
+    assert_eq!((stored.vertex_count(0), stored.face_count(1)), (4, 2));
+}
+
+#[test]
+fn faces_of_one_mesh_share_vertices_and_other_meshes_take_their_range() {
+    let mut bytes = Bytes::default();
+    let pool: Vec<[f32; 3]> = (0..30).map(|i| [i as f32, (i * i) as f32, 0.0]).collect();
+    let positions = bytes.add(&pool, Number::F32, false, 0);
+    let low = bytes.add(&[[0.0], [1.0], [2.0]], Number::U8, false, 0);
+    let high = bytes.add(&[[20.0], [21.0], [23.0]], Number::U32, false, 0);
+    let wide = bytes.add(&[[0.0], [1.0], [29.0]], Number::U8, false, 0);
+    let of = attributes(positions);
+    let table = [faces(0, of, low, 0), faces(0, of, low, 1), faces(1, of, high, 0), faces(2, of, wide, 0)];
+    let stored = bytes.stored(&table);
+    assert_eq!([0, 1, 2].map(|mesh| stored.is_fit(mesh)), [true, true, false]);
+    assert_eq!([0, 1].map(|mesh| stored.vertex_count(mesh)), [3, 4]);
+    let boxes = stored.face_bounds(&Progress::new()).unwrap();
+    assert_eq!((stored.bounds(1), boxes[1]), ([[20.0, 400.0, 0.0], [23.0, 529.0, 0.0]], stored.bounds(1)));
+    assert!(boxes[2][0][0] > boxes[2][1][0]);
+    let mesh = stored.mesh(1, &Progress::new()).unwrap();
+    assert_eq!((&mesh.faces[..], &mesh.positions[..]), (&[[0, 1, 3]][..], &pool[20..24]));
+    let both = [part(0, DAffine3::IDENTITY, 4), part(1, DAffine3::IDENTITY, 5)];
+    let mesh = stored.joined(&both, &Progress::new()).unwrap();
+    assert_eq!(mesh.faces[..], [[0, 1, 2], [0, 1, 2], [3, 4, 6]]);
+    assert_eq!([0, 1, 2].map(|face| (mesh.objects.get(face), mesh.materials.get(face))), [(4, 0), (4, 1), (5, 0)]);
+}
+
+#[test]
+fn boxes_of_faces_leave_out_what_they_do_not_use() {
+    let mut bytes = Bytes::default();
+    let positions = bytes.add(&SQUARE, Number::F32, false, 0);
+    let corners = bytes.add(&HALVES[..3], Number::U16, false, 0);
+    let stored = bytes.stored(&[faces(0, attributes(positions), corners, 0)]);
+    assert_eq!(stored.bounds(0), [[0.0, 0.0, 0.0], [2.0, 2.0, 1.0]]);
+    let scaled = stored.scaled(0.5).face_bounds(&Progress::new()).unwrap();
+    assert_eq!(scaled, [[[0.0, 0.0, 0.0], [1.0, 1.0, 0.5]]]);
+    let far = StoredFaces { corners: None, ..faces(0, attributes(0), 0, 0) };
+    let mut bytes = Bytes::default();
+    bytes.add(&[SQUARE[0], SQUARE[1], SQUARE[3]], Number::F32, false, 0);
+    assert_eq!(bytes.stored(&[far]).face_bounds(&Progress::new()).unwrap(), [[[0.0; 3], [2.0, 2.0, 0.0]]]);
+}
+
+#[test]
+fn arrays_that_lie_as_they_are_used_are_not_copied() {
+    let mut bytes = Bytes::default();
+    let positions = bytes.add(&SQUARE, Number::F32, false, 0);
+    let corners = bytes.add(&HALVES, Number::U32, false, 0);
+    let stored = bytes.stored(&[faces(0, attributes(positions), corners, 0)]);
+    let mesh = stored.mesh(0, &Progress::new()).unwrap();
+    assert_eq!(mesh.positions.as_ptr().cast(), stored.blocks[0].as_ptr());
+    assert_eq!((&mesh.positions[..], mesh.faces[..].as_ptr().cast()), (&SQUARE[..], &raw const stored.blocks[0][48]));
+    let doubled = stored.scaled(2.0).mesh(0, &Progress::new()).unwrap();
+    assert_eq!(doubled.positions[..], SQUARE.map(|p| p.map(|x| 2.0 * x)));
+    assert_eq!(stored.scaled(2.0).bounds(0), [[0.0, 0.0, 0.0], [4.0, 4.0, 2.0]]);
+}
+
+#[test]
+fn what_is_not_finite_or_not_there_is_not_fit() {
+    for (point, corner) in [(f32::NAN, 0.0), (f32::INFINITY, 0.0), (2e30, 0.0), (0.0, 4.0)] {
+        let mut bytes = Bytes::default();
+        let positions = bytes.add(&[SQUARE[0], SQUARE[1], SQUARE[2], [0.0, point, 0.0]], Number::F32, false, 0);
+        let corners = bytes.add(&[[corner], [1.0], [2.0]], Number::U16, false, 0);
+        assert!(!bytes.stored(&[faces(0, attributes(positions), corners, 0)]).is_fit(0), "{point} {corner}");
+    }
+}
+
+#[test]
+fn normals_get_length_one_and_colours_know_their_alpha() {
+    let mut bytes = Bytes::default();
+    let positions = bytes.add(&SQUARE[..3], Number::F32, false, 0);
+    let normals = bytes.add(&[[0.0, 3.0, 0.0], [0.0; 3], [0.0, f32::NAN, 1.0]], Number::F32, false, 0);
+    let colors = bytes.add(&[[1.0, 0.0, f32::NAN, 1.0], [0.5, 0.0, 2.0, 0.5], [0.0; 4]], Number::F32, false, 0);
+    let lit = Attributes { normals: Some(normals), colors: Some(colors), ..attributes(positions) };
+    let plain = StoredFaces { mesh: 1, attributes: attributes(positions), corners: None, material: 0 };
+    let stored = bytes.stored(&[StoredFaces { mesh: 0, attributes: lit, corners: None, material: 0 }, plain]);
+    let mesh = stored.mesh(0, &Progress::new()).unwrap();
+    assert_eq!(mesh.normals.as_deref().unwrap(), [[0.0, 1.0, 0.0], [0.0; 3], [0.0; 3]]);
+    assert_eq!(mesh.colors.as_deref().unwrap(), [[255, 0, 0, 255], [188, 0, 255, 128], [0; 4]]);
+    assert_eq!(stored.see_through(), [true, false]);
+}
+
+#[test]
+fn colours_of_whole_numbers_are_those_of_fractions() {
+    let shorts: Vec<[f32; 4]> =
+        (0..=u16::MAX).map(|x| [f32::from(x), f32::from(u16::MAX - x), 7.0, f32::from(x)]).collect();
+    let mut bytes = Bytes::default();
+    let whole = bytes.add(&shorts, Number::U16, true, 0);
+    let floats = bytes.add(
+        &shorts.iter().map(|row| row.map(|x| (f64::from(x) / 65535.0) as f32)).collect::<Vec<_>>(),
+        Number::F32,
+        false,
+        4,
+    );
+    let blocks = [Buffer::from(bytes.bytes)];
+    let [ours, expected] = [whole, floats].map(|rows| {
+        let mut slots = vec![[0; 4]; shorts.len()];
+        Table::new(bytes.rows[rows], &blocks).colors(0, &mut slots);
+        slots
+    });
+    assert_eq!(ours, expected);
+}
+
+#[test]
+fn tables_that_do_not_fit_are_refused() {
+    let table = |change: fn(&mut Rows)| {
+        let mut bytes = Bytes::default();
+        let positions = bytes.add(&SQUARE, Number::F32, false, 0);
+        let corners = bytes.add(&HALVES, Number::U16, false, 0);
+        change(&mut bytes.rows[1]);
+        StoredMeshes::new(
+            vec![bytes.bytes.into()],
+            bytes.rows,
+            &[faces(0, attributes(positions), corners, 0)],
+            &Progress::new(),
+        )
+    };
+    assert!(table(|_| ()).is_ok());
+    for change in [
+        (|rows| rows.count = 4) as fn(&mut Rows),
+        |rows| rows.count = 9,
+        |rows| rows.start = usize::MAX,
+        |rows| rows.step = 0,
+        |rows| rows.step = 3,
+        |rows| rows.block = 1,
+        |rows| rows.number = Number::I16,
+    ] {
+        assert!(table(change).is_err());
+    }
+    let short = |faces| StoredMeshes::new(vec![], vec![], &[faces], &Progress::new());
+    assert!(short(StoredFaces { mesh: 0, attributes: attributes(0), corners: None, material: 0 }).is_err());
+}

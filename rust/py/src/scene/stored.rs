@@ -1,0 +1,164 @@
+//! Bindings of `scene::stored`.
+
+use std::sync::Arc;
+
+use nearfar_core::base::Error;
+use nearfar_core::scene::stored::{self, Attributes, Number, Rows, StoredFaces, StoredPart};
+use numpy::ndarray::{Array3, ArrayView1};
+use numpy::{IntoPyArray, PyArray1, PyArray3, PyArrayDyn, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use super::mesh::Mesh;
+use super::placements::{affines, same_length};
+use crate::convert::arrays::flat_buffer;
+use crate::convert::errors::to_python;
+use crate::convert::run;
+
+/// Meshes in the bytes of files.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct StoredMeshes(Arc<stored::StoredMeshes>);
+
+/// A row of the table: block, first byte, step, count, width, type as glTF numbers it, whether they are fractions.
+fn rows_of(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
+    let number = match row[5] {
+        5120 => Number::I8,
+        5121 => Number::U8,
+        5122 => Number::I16,
+        5123 => Number::U16,
+        5125 => Number::U32,
+        5126 => Number::F32,
+        other => return Err(PyValueError::new_err(format!("rows: expected a type of glTF, got {other}"))),
+    };
+    let at = |column: usize| {
+        usize::try_from(row[column]).map_err(|_| PyValueError::new_err("rows: expected numbers of at least 0"))
+    };
+    Ok(Rows {
+        block: at(0)?,
+        start: at(1)?,
+        step: at(2)?,
+        count: at(3)?,
+        width: at(4)?,
+        number,
+        is_fraction: row[6] != 0,
+    })
+}
+
+/// A row of the table: mesh, positions, normals, texture coordinates, colours, corners (−1 for none) and material.
+fn faces_of(row: ArrayView1<'_, i64>) -> StoredFaces {
+    let number = |column: usize| usize::try_from(row[column]).ok();
+    StoredFaces {
+        mesh: number(0).unwrap_or(usize::MAX),
+        attributes: Attributes {
+            positions: number(1).unwrap_or(usize::MAX),
+            normals: number(2),
+            uvs: number(3),
+            colors: number(4),
+        },
+        corners: number(5),
+        material: row[6] as i32,
+    }
+}
+
+fn sides<'py>(py: Python<'py>, boxes: &[[[f64; 3]; 2]]) -> Bound<'py, PyArray3<f64>> {
+    Array3::from_shape_fn((boxes.len(), 2, 3), |(mesh, side, axis)| boxes[mesh][side][axis]).into_pyarray(py)
+}
+
+impl StoredMeshes {
+    /// Numbers of meshes that can be used.
+    fn chosen(&self, meshes: &PyReadonlyArray1<'_, i64>) -> PyResult<Vec<usize>> {
+        let number =
+            |&mesh: &i64| usize::try_from(mesh).ok().filter(|&mesh| mesh < self.0.len() && self.0.is_fit(mesh));
+        meshes
+            .as_array()
+            .iter()
+            .map(|mesh| number(mesh).ok_or_else(|| PyValueError::new_err(format!("meshes: got {mesh}"))))
+            .collect()
+    }
+
+    fn per_mesh<'py, T: numpy::Element>(&self, py: Python<'py>, of: impl Fn(usize) -> T) -> Bound<'py, PyArray1<T>> {
+        (0..self.0.len()).map(of).collect::<Vec<_>>().into_pyarray(py)
+    }
+}
+
+#[pymethods]
+impl StoredMeshes {
+    #[new]
+    fn new<'py>(
+        py: Python<'py>,
+        blocks: Vec<Bound<'py, PyArrayDyn<u8>>>,
+        rows: PyReadonlyArray2<'py, i64>,
+        faces: PyReadonlyArray2<'py, i64>,
+    ) -> PyResult<Self> {
+        let blocks = blocks.iter().map(flat_buffer).collect::<PyResult<Vec<_>>>()?;
+        let rows = rows.as_array().outer_iter().map(rows_of).collect::<PyResult<Vec<_>>>()?;
+        let faces: Vec<StoredFaces> = faces.as_array().outer_iter().map(faces_of).collect();
+        run::long(py, None, |progress| stored::StoredMeshes::new(blocks, rows, &faces, progress))
+            .map(|meshes| Self(Arc::new(meshes)))
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Self(Arc::new(self.0.scaled(factor)))
+    }
+
+    fn with_materials(&self, numbers: PyReadonlyArray1<'_, i32>) -> PyResult<Self> {
+        self.0.with_materials(numbers.as_slice()?).map(|meshes| Self(Arc::new(meshes))).map_err(to_python)
+    }
+
+    /// Whether each mesh can be used (M,).
+    fn fit<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {
+        self.per_mesh(py, |mesh| self.0.is_fit(mesh))
+    }
+
+    /// Numbers of vertices (M,).
+    fn vertex_counts<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        self.per_mesh(py, |mesh| self.0.vertex_count(mesh) as i64)
+    }
+
+    /// Numbers of faces (M,).
+    fn face_counts<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        self.per_mesh(py, |mesh| self.0.face_count(mesh) as i64)
+    }
+
+    /// Boxes of the meshes' vertices (M, 2, 3), each in its own frame.
+    fn bounds<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<f64>> {
+        sides(py, &(0..self.0.len()).map(|mesh| self.0.bounds(mesh)).collect::<Vec<_>>())
+    }
+
+    /// Boxes of the meshes' faces (M, 2, 3), each in its own frame.
+    fn face_bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let boxes = run::long(py, None, |progress| self.0.face_bounds(progress))?;
+        Ok(sides(py, &boxes))
+    }
+
+    /// Whether vertices of each row of `faces` have an alpha below 1.
+    fn see_through<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        Ok(run::short(py, || Ok(self.0.see_through()))?.into_pyarray(py))
+    }
+
+    /// Chosen meshes (K,) in their own frames.
+    fn meshes<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, i64>) -> PyResult<Vec<Mesh>> {
+        let chosen = self.chosen(&chosen)?;
+        let meshes = run::long(py, None, |progress| self.0.meshes(&chosen, progress))?;
+        Ok(meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect())
+    }
+
+    /// Joins chosen meshes (K,), each placed by a row of `placements` (K, 3, 4), as faces of `objects` (K,).
+    fn joined<'py>(
+        &self,
+        py: Python<'py>,
+        chosen: PyReadonlyArray1<'py, i64>,
+        placements: PyReadonlyArray3<'py, f64>,
+        objects: PyReadonlyArray1<'py, i32>,
+    ) -> PyResult<Mesh> {
+        let chosen = self.chosen(&chosen)?;
+        let (placements, objects) = (affines(&placements), objects.as_array());
+        let mesh = run::long(py, None, |progress| -> Result<_, Error> {
+            same_length(chosen.len(), &placements, objects.len())?;
+            let part = |((&mesh, to_scene), &object): ((&usize, _), &i32)| StoredPart { mesh, to_scene, object };
+            let parts: Vec<StoredPart> = chosen.iter().zip(placements).zip(objects).map(part).collect();
+            self.0.joined(&parts, progress)
+        })?;
+        Ok(Mesh(Arc::new(mesh)))
+    }
+}
