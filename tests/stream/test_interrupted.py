@@ -63,7 +63,7 @@ def kill_at(folder: Path, event: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("stands", [False, True])
+@pytest.mark.parametrize("stands", [False, pytest.param(True, marks=pytest.mark.stress)])
 def test_killed_exports_leave_the_old_one_or_the_new_one(
     tmp_path: Path, versions: tuple[dict[str, bytes], dict[str, bytes]], stands: bool
 ) -> None:

@@ -79,6 +79,7 @@ def wait_for(page: SteppedPage, pose: dict[str, Any], ring: int) -> None:
     wait_until(page.page, lambda: page.frame(pose, 0.0)["arrived"] >= ring)
 
 
+@pytest.mark.stress
 def test_a_load_is_smooth_and_clovrd_jumps(chromium: Any, bundle: nf.stream.Bundle, pose: dict[str, Any]) -> None:
     with Server.of_bundle(bundle._reader.place) as server:
         with opened(chromium, *SIZE) as shown:

@@ -121,6 +121,7 @@ def continuity(pictures: list[NDArray[np.uint8]]) -> NDArray[np.float64]:
     return np.array(list(nf.visual_continuity(grays, data_range=255.0)))
 
 
+@pytest.mark.stress
 def test_maps_of_full_size_come_without_a_jump(chromium: Any, server: Server) -> None:
     here = pose(-9.0, 8.0)
     with opened(chromium, *SIZE) as shown:
@@ -138,6 +139,7 @@ def test_maps_of_full_size_come_without_a_jump(chromium: Any, server: Server) ->
     assert faded > continuity([pictures[0], pictures[-1]])[0]
 
 
+@pytest.mark.stress
 def test_a_jump_leads_to_a_place_that_is_made_for_it(chromium: Any, server: Server) -> None:
     here, there = pose(3.0, -2.0), pose(-42.0, 36.0)
     asked: list[str] = []
@@ -162,6 +164,7 @@ def test_a_jump_leads_to_a_place_that_is_made_for_it(chromium: Any, server: Serv
     assert len(buffers) == len(set(buffers)) > 0
 
 
+@pytest.mark.stress
 def test_walking_on_leads_to_the_next_place(chromium: Any, server: Server) -> None:
     asked: list[str] = []
     margin = NEAR_SHARE * SETTINGS["radii"][-1]

@@ -93,7 +93,7 @@ def at_the_border(page: Any, url: str, yaw: float) -> SteppedPage:
     return stepped
 
 
-@pytest.mark.parametrize("yaw", [-np.pi / 2, 2.0])
+@pytest.mark.parametrize("yaw", [-np.pi / 2, pytest.param(2.0, marks=pytest.mark.stress)])
 def test_a_crossing_changes_less_than_a_step(chromium: Any, city: nf.Scene, two: Path, yaw: float) -> None:
     xs = [5.9 + WALK / RATE * step for step in range(90)]
     with Server.of_bundle(two) as server, opened(chromium, *SIZE) as shown:
@@ -148,6 +148,7 @@ def test_near_geometry_stays_in_place(chromium: Any, city: nf.Scene, two: Path) 
     assert (np.abs(after.astype(int) - before).max(axis=-1)[~near] > 2).mean() > 0.1
 
 
+@pytest.mark.stress
 def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None:
     manifest = json.loads((hall / "manifest.json").read_text())
     requests: list[str] = []
