@@ -52,12 +52,18 @@ def main() -> None:
     centre()
 
 
+def permutation(side: int) -> list[int]:
+    """Numbers of cells in random order."""
+    order: list[int] = np.random.default_rng(1).permutation(side * side).tolist()
+    return order
+
+
 def cells_of(bounds: NDArray[np.float64], side: int) -> list[NDArray[np.float64]]:
     """Boxes (2, 3) of square cells, without end in height, in random order."""
     low, high = bounds[:, (0, 2)]
     width = (high - low) / side
     boxes = []
-    for place in np.random.default_rng(1).permutation(side * side).tolist():
+    for place in permutation(side):
         corner = low + width * (place % side, place // side)
         box = np.array([[-np.inf] * 3, [np.inf] * 3])
         box[0, (0, 2)], box[1, (0, 2)] = corner, corner + width
@@ -74,23 +80,29 @@ def whole_city(
     scene.query(np.zeros((2, 3)))
     print(f"search tree, once: {time.perf_counter() - started:.1f} s\n")
     boxes = cells_of(scene.bounds, side)
-    measured = measure(scene, boxes, vertices, faces)
+    listed = touching(scene.bounds, side, vertices, faces)
+    measured = measure(scene, boxes, listed, vertices, faces)
     report(measured, scene.triangle_count)
-    peers(scene, boxes, measured, vertices, faces)
+    peers(scene, boxes, measured, listed, vertices, faces)
 
 
-def touching(boxes: list[NDArray[np.float64]], vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> Any:
-    """For each cell the faces whose boxes touch it, ascending: those that reading copies."""
-    corners = vertices[:, (0, 2)][faces]
-    low, high = corners.min(axis=1), corners.max(axis=1)
-    del corners
-    order = np.argsort(low[:, 0], kind="stable")
-    starts, widest = low[order, 0], float((high - low)[:, 0].max())
-    for box in boxes:
-        (x0, z0), (x1, z1) = box[:, (0, 2)]
-        near = order[np.searchsorted(starts, x0 - widest) : np.searchsorted(starts, x1, "right")]
-        touches = (high[near, 0] >= x0) & (low[near, 1] <= z1) & (high[near, 1] >= z0)
-        yield np.sort(near[touches])
+def touching(
+    bounds: NDArray[np.float64], side: int, vertices: NDArray[np.float32], faces: NDArray[np.uint32]
+) -> list[NDArray[np.int64]]:
+    """For each cell, in the order of `cells_of`, the faces whose boxes touch it: those that reading copies."""
+    low, high = bounds[:, (0, 2)]
+    corners = (vertices[:, (0, 2)] - low) * side / (high - low)
+    places = np.clip(corners, 0, side - 1).astype(np.int16)[faces]
+    first, last = places.min(axis=1), places.max(axis=1)
+    spans = last - first + 1
+    # A face touches as many cells as its box: most touch one.
+    number = np.repeat(np.arange(len(faces)), spans.prod(axis=1, dtype=np.int64))
+    step = np.arange(len(number)) - np.searchsorted(number, number)
+    column, row = first[number].T + np.stack([step % spans[number, 0], step // spans[number, 0]])
+    cell = row.astype(np.int64) * side + column
+    order = np.argsort(cell, kind="stable")
+    listed = np.split(number[order], np.cumsum(np.bincount(cell, minlength=side * side))[:-1])
+    return [listed[place] for place in permutation(side)]
 
 
 def reader() -> Callable[..., None]:
@@ -110,7 +122,11 @@ def reader() -> Callable[..., None]:
 
 
 def measure(
-    scene: nf.Scene, boxes: list[NDArray[np.float64]], vertices: NDArray[np.float32], faces: NDArray[np.uint32]
+    scene: nf.Scene,
+    boxes: list[NDArray[np.float64]],
+    listed: list[NDArray[np.int64]],
+    vertices: NDArray[np.float32],
+    faces: NDArray[np.uint32],
 ) -> Measured:
     """Time each cell's query and the reading of as many triangles from the same places."""
     read = reader()
@@ -122,7 +138,6 @@ def measure(
             part = scene.query(box)
             seconds[0, at] = min(seconds[0, at], time.perf_counter() - started)
             counts[at] = part.triangle_count
-    listed = list(touching(boxes, vertices, faces))
     most = max(map(len, listed))
     indices, corners = np.zeros((most, 3), np.uint32), np.zeros((most, 3, 3), np.float32)
     read(listed[0][:0], vertices, faces, indices, corners)
@@ -194,6 +209,7 @@ def peers(
     scene: nf.Scene,
     boxes: list[NDArray[np.float64]],
     measured: Measured,
+    listed: list[NDArray[np.int64]],
     vertices: NDArray[np.float32],
     faces: NDArray[np.uint32],
 ) -> None:
@@ -210,6 +226,7 @@ def peers(
     jobs: dict[str, Callable[[], Any]] = {
         "Scene.query": lambda: scene.query(box),
         "Scene.subset, mask at hand": lambda: scene.subset(triangles=chosen),
+        "NumPy: triangles gathered, numbers at hand": lambda: vertices[faces[listed[at]]],
         "NumPy: mask of boxes, then gathered": lambda: vertices[faces[mask()]],
     }
     rows = [[name, f"{best(job, repeat=2).wall * 1e3:,.3f}"] for name, job in jobs.items()]

@@ -87,7 +87,12 @@ class InParts:
         TypeError
             Values that are not numbers.
         """
-        least, greatest = check.box("aabb", aabb).tolist()
+        box = check.box("aabb", aabb)
         check.at_least_zero("detail", detail)
-        core, remains = self._core.query(tuple(least), tuple(greatest))
+        return self._query(box, builds=True)
+
+    def _query(self, box: NDArray[np.float64], *, builds: bool) -> Self:
+        """The part that touches a box (2, 3); unless the trees are built, each triangle is tested."""
+        least, greatest = box.tolist()
+        core, remains = self._core.query(tuple(least), tuple(greatest), builds)
         return self._derived(core, self._rest if remains is None else self._rest[remains])

@@ -26,4 +26,5 @@ def scene_of(
         x, y, z = origin.tolist()
         return Scene(empty_core((x, y, z)), Names(()), notes=tuple(content.notes))
     parts = assemble(content, up="y", on_invalid=on_invalid, blend=blend, origin=origin)
-    return Scene._from_assembled(parts).query(box)
+    # Nothing else is asked of this scene, so that trees would not pay.
+    return Scene._from_assembled(parts)._query(box, builds=False)

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use super::instance::{Instance, InstanceSet};
 use super::world::Scene;
+use crate::base::mapped::filtered;
 use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, Error, Progress, Result};
 use crate::bvh::{Bvh, LEAF, NO_CHILD, Node, WIDTH};
@@ -104,11 +105,12 @@ impl Region {
 
 impl Scene {
     /// The triangles that touch a box of the world, whole. Meshes keep only the vertices that they use. Instances that
-    /// lie inside share their meshes with this scene; what remains of others are meshes of their own.
-    pub fn query(&self, min: DVec3, max: DVec3, progress: &Progress) -> Result<Queried> {
+    /// lie inside share their meshes with this scene; what remains of others are meshes of their own. With `builds` the
+    /// trees are built first; otherwise each triangle is tested, which takes less time for a single query.
+    pub fn query(&self, min: DVec3, max: DVec3, builds: bool, progress: &Progress) -> Result<Queried> {
         let region = Region::new(min - self.origin, max - self.origin)?;
-        let (standing, _) = self.standing.query(&region, progress)?;
-        let (moving, places) = self.moving.query(&region, progress)?;
+        let (standing, _) = self.standing.query(&region, builds, progress)?;
+        let (moving, places) = self.moving.query(&region, builds, progress)?;
         let shared = |part: Option<InstanceSet>, whole: &Arc<InstanceSet>| part.map_or(Arc::clone(whole), Arc::new);
         let (standing, moving) = (shared(standing, &self.standing), shared(moving, &self.moving));
         let (materials, textures) = (Arc::clone(&self.materials), Arc::clone(&self.textures));
@@ -118,7 +120,7 @@ impl Scene {
 
 impl InstanceSet {
     /// The part that touches a box, and the places of its instances; `None` for both if all remain.
-    fn query(&self, region: &Region, progress: &Progress) -> Result<(Option<Self>, Option<Vec<u32>>)> {
+    fn query(&self, region: &Region, builds: bool, progress: &Progress) -> Result<(Option<Self>, Option<Vec<u32>>)> {
         let union = |all: Aabb, instance: &Instance| all.union(&instance.bounds);
         let bounds = match self.tlas() {
             Some(tlas) => tlas.bounds,
@@ -130,7 +132,9 @@ impl InstanceSet {
         if !region.inner.touches(&bounds) {
             return Ok((Some(Self::default()), Some(Vec::new())));
         }
-        self.build(progress)?;
+        if builds {
+            self.build(progress)?;
+        }
         let mut near = self.near(region);
         sort_by_key(&mut near, |&(number, _)| number, progress)?;
         let part = |&(number, is_inside): &(u32, bool)| {
@@ -148,7 +152,12 @@ impl InstanceSet {
 
     /// The instances whose boxes touch, and whether they lie inside.
     fn near(&self, region: &Region) -> Vec<(u32, bool)> {
-        let (Some(tlas), mut found) = (self.tlas(), Vec::new()) else { return Vec::new() };
+        let Some(tlas) = self.tlas() else {
+            let boxes = (0..).zip(self.instances()).map(|(number, instance)| (number, instance.bounds));
+            let touching = boxes.filter(|(_, bounds)| region.inner.touches(bounds));
+            return touching.map(|(number, bounds)| (number, region.inner.contains(&bounds))).collect();
+        };
+        let mut found = Vec::new();
         let mut stack = vec![(0, false)];
         while let Some((number, is_inside)) = stack.pop() {
             let Some(node) = tlas.wide.nodes.get(number as usize) else { continue };
@@ -172,14 +181,10 @@ impl InstanceSet {
 impl Instance {
     /// The part that touches a box; `None` if nothing does.
     fn query(&self, region: &Region, progress: &Progress) -> Result<Option<Self>> {
-        let bvh = self.mesh.build_bvh(progress)?;
-        let mut runs = Search { instance: self, bvh, region }.run(progress)?;
-        sort_by_key(&mut runs, |run| run.start, progress)?;
-        let mut faces: Vec<u32> = Vec::with_capacity(runs.iter().map(|run| (run.end - run.start) as usize).sum());
-        runs.iter().for_each(|run| faces.extend(run.start..run.end));
-        if bvh.add_copies(&mut faces) {
-            sort_by_key(&mut faces, |&face| face, progress)?;
-        }
+        let faces = match self.mesh.bvh() {
+            Some(bvh) => self.faces_in(bvh, region, progress)?,
+            None => filtered(self.mesh.faces.len() as u32, |face| region.touches(self.corners(face)), progress)?,
+        };
         if faces.len() == self.mesh.faces.len() {
             return Ok((!faces.is_empty()).then(|| self.clone()));
         }
@@ -187,6 +192,18 @@ impl Instance {
             return Ok(None);
         }
         Ok(Some(self.with_mesh(Arc::new(self.mesh.compacted(&faces, progress)?), self.object)))
+    }
+
+    /// The faces that touch a box, ascending.
+    fn faces_in(&self, bvh: &Bvh, region: &Region, progress: &Progress) -> Result<Vec<u32>> {
+        let mut runs = Search { instance: self, bvh, region }.run(progress)?;
+        sort_by_key(&mut runs, |run| run.start, progress)?;
+        let mut faces: Vec<u32> = Vec::with_capacity(runs.iter().map(|run| (run.end - run.start) as usize).sum());
+        runs.iter().for_each(|run| faces.extend(run.start..run.end));
+        if bvh.add_copies(&mut faces) {
+            sort_by_key(&mut faces, |&face| face, progress)?;
+        }
+        Ok(faces)
     }
 }
 
@@ -358,9 +375,32 @@ mod tests {
         Scene::new(ORIGIN, standing, moving, Arc::new(vec![Material::default()]), Arc::default()).unwrap()
     }
 
+    /// What the trees find, after the same was found without them.
     fn part(scene: &Scene, min: f64, max: f64) -> Queried {
         let corner = |x: f64, y: f64| DVec3::new(x + ORIGIN.x, y, y);
-        scene.query(corner(min, f64::NEG_INFINITY), corner(max, f64::INFINITY), &Progress::new()).unwrap()
+        let (min, max) = (corner(min, f64::NEG_INFINITY), corner(max, f64::INFINITY));
+        let plain = self::scene().query(min, max, false, &Progress::new()).unwrap();
+        let found = scene.query(min, max, true, &Progress::new()).unwrap();
+        let corners = |queried: &Queried| {
+            let instances = queried.scene.instances();
+            let faces = instances.flat_map(|instance| {
+                (0..instance.mesh.faces.len() as u32).map(|face| (instance.corners(face), instance.object_of(face)))
+            });
+            faces.collect::<Vec<_>>()
+        };
+        assert_eq!((corners(&plain), &plain.moving), (corners(&found), &found.moving));
+        found
+    }
+
+    #[test]
+    fn no_tree_is_built_unless_that_is_wanted() {
+        let scene = scene();
+        let corner = |x: f64, y: f64| DVec3::new(x + ORIGIN.x, y, y);
+        let (min, max) = (corner(-1.0, f64::NEG_INFINITY), corner(1.0, f64::INFINITY));
+        assert_eq!(scene.query(min, max, false, &Progress::new()).unwrap().scene.triangle_count(), 4);
+        assert!(scene.standing.tlas().is_none() && scene.instance(0).mesh.bvh().is_none());
+        assert_eq!(scene.query(min, max, true, &Progress::new()).unwrap().scene.triangle_count(), 4);
+        assert!(scene.standing.tlas().is_some());
     }
 
     #[test]
@@ -401,6 +441,6 @@ mod tests {
     fn a_cancelled_query_is_an_error() {
         let progress = Progress::new();
         progress.cancel();
-        assert!(scene().query(ORIGIN, ORIGIN + DVec3::ONE, &progress).is_err());
+        assert!(scene().query(ORIGIN, ORIGIN + DVec3::ONE, true, &progress).is_err());
     }
 }

@@ -134,9 +134,9 @@ impl Scene {
 
     /// The triangles that touch the world box between two corners, and the places of the moving instances that remain;
     /// None if all do.
-    fn query<'py>(&self, py: Python<'py>, least: [f64; 3], greatest: [f64; 3]) -> PyResult<Part<'py>> {
+    fn query<'py>(&self, py: Python<'py>, least: [f64; 3], greatest: [f64; 3], builds: bool) -> PyResult<Part<'py>> {
         let (least, greatest) = (DVec3::from_array(least), DVec3::from_array(greatest));
-        let found = run::long(py, None, |progress| self.0.query(least, greatest, progress))?;
+        let found = run::long(py, None, |progress| self.0.query(least, greatest, builds, progress))?;
         let places = found.moving.map(|places| PyArray1::from_vec(py, places));
         Ok((Self(found.scene), places))
     }
