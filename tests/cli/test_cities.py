@@ -41,7 +41,7 @@ def test_compare_takes_the_heights_that_reduce_took(tmp_path: Path, capsys: pyte
     [
         ("town.city.json", ("--lod", "many"), "--lod: expected"),
         ("town.city.json", ("--height", "roof"), "height does not apply to it"),
-        ("town.geojson", ("--lod", "1"), "--lod: expected None for town.geojson"),
+        ("town.geojson", ("--lod", "1"), "--lod: expected none for town.geojson"),
     ],
 )
 def test_wrong_options_are_named(

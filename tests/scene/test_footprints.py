@@ -274,11 +274,11 @@ def test_no_rows_have_no_triangles(tmp_path: Path) -> None:
 
 def test_arguments_that_a_file_has_no_use_for_are_refused(tmp_path: Path) -> None:
     path = written(tmp_path / "a.geojson", collection(feature([square(X, Y, 1)])))
-    with pytest.raises(ValueError, match=r"lod: expected None for a\.geojson"):
+    with pytest.raises(ValueError, match=r"lod: expected none for a\.geojson"):
         nf.Scene.load(path, lod="2")
     with pytest.raises(ValueError, match=r"lod: expected a level of detail such as '2\.2', got 'high'"):
         nf.Scene.load(path, lod="high")
-    with pytest.raises(ValueError, match=r"height: expected None for x\.glb"):
+    with pytest.raises(ValueError, match=r"height: expected none for x\.glb"):
         nf.Scene.load(tmp_path / "x.glb", height="h")
     with pytest.raises(ValueError, match="origin: expected longitude within"):
         nf.Scene.load(path, origin=(0, 100, 0))

@@ -142,7 +142,7 @@ def assemble(
     builder = Assembly()
     many = _many_objects(content, moves)
     builder.objects(many)
-    handles = {} if stored is None else _store(builder, stored)
+    handles = {} if stored is None else _store(builder, stored, placed)
     handles |= {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     # The opposite axis is turned by another half turn about x.
     turn = np.diag([1.0, -1.0, -1.0, 1.0]) @ _TURNS[up[1:]] if up.startswith("-") else _TURNS[up]
@@ -260,9 +260,11 @@ def _finite(normals: NDArray[Any]) -> NDArray[Any]:
     return normals if good.all() else np.where(good, normals, 0)
 
 
-def _store(builder: Assembly, stored: Stored) -> dict[str, int]:
-    """Add stored meshes to a builder; returns the handles of those with faces, by their shapes' names."""
-    numbers = np.array([builder._material(surface.drawn) for surface in stored.surfaces], np.int32)
+def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict[str, int]:
+    """Add stored meshes and the materials of the `placed` (M,); returns handles of those with faces, by names."""
+    numbers = np.zeros(len(stored.surfaces), np.int32)
+    for number in np.unique(stored.surface[placed[stored.mesh]]).tolist():
+        numbers[number] = builder._material(stored.surfaces[number].drawn)
     builder._store(stored.core.with_materials(numbers))
     counts = stored.core.face_counts().tolist()
     return {name: number for number, (name, faces) in enumerate(zip(stored.names, counts, strict=True)) if faces}

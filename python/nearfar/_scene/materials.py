@@ -176,7 +176,7 @@ class Materials:
     def __init__(self, budget: Budget | None = None) -> None:
         self._budget = budget
         self._colors: dict[int, tuple[Any, BaseColor]] = {}
-        self._textures: dict[tuple[tuple[int, ...], int], list[NDArray[np.uint8]]] = {}
+        self._textures: dict[tuple[int, int, int], NDArray[np.uint8]] = {}
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
 
     def of(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
@@ -263,17 +263,7 @@ class Materials:
         if self._budget is not None and image.size[0] * image.size[1] <= MOST_TEXELS:
             self._budget.take(4 * image.size[0] * image.size[1])
         texels = _decoded(image)
-        return None if texels is None else self._shared(texels)
-
-    def _shared(self, texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """The first of equal images."""
-        # Few rows tell most images apart.
-        alike = self._textures.setdefault((texels.shape, hash(texels[:: len(texels) // 8 + 1].tobytes())), [])
-        for other in alike:
-            if np.array_equal(other, texels):
-                return other
-        alike.append(texels)
-        return texels
+        return None if texels is None else self._textures.setdefault((*image.size, hash(texels.tobytes())), texels)
 
 
 def texels_of(data: bytes) -> NDArray[np.uint8] | None:

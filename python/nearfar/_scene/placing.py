@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import check
-from nearfar._scene.arrays import origin_for
+from nearfar._scene.arrays import ORIGIN_LIMIT, origin_for
 from nearfar._scene.mesh_list import MeshList
 
 OWN_OBJECTS = -1
@@ -61,7 +61,7 @@ class Placements:
         if not filled.any():
             return np.zeros(3)
         # Unused vertices do not move the origin: they are looked for only where it would not be 0.
-        if not origin_for(self._bounds(filled, meshes.boxes())).any():
+        if np.abs(self._bounds(filled, meshes.boxes())).max() < ORIGIN_LIMIT:
             return np.zeros(3)
         bounds = self._bounds(filled, meshes.face_boxes())
         if (reach := np.abs(bounds).max()) > check.FARTHEST:

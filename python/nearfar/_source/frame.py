@@ -22,7 +22,7 @@ def scene_of(
 ) -> Scene:
     """Return the triangles of a content that touch a box, in the frame of a world of these bounds."""
     origin = origin_for(bounds)
-    if not any(len(shape.faces) for shape in content.shapes.values()):
+    if content.stored is None and not any(len(shape.faces) for shape in content.shapes.values()):
         x, y, z = origin.tolist()
         return Scene(empty_core((x, y, z)), Names(()), notes=tuple(content.notes))
     parts = assemble(content, up="y", on_invalid=on_invalid, blend=blend, origin=origin)

@@ -48,9 +48,9 @@ class CityOptions:
         name = Path(path).name
         kind = name.lower().removesuffix(_PACKED).rpartition(".")[2]
         if self.lod is not None and kind not in ("json", "jsonl"):
-            raise ValueError(f"lod: expected None for {name}, because only CityJSON has levels of detail")
+            raise ValueError(f"lod: expected none for {name}, because only CityJSON has levels of detail")
         if self.extrusion.height is not None and kind not in ("json", "geojson", "parquet", "geoparquet"):
-            raise ValueError(f"height: expected None for {name}, because only GeoJSON and GeoParquet are extruded")
+            raise ValueError(f"height: expected none for {name}, because only GeoJSON and GeoParquet are extruded")
 
 
 def read(label: str, kind: str, data: bytes, options: CityOptions, budget: Budget, *, drop: bool) -> Content:

@@ -76,7 +76,7 @@ class Buffers:
         self._buffers: dict[int, memoryview] = {}
         self._blobs: dict[tuple[int, int, int], bytes] = {}
         self._decoded: dict[int, memoryview] = {}
-        self._images: dict[Any, bytes | None] = {}
+        self._images: dict[int, bytes] = {}
         self._encoded: dict[bytes, EncodedImage | None] = {}
         self._textures: dict[int, TextureSource | None] = {}
         self._arrays: dict[int, NDArray[Any]] = {}
@@ -107,23 +107,22 @@ class Buffers:
 
     def picture(self, number: Any) -> bytes | None:
         """The bytes of a texture's image; None where there are none."""
-        if number not in self._images:
-            try:
-                self._images[number] = self._picture(number)
-            except TooLargeError:
-                raise
-            except Exception:  # a texture is never needed, and resolvers may raise any type
-                self._images[number] = None
-        return self._images[number]
-
-    def _picture(self, number: Any) -> bytes | None:
-        described = entry(self._header, "textures", number)
-        others = [content["source"] for content in described.get("extensions", {}).values() if "source" in content]
-        sources = [described["source"]] if "source" in described else others
-        if not sources:
+        try:
+            described = entry(self._header, "textures", number)
+            others = [content["source"] for content in described.get("extensions", {}).values() if "source" in content]
+            sources = [described["source"]] if "source" in described else others
+            return self._image(sources[0]) if sources else None
+        except TooLargeError:
+            raise
+        except Exception:  # a texture is never needed, and resolvers may raise any type
             return None
-        image = entry(self._header, "images", sources[0])
-        return self.blob(image["bufferView"]) if "bufferView" in image else self._file(image["uri"])
+
+    def _image(self, number: int) -> bytes:
+        if number not in self._images:
+            image = entry(self._header, "images", number)
+            data = self.blob(image["bufferView"]) if "bufferView" in image else self._file(image["uri"])
+            self._images[number] = data
+        return self._images[number]
 
     def _file(self, uri: str) -> bytes:
         if not uri.startswith("data:"):

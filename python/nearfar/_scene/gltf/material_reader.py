@@ -25,7 +25,7 @@ _GLOSS_BYTES = 128
 
 
 @dataclass
-class _Surface:
+class _Drawn:
     """What is drawn of a material, under trimesh's names."""
 
     baseColorFactor: None = None  # noqa: N815 - full precision comes from the document
@@ -79,7 +79,7 @@ class MaterialReader:
         if _GLOSS in (described.get("extensions") or ()):
             read = self._converted[number]
         else:
-            read = _Surface(alphaMode=described.get("alphaMode"), alphaCutoff=described.get("alphaCutoff"))
+            read = _Drawn(alphaMode=described.get("alphaMode"), alphaCutoff=described.get("alphaCutoff"))
         for owner, key in ((surface, "baseColorTexture"), (described, "emissiveTexture")):
             if coordinates.is_texture(key, owner.get(key)):
                 picture = self._picture(owner[key]["index"])

@@ -15,15 +15,21 @@ from nearfar._scene.gltf.material_reader import NONE, MaterialReader
 from nearfar._scene.gltf.tables import Table, table
 from nearfar._scene.stored import Stored, Surface
 
-_FACE, _VERTEX = 12, 12 + 12 + 8 + 4
-"""Bytes of a face, and of a vertex with all of its attributes."""
+_NONE = -1
+"""Stands for the number of no accessor."""
+
+_NAMES = ("POSITION", "NORMAL", "COLOR_0")
+
+_ATTRIBUTES = np.array([12, 8, 4])
+"""Bytes of a vertex's normal, texture coordinates and colour."""
 
 _PLAIN = {"attributes", "indices", "material", "mode", "targets", "extras"}
 """Entries of a primitive that change nothing about its arrays."""
 
+_COORDINATES = (5120, 5121, 5122, 5123, 5126)
 _UNSIGNED = (5121, 5123, 5125)
 _COLORS = (5121, 5123, 5126)
-"""Types of numbers."""
+"""Types of the numbers of positions and normals, of corners, and of colours."""
 
 Numbers = NDArray[np.int64]
 
@@ -32,38 +38,47 @@ def stored(
     header: dict[str, Any], materials: MaterialReader, buffers: Buffers, budget: Budget
 ) -> tuple[Stored | None, list[int]]:
     """The meshes that can be read so, without names, and their numbers in the document; None if there are none."""
-    read = [primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"]]
-    used = {number for primitive in read for number in primitive.get("attributes", {}).values()}
-    used |= {primitive["indices"] for primitive in read if "indices" in primitive}
-    rows = table(header, buffers, used)
+    meshes = header.get("meshes", [])
+    rows = table(header, buffers, _used(meshes, materials))
     if rows is None:
         return None, []
     reader = _Faces(rows, materials)
-    faces = np.array(
-        [row for number, mesh in enumerate(header["meshes"]) for row in reader.of_mesh(number, mesh)], np.int64
-    )
+    faces = np.array([row for number, mesh in enumerate(meshes) for row in reader.of_mesh(number, mesh)], np.int64)
     if not len(faces):
         return None, []
-    corners = np.where(faces[:, 5] == NONE, rows.counts[faces[:, 1]], rows.counts[faces[:, 5]])
-    budget.hold(int(corners.sum()) // 3 * _FACE)
-    core, faces = _fit(rows, faces)
-    if core is None:
-        return None, []
-    budget.hold(int(core.vertex_counts().sum()) * _VERTEX)
+    budget.hold(_bytes(rows, faces))
     numbers, mesh = np.unique(faces[:, 0], return_inverse=True)
-    return Stored(core, [], mesh, faces[:, 6], [*reader.surfaces]), numbers.tolist()
+    core = _core.StoredMeshes(rows.blocks, rows.rows, np.column_stack([mesh, faces[:, 1:]]))
+    is_fit = core.fit()
+    if not is_fit.all():
+        core, numbers, faces = core.only(np.flatnonzero(is_fit)), numbers[is_fit], faces[is_fit[mesh]]
+        mesh = np.unique(faces[:, 0], return_inverse=True)[1]
+    return (Stored(core, [], mesh, faces[:, 6], [*reader.surfaces]), numbers.tolist()) if len(faces) else (None, [])
 
 
-def _fit(rows: Table, faces: Numbers) -> tuple[_core.StoredMeshes | None, Numbers]:
-    """Leave out the meshes that cannot be used as they are."""
-    while len(faces):
-        _, mesh = np.unique(faces[:, 0], return_inverse=True)
-        core = _core.StoredMeshes(rows.blocks, rows.rows, np.column_stack([mesh, faces[:, 1:]]))
-        is_fit = core.fit()
-        if is_fit.all():
-            return core, faces
-        faces = faces[is_fit[mesh]]
-    return None, faces
+def _used(meshes: list[dict[str, Any]], materials: MaterialReader) -> set[int]:
+    """Numbers of the accessors that primitives of triangles need; what is no number is left out."""
+    numbers = []
+    for primitive in (primitive for mesh in meshes for primitive in mesh["primitives"] if mode(primitive) in MODES):
+        attributes, material = primitive.get("attributes", {}), primitive.get("material")
+        numbers += [primitive.get("indices"), *(attributes.get(name) for name in _NAMES)]
+        shown = materials.coordinates(material) if type(material) is int and material >= 0 else None
+        if shown is not None:
+            numbers.append(attributes.get(f"TEXCOORD_{shown.number}"))
+    return {number for number in numbers if type(number) is int}
+
+
+def _bytes(rows: Table, faces: Numbers) -> int:
+    """Bytes of the arrays that the faces' rows stand for, at most; those of corners as they lie in the file."""
+    has_corners = faces[:, 5] != _NONE
+    counts = np.where(has_corners, rows.counts[faces[:, 5]], rows.counts[faces[:, 1]])
+    corners = int((counts * np.where(has_corners, rows.rows[faces[:, 5], 2], 4)).sum())
+    sets, of_set = np.unique(faces[:, :5], axis=0, return_inverse=True)
+    uses = np.bincount(sets[:, 1])[sets[:, 1]]
+    needed = np.bincount(of_set.ravel(), counts, minlength=len(sets)).astype(np.int64)
+    # Of positions that meshes share, each takes a range that is at most twice as long as its faces need.
+    taken = np.where(uses > 1, np.minimum(rows.counts[sets[:, 1]], 2 * needed), rows.counts[sets[:, 1]])
+    return corners + int((taken * (12 + (sets[:, 2:5] != _NONE) @ _ATTRIBUTES)).sum())
 
 
 class _Faces:
@@ -74,11 +89,11 @@ class _Faces:
         self._counts = rows.counts.tolist()
         corners = rows.allows((1,), _UNSIGNED) & rows.is_tight & (rows.counts % 3 == 0)
         self._corners: list[bool] = corners.tolist()
-        self._allowed: dict[str, list[bool]] = {
-            "POSITION": rows.allows((3,)).tolist(),
-            "NORMAL": rows.allows((3,)).tolist(),
-            "COLOR_0": rows.allows((3, 4), _COLORS).tolist(),
-        }
+        self._allowed: list[list[bool]] = [
+            rows.allows((3,), _COORDINATES).tolist(),
+            rows.allows((3,), _COORDINATES).tolist(),
+            rows.allows((3, 4), _COLORS).tolist(),
+        ]
         self._uvs: list[bool] = rows.allows((2,)).tolist()
         self._surfaces: dict[tuple[int, bool, bool, bool], int] = {}
         self.surfaces: list[Surface] = []
@@ -95,34 +110,35 @@ class _Faces:
         return found
 
     def _row(self, primitive: dict[str, Any]) -> tuple[int, ...] | None:
+        """The row of a primitive without its mesh; None if it is not plain."""
         if mode(primitive) != TRIANGLES or not primitive.keys() <= _PLAIN:
             return None
         attributes, material = primitive.get("attributes", {}), primitive.get("material", NONE)
-        numbers = [attributes.get(name, NONE) for name in self._allowed]
-        if type(material) is not int or numbers[0] == NONE:
+        if type(material) is not int or ("material" in primitive and material < 0) or "POSITION" not in attributes:
             return None
-        count = -1
-        for number, allowed in zip(numbers, self._allowed.values(), strict=True):
-            if number == NONE:
-                continue
-            if not _is_one(number, allowed) or count not in (-1, self._counts[number]):
+        count, numbers = self._count_of(attributes["POSITION"]), []
+        for name, allowed in zip(_NAMES, self._allowed, strict=True):
+            number = attributes.get(name, _NONE)
+            if name in attributes and not (_is_one(number, allowed) and self._counts[number] == count):
                 return None
-            count = self._counts[number]
+            numbers.append(number)
+        corners = primitive.get("indices", _NONE)
+        if count % 3 if "indices" not in primitive else not _is_one(corners, self._corners):
+            return None
         positions, normals, colors = numbers
-        if "indices" not in primitive:
-            corners = NONE
-            if count % 3:
-                return None
-        elif not _is_one(corners := primitive["indices"], self._corners):
-            return None
         shown = self._materials.coordinates(material)
-        uvs = NONE if shown is None else attributes.get(f"TEXCOORD_{shown.number}", NONE)
-        surface = self._surface(material, normals != NONE, uvs != NONE, colors != NONE)
-        if not self.surfaces[surface].is_textured:
-            uvs = NONE
-        elif shown is None or not shown.is_plain or not _is_one(uvs, self._uvs) or self._counts[uvs] != count:
-            return None
+        name = "" if shown is None else f"TEXCOORD_{shown.number}"
+        surface = self._surface(material, normals != _NONE, name in attributes, colors != _NONE)
+        uvs = _NONE
+        if self.surfaces[surface].is_textured:
+            uvs = attributes[name]
+            if shown is None or not shown.is_plain or not _is_one(uvs, self._uvs) or self._counts[uvs] != count:
+                return None
         return positions, normals, uvs, colors, corners, surface
+
+    def _count_of(self, number: Any) -> int:
+        """Number of an accessor's rows; −1 for one that is not there."""
+        return self._counts[number] if type(number) is int and 0 <= number < len(self._counts) else -1
 
     def _surface(self, material: int, has_normals: bool, has_uvs: bool, has_colors: bool) -> int:
         key = (material, has_normals, has_uvs, has_colors)

@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._scene.budget import TooLargeError
 from nearfar._scene.gltf.buffers import COMPONENTS, WIDTHS, Buffers
 
 _NONE = -1
 _FIRST, _FLOAT = 5120, 5126
-"""Least and greatest number of a type."""
+"""Least and greatest code of a type of numbers."""
 
 _MOST_WIDTH = max(WIDTHS.values())
 _SIZES = {code: np.dtype(kind).itemsize for code, kind in COMPONENTS.items()}
 _EMPTY = (0, 0, 4, 0, 1, _FLOAT, 0)
 """Row of an accessor that is not plain."""
+
+_VIEW = {"buffer": _NONE, "byteOffset": 0, "byteLength": _NONE, "byteStride": _NONE}
+"""Entries of a buffer view with what stands for those that it lacks."""
+
+_UNUSED = (_NONE, 0, 0, 0, 0, 0, 0)
+"""Entry of an accessor that is not asked for."""
 
 Numbers = NDArray[np.int64]
 
@@ -58,15 +65,16 @@ def _sizes(kinds: Numbers) -> Numbers:
     return np.array([_SIZES.get(kind, 0) for kind in known.tolist()], np.int64)[places]
 
 
-def table(header: dict[str, Any], buffers: Buffers, used: Iterable[int]) -> Table | None:
+def table(header: dict[str, Any], buffers: Buffers, used: Collection[int]) -> Table | None:
     """The table of the `used` accessors, all others being empty; None for a document whose entries are damaged."""
-    accessors, views = _accessors(header), _views(header)
-    if accessors is None or views is None or not len(accessors) or not len(views):
+    try:
+        accessors, views = _accessors(header, used), _views(header)
+    except (AttributeError, LookupError, OverflowError, TypeError, ValueError):
+        return None
+    if not len(accessors) or not len(views):
         return None
     view, offset, kind, count, width, is_fraction, is_sparse = accessors.T
-    chosen = np.zeros(len(accessors), bool)
-    chosen[[number for number in used if type(number) is int and 0 <= number < len(accessors)]] = True
-    chosen &= (view >= 0) & (view < len(views)) & (is_sparse == 0) & (width > 0)
+    chosen = (view >= 0) & (view < len(views)) & (is_sparse == 0) & (width > 0)
     view = np.where(chosen, view, 0)
     blocks, block, start, length = _blocks(buffers, views, np.unique(view[chosen]).tolist())
     size = _sizes(kind) * width
@@ -82,7 +90,7 @@ def table(header: dict[str, Any], buffers: Buffers, used: Iterable[int]) -> Tabl
     return Table(blocks, rows, chosen)
 
 
-def _accessors(header: dict[str, Any]) -> Numbers | None:
+def _accessors(header: dict[str, Any], used: Collection[int]) -> Numbers:
     """View, first byte, type, count, width, whether they are fractions, and whether some change (A, 7)."""
     return _numbers(
         [
@@ -92,37 +100,28 @@ def _accessors(header: dict[str, Any]) -> Numbers | None:
                 accessor.get("componentType", 0),
                 accessor.get("count", _NONE),
                 WIDTHS.get(accessor.get("type"), 0),
-                accessor.get("normalized", False),
-                "sparse" in accessor,
+                int(accessor.get("normalized", False) is True),
+                int("sparse" in accessor),
             )
-            for accessor in header.get("accessors", [])
+            if number in used
+            else _UNUSED
+            for number, accessor in enumerate(header.get("accessors", []))
         ]
     )
 
 
-def _views(header: dict[str, Any]) -> Numbers | None:
+def _views(header: dict[str, Any]) -> Numbers:
     """Buffer, first byte, length and step, −1 for none (V, 4)."""
     return _numbers(
-        [
-            (
-                view.get("buffer", _NONE),
-                view.get("byteOffset", 0),
-                view.get("byteLength", _NONE),
-                view.get("byteStride", _NONE),
-            )
-            for view in header.get("bufferViews", [])
-        ]
+        [tuple(view.get(key, default) for key, default in _VIEW.items()) for view in header.get("bufferViews", [])]
     )
 
 
-def _numbers(rows: list[tuple[Any, ...]]) -> Numbers | None:
-    """Rows as an array; None if one holds anything else than whole numbers."""
-    if not {type(value) for row in rows for value in row} <= {int, bool}:
-        return None
-    try:
-        return np.array(rows, np.int64)
-    except OverflowError:
-        return None
+def _numbers(rows: list[tuple[Any, ...]]) -> Numbers:
+    """Rows as an array; TypeError if one holds anything else than whole numbers."""
+    if not {type(value) for row in rows for value in row} <= {int}:
+        raise TypeError("expected whole numbers")
+    return np.array(rows, np.int64)
 
 
 def _blocks(
@@ -134,13 +133,19 @@ def _blocks(
     block, start, length = (np.full(len(views), value, np.int64) for value in (0, 0, _NONE))
     for number in used:
         buffer, first, size, _ = views[number].tolist()
-        if buffers.is_packed(number):
-            content = buffers.view(number)
+        try:
+            is_packed = buffers.is_packed(number)
+            if is_packed or buffer not in of_buffer:
+                content = buffers.view(number) if is_packed else buffers.whole(buffer)
+        except TooLargeError:
+            raise
+        except Exception:  # resolvers may raise any type; what needs this view says why it cannot be read
+            continue
+        if is_packed:
             block[number], length[number] = len(blocks), len(content)
             blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
             continue
         if buffer not in of_buffer:
-            content = buffers.whole(buffer)
             of_buffer[buffer] = len(blocks)
             blocks.append(np.frombuffer(content, np.uint8) if len(content) else np.zeros(0, np.uint8))
         if 0 <= first <= first + size <= len(blocks[of_buffer[buffer]]):

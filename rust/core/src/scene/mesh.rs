@@ -237,7 +237,7 @@ fn check_rows<T>(argument: &'static str, rows: Option<&[T]>, vertex_count: usize
     }
 }
 
-fn check_finite(argument: &'static str, rows: &[[f32; 3]]) -> Result<()> {
+pub(super) fn check_finite(argument: &'static str, rows: &[[f32; 3]]) -> Result<()> {
     let is_wrong = |p: &&[f32; 3]| !p.iter().all(|x| x.is_finite());
     match rows.par_chunks(TILE).map(|tile| tile.iter().filter(is_wrong).count()).sum::<usize>() {
         0 => Ok(()),

@@ -101,6 +101,11 @@ impl StoredMeshes {
         Self(Arc::new(self.0.scaled(factor)))
     }
 
+    /// Chosen meshes (K,), which are fit.
+    fn only(&self, chosen: PyReadonlyArray1<'_, i64>) -> PyResult<Self> {
+        Ok(Self(Arc::new(self.0.only(&self.chosen(&chosen)?))))
+    }
+
     fn with_materials(&self, numbers: PyReadonlyArray1<'_, i32>) -> PyResult<Self> {
         self.0.with_materials(numbers.as_slice()?).map(|meshes| Self(Arc::new(meshes))).map_err(to_python)
     }

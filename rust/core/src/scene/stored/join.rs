@@ -7,7 +7,7 @@ use super::rows::Number;
 use super::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use crate::base::{Buffer, Error, FaceMap, Progress, Result};
 use crate::scene::merge::pieces;
-use crate::scene::mesh::{Mesh, TILE, turned};
+use crate::scene::mesh::{Mesh, TILE, check_finite, turned};
 use crate::scene::normal::{normal_matrix, placed};
 
 /// Greatest difference from 1 of the squared length of a unit normal, so that normals of four digits count as unit.
@@ -60,7 +60,11 @@ impl StoredMeshes {
         let sets = || parts.iter().flat_map(|part| &self.meshes[part.mesh].vertices);
         let positions = match self.borrowed_positions(parts) {
             Some(positions) => positions,
-            None => self.positions(parts, progress)?.into(),
+            None => {
+                let positions = self.positions(parts, progress)?;
+                check_finite("vertices", &positions)?;
+                positions.into()
+            }
         };
         let faces = match self.borrowed_faces(parts) {
             Some(faces) => faces,
@@ -85,12 +89,10 @@ impl StoredMeshes {
     fn positions(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[f32; 3]>> {
         self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
             self.table(set.attributes.positions).floats(first, slots);
-            if self.scale != 1.0 {
-                slots.as_flattened_mut().iter_mut().for_each(|x| *x = (f64::from(*x) * self.scale) as f32);
-            }
-            if !part.stands_in_place() {
+            if self.scale != 1.0 || !part.stands_in_place() {
                 for slot in slots {
-                    let point = Vec3::from_array(*slot).as_dvec3();
+                    // Rounded once: a scaled coordinate may have digits that float32 has only at its place.
+                    let point = Vec3::from_array(*slot).as_dvec3() * self.scale;
                     *slot = part.to_scene.transform_point3(point).as_vec3().to_array();
                 }
             }
@@ -101,7 +103,7 @@ impl StoredMeshes {
         self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
             let Some(rows) = set.attributes.normals else { return };
             self.table(rows).floats(first, slots);
-            // Whole numbers are never exact.
+            // Normals of whole numbers never have unit length exactly.
             let unit_enough = if self.rows[rows].number == Number::F32 { UNIT } else { 0.0 };
             slots.iter_mut().for_each(|slot| *slot = unit(*slot, unit_enough));
             if !part.stands_in_place() {

@@ -122,21 +122,27 @@ impl StoredMeshes {
         Self { scale: self.scale * factor, ..self.clone() }
     }
 
+    /// Some of the meshes, with the ranges of shared vertices that they have.
+    pub fn only(&self, meshes: &[usize]) -> Self {
+        let (blocks, rows) = (self.blocks.clone(), self.rows.clone());
+        Self { blocks, rows, meshes: meshes.iter().map(|&mesh| self.meshes[mesh].clone()).collect(), scale: self.scale }
+    }
+
     /// The same with `numbers[m]` in place of each material m.
     pub fn with_materials(&self, numbers: &[i32]) -> Result<Self> {
-        let mut meshes = self.meshes.clone();
-        for faces in meshes.iter_mut().flat_map(|mesh| &mut mesh.faces) {
+        let mut changed = self.clone();
+        for faces in changed.meshes.iter_mut().flat_map(|mesh| &mut mesh.faces) {
             let number = usize::try_from(faces.material).ok().and_then(|material| numbers.get(material));
             let missing = || Error::value("numbers", "one for each material", numbers.len());
             faces.material = *number.ok_or_else(missing)?;
         }
-        Ok(Self { meshes, ..self.clone() })
+        Ok(changed)
     }
 
     /// Adds faces to their mesh; `known` are the last mesh's sets of vertices.
     fn add(&mut self, part: &StoredFaces, known: &mut HashMap<Attributes, usize>) -> Result<()> {
         let count = self.checked(part)?;
-        if part.mesh + 1 < self.meshes.len() || part.mesh > self.meshes.len() {
+        if part.mesh.saturating_add(1) < self.meshes.len() || part.mesh > self.meshes.len() {
             return Err(Error::value("faces", "meshes that ascend without gaps", part.mesh));
         }
         if part.mesh == self.meshes.len() {

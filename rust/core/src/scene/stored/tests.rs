@@ -126,6 +126,8 @@ fn faces_of_one_mesh_share_vertices_and_other_meshes_take_their_range() {
     let boxes = stored.face_bounds(&Progress::new()).unwrap();
     assert_eq!((stored.bounds(1), boxes[1]), ([[20.0, 400.0, 0.0], [23.0, 529.0, 0.0]], stored.bounds(1)));
     assert!(boxes[2][0][0] > boxes[2][1][0]);
+    let left = stored.only(&[1]);
+    assert_eq!((left.len(), left.vertex_count(0), left.is_fit(0)), (1, 4, true));
     let mesh = stored.mesh(1, &Progress::new()).unwrap();
     assert_eq!((&mesh.faces[..], &mesh.positions[..]), (&[[0, 1, 3]][..], &pool[20..24]));
     let both = [part(0, DAffine3::IDENTITY, 4), part(1, DAffine3::IDENTITY, 5)];
@@ -161,6 +163,22 @@ fn arrays_that_lie_as_they_are_used_are_not_copied() {
     let doubled = stored.scaled(2.0).mesh(0, &Progress::new()).unwrap();
     assert_eq!(doubled.positions[..], SQUARE.map(|p| p.map(|x| 2.0 * x)));
     assert_eq!(stored.scaled(2.0).bounds(0), [[0.0, 0.0, 0.0], [4.0, 4.0, 2.0]]);
+}
+
+#[test]
+fn scaled_coordinates_are_rounded_at_their_place() {
+    let mut bytes = Bytes::default();
+    let feet = [[500_000.03, 0.0, 0.0], [500_000.06, 0.0, 0.0], [500_000.0, 9.0, 0.0]];
+    let positions = bytes.add(&feet, Number::F32, false, 0);
+    let faces = StoredFaces { mesh: 0, attributes: attributes(positions), corners: None, material: 0 };
+    let stored = bytes.stored(&[faces]).scaled(0.3048);
+    let away = DAffine3::from_translation(DVec3::new(-152_400.0, 0.0, 0.0));
+    let mesh = stored.joined(&[part(0, away, 0)], &Progress::new()).unwrap();
+    let expected = feet.map(|[x, ..]| (f64::from(x) * 0.3048 - 152_400.0) as f32);
+    assert_eq!([0, 1, 2].map(|vertex| mesh.positions[vertex][0]), expected);
+    assert!(expected[0] != expected[1]);
+    let far = DAffine3::from_scale(DVec3::splat(1e36));
+    assert!(stored.joined(&[part(0, far, 0)], &Progress::new()).is_err());
 }
 
 #[test]
