@@ -111,7 +111,8 @@ def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.
     """
     from trimesh.geometry import weighted_vertex_normals
 
-    stored = mesh._cache["vertex_normals"]
+    # Trimesh's own look-up hashes the arrays, to see whether they have changed.
+    stored = mesh._cache.cache.get("vertex_normals") if fresh else mesh._cache["vertex_normals"]
     if stored is None or np.shape(stored) != mesh.vertices.shape:
         return None
     normals: NDArray[np.float64] = np.asarray(stored, np.float64)
@@ -123,12 +124,21 @@ def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.
     return None if np.allclose(normals, computed, rtol=0.0, atol=_NEAR) else normals
 
 
+def _kind_of_fresh(visual: Any) -> str | None:
+    """As `visual.kind` of a mesh that nobody has changed, without a hash of its arrays."""
+    if not hasattr(visual, "_data"):
+        kind: str | None = visual.kind
+        return kind
+    stored = visual._data.data
+    return next((kind for kind in ("vertex", "face") if np.size(stored.get(f"{kind}_colors", ()))), None)
+
+
 def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape:
     shape = Shape(mesh.vertices.view(np.ndarray), mesh.faces.view(np.ndarray))
     shape.normals = source_normals(mesh, fresh=fresh)
-    visual = mesh.visual
+    visual, kind = mesh.visual, _kind_of_fresh(mesh.visual) if fresh else mesh.visual.kind
     linear = getattr(getattr(mesh, "source", None), "file_type", None) in _LINEAR_COLORS
-    if visual.kind == "texture":
+    if kind == "texture":
         shape.materials = materials.of(visual.material)
         if visual.uv is not None and len(visual.uv) == len(shape.vertices):
             shape.uvs = visual.uv
@@ -137,9 +147,9 @@ def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape
         colors = visual.vertex_attributes.get("color", None)
         if colors is not None:
             shape.colors = colors_of(np.asarray(colors), len(shape.vertices), linear=linear)
-    elif visual.kind == "vertex":
+    elif kind == "vertex":
         shape.colors = colors_of(np.asarray(visual.vertex_colors), len(shape.vertices), linear=linear)
-    elif visual.kind == "face":
+    elif kind == "face":
         _color_faces(shape, np.asarray(visual.face_colors))
     return shape
 
