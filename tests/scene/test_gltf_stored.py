@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import base64
 import json
-import struct
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,9 @@ from nearfar._base.errors import SceneError
 from nearfar._scene import load
 from nearfar._scene.budget import Budget
 from nearfar._scene.gltf import document
+from nearfar._scene.gltf.buffers import Buffers
 from tests.support import need
+from tests.support.gltf_writer import Writer, random_glb
 
 FILES = (
     "objects/gltf/Duck.glb",
@@ -106,97 +108,123 @@ def loaded(path: Path) -> nf.Scene | str:
         return str(error)
 
 
+# files that are odd ---------------------------------------------------------------------------------------------------
+SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
+HALVES = np.array([[0], [1], [2], [0], [2], [3]], np.uint16)
+
+
+def square(primitive: dict[str, Any] | None = None, **document: Any) -> bytes:
+    """A GLB with a square; accessor 0 has its corners, and 1 the numbers of its halves' ones."""
+    writer = Writer(np.random.default_rng(0))
+    writer.add(SQUARE)
+    writer.add(HALVES)
+    whole = {"attributes": {"POSITION": 0}, "indices": 1} | (primitive or {})
+    parts = {"meshes": [{"primitives": [whole]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}]}
+    return writer.glb(**parts | document)
+
+
+@pytest.mark.parametrize(
+    "primitive",
+    [
+        {"material": -1},
+        {"indices": -1},
+        {"attributes": {"POSITION": 0, "NORMAL": -1}},
+        {"attributes": {"POSITION": -1}},
+    ],
+)
+def test_numbers_below_zero_name_nothing(tmp_path: Path, primitive: dict[str, Any]) -> None:
+    (tmp_path / "a.glb").write_bytes(square(primitive))
+    with pytest.raises(SceneError, match="it refers to something that it does not hold"):
+        nf.Scene.load(tmp_path / "a.glb")
+
+
+def test_arrays_that_are_not_needed_need_not_be_there(tmp_path: Path) -> None:
+    header = json.loads(square()[20 : 20 + int.from_bytes(square()[12:16], "little")])
+    binary = square()[28 + int.from_bytes(square()[12:16], "little") :]
+    (tmp_path / "a.bin").write_bytes(binary)
+    header["buffers"] = [{"uri": "a.bin", "byteLength": len(binary)}, {"uri": "missing.bin", "byteLength": 64}]
+    header["bufferViews"].append({"buffer": 1, "byteLength": 64})
+    header["accessors"].append({"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC4"})
+    header["accessors"].append({"type": ["junk"]})
+    header["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = 2
+    (tmp_path / "a.gltf").write_text(json.dumps(header))
+    assert nf.Scene.load(tmp_path / "a.gltf").triangle_count == 2
+
+
+def test_a_document_without_meshes_has_no_triangles(tmp_path: Path) -> None:
+    (tmp_path / "a.glb").write_bytes(square(meshes=[], nodes=[], animations=[{}]))
+    with pytest.raises(SceneError, match="no triangles; 1 animation ignored"):
+        nf.Scene.load(tmp_path / "a.glb")
+    data = Writer(np.random.default_rng(0))
+    data.add(SQUARE)
+    (tmp_path / "b.glb").write_bytes(data.glb(animations=[{}]))
+    with pytest.raises(SceneError, match="no triangles; 1 animation ignored"):
+        nf.Scene.load(tmp_path / "b.glb")
+
+
+def test_materials_of_meshes_without_a_place_are_left_out(tmp_path: Path) -> None:
+    materials = [{"pbrMetallicRoughness": {"baseColorFactor": [n / 9, 0.5, 1.0, 1.0]}} for n in range(9)]
+    rows = [{"attributes": {"POSITION": 0}, "indices": 1, "material": n} for n in range(9)]
+    meshes = [{"primitives": [row]} for row in rows]
+    (tmp_path / "a.glb").write_bytes(square(meshes=meshes, nodes=[{"mesh": 4}], materials=materials))
+    assert nf.Scene.load(tmp_path / "a.glb").report.materials == 1
+
+
+def test_sizes_are_counted_before_meshes_are_examined(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    writer = Writer(np.random.default_rng(0))
+    writer.add(np.zeros((50_000, 3), np.float32))
+    writer.accessors *= 1000
+    rows = [{"attributes": {"POSITION": number}} for number in range(1000)]
+    for row in rows:
+        writer.accessors[row["attributes"]["POSITION"]]["count"] = 49_998
+    meshes = [{"primitives": [row]} for row in rows]
+    path = tmp_path / "a.glb"
+    path.write_bytes(writer.glb(meshes=meshes, nodes=[{"mesh": 0}], scenes=[{"nodes": [0]}]))
+    monkeypatch.setattr(_core, "StoredMeshes", None)
+    with pytest.raises(SceneError, match="it unpacks to more than"):
+        nf.Scene.load(path)
+
+
+def test_unfit_meshes_are_dropped_in_one_pass(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each mesh shares its positions with the next one, and the first one is damaged."""
+    count = 60
+    writer = Writer(np.random.default_rng(0))
+    for _ in range(count + 1):
+        writer.add(np.random.default_rng(1).random((99, 3), np.float32))
+    corners = [writer.add(np.array([[0], [1], [2]], np.uint16)), writer.add(np.array([[0], [1], [500]], np.uint16))]
+    rows = [
+        [{"attributes": {"POSITION": at}, "indices": corners[at == 0 == n]} for n, at in enumerate((first, first + 1))]
+        for first in range(count)
+    ]
+    nodes = [{"mesh": number} for number in range(count)]
+    document = {
+        "meshes": [{"primitives": row} for row in rows],
+        "nodes": nodes,
+        "scenes": [{"nodes": list(range(count))}],
+    }
+    path = tmp_path / "a.glb"
+    path.write_bytes(writer.glb(**document))
+    made: list[Any] = []
+    original = _core.StoredMeshes
+
+    def counted(*given: Any) -> Any:
+        made.append(original(*given))
+        return made[-1]
+
+    monkeypatch.setattr(_core, "StoredMeshes", counted)
+    scene = nf.Scene.load(path, on_invalid="drop")
+    assert (len(made), scene.triangle_count, scene.report.dropped_faces) == (1, 2 * count - 1, 1)
+
+
+def test_textures_of_one_image_share_its_bytes() -> None:
+    uri = "data:image/png;base64," + base64.b64encode(b"picture").decode()
+    header = {"images": [{"uri": uri}], "textures": [{"source": 0}, {"source": 0}, {}]}
+    buffers = Buffers(header, b"", None, Budget())
+    assert (buffers.picture(0), buffers.picture(2), buffers.picture(7)) == (b"picture", None, None)
+    assert buffers.picture(0) is buffers.picture(1)
+
+
 # random files --------------------------------------------------------------------------------------------------------
-CODES = {np.int8: 5120, np.uint8: 5121, np.int16: 5122, np.uint16: 5123, np.uint32: 5125, np.float32: 5126}
-KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
-
-
-class Writer:
-    """Collects arrays of random layouts in the buffer of a GLB."""
-
-    def __init__(self, rng: np.random.Generator) -> None:
-        self.rng, self.data = rng, b""
-        self.accessors: list[dict[str, Any]] = []
-        self.views: list[dict[str, Any]] = []
-
-    def rows(self, kind: type, count: int, width: int, *, tight: bool = False) -> int:
-        """Random rows with a gap after each, unless `tight`; returns the accessor's number."""
-        is_float = kind is np.float32
-        info = None if is_float else np.iinfo(kind)
-        values = (
-            self.rng.integers(-40, 40, (count, width)).astype(kind) / kind(8)
-            if info is None
-            else self.rng.integers(info.min, info.max, (count, width), kind, endpoint=True)
-        )
-        normalized = not is_float and (width != 3 or bool(self.rng.integers(2)))
-        return self.add(np.asarray(values, kind), normalized=normalized, tight=tight)
-
-    def add(self, values: NDArray[Any], *, normalized: bool = False, tight: bool = True) -> int:
-        size = values.itemsize * values.shape[1]
-        gap = 0 if tight else int(self.rng.integers(3)) * 4 + -size % 4
-        self.data += bytes(-len(self.data) % 4)
-        view: dict[str, Any] = {"buffer": 0, "byteOffset": len(self.data)}
-        self.data += b"".join(row.tobytes() + bytes(gap) for row in values)
-        view["byteLength"] = len(self.data) - view["byteOffset"]
-        if gap:
-            view["byteStride"] = size + gap
-        self.views.append(view)
-        accessor = {"bufferView": len(self.views) - 1, "componentType": CODES[values.dtype.type]}
-        self.accessors.append(
-            accessor | {"count": len(values), "type": KINDS[values.shape[1]], "normalized": normalized}
-        )
-        return len(self.accessors) - 1
-
-    def glb(self, **document: Any) -> bytes:
-        self.data += bytes(-len(self.data) % 4)
-        whole = {"asset": {"version": "2.0"}, "accessors": self.accessors, "bufferViews": self.views, **document}
-        text = json.dumps(whole | {"buffers": [{"byteLength": len(self.data)}]}).encode()
-        text += b" " * (-len(text) % 4)
-        chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(self.data), b"BIN\0")
-        return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks) + len(self.data)) + chunks + self.data
-
-
-def random_glb(rng: np.random.Generator) -> bytes:
-    """Meshes of primitives that share vertices, placed some times each, of whatever types and attributes."""
-    writer = Writer(rng)
-    pools = [attributes(writer, 3 * int(rng.integers(1, 5))) for _ in range(2)]
-    meshes = []
-    for _ in range(int(rng.integers(1, 4))):
-        chosen = [pools[int(rng.integers(2))] for _ in range(int(rng.integers(1, 4)))]
-        meshes.append({"primitives": [primitive(writer, *pool) for pool in chosen]})
-    nodes: list[dict[str, Any]] = []
-    for number in range(int(rng.integers(1, 6))):
-        scale = rng.choice([-2.0, 1.0, 1.0, 0.5], 3).tolist()
-        place = {"translation": rng.integers(-9, 9, 3).tolist(), "scale": scale} if rng.integers(3) else {}
-        nodes.append({"name": f"n{number}", "mesh": int(rng.integers(len(meshes))), **place})
-    materials = [{"pbrMetallicRoughness": {"baseColorFactor": [n / 4, 0.5, 1.0, 1.0]}} for n in range(3)]
-    return writer.glb(meshes=meshes, nodes=nodes, materials=materials, scenes=[{"nodes": list(range(len(nodes)))}])
-
-
-def attributes(writer: Writer, count: int) -> tuple[dict[str, int], int]:
-    rng = writer.rng
-    kinds = (np.float32, np.float32, np.int16, np.uint8)
-    found = {"POSITION": writer.rows(kinds[int(rng.integers(4))], count, 3)}
-    if rng.integers(2):
-        found["NORMAL"] = writer.rows((np.float32, np.int8)[int(rng.integers(2))], count, 3)
-    if rng.integers(2):
-        kind = (np.uint8, np.uint16, np.float32)[int(rng.integers(3))]
-        found["COLOR_0"] = writer.rows(kind, count, int(rng.integers(3, 5)))
-    return found, count
-
-
-def primitive(writer: Writer, found: dict[str, int], count: int) -> dict[str, Any]:
-    rng = writer.rng
-    made: dict[str, Any] = {"attributes": found, "mode": 4} if rng.integers(2) else {"attributes": dict(found)}
-    if rng.integers(4):
-        first = int(rng.integers(count))
-        corners = rng.integers(first, count, (3 * int(rng.integers(1, 4)), 1))
-        made["indices"] = writer.add(corners.astype((np.uint8, np.uint16, np.uint32)[int(rng.integers(3))]))
-    if rng.integers(3):
-        made["material"] = int(rng.integers(3))
-    return made
-
-
 @given(seed=st.integers(0, 2**32 - 1), scale=st.sampled_from([None, 0.01]))
 def test_random_files_are_read_alike(tmp_path_factory: pytest.TempPathFactory, seed: int, scale: float | None) -> None:
     path = tmp_path_factory.mktemp("random") / "random.glb"
