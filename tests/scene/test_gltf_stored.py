@@ -152,7 +152,7 @@ def test_arrays_that_are_not_needed_need_not_be_there(tmp_path: Path) -> None:
 
 
 def test_a_document_without_meshes_has_no_triangles(tmp_path: Path) -> None:
-    (tmp_path / "a.glb").write_bytes(square(meshes=[], nodes=[], animations=[{}]))
+    (tmp_path / "a.glb").write_bytes(square(meshes=[], nodes=[], scenes=[{"nodes": []}], animations=[{}]))
     with pytest.raises(SceneError, match="no triangles; 1 animation ignored"):
         nf.Scene.load(tmp_path / "a.glb")
     data = Writer(np.random.default_rng(0))
