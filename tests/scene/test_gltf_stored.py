@@ -59,15 +59,15 @@ def faces_of(scene: nf.Scene) -> NDArray[np.float64]:
 def assert_alike(stored: nf.Scene, slow: nf.Scene) -> None:
     assert stored.object_names == slow.object_names
     np.testing.assert_array_equal(stored.origin, slow.origin)
-    # Normals are made unit in float32 by one reader and in float64 by the other.
-    np.testing.assert_allclose(faces_of(stored), faces_of(slow), rtol=0, atol=2.0**-22)
+    # One reader rounds scaled coordinates once, and normalises each normal by itself.
+    np.testing.assert_allclose(faces_of(stored), faces_of(slow), rtol=2.0**-22, atol=2.0**-22)
     assert (stored._frames is None) == (slow._frames is None)
     if stored._frames is not None:
         np.testing.assert_array_equal(stored._frames, slow._frames)
 
 
 # files ---------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("name", [*FILES[:-1], pytest.param(FILES[-1], marks=pytest.mark.slow)])
 def test_real_files_are_read_alike(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     need("data")
     path = data_files.find(name)

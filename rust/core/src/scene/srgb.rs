@@ -30,11 +30,9 @@ pub fn srgb_from_linear(linear: f32) -> u8 {
 }
 
 /// The codes of the 65,536 fractions of 65,535. Loops should fetch them once.
-pub fn srgb_from_u16() -> &'static [u8; 1 << 16] {
-    static OF_SHORTS: LazyLock<Box<[u8; 1 << 16]>> = LazyLock::new(|| {
-        let codes: Vec<u8> = (0..=u16::MAX).map(|short| srgb_from_linear(fraction(short))).collect();
-        codes.try_into().expect("there are 65,536 of them")
-    });
+pub fn srgb_from_u16() -> &'static [u8] {
+    static OF_SHORTS: LazyLock<Vec<u8>> =
+        LazyLock::new(|| (0..=u16::MAX).map(|short| srgb_from_linear(fraction(short))).collect());
     &OF_SHORTS
 }
 

@@ -3,14 +3,14 @@
 use rayon::prelude::*;
 
 use super::fitness::{PIECE, pieces_of};
+use super::meshes::{StoredMesh, StoredMeshes, VertexSet};
 use super::rows::{Number, Table};
-use super::{StoredMeshes, VertexSet};
 use crate::scene::srgb::{srgb_from_linear, srgb_from_u16};
 
 impl StoredMeshes {
     /// For each of the faces that `new` took, whether colours of their vertices have an alpha below 1.
     pub fn see_through(&self) -> Vec<bool> {
-        let of_mesh = |mesh: &super::StoredMesh| {
+        let of_mesh = |mesh: &StoredMesh| {
             let of_sets: Vec<bool> = mesh.vertices.iter().map(|set| self.is_see_through(set)).collect();
             mesh.faces.iter().map(|faces| of_sets[faces.set]).collect::<Vec<_>>()
         };

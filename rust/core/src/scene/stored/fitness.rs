@@ -3,7 +3,7 @@
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
+use super::meshes::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use crate::base::{Aabb, Progress, REACH, Result};
 
 /// Number of rows that are read at a time; they stay in the first-level cache.

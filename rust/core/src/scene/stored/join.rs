@@ -3,8 +3,8 @@
 use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
+use super::meshes::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use super::rows::Number;
-use super::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use crate::base::{Buffer, Error, FaceMap, Progress, Result};
 use crate::scene::merge::pieces;
 use crate::scene::mesh::{Mesh, TILE, check_finite, turned};

@@ -80,7 +80,7 @@ macro_rules! whole {
             const SIZE: usize = size_of::<$number>();
             #[inline]
             fn first_of(bytes: &[u8]) -> Self {
-                Self::from_le_bytes(*bytes.first_chunk().expect("rows lie within their block"))
+                Self::from_le_bytes(bytes.first_chunk().copied().unwrap_or_default())
             }
             #[inline]
             fn plain(self) -> f32 {
@@ -100,7 +100,7 @@ impl Stored for f32 {
     const SIZE: usize = 4;
     #[inline]
     fn first_of(bytes: &[u8]) -> Self {
-        Self::from_le_bytes(*bytes.first_chunk().expect("rows lie within their block"))
+        Self::from_le_bytes(bytes.first_chunk().copied().unwrap_or_default())
     }
     #[inline]
     fn plain(self) -> f32 {

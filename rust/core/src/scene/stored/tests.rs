@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use super::rows::Table;
 use super::*;
-use crate::base::FaceMap;
+use crate::base::{Buffer, FaceMap, Progress};
 use crate::scene::{Mesh, PlacedMesh, merge};
 
 /// Bytes that grow, and the rows that describe them.

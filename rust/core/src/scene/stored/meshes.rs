@@ -1,0 +1,233 @@
+//! Stored meshes: sets of vertices and the faces between them, as rows of numbers in blocks of bytes.
+
+use std::collections::HashMap;
+
+use super::rows::{Number, Rows, Table};
+use crate::base::{Aabb, Buffer, Error, Progress, Result};
+
+/// Numbers of the rows that describe vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Attributes {
+    /// Positions, three numbers.
+    pub positions: usize,
+    /// Outward normals, three numbers.
+    pub normals: Option<usize>,
+    /// Texture coordinates, two numbers, v downwards.
+    pub uvs: Option<usize>,
+    /// Linear colours, three or four numbers, always fractions.
+    pub colors: Option<usize>,
+}
+
+/// Triangles of one material.
+#[derive(Clone, Copy, Debug)]
+pub struct StoredFaces {
+    /// The mesh that they belong to; meshes ascend.
+    pub mesh: usize,
+    /// Their vertices.
+    pub attributes: Attributes,
+    /// Rows of the corners' vertex numbers; `None` for three vertices after another.
+    pub corners: Option<usize>,
+    /// Their material.
+    pub material: i32,
+}
+
+/// Vertices that faces of one mesh share.
+#[derive(Clone, Debug)]
+pub(super) struct VertexSet {
+    pub attributes: Attributes,
+    /// First vertex that is taken.
+    pub first: usize,
+    /// Number of vertices that are taken.
+    pub count: usize,
+    /// Whether other sets have the same positions, so that only the vertices between the least and the greatest one
+    /// that faces use are taken.
+    pub is_shared: bool,
+}
+
+/// Triangles between the vertices of a set.
+#[derive(Clone, Debug)]
+pub(super) struct FaceSet {
+    /// Number of the vertices' set among those of the mesh.
+    pub set: usize,
+    pub corners: Option<usize>,
+    pub count: usize,
+    pub material: i32,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct StoredMesh {
+    pub vertices: Vec<VertexSet>,
+    pub faces: Vec<FaceSet>,
+    /// Whether its arrays can be used as they are.
+    pub is_fit: bool,
+    /// Box of the vertices.
+    pub bounds: Aabb,
+}
+
+impl StoredMesh {
+    const EMPTY: Self = Self { vertices: Vec::new(), faces: Vec::new(), is_fit: false, bounds: Aabb::EMPTY };
+
+    fn vertex_count(&self) -> usize {
+        self.vertices.iter().map(|set| set.count).sum()
+    }
+
+    fn face_count(&self) -> usize {
+        self.faces.iter().map(|faces| faces.count).sum()
+    }
+}
+
+/// Meshes as the bytes of files hold them.
+#[derive(Clone, Debug)]
+pub struct StoredMeshes {
+    pub(super) blocks: Vec<Buffer<u8>>,
+    pub(super) rows: Vec<Rows>,
+    pub(super) meshes: Vec<StoredMesh>,
+    /// Factor of all coordinates.
+    pub(super) scale: f64,
+}
+
+impl StoredMeshes {
+    /// Checks that all rows lie within their blocks and fit together, and finds out which meshes are fit for use.
+    pub fn new(blocks: Vec<Buffer<u8>>, rows: Vec<Rows>, faces: &[StoredFaces], progress: &Progress) -> Result<Self> {
+        for row in &rows {
+            let length = blocks.get(row.block).map(|block| block.len());
+            let fits = row.step >= row.size() && row.end().zip(length).is_some_and(|(end, length)| end <= length);
+            if !fits {
+                return Err(Error::value("rows", "rows within their blocks", format!("{row:?}")));
+            }
+        }
+        let mut stored = Self { blocks, rows, meshes: Vec::new(), scale: 1.0 };
+        let mut known = HashMap::new();
+        for part in faces {
+            stored.add(part, &mut known)?;
+        }
+        stored.find_shared();
+        stored.find_fit(progress)?;
+        Ok(stored)
+    }
+
+    /// The same with all coordinates multiplied in float64.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self { scale: self.scale * factor, ..self.clone() }
+    }
+
+    /// Some of the meshes, with the ranges of shared vertices that they have.
+    pub fn only(&self, meshes: &[usize]) -> Self {
+        let (blocks, rows) = (self.blocks.clone(), self.rows.clone());
+        Self { blocks, rows, meshes: meshes.iter().map(|&mesh| self.meshes[mesh].clone()).collect(), scale: self.scale }
+    }
+
+    /// The same with `numbers[m]` in place of each material m.
+    pub fn with_materials(&self, numbers: &[i32]) -> Result<Self> {
+        let mut changed = self.clone();
+        for faces in changed.meshes.iter_mut().flat_map(|mesh| &mut mesh.faces) {
+            let number = usize::try_from(faces.material).ok().and_then(|material| numbers.get(material));
+            let missing = || Error::value("numbers", "one for each material", numbers.len());
+            faces.material = *number.ok_or_else(missing)?;
+        }
+        Ok(changed)
+    }
+
+    /// Adds faces to their mesh; `known` are the last mesh's sets of vertices.
+    fn add(&mut self, part: &StoredFaces, known: &mut HashMap<Attributes, usize>) -> Result<()> {
+        let count = self.checked(part)?;
+        if part.mesh.saturating_add(1) < self.meshes.len() || part.mesh > self.meshes.len() {
+            return Err(Error::value("faces", "meshes that ascend without gaps", part.mesh));
+        }
+        if part.mesh == self.meshes.len() {
+            self.meshes.push(StoredMesh::EMPTY);
+            known.clear();
+        }
+        let vertex_count = self.rows[part.attributes.positions].count;
+        let mesh = &mut self.meshes[part.mesh];
+        let set = *known.entry(part.attributes).or_insert_with(|| {
+            let attributes = part.attributes;
+            mesh.vertices.push(VertexSet { attributes, first: 0, count: vertex_count, is_shared: false });
+            mesh.vertices.len() - 1
+        });
+        mesh.faces.push(FaceSet { set, corners: part.corners, count, material: part.material });
+        Ok(())
+    }
+
+    /// Number of faces, whose rows have the right widths and numbers.
+    fn checked(&self, part: &StoredFaces) -> Result<usize> {
+        let wrong = |expected: &'static str| Error::value("faces", expected, format!("{part:?}"));
+        let attributes = &part.attributes;
+        let row = |number: usize| self.rows.get(number).ok_or_else(|| wrong("numbers of rows"));
+        let vertex_count = row(attributes.positions)?.count;
+        for (number, widths) in [
+            (Some(attributes.positions), 3..=3),
+            (attributes.normals, 3..=3),
+            (attributes.uvs, 2..=2),
+            (attributes.colors, 3..=4),
+        ] {
+            if let Some(rows) = number.map(row).transpose()?
+                && (!widths.contains(&rows.width) || rows.count != vertex_count)
+            {
+                return Err(wrong("one row of the right width for each vertex"));
+            }
+        }
+        let corners = match part.corners.map(row).transpose()? {
+            None => vertex_count,
+            Some(rows) => {
+                let is_whole = matches!(rows.number, Number::U8 | Number::U16 | Number::U32);
+                if !is_whole || rows.width != 1 || rows.step != rows.size() {
+                    return Err(wrong("corners as whole numbers without gaps"));
+                }
+                rows.count
+            }
+        };
+        if corners.is_multiple_of(3) { Ok(corners / 3) } else { Err(wrong("three corners for each face")) }
+    }
+
+    /// Finds positions that several sets of vertices refer to.
+    fn find_shared(&mut self) {
+        let mut uses: HashMap<usize, usize> = HashMap::new();
+        let sets = || self.meshes.iter().flat_map(|mesh| &mesh.vertices);
+        for set in sets() {
+            *uses.entry(set.attributes.positions).or_default() += 1;
+        }
+        for set in self.meshes.iter_mut().flat_map(|mesh| &mut mesh.vertices) {
+            set.is_shared = uses[&set.attributes.positions] > 1;
+        }
+    }
+
+    /// Number of meshes.
+    pub fn len(&self) -> usize {
+        self.meshes.len()
+    }
+
+    /// Whether there are no meshes.
+    pub fn is_empty(&self) -> bool {
+        self.meshes.is_empty()
+    }
+
+    /// Whether a mesh can be used: its coordinates are finite, its faces have vertices, and those that it shares with
+    /// other meshes lie near each other in the file.
+    pub fn is_fit(&self, mesh: usize) -> bool {
+        self.meshes[mesh].is_fit
+    }
+
+    /// Number of a mesh's vertices.
+    pub fn vertex_count(&self, mesh: usize) -> usize {
+        self.meshes[mesh].vertex_count()
+    }
+
+    /// Number of a mesh's faces.
+    pub fn face_count(&self, mesh: usize) -> usize {
+        self.meshes[mesh].face_count()
+    }
+
+    /// Box of the vertices of a mesh that is fit, in its own frame.
+    pub fn bounds(&self, mesh: usize) -> [[f64; 3]; 2] {
+        self.sides(&self.meshes[mesh].bounds)
+    }
+
+    pub(super) fn sides(&self, bounds: &Aabb) -> [[f64; 3]; 2] {
+        [bounds.min, bounds.max].map(|corner| (corner.as_dvec3() * self.scale).to_array())
+    }
+
+    pub(super) fn table(&self, rows: usize) -> Table<'_> {
+        Table::new(self.rows[rows], &self.blocks)
+    }
+}
