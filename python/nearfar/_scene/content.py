@@ -60,7 +60,7 @@ class Shape:
 
     @property
     def look(self) -> Look:
-        """What is to be said about it."""
+        """Its attributes and materials, for reports."""
         see_through = self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
         has_normals, has_uvs, has_colors = (rows is not None for rows in (self.normals, self.uvs, self.colors))
         return Look(1, self.materials, has_normals, has_uvs, has_colors, int(see_through))

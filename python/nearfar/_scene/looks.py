@@ -1,4 +1,4 @@
-"""What reports say about the shapes of a source: their attributes, and what of their materials is drawn differently."""
+"""Attributes of a source's shapes, and differences of the drawn materials from the source's, for reports."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def inventory(looks: Sequence[Look], vertices: int) -> list[str]:
 
 
 def notes(looks: Sequence[Look]) -> list[str]:
-    """What is drawn differently, one sentence each."""
+    """Differences of the drawn shapes from the source's, one sentence each."""
     return [*_material_notes(looks), *_alpha_notes(looks), *_emission_notes(looks)]
 
 

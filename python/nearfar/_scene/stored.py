@@ -15,7 +15,7 @@ from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
 
 @dataclass(frozen=True)
 class Surface:
-    """What the faces of one kind have."""
+    """Material and attributes that groups of stored faces share."""
 
     materials: Sequence[BaseColor]
     """One, or none for the plain one."""
@@ -55,7 +55,7 @@ class Stored:
         return replace(self, surfaces=surfaces)
 
     def looks(self, placed: NDArray[np.bool_]) -> list[Look]:
-        """What is to be said about the placed meshes; `placed` (M,) says which are."""
+        """Attributes and materials of the placed meshes, for reports; `placed` (M,) marks them."""
         mine = placed[self.mesh]
         numbers = np.bincount(self.surface[mine], minlength=len(self.surfaces)).tolist()
         see_through = [0] * len(self.surfaces)

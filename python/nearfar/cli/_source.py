@@ -78,7 +78,7 @@ def open_truth(
 
 
 def _parts_of(report: dict[str, Any]) -> dict[str, Any]:
-    """What a report is about of a tileset or a city."""
+    """The part of a tileset or a city that a report is about."""
     stated = report.get("parts")
     known = stated if isinstance(stated, dict) else {}
     return {name: known.get(name) for name in options.WHOLE}

@@ -26,7 +26,7 @@ _GLOSS_BYTES = 128
 
 @dataclass
 class _Drawn:
-    """What is drawn of a material, under trimesh's names."""
+    """The drawn part of a material, under trimesh's names."""
 
     baseColorFactor: None = None  # noqa: N815 - full precision comes from the document
     baseColorTexture: Any = None  # noqa: N815

@@ -375,7 +375,7 @@ mod tests {
         Scene::new(ORIGIN, standing, moving, Arc::new(vec![Material::default()]), Arc::default()).unwrap()
     }
 
-    /// What the trees find, after the same was found without them.
+    /// The part that the trees find, after the same was found without them.
     fn part(scene: &Scene, min: f64, max: f64) -> Queried {
         let corner = |x: f64, y: f64| DVec3::new(x + ORIGIN.x, y, y);
         let (min, max) = (corner(min, f64::NEG_INFINITY), corner(max, f64::INFINITY));

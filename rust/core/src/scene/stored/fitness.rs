@@ -12,7 +12,7 @@ pub(super) const PIECE: usize = 1 << 10;
 /// Greatest number of vertices for each corner that a shared set may take. Vertices that faces do not use cost memory.
 const MOST_SPREAD: usize = 2;
 
-/// What faces use of a set of vertices.
+/// The range of a set of vertices that faces use.
 #[derive(Clone)]
 struct Use {
     least: usize,

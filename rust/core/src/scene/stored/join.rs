@@ -235,7 +235,7 @@ impl<T: bytemuck::AnyBitPattern> AsRef<[T]> for Borrowed<T> {
 }
 
 impl StoredMesh {
-    /// What is added to the numbers of each set's vertices where the mesh's first one is `first`.
+    /// Number to add to those of each set's vertices where the mesh's first one is `first`.
     fn shifts(&self, first: usize) -> Vec<u32> {
         let starts = starts(self.vertices.iter().map(|set| set.count));
         starts.zip(&self.vertices).map(|(start, set)| (first + start).wrapping_sub(set.first) as u32).collect()
