@@ -173,14 +173,9 @@ impl<'a> Table<'a> {
         Self { rows, bytes: self.bytes }
     }
 
-    /// Writes what is made of rows of `W` numbers of 16 bits.
+    /// Writes the results of a function of rows of `W` numbers of 16 bits.
     pub fn shorts<R, const W: usize>(&self, first: usize, slots: &mut [R], of: impl Fn([u16; W]) -> R) {
-        let start = self.rows.start + first * self.rows.step;
-        for (row, slot) in slots.iter_mut().enumerate() {
-            let at = start + row * self.rows.step;
-            let bytes = self.bytes[at..at + 2 * W].as_chunks::<2>().0;
-            *slot = of(std::array::from_fn(|column| u16::from_le_bytes(bytes[column])));
-        }
+        self.each_row(first, slots, of);
     }
 
     /// Writes rows from number `first` on as float32; fractions are those of the type's greatest number.
@@ -210,11 +205,15 @@ impl<'a> Table<'a> {
     }
 
     fn each<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [[R; W]], of: impl Fn(T) -> R) {
+        self.each_row(first, slots, |row: [T; W]| row.map(&of));
+    }
+
+    fn each_row<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [R], of: impl Fn([T; W]) -> R) {
         let start = self.rows.start + first * self.rows.step;
         for (row, slot) in slots.iter_mut().enumerate() {
             let at = start + row * self.rows.step;
             let bytes = &self.bytes[at..at + W * T::SIZE];
-            *slot = std::array::from_fn(|column| of(T::first_of(&bytes[column * T::SIZE..])));
+            *slot = of(std::array::from_fn(|column| T::first_of(&bytes[column * T::SIZE..])));
         }
     }
 }
