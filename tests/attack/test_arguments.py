@@ -17,6 +17,9 @@ from tests.support.valid_objects import Valid
 
 NAMES = sorted(public_callables())
 
+_LONG = ("choose_radii", "datasets.factory", "regions", "stream.export", "stream.simulate")
+"""Callables whose valid calls, which some values make, take tenths of a second."""
+
 
 @pytest.fixture(scope="module")
 def valid(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Valid]:
@@ -53,7 +56,10 @@ def test_every_public_callable_has_a_valid_call(valid: Valid, calls: dict[str, C
     assert failed == {}
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=[pytest.mark.slow] * (name.removeprefix("nearfar.") in _LONG)) for name in NAMES],
+)
 def test_unusable_arguments_are_named(name: str, calls: dict[str, Case], values: list[Hostile]) -> None:
     own = [case for case in calls.values() if case.name.partition(" @")[0] == name]
     assert [complaint for case in own for complaint in case.complaints(values)] == []

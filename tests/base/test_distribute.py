@@ -51,6 +51,7 @@ def test_the_first_error_is_raised(workers: int | None) -> None:
         distribute(SQUARED, [3, -2, 4], label="squaring", workers=workers)
 
 
+@pytest.mark.slow
 def test_processes_share_the_threads_of_the_machine(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("NEARFAR_NUM_THREADS", raising=False)
     monkeypatch.setattr(os, "cpu_count", lambda: 6)
@@ -126,6 +127,7 @@ def test_a_script_without_a_guard_is_told_of_it(tmp_path: Path) -> None:
     assert message.splitlines()[-1].startswith("RuntimeError: workers: a process ended at once")
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_all_processes(tmp_path: Path) -> None:
     need("linux")
     program = started(tmp_path, ENDLESS)

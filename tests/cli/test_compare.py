@@ -33,6 +33,7 @@ def compared(city: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path
     return folder, json.loads((folder / "compare.json").read_text(encoding="utf-8"))
 
 
+@pytest.mark.slow
 def test_the_document_is_valid_and_its_files_are_there(compared: tuple[Path, dict[str, Any]]) -> None:
     folder, document = compared
     assert valid(document, "compare")
@@ -45,6 +46,7 @@ def test_the_document_is_valid_and_its_files_are_there(compared: tuple[Path, dic
     assert document["triangles_left"] < document["triangles"]
 
 
+@pytest.mark.slow
 def test_measures_are_those_of_the_functions(city: Path, compared: tuple[Path, dict[str, Any]]) -> None:
     _, document = compared
     scene = nf.Scene.load(city)
@@ -90,6 +92,7 @@ class Page(HTMLParser):
         assert self.open.pop() == tag
 
 
+@pytest.mark.slow
 def test_reports_show_every_picture_and_measure(compared: tuple[Path, dict[str, Any]]) -> None:
     folder, document = compared
     text, page = ((folder / name).read_text(encoding="utf-8") for name in ("report.md", "report.html"))

@@ -163,6 +163,7 @@ def test_nothing_is_farther_from_the_fine_part_than_detail(detail: float) -> Non
             assert distance.max() <= detail
 
 
+@pytest.mark.slow
 def test_detail_leaves_out_and_simplifies() -> None:
     counts = [WORLD.query(TOWN, detail).triangle_count for detail in (0.0, 4.0, 12.0, 40.0, 200.0)]
     assert all(a > 1.2 * b for a, b in itertools.pairwise(counts))
@@ -255,6 +256,7 @@ def test_bad_queries_are_named(box: Any, detail: float, name: str) -> None:
         WORLD.query(box, detail)
 
 
+@pytest.mark.slow
 def test_a_box_of_too_much_is_refused_at_once() -> None:
     with pytest.raises(ValueError, match=r"aabb: expected at most 8,192 tiles .* at detail 0, got 1,600,000,000"):
         datasets.world(10_000).query([[-np.inf] * 3, [np.inf] * 3])

@@ -110,6 +110,8 @@ count = 2_000_000
 points = np.random.default_rng(0).random((count, 3), dtype=np.float32)
 faces = (np.arange(3 * count, dtype=np.uint32) % count).reshape(-1, 3)
 heavy = nf.Scene.from_arrays(points, faces)
+# Drivers in software compile for each kind of picture and end the process where they cannot, so they do so now.
+nf.render(scene, camera, channels=("range",), samples=4, backend="gpu")
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 caught = 0
 for room in range(0, 420, 30):

@@ -286,6 +286,7 @@ def test_an_object_may_be_smaller_than_a_pixel() -> None:
     assert np.isfinite(model.samples.score).all()
 
 
+@pytest.mark.slow
 def test_results_do_not_depend_on_the_number_of_threads() -> None:
     code = (
         "import nearfar as nf; from tests.support.lod_cases import levels\n"

@@ -94,6 +94,7 @@ def children(process: int) -> list[int]:
     return [int(number) for number in found.stdout.split()]
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_processes_and_keeps_what_they_did(tmp_path: Path) -> None:
     need("linux")
     script = tmp_path / "many.py"

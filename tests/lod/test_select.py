@@ -317,5 +317,6 @@ print(hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest(), fo
 """
 
 
+@pytest.mark.slow
 def test_bits_do_not_depend_on_the_number_of_threads() -> None:
     assert len(set(printed_by_threads(BITS))) == 1

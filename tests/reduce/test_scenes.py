@@ -72,6 +72,7 @@ def test_holes_are_holes_in_maps_and_near_parts(kind: str) -> None:
     assert (reduced.render(view, channels=BAKED).require("object_id") == number["near"])[near].all()
 
 
+@pytest.mark.slow
 def test_bytes_of_bakes_and_frames_do_not_depend_on_the_number_of_threads() -> None:
     code = "from tests.reduce import test_scenes; print(test_scenes.digest())"
     assert printed_by_threads(code) == {digest() + "\n"}

@@ -212,6 +212,7 @@ def test_streams_that_are_cut_off_are_errors(tmp_path: Path) -> None:
                 load(tmp_path, glb(streams, meshes=PLAIN))
 
 
+@pytest.mark.slow
 def test_damaged_streams_are_errors_or_other_rows(tmp_path: Path) -> None:
     content = data(f"{BOXES}/extensions/test/in/BoxMeshopt.glb").read_bytes()
     document, binary = split(content)

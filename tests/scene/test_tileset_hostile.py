@@ -196,6 +196,7 @@ def mutated(data: bytes, chance: random.Random) -> bytes:
     return data
 
 
+@pytest.mark.slow
 @given(seed=st.integers(0, 2**32 - 1))
 @settings(max_examples=300)
 def test_any_mutation_gives_a_scene_or_a_sentence(tmp_path_factory: pytest.TempPathFactory, seed: int) -> None:

@@ -146,6 +146,7 @@ def test_a_kill_while_files_are_sent_is_seen_by_clients(tmp_path: Path) -> None:
         assert path.read_bytes() == files_of([0.0, 0.0, 0.0])[name]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damage", ["a file is gone", "a file is shorter", "the manifest is gone", "a file is a link"])
 def test_what_is_damaged_while_the_server_runs_is_made_anew(tmp_path: Path, damage: str) -> None:
     cache = tmp_path / "cache"
@@ -166,6 +167,7 @@ def test_what_is_damaged_while_the_server_runs_is_made_anew(tmp_path: Path, dama
         assert path.stat(follow_symlinks=False).st_size == BYTES
 
 
+@pytest.mark.slow
 def test_what_a_full_disk_does_not_take_is_served_from_memory(tmp_path: Path) -> None:
     cache = tmp_path / "cache"
     with serving(cache, most=BYTES // 2) as (_, url):

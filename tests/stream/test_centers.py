@@ -102,6 +102,7 @@ def test_centres_move_to_the_grid(grid: float) -> None:
     assert nf.stream.snap((1.5, 0.0, 2.5), 1.0) == (2.0, 0.0, 2.0)
 
 
+@pytest.mark.slow
 def test_regions_are_the_bundles_of_each_centre(city: nf.Scene, bundle: nf.stream.Bundle, tmp_path: Path) -> None:
     manifest = json.loads((Path(bundle._reader.place) / "manifest.json").read_text())
     listed: dict[str, Any] = {}

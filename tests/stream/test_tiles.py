@@ -84,6 +84,7 @@ def test_far_tiles_count_as_one_object_and_near_ones_keep_theirs(scene: nf.Scene
     assert 1 + int((expected.ring < 3).sum()) < counts[1] < counts[0] // 2
 
 
+@pytest.mark.slow
 def test_a_region_is_that_of_an_export_and_shows_what_the_scene_does(scene: nf.Scene, tmp_path: Path) -> None:
     maker = OnDemand(scene, **SETTINGS)
     assert len(maker._tiles.boxes)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -118,6 +119,9 @@ class Described:
         return "baseColorTexture" in self.material.get("pbrMetallicRoughness", {})
 
 
+_COMPARED_ROWS = 4
+"""Rows, at least, by which textures are told apart before all of their texels are compared."""
+
 _UNREADABLE = "with an unreadable texture drawn without it"
 _UNREADABLE_EMISSION = "with an unreadable map of emission drawn without it"
 
@@ -176,7 +180,8 @@ class Materials:
     def __init__(self, budget: Budget | None = None) -> None:
         self._budget = budget
         self._colors: dict[int, tuple[Any, BaseColor]] = {}
-        self._textures: dict[tuple[int, int, int], NDArray[np.uint8]] = {}
+        self._textures: dict[tuple[int, int, bytes], list[NDArray[np.uint8]]] = {}
+        """Textures by their size and a few of their rows."""
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
 
     def of(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
@@ -254,16 +259,33 @@ class Materials:
     def _texture(self, image: Any) -> tuple[NDArray[np.uint8] | None, tuple[str, ...]]:
         if image is None:
             return None, ()
-        if id(image) not in self._images:
-            self._images[id(image)] = (image, self._decoded(image))
+        self.decode([image])
         texels = self._images[id(image)][1]
         return texels, () if texels is not None else (_UNREADABLE,)
 
-    def _decoded(self, image: Any) -> NDArray[np.uint8] | None:
-        if self._budget is not None and image.size[0] * image.size[1] <= MOST_TEXELS:
-            self._budget.take(4 * image.size[0] * image.size[1])
-        texels = _decoded(image)
-        return None if texels is None else self._textures.setdefault((*image.size, hash(texels.tobytes())), texels)
+    def decode(self, images: Iterable[Any]) -> None:
+        """Decode Pillow's images side by side, except those that are decoded already."""
+        new = [image for key, image in {id(image): image for image in images}.items() if key not in self._images]
+        for image in new:
+            if self._budget is not None and image.size[0] * image.size[1] <= MOST_TEXELS:
+                self._budget.take(4 * image.size[0] * image.size[1])
+        decoded: Iterable[NDArray[np.uint8] | None] = map(_decoded, new)
+        if len(new) > 1:
+            from nearfar._base import side_by_side  # its threads bring the module `logging`
+
+            decoded = side_by_side.results([partial(_decoded, image) for image in new])
+        for image, texels in zip(new, decoded, strict=True):
+            self._images[id(image)] = (image, None if texels is None else self._first(texels))
+
+    def _first(self, texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """The first texture of the same texels."""
+        rows = texels[:: max(1, len(texels) // _COMPARED_ROWS)].tobytes()
+        alike = self._textures.setdefault((*texels.shape[:2], rows), [])
+        for other in alike:
+            if np.array_equal(other, texels):
+                return other
+        alike.append(texels)
+        return texels
 
 
 def texels_of(data: bytes) -> NDArray[np.uint8] | None:

@@ -47,7 +47,7 @@ class EncodedImage:
     @cached_property
     def digest(self) -> str:
         """Hash of the bytes."""
-        return hashlib.blake2b(self.data, digest_size=16).hexdigest()
+        return hashlib.sha256(self.data).hexdigest()
 
 
 @dataclass(frozen=True)

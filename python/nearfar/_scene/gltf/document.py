@@ -51,6 +51,7 @@ def read(
     name_files(header, resolver)
     buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver, budget)
     reader = MaterialReader(header, buffers, resolver, materials, budget)
+    reader.decode(_materials(header))
     primitives = Primitives(header, buffers, reader, budget)
     kept, whole = stored.stored(header, reader, buffers, budget) if stores else (None, [])
     names = _names(header, whole)
@@ -89,6 +90,13 @@ def _shapes(header: dict[str, Any], primitives: Primitives, names: dict[int, lis
 def _primitives(mesh: dict[str, Any]) -> list[dict[str, Any]]:
     """The primitives of a mesh that are read."""
     return [primitive for primitive in mesh["primitives"] if mode(primitive) in MODES]
+
+
+def _materials(header: dict[str, Any]) -> list[int]:
+    """Numbers of the materials that are read, each once; what is no number of one is left out."""
+    numbers = [primitive.get("material") for mesh in header.get("meshes", []) for primitive in _primitives(mesh)]
+    whole = {number for number in numbers if type(number) is int}
+    return sorted(whole.intersection(range(len(header.get("materials", [])))))
 
 
 def _positions(primitive: dict[str, Any]) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -12,6 +13,7 @@ from nearfar._base.glb import entry
 from nearfar._scene import coordinates
 from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.coordinates import Coordinates
+from nearfar._scene.emission import DARK, emission_of
 from nearfar._scene.gltf import ktx2
 from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.materials import BaseColor, Described, Materials
@@ -64,15 +66,33 @@ class MaterialReader:
     def material(self, number: int) -> list[BaseColor]:
         """The material of a number, in a list."""
         described = entry(self._header, "materials", number)
-        if number not in self._surfaces:
-            self._surfaces[number] = self._surface(number, described)
-        return self._materials.of(self._surfaces[number], described=Described(described, self._buffers.texture))
+        return self._materials.of(
+            self._opened(number, described), described=Described(described, self._buffers.texture)
+        )
+
+    def decode(self, numbers: Iterable[int]) -> None:
+        """Decode the images that materials draw, side by side, before `material` asks for one after the other."""
+        self._materials.decode(image for number in numbers for image in self._images(number))
+
+    def _images(self, number: int) -> list[Any]:
+        described = entry(self._header, "materials", number)
+        if _GLOSS in (described.get("extensions") or ()):
+            return []
+        opened = self._opened(number, described)
+        images = [opened.baseColorTexture] + ([] if emission_of(described) == DARK else [opened.emissiveTexture])
+        return [image for image in images if image is not None]
 
     def coordinates(self, number: int) -> Coordinates | None:
         """The texture coordinates that a material uses, if any; also for `NONE`."""
         if number not in self._coordinates:
             self._coordinates[number] = coordinates.drawn(entry(self._header, "materials", number))
         return self._coordinates[number]
+
+    def _opened(self, number: int, described: dict[str, Any]) -> Any:
+        """A material whose images are open, but not decoded."""
+        if number not in self._surfaces:
+            self._surfaces[number] = self._surface(number, described)
+        return self._surfaces[number]
 
     def _surface(self, number: int, described: dict[str, Any]) -> Any:
         surface = described.get("pbrMetallicRoughness", {})
