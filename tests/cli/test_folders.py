@@ -58,6 +58,7 @@ def test_render_shows_a_folder(
 
 
 @pytest.mark.slow
+@pytest.mark.stress
 def test_compare_measures_a_folder_against_the_scene_that_it_was_made_from(
     city: Path, light: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -93,7 +93,8 @@ def at_the_border(page: Any, url: str, yaw: float) -> SteppedPage:
     return stepped
 
 
-@pytest.mark.parametrize("yaw", [-np.pi / 2, pytest.param(2.0, marks=pytest.mark.stress)])
+@pytest.mark.stress
+@pytest.mark.parametrize("yaw", [-np.pi / 2, 2.0])
 def test_a_crossing_changes_less_than_a_step(chromium: Any, city: nf.Scene, two: Path, yaw: float) -> None:
     xs = [5.9 + WALK / RATE * step for step in range(90)]
     with Server.of_bundle(two) as server, opened(chromium, *SIZE) as shown:
@@ -113,6 +114,7 @@ def test_a_crossing_changes_less_than_a_step(chromium: Any, city: nf.Scene, two:
     assert crossing.mean() >= walked.mean() - MOST_LESS
 
 
+@pytest.mark.stress
 def test_without_a_fade_the_same_crossing_jumps(chromium: Any, city: nf.Scene, two: Path) -> None:
     yaw = 2.0
     manifest = json.loads((two / "manifest.json").read_text())
