@@ -44,7 +44,7 @@ from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
 from .hmd._stereo import StereoFrame, render_eyes
-from . import datasets, hmd, stereo, gpu, lod, stream, view
+from . import datasets, hmd, stereo, gpu, lod, orthoview, stream, view
 
 __all__ = [
     "BoundaryTear",
@@ -109,6 +109,7 @@ __all__ = [
     "nearest_points",
     "object_completion",
     "open_source",
+    "orthoview",
     "partition",
     "psnr",
     "range_error",

@@ -37,6 +37,7 @@ RUST_STAGES: dict[str, set[str]] = {
     "render": {"base", "scene", "camera", "cubemap", "trace", "partition", "morph", "bend", "tessellate"},
     "stereo": {"base", "scene", "camera", "trace", "render"},
     "export": {"base", "scene"},
+    "orthoview": {"base", "scene", "camera", "trace", "render"},
     "exr": {"base"},
     "metrics": {"base", "camera"},
     "bounds": {"base"},

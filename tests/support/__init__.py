@@ -105,6 +105,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "miniball": _module("miniball"),
     "OpenEXR": _module("OpenEXR"),
     "node": no_node,
+    "zarr": _module("zarr"),
     "web": no_web,
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")() or _module("ipywidgets")(),
     "pyproj": _module("pyproj"),

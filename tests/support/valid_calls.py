@@ -19,6 +19,9 @@ NEEDS = {
     "nearfar.ReducedScene.show": "anywidget",
     "nearfar.lod.LodModel.plot": "matplotlib",
     "nearfar.lod.simplify": "fast_simplification",
+    "nearfar.orthoview.OrthoTree": "zarr",
+    "nearfar.orthoview.build": "zarr",
+    "nearfar.orthoview.open": "zarr",
     "nearfar.stream.Bundle.show": "anywidget",
     "nearfar.stream.Timeline.plot": "matplotlib",
 }
@@ -59,6 +62,7 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.lod.Selection": lambda: _selection(valid),
         "nearfar.lod.Selector": nf.lod.Selector,
         "nearfar.lod.Switches": lambda: nf.lod.switches(model, view=valid.camera),
+        "nearfar.orthoview.OrthoTree": lambda: nf.orthoview.open(valid.store),
         "nearfar.stream.Bundle": lambda: valid.bundle,
         "nearfar.stream.Growth": lambda: nf.stream.Growth((2.0, 4.0)),
         "nearfar.stream.RingMaps": lambda: valid.ring_maps,
@@ -82,8 +86,22 @@ def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
 
     A name followed by " @" and a word is another call of the same callable, which reaches other checks.
     """
-    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams)
+    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams, _orthoviews)
     return {name: arguments for make in makers for name, arguments in make(valid).items()}
+
+
+def _orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
+    return {
+        "nearfar.orthoview.OrthoTree": {"path": valid.store},
+        "nearfar.orthoview.OrthoTree.box": {"level": 0, "place": (0, 0, 0)},
+        "nearfar.orthoview.OrthoTree.cells": {"level": 0},
+        "nearfar.orthoview.OrthoTree.view": {"level": 0, "place": (0, 0, 0), "direction": 4},
+        "nearfar.orthoview.build": {
+            "source": valid.scene, "path": valid.folder / "new.zarr", "cell": 8.0, "size": 8, "directions": 5,
+        },
+        "nearfar.orthoview.open": {"path": valid.store},
+        "nearfar.orthoview.size_for": {"pixels": 1000, "cell": 40.0, "distance": 50.0, "fov": 1.5},
+    }  # fmt: skip
 
 
 def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:

@@ -104,6 +104,13 @@ class Valid:
         return nf.stream.simulate(self.bundle, link=nf.stream.Link(50.0), strategy="clovrd")
 
     @functools.cached_property
+    def store(self) -> Path:
+        """A store of orthoviews."""
+        path = self.folder / "valid.zarr"
+        nf.orthoview.build(self.scene, path, cell=8.0, size=8, directions=5)
+        return path
+
+    @functools.cached_property
     def env(self) -> nf.EnvMap:
         """A map with all channels."""
         ranges = np.full((6, 4, 4), 9.0, np.float32)

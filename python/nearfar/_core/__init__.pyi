@@ -27,6 +27,20 @@ from nearfar._core.gpu import (
     gpu_morph as gpu_morph,
     gpu_similarity as gpu_similarity,
 )
+from nearfar._core.lod import (
+    carry as carry,
+    collapse as collapse,
+    first_alike as first_alike,
+    fit_4pl as fit_4pl,
+    pieces as pieces,
+    select_levels as select_levels,
+)
+from nearfar._core.orthoview import (
+    OrthoParent as OrthoParent,
+    OrthoViews as OrthoViews,
+    orthoview_axes as orthoview_axes,
+    orthoview_surfels as orthoview_surfels,
+)
 from nearfar._core.serve import (
     Server as Server,
     begin_log as begin_log,
@@ -457,40 +471,6 @@ def warp_mesh(
 def corrected_solid_angles(
     lens: RadialLens, centers: _F64, radii: _F64, *, eye: _Point, forward: _Point, tan_omega: float, exact: bool
 ) -> _F64: ...
-
-# lod ----------------------------------------------------------------------------------------------------------------
-def fit_4pl(x: _F64, y: _F64, *, count: int, report: _Report | None = None) -> tuple[_F64, NDArray[np.uint8]]: ...
-
-_Eye = tuple[_Point, tuple[float, float, float, float], tuple[float, float, float, float], _Point | None, float]
-
-def select_levels(
-    models: tuple[_F64, NDArray[np.int64], _F64],
-    model_index: NDArray[np.int64],
-    centers: _F64,
-    radii: _F64,
-    *,
-    previous: NDArray[np.int32] | None,
-    eyes: list[_Eye],
-    line: tuple[float, float],
-    reference: float,
-    off: bool,
-    cull: bool,
-    lens: RadialLens | None,
-    tan_omega: float,
-    exact: bool,
-    acuity: tuple[float, float] | None,
-    hysteresis: float,
-    fade: float,
-    full: bool,
-) -> tuple[NDArray[np.int32], list[_F64], list[int]]: ...
-def first_alike(rows: NDArray[np.uint8]) -> _U32: ...
-def pieces(faces: _U32, vertex_count: int) -> _U32: ...
-def carry(
-    positions: _F32, faces: _U32, corners: _F32, starts: _U32, *, report: _Report | None = None
-) -> tuple[_U32, _F64]: ...
-def collapse(
-    positions: _F32, attributes: _F32, weights: _F32, is_seam: NDArray[np.bool_], faces: _U32, target: int, given: str
-) -> tuple[_U32, float]: ...
 
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | _Point]]

@@ -22,6 +22,7 @@ pub mod tessellate;
 pub mod render;
 pub mod stereo;
 pub mod export;
+pub mod orthoview;
 pub mod exr;
 pub mod metrics;
 pub mod bounds;

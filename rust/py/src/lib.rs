@@ -16,6 +16,7 @@ mod tessellate;
 mod render;
 mod stereo;
 mod export;
+mod orthoview;
 mod metrics;
 mod bounds;
 mod lens;
@@ -52,6 +53,7 @@ mod _core {
         lod::simplify::{carry, collapse, first_alike, pieces},
         metrics::{discontinuity, mean_squared_errors, multiscale, object_completion, similarity, tear},
         morph::morph,
+        orthoview::{OrthoParent, OrthoViews, orthoview_axes, orthoview_surfels},
         partition::{LoadCurve, Partition, object_radii, ring_loads, triangle_radii},
         render::bake::{bake_map, bake_rings},
         render::frame::encode_srgb,

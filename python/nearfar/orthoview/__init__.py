@@ -1,0 +1,9 @@
+"""Worlds of any size as an octree of orthographic depth images (Chaudhuri et al.)."""
+
+from __future__ import annotations
+
+from nearfar.orthoview._build import build
+from nearfar.orthoview._resolution import size_for
+from nearfar.orthoview._tree import OrthoTree, open  # noqa: A004 - the name of the public face
+
+__all__ = ["OrthoTree", "build", "open", "size_for"]

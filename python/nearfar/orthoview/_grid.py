@@ -1,0 +1,105 @@
+"""The octree's cells: cubes of the world, eight of which make one of the next level."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Place = tuple[int, int, int]
+"""Number of a cell along each axis, from 0."""
+
+MOST_CELLS = 1 << 31
+"""Greatest number of leaf cells in a tree's box."""
+
+OCTANTS: tuple[Place, ...] = tuple((x, y, z) for x, y, z in itertools.product((0, 1), repeat=3))
+"""Places of children in their parent, in the order in which they are drawn."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Cells of a world. Level 0 has the leaves, the last level one cell."""
+
+    origin: tuple[float, float, float]
+    """Least corner of leaf (0, 0, 0), world, metres."""
+    cell: float
+    """Side of a leaf, metres."""
+    counts: Place
+    """Number of leaves along each axis."""
+
+    @classmethod
+    def over(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
+        """Return the grid over a finite world box.
+
+        Along the ground, cells begin at multiples of their side, so that trees of one side fit together. Upwards they
+        begin at the whole metre below the box: a flat world takes one layer, wherever it lies.
+        """
+        with np.errstate(over="ignore", invalid="ignore"):  # a side near 0 asks for infinitely many cells
+            low = np.floor(bounds[0] / cell) * cell
+            low[1] = np.floor(bounds[0, 1])
+            counts = np.maximum(np.floor((bounds[1] - low) / cell) + 1, 1)
+            total = counts.prod()
+        if not total <= MOST_CELLS:
+            raise ValueError(f"cell: expected a side with at most {MOST_CELLS:,} leaves, got {cell:g} m, {total:.3g}")
+        x, y, z = low.tolist()
+        columns, layers, rows = counts.astype(np.int64).tolist()
+        return cls((x, y, z), cell, (columns, layers, rows))
+
+    @property
+    def levels(self) -> int:
+        """Number of levels."""
+        return (max(self.counts) - 1).bit_length() + 1
+
+    def counts_at(self, level: int) -> Place:
+        """Number of cells of a level along each axis."""
+        x, y, z = (-(-count // (1 << level)) for count in self.counts)
+        return x, y, z
+
+    def side(self, level: int) -> float:
+        """Side of a level's cells, metres."""
+        return self.cell * (1 << level)
+
+    def corner(self, level: int, place: Place) -> tuple[float, float, float]:
+        """Least corner of a cell, world, metres."""
+        x, y, z = (low + number * self.side(level) for low, number in zip(self.origin, place, strict=True))
+        return x, y, z
+
+    def box(self, level: int, place: Place) -> NDArray[np.float64]:
+        """World box (2, 3) of a cell."""
+        low = np.array(self.corner(level, place))
+        return np.array([low, low + self.side(level)])
+
+    def children(self, level: int, place: Place) -> Iterator[tuple[Place, Place]]:
+        """Octants of a cell's children and their places on the level below, in the order in which they are drawn."""
+        counts = self.counts_at(level - 1)
+        for octant in OCTANTS:
+            child = child_of(place, octant)
+            if all(number < count for number, count in zip(child, counts, strict=True)):
+                yield octant, child
+
+    def leaves_in(self, box: NDArray[np.float64]) -> tuple[Place, Place] | None:
+        """First and last place of the leaves that a world box touches; None if it touches none."""
+        low, counts = np.array(self.origin), np.array(self.counts)
+        first, last = np.floor((box - low) / self.cell)
+        # A box that begins on a side touches the cell before it.
+        first = np.where((box[0] - low) / self.cell == first, first - 1, first)
+        first, last = np.maximum(first, 0), np.minimum(last, counts - 1)
+        if (first > last).any():
+            return None
+        (x, y, z), (to_x, to_y, to_z) = first.astype(np.int64).tolist(), last.astype(np.int64).tolist()
+        return (x, y, z), (to_x, to_y, to_z)
+
+
+def child_of(place: Place, octant: Place) -> Place:
+    """Place, one level below, of a cell's child."""
+    x, y, z = (2 * number + part for number, part in zip(place, octant, strict=True))
+    return x, y, z
+
+
+def parent_of(place: Place) -> Place:
+    """Place, one level above, of a cell's parent."""
+    x, y, z = (number // 2 for number in place)
+    return x, y, z

@@ -1,0 +1,134 @@
+"""What a tree holds, and where its store keeps it.
+
+A store is a group of Zarr v3. Level L, direction D and channel C have the array ``L/D/C`` of X × Y × Z cells, one chunk
+of size × size pixels each. A shard holds those of a subtree, which one piece of work writes: of 2ᵐ leaves along each
+axis and their parents on m levels, then of as many of those on the next m levels, and so on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nearfar.orthoview._directions import Direction
+from nearfar.orthoview._grid import Grid, Place
+
+CHANNELS = ("color", "depth", "normal")
+
+CONNECTION_BITS = 4
+"""Bits below a depth's: connected with the neighbour to the right, below, below to the right, below to the left."""
+
+ZSTD_LEVEL = 3
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Cells, directions and format of a tree."""
+
+    grid: Grid
+    directions: tuple[Direction, ...]
+    size: int
+    """Width and height of a view, pixels."""
+    depth_bits: int
+    normal_bits: int
+    """Bits of both of a normal's numbers."""
+    subtree: int
+    """Levels of a subtree."""
+
+    @property
+    def format(self) -> tuple[int, int, int]:
+        """The format of views, as the core takes it."""
+        return self.size, self.depth_bits, self.normal_bits
+
+    @property
+    def tiers(self) -> int:
+        """Number of subtrees from the leaves to the root."""
+        return -(-self.grid.levels // self.subtree)
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Names of the directions: axes with p (positive) or n (negative), such as ``px_py``."""
+        return tuple(
+            "_".join(
+                f"{'p' if number > 0 else 'n'}{axis}" for axis, number in zip("xyz", direction, strict=True) if number
+            )
+            for direction in self.directions
+        )
+
+    def shard_side(self, level: int) -> int:
+        """Cells of a level's shards along each axis."""
+        return 1 << (self.subtree - level % self.subtree)
+
+    def shard_of(self, level: int, place: Place) -> tuple[Place, Place]:
+        """The shard that holds a cell, and the cell's place in it."""
+        side = self.shard_side(level)
+        (x, y, z), (u, v, w) = ([divmod(number, side)[part] for number in place] for part in (0, 1))
+        return (x, y, z), (u, v, w)
+
+    def array(self, level: int, direction: int, channel: str) -> str:
+        """Name of an array."""
+        return f"{level}/{self.names[direction]}/{channel}"
+
+    def shard_path(self, array: str, shard: Place) -> Path:
+        """Path of a shard's file below the store."""
+        return Path(array, "c", *map(str, shard), "0", "0", "0")
+
+    def dtype(self, channel: str) -> np.dtype[Any]:
+        """Type of a channel's values."""
+        if channel == "depth":
+            return np.dtype("<u2" if self.depth_bits + CONNECTION_BITS <= 16 else "<u4")
+        return np.dtype("u1")
+
+    def values(self, channel: str) -> int:
+        """Number of a pixel's values."""
+        return {"color": 3, "depth": 1, "normal": self.normal_bits // 8}[channel]
+
+    def create(self, path: Path, attributes: dict[str, Any]) -> None:
+        """Make the store's group and its arrays, without chunks."""
+        import zarr
+        from zarr.codecs import ZstdCodec
+
+        group = zarr.create_group(str(path), attributes=attributes)
+        for level in range(self.grid.levels):
+            side, counts = self.shard_side(level), self.grid.counts_at(level)
+            for direction in range(len(self.directions)):
+                for channel in CHANNELS:
+                    picture = (self.size, self.size, self.values(channel))
+                    group.create_array(
+                        self.array(level, direction, channel),
+                        shape=(*counts, *picture),
+                        chunks=(1, 1, 1, *picture),
+                        shards=(side, side, side, *picture),
+                        dtype=self.dtype(channel),
+                        fill_value=0,
+                        compressors=[ZstdCodec(level=ZSTD_LEVEL)],
+                        dimension_names=("x", "y", "z", "row", "column", "value"),
+                    )
+
+    def described(self) -> dict[str, Any]:
+        """The layout as JSON."""
+        return {
+            "origin": list(self.grid.origin),
+            "cell": self.grid.cell,
+            "counts": list(self.grid.counts),
+            "levels": self.grid.levels,
+            "directions": [list(direction) for direction in self.directions],
+            "names": list(self.names),
+            "size": self.size,
+            "depth_bits": self.depth_bits,
+            "normal_bits": self.normal_bits,
+            "subtree": self.subtree,
+        }
+
+    @classmethod
+    def from_described(cls, described: dict[str, Any]) -> Layout:
+        """The layout that `described` returned."""
+        (x, y, z), (columns, layers, rows) = described["origin"], described["counts"]
+        grid = Grid((x, y, z), described["cell"], (columns, layers, rows))
+        directions = tuple((d[0], d[1], d[2]) for d in described["directions"])
+        numbers = (described[key] for key in ("size", "depth_bits", "normal_bits", "subtree"))
+        return cls(grid, directions, *numbers)

@@ -1,0 +1,60 @@
+"""The size of views that a display needs."""
+
+from __future__ import annotations
+
+import math
+from typing import SupportsFloat, SupportsIndex
+
+from nearfar._base import check
+
+_ROUNDING = 1e-12
+"""Share by which rounding may lift a whole number above itself."""
+
+
+def size_for(
+    pixels: SupportsIndex,
+    *,
+    cell: SupportsFloat,
+    distance: SupportsFloat,
+    fov: SupportsFloat,
+    angle: SupportsFloat = 0.0,
+) -> int:
+    """Return the size of views whose pixels are as fine as a display's.
+
+    Parameters
+    ----------
+    pixels
+        Width of the display, p.
+    cell
+        Side of a leaf, s, metres.
+    distance
+        Distance from which on views replace geometry, r, metres.
+    fov
+        Horizontal field of view, α, radians, between 0 and π.
+    angle
+        Angle between a surface's normal and the view, θ, radians, at least 0 and below π/2: a view shows surfaces that
+        lean by it with fewer pixels.
+
+    Returns
+    -------
+    int
+        The least multiple of 4 that is not below q = p/cos θ · s/(2 r tan(α/2)).
+
+    Raises
+    ------
+    ValueError
+        Values out of range.
+
+    Notes
+    -----
+    Chaudhuri et al., section 4.1. A display's pixel at the distance r is 2 r tan(α/2)/p wide, a view's s/q.
+    """
+    width = check.integer("pixels", pixels, 1, 1 << 20)
+    side, away = check.positive("cell", cell), check.positive("distance", distance)
+    opening, lean = check.number("fov", fov), check.number("angle", angle)
+    if not 0 < opening < math.pi:
+        raise ValueError(f"fov: expected radians between 0 and π, got {opening:g}")
+    if not 0 <= lean < math.pi / 2:
+        raise ValueError(f"angle: expected radians from 0 to below π/2, got {lean:g}")
+    needed = width / math.cos(lean) * side / (2 * away * math.tan(opening / 2))
+    return max(4, 4 * math.ceil(needed / 4 * (1 - _ROUNDING)))

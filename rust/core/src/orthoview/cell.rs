@@ -1,0 +1,91 @@
+//! Cells, and the cameras that look at them.
+
+use glam::DVec3;
+
+use super::direction::Frame;
+use crate::base::{Error, Result};
+use crate::camera::{Camera, Fov, Projection};
+use crate::render::{Limits, Segment};
+
+/// A cubic cell of the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// The least corner, metres.
+    pub corner: DVec3,
+    /// The side, metres.
+    pub side: f64,
+}
+
+impl Cell {
+    /// Checks a cell.
+    pub fn new(corner: DVec3, side: f64) -> Result<Self> {
+        if !corner.is_finite() || !side.is_finite() || side <= 0.0 {
+            return Err(Error::value("cell", "a finite corner and a side above 0", format!("{corner}, {side}")));
+        }
+        Ok(Self { corner, side })
+    }
+
+    /// What lies between its six sides, as half-spaces (n, d), n·x + d ≥ 0.
+    pub fn limits(&self) -> Result<Limits> {
+        let far = self.corner + self.side;
+        let planes: [[f64; 4]; 6] = std::array::from_fn(|n| {
+            let axis = n / 2;
+            let (sign, offset) = if n % 2 == 0 { (1.0, -self.corner[axis]) } else { (-1.0, far[axis]) };
+            let mut plane = [0.0, 0.0, 0.0, offset];
+            plane[axis] = sign;
+            plane
+        });
+        Limits::new(Segment::WHOLE, &planes)
+    }
+}
+
+/// A picture of a cell along parallel rays, which covers it tightly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// Width and height, pixels.
+    pub pixels: usize,
+    /// Unit vectors to the right, upwards and towards the viewer.
+    axes: [DVec3; 3],
+    /// Extents of the cell along them, metres.
+    pub extents: DVec3,
+    /// The cell's centre.
+    center: DVec3,
+    frame: Frame,
+}
+
+impl Sight {
+    /// The picture of a cell with the axes of a frame.
+    pub fn new(cell: &Cell, frame: Frame, pixels: usize) -> Self {
+        let center = cell.corner + cell.side / 2.0;
+        Self { pixels, axes: frame.axes(), extents: frame.extents() * cell.side, center, frame }
+    }
+
+    /// The direction of all rays.
+    pub fn direction(&self) -> DVec3 {
+        -self.axes[2]
+    }
+
+    /// The larger side of a pixel, metres.
+    pub fn pixel(&self) -> f64 {
+        self.extents.x.max(self.extents.y) / self.pixels as f64
+    }
+
+    /// The camera, which lies where the range of depths begins.
+    pub fn camera(&self) -> Result<Camera> {
+        let half = self.extents / 2.0;
+        let fov = Fov { left: -half.x, right: half.x, down: -half.y, up: half.y };
+        let (eye, size) = (self.center + self.axes[2] * half.z, self.pixels as u32);
+        Camera::new(eye, self.frame.orientation(), Projection::Orthographic(fov), size, size)
+    }
+
+    /// Pixels to the right and downwards, and metres behind the front, of a world point.
+    #[inline]
+    pub fn place(&self, point: DVec3) -> DVec3 {
+        let offset = point - self.center;
+        let [right, up, toward] = self.axes.map(|axis| axis.dot(offset));
+        let pixels = self.pixels as f64;
+        let x = (right / self.extents.x + 0.5) * pixels;
+        let y = (0.5 - up / self.extents.y) * pixels;
+        DVec3::new(x, y, self.extents.z / 2.0 - toward)
+    }
+}

@@ -1,0 +1,144 @@
+//! Which neighbouring pixels of a view show one surface.
+//!
+//! The points P₁ and P₂ of two neighbours, p̂ the unit vector between them, and their normals n₁ and n₂: they are
+//! connected if their depths differ by less than τ₁, if |n₁·p̂| and |n₂·p̂| are less than τ₂, and if n₁ mirrored in the
+//! plane across p̂, n₁ − 2 (n₁·p̂) p̂, has a cosine with n₂ above τ₃: on a sphere both are equal. Within a block of 2 × 2
+//! pixels, what is connected to the same pixel is connected.
+
+use glam::Vec3;
+use rayon::prelude::*;
+
+use super::direction::Frame;
+use super::format::Format;
+use super::normals;
+use super::view::{View, Views};
+
+/// The bounds τ₁, τ₂ and τ₃.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Greatest difference of depths, in widths of the larger side of a pixel.
+    pub depth: f32,
+    /// Greatest cosine between a normal and the vector between the points.
+    pub slope: f32,
+    /// Least cosine between one normal, mirrored, and the other one.
+    pub bend: f32,
+}
+
+/// Steps to the neighbours whose connections a pixel holds, as (columns, rows), by the number of the bit.
+const NEIGHBOURS: [(i64, i64); 4] = [(1, 0), (0, 1), (1, 1), (-1, 1)];
+
+/// The pixel of a block that holds the connection of a pair, and its bit; the pixels of a block are numbered by rows.
+const HOLDERS: [(usize, u8); 6] = [(0, 0), (0, 1), (1, 1), (2, 0), (0, 2), (1, 3)];
+
+/// The pixels of each of these pairs.
+const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 3), (2, 3), (0, 3), (1, 2)];
+
+/// For each pixel of each view four bits: whether it is connected with its neighbour to the right, below, below to the
+/// right, and below to the left.
+pub fn connected(views: &Views, bounds: &Bounds) -> Vec<u8> {
+    let each = views.directions.par_iter().zip(&views.views);
+    let bits: Vec<Vec<u8>> = each
+        .map(|(direction, view)| closed(&pairs(view, direction.frame(), &views.format, bounds), views.format.size))
+        .collect();
+    bits.concat()
+}
+
+/// Whether each pixel is a surfel, a piece of a plane: more than four of its eight neighbours are connected with it.
+/// Others are balls.
+pub fn surfels(bits: &[u8], size: usize) -> Vec<bool> {
+    let mut counts = vec![0u8; bits.len()];
+    for (pixel, &own) in bits.iter().enumerate() {
+        for (_, (columns, rows)) in (0..).zip(NEIGHBOURS).filter(|(bit, _)| own >> bit & 1 == 1) {
+            counts[pixel] += 1;
+            counts[(pixel as i64 + columns + rows * size as i64) as usize] += 1;
+        }
+    }
+    counts.into_iter().map(|count| count > MOST_OF_BALL).collect()
+}
+
+/// Greatest number of connected neighbours of a ball.
+const MOST_OF_BALL: u8 = 4;
+
+/// The connections of pairs themselves.
+fn pairs(view: &View, frame: Frame, format: &Format, bounds: &Bounds) -> Vec<u8> {
+    let size = format.size as i64;
+    let judge = Judge::new(view, frame, format, bounds);
+    let row_bits = |row: i64| {
+        let judge = &judge;
+        let bits_of = move |column: i64| {
+            let pixel = row * size + column;
+            let is_inside = |(columns, rows): (i64, i64)| (0..size).contains(&(column + columns)) && row + rows < size;
+            let connects = |step: (i64, i64)| {
+                let other = pixel + step.0 + step.1 * size;
+                is_inside(step) && judge.connects(pixel as usize, other as usize, step)
+            };
+            (0..).zip(NEIGHBOURS).fold(0, |bits, (bit, step)| bits | u8::from(connects(step)) << bit)
+        };
+        (0..size).map(bits_of)
+    };
+    (0..size).flat_map(row_bits).collect()
+}
+
+/// The points and normals of a view's pixels, along the axes of the view.
+struct Judge<'a> {
+    view: &'a View,
+    bounds: &'a Bounds,
+    /// Width and height of a pixel and length of a step, in sides of the cell.
+    pitch: Vec3,
+    /// Greatest difference of depths, in sides of the cell.
+    most: f32,
+    normals: Vec<Vec3>,
+}
+
+impl<'a> Judge<'a> {
+    fn new(view: &'a View, frame: Frame, format: &Format, bounds: &'a Bounds) -> Self {
+        let parts = Vec3::new(format.size as f32, format.size as f32, format.steps as f32);
+        let pitch = frame.extents().as_vec3() / parts;
+        let axes = frame.axes().map(|axis| axis.as_vec3());
+        let along = |normal: Vec3| Vec3::from_array(axes.map(|axis| axis.dot(normal)));
+        let normals = view.texels.iter().map(|texel| along(normals::decoded(texel.normal, format.normal_bits)));
+        Self { view, bounds, pitch, most: bounds.depth * pitch.x.max(pitch.y), normals: normals.collect() }
+    }
+
+    #[inline]
+    fn connects(&self, one: usize, other: usize, (columns, rows): (i64, i64)) -> bool {
+        let [depth, other_depth] = [one, other].map(|at| i32::from(self.view.texels[at].depth));
+        if depth == 0 || other_depth == 0 {
+            return false;
+        }
+        let between = Vec3::new(columns as f32, -rows as f32, (depth - other_depth) as f32) * self.pitch;
+        if between.z.abs() >= self.most {
+            return false;
+        }
+        let (n, m, unit) = (self.normals[one], self.normals[other], between.normalize());
+        let (slope, other_slope) = (n.dot(unit), m.dot(unit));
+        slope.abs() < self.bounds.slope
+            && other_slope.abs() < self.bounds.slope
+            && n.dot(m) - 2.0 * slope * other_slope > self.bounds.bend
+    }
+}
+
+/// The connections of pairs, and of those that are connected through other pixels of a block.
+fn closed(pairs: &[u8], size: usize) -> Vec<u8> {
+    let closures: [u8; 64] = std::array::from_fn(|bits| closure(bits as u8));
+    let mut all = pairs.to_vec();
+    for first in (0..size - 1).flat_map(|row| (0..size - 1).map(move |column| row * size + column)) {
+        let block = [first, first + 1, first + size, first + size + 1];
+        let bits = (0..).zip(HOLDERS).fold(0, |bits, (n, (place, bit))| bits | (pairs[block[place]] >> bit & 1) << n);
+        let added = closures[usize::from(bits)] & !bits;
+        for (_, (place, bit)) in (0..).zip(HOLDERS).filter(|(n, _)| added >> n & 1 == 1) {
+            all[block[place]] |= 1 << bit;
+        }
+    }
+    all
+}
+
+/// The pairs of a block that are connected directly or through its other pixels; bit n stands for the n-th of `PAIRS`.
+fn closure(bits: u8) -> u8 {
+    let mut group = [0, 1, 2, 3];
+    for (_, (one, other)) in (0..).zip(PAIRS).filter(|(n, _)| bits >> n & 1 == 1) {
+        let (from, to) = (group[other], group[one]);
+        group.iter_mut().filter(|group| **group == from).for_each(|group| *group = to);
+    }
+    (0..).zip(PAIRS).fold(0, |all, (n, (one, other))| all | u8::from(group[one] == group[other]) << n)
+}

@@ -1,0 +1,40 @@
+//! The size of views and the bits of their numbers.
+
+use crate::base::{Error, Result};
+
+/// The size of views and the bits of their numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Format {
+    /// Width and height of a view, pixels; a multiple of 4.
+    pub size: usize,
+    /// Number of steps that a cell's depth is divided into.
+    pub steps: u32,
+    /// Bits of each of a normal's two numbers.
+    pub normal_bits: u32,
+}
+
+/// Greatest size of a view, pixels.
+const MOST_SIZE: usize = 4096;
+
+impl Format {
+    /// Checks a format. Codes of `depth_bits` bits stand for as many steps as they can, such that sixths of a range are
+    /// whole steps: then children lie on whole steps of their parents' ranges.
+    pub fn new(size: usize, depth_bits: u32, normal_bits: u32) -> Result<Self> {
+        if size == 0 || !size.is_multiple_of(4) || size > MOST_SIZE {
+            return Err(Error::value("size", format!("a multiple of 4, at most {MOST_SIZE}"), size));
+        }
+        if !(8..=16).contains(&depth_bits) {
+            return Err(Error::value("depth_bits", "8 to 16", depth_bits));
+        }
+        if normal_bits != 16 && normal_bits != 24 {
+            return Err(Error::value("normal_bits", "16 or 24", normal_bits));
+        }
+        let most = (1 << depth_bits) - 1;
+        Ok(Self { size, steps: most / 6 * 6, normal_bits: normal_bits / 2 })
+    }
+
+    /// Number of a view's pixels.
+    pub fn pixels(&self) -> usize {
+        self.size * self.size
+    }
+}

@@ -1,0 +1,24 @@
+//! Orthoviews (Chaudhuri et al.): an octree of orthographic depth images of a world.
+//!
+//! A leaf is a cubic cell of side s, a parent the eight cells of half its side. Each cell has a view from each of some
+//! canonical directions: q × q pixels that cover its projection tightly, so the pixels of a child lie on those of its
+//! parent's picture at twice the size. Colours are sRGB bytes, depths codes of equal steps, normals octahedral codes.
+
+mod cell;
+mod connect;
+mod direction;
+mod format;
+mod leaf;
+mod normals;
+mod parent;
+mod raster;
+mod reduce;
+mod view;
+
+pub use cell::Cell;
+pub use connect::{Bounds, connected, surfels};
+pub use direction::{Direction, Frame};
+pub use format::Format;
+pub use leaf::Way;
+pub use parent::Parent;
+pub use view::{Texel, View, Views};

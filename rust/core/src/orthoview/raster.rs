@@ -1,0 +1,172 @@
+//! The first surfaces of a cell along parallel rays, triangle by triangle. A cell of few triangles takes less time so
+//! than by rays, which need a search tree and a search for each pixel.
+
+use glam::{DVec2, DVec3};
+
+use super::cell::{Cell, Sight};
+use crate::base::{Progress, Result};
+use crate::scene::{Instance, Scene};
+use crate::trace::Hit;
+
+/// Number of triangles between two looks whether the caller has cancelled.
+const TRIANGLES_PER_CHECK: u32 = 1 << 12;
+
+/// The first hit of each pixel's ray within the cell, with the distance from the front of the view's range.
+pub fn first_hits(scene: &Scene, cell: &Cell, sight: &Sight, progress: &Progress) -> Result<Vec<Hit>> {
+    let mut raster = Raster::new(scene, cell, sight);
+    for (number, instance) in (0..).zip(scene.instances()) {
+        for face in 0..instance.mesh.faces.len() as u32 {
+            if face % TRIANGLES_PER_CHECK == 0 {
+                progress.check()?;
+            }
+            raster.draw(number, instance, face);
+        }
+    }
+    Ok(raster.hits)
+}
+
+struct Raster<'a> {
+    scene: &'a Scene,
+    sight: &'a Sight,
+    /// The cell's least and greatest corner relative to the scene's origin.
+    low: DVec3,
+    high: DVec3,
+    has_cutouts: bool,
+    hits: Vec<Hit>,
+}
+
+/// A triangle in pixels to the right and downwards, and its depth in metres.
+struct Projected {
+    corners: [DVec2; 3],
+    depths: [f64; 3],
+    /// Twice the area, with the sign of the order of the corners.
+    doubled_area: f64,
+}
+
+impl<'a> Raster<'a> {
+    fn new(scene: &'a Scene, cell: &Cell, sight: &'a Sight) -> Self {
+        let low = cell.corner - scene.origin;
+        let hits = vec![Hit::MISS; sight.pixels * sight.pixels];
+        Self { scene, sight, low, high: low + cell.side, has_cutouts: scene.has_cutouts(), hits }
+    }
+
+    fn draw(&mut self, number: u32, instance: &Instance, face: u32) {
+        let corners = instance.corners(face).map(|corner| corner.as_dvec3());
+        let least = corners[0].min(corners[1]).min(corners[2]);
+        let greatest = corners[0].max(corners[1]).max(corners[2]);
+        if least.cmpgt(self.high).any() || greatest.cmplt(self.low).any() {
+            return;
+        }
+        let is_inside = least.cmpge(self.low).all() && greatest.cmple(self.high).all();
+        let triangle = self.project(corners);
+        if triangle.doubled_area == 0.0 {
+            return;
+        }
+        let edges = triangle.edges();
+        let (rows, columns) = triangle.pixels(self.sight.pixels);
+        for row in rows {
+            let line = edges.map(|edge| edge.at_row(row as f64 + 0.5));
+            for column in span(&line, &columns) {
+                let weights = line.map(|line| line.at(column as f64 + 0.5));
+                if weights.iter().any(|&weight| weight < 0.0) {
+                    continue;
+                }
+                let share = weights.map(|weight| weight / triangle.doubled_area.abs());
+                let depth = (0..3).map(|n| share[n] * triangle.depths[n]).sum::<f64>() as f32;
+                let pixel = row * self.sight.pixels + column;
+                // Of equal depths that of the lower number stays: it was drawn first.
+                if depth >= self.hits[pixel].t {
+                    continue;
+                }
+                let point = || (0..3).map(|n| corners[n] * share[n]).sum::<DVec3>();
+                if !is_inside && !self.holds(point()) {
+                    continue;
+                }
+                let at = (share[1] as f32, share[2] as f32);
+                if self.has_cutouts && !self.scene.is_solid(&instance.mesh, face, at) {
+                    continue;
+                }
+                self.hits[pixel] = Hit { t: depth, u: at.0, v: at.1, instance: number, face };
+            }
+        }
+    }
+
+    fn holds(&self, point: DVec3) -> bool {
+        point.cmpge(self.low).all() && point.cmple(self.high).all()
+    }
+
+    fn project(&self, corners: [DVec3; 3]) -> Projected {
+        let placed = corners.map(|corner| self.sight.place(corner + self.scene.origin));
+        let corners = placed.map(DVec3::truncate);
+        let doubled_area = (corners[1] - corners[0]).perp_dot(corners[2] - corners[0]);
+        Projected { corners, depths: placed.map(|place| place.z), doubled_area }
+    }
+}
+
+/// The line through two corners: a point's distance times the length of the side, above 0 within the triangle.
+#[derive(Clone, Copy)]
+struct Edge {
+    from: DVec2,
+    along: DVec2,
+    /// 1, or −1 where the corners are taken in reverse.
+    sign: f64,
+}
+
+/// The part of an edge's value in one row that does not depend on the column, and the factor of the column.
+#[derive(Clone, Copy)]
+struct Line {
+    start: f64,
+    step: f64,
+    from: f64,
+}
+
+impl Projected {
+    /// The edges opposite each corner. Two triangles compute a side that they share from the same corner, so that a
+    /// pixel's centre on or beside it belongs to at least one of them.
+    fn edges(&self) -> [Edge; 3] {
+        let sign = self.doubled_area.signum();
+        [(1, 2), (2, 0), (0, 1)].map(|(one, other)| {
+            let (a, b) = (self.corners[one], self.corners[other]);
+            let is_ordered = (a.x, a.y) <= (b.x, b.y);
+            let (from, to) = if is_ordered { (a, b) } else { (b, a) };
+            Edge { from, along: to - from, sign: if is_ordered { sign } else { -sign } }
+        })
+    }
+
+    /// Rows and columns of the pixels whose centres the triangle's box may hold.
+    fn pixels(&self, size: usize) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
+        let [a, b, c] = self.corners;
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let first = |value: f64| (value - 0.5).ceil().clamp(0.0, size as f64) as usize;
+        let end = |value: f64| ((value - 0.5).floor() + 1.0).clamp(0.0, size as f64) as usize;
+        (first(low.y)..end(high.y), first(low.x)..end(high.x))
+    }
+}
+
+impl Edge {
+    fn at_row(&self, y: f64) -> Line {
+        let start = self.sign * (self.along.x * (y - self.from.y));
+        Line { start, step: self.sign * self.along.y, from: self.from.x }
+    }
+}
+
+impl Line {
+    #[inline]
+    fn at(&self, x: f64) -> f64 {
+        self.start - self.step * (x - self.from)
+    }
+}
+
+/// The columns in which all lines may be above 0; a pixel too many at either end, because the division rounds.
+fn span(lines: &[Line; 3], columns: &std::ops::Range<usize>) -> std::ops::Range<usize> {
+    let (mut first, mut end) = (columns.start, columns.end);
+    for line in lines.iter().filter(|line| line.step != 0.0) {
+        let zero = line.from + line.start / line.step - 0.5;
+        if line.step < 0.0 {
+            first = first.max((zero.floor() - 1.0).clamp(0.0, end as f64) as usize);
+        } else {
+            end = end.min((zero.ceil() + 2.0).clamp(0.0, end as f64) as usize);
+        }
+    }
+    first..end
+}

@@ -1,0 +1,95 @@
+//! The kernel that makes one pixel of four: of a leaf's picture at twice the size, and of a parent's.
+
+use glam::Vec3;
+use rayon::prelude::*;
+
+use super::format::Format;
+use super::normals;
+use super::view::{Texel, View};
+use crate::scene::srgb::srgb_from_linear;
+
+/// A surface that a pixel shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Depth in steps from the front of the range.
+    pub depth: f32,
+    /// Linear RGB.
+    pub color: Vec3,
+    /// Unit normal.
+    pub normal: Vec3,
+}
+
+/// The least depth of four pixels, with the mean colour and normal of those that lie at most `reach` steps behind it;
+/// `None` where none shows a surface.
+pub fn reduced(block: [Option<Sample>; 4], reach: f32) -> Option<Sample> {
+    let depth = block.iter().flatten().map(|sample| sample.depth).fold(f32::INFINITY, f32::min);
+    let first = block.iter().flatten().find(|sample| sample.depth == depth)?;
+    let (mut color, mut normal, mut count) = (Vec3::ZERO, Vec3::ZERO, 0.0);
+    for sample in block.iter().flatten().filter(|sample| sample.depth <= depth + reach) {
+        color += sample.color;
+        normal += sample.normal;
+        count += 1.0;
+    }
+    // Normals that cancel each other leave that of the surface in front.
+    Some(Sample { depth, color: color / count, normal: normal.normalize_or(first.normal) })
+}
+
+/// How many pixels behind the nearest of four surfaces others belong to it: a plane reaches as far over the diagonal of
+/// the block if the angle between its normal and the view is at most 70°.
+const REACH_PIXELS: f64 = 4.0;
+
+/// `REACH_PIXELS` in steps of a depth, for pixels of a width; both in metres.
+pub fn reach(pixel: f64, step: f64) -> f32 {
+    (REACH_PIXELS * pixel / step) as f32
+}
+
+/// The view of a picture of twice its size. `samplers` makes, for each row, a function that tells what the picture's
+/// pixels show; `depth` tells the code of a sample.
+pub fn reduced_view<S: FnMut(usize) -> Option<Sample>>(
+    samplers: impl Fn() -> S + Sync,
+    reach: f32,
+    depth: impl Fn(&Sample) -> u32 + Sync,
+    format: &Format,
+) -> View {
+    let size = format.size;
+    let texel = |sample: Sample| Texel {
+        color: sample.color.to_array().map(srgb_from_linear),
+        depth: depth(&sample) as u16,
+        normal: normals::encoded(sample.normal, format.normal_bits),
+    };
+    let mut texels = vec![Texel::default(); format.pixels()];
+    texels.par_chunks_mut(size).enumerate().for_each(|(row, texels)| {
+        let mut sample = samplers();
+        for (column, slot) in texels.iter_mut().enumerate() {
+            let first = 4 * size * row + 2 * column;
+            let block = [first, first + 1, first + 2 * size, first + 2 * size + 1].map(&mut sample);
+            *slot = reduced(block, reach).map_or(Texel::default(), texel);
+        }
+    });
+    View { texels }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample(depth: f32, red: f32) -> Option<Sample> {
+        Some(Sample { depth, color: Vec3::new(red, 0.0, 0.0), normal: Vec3::Z })
+    }
+
+    #[test]
+    fn what_lies_far_behind_counts_as_little_as_what_is_not_there() {
+        assert_eq!(reduced([None; 4], 1.0), None);
+        let near = reduced([sample(3.0, 0.25), None, sample(4.0, 0.75), sample(4.5, 9.0)], 1.0).unwrap();
+        assert_eq!((near.depth, near.color.x), (3.0, 0.5));
+        let all = reduced([sample(3.0, 0.0), sample(3.0, 1.0), sample(3.0, 1.0), sample(3.0, 0.0)], 0.0).unwrap();
+        assert_eq!((all.depth, all.color.x, all.normal), (3.0, 0.5, Vec3::Z));
+    }
+
+    #[test]
+    fn normals_that_cancel_leave_the_one_in_front() {
+        let back = Some(Sample { depth: 2.0, color: Vec3::ZERO, normal: Vec3::NEG_Z });
+        let kept = reduced([back, sample(1.0, 0.0), None, None], 5.0).unwrap();
+        assert_eq!(kept.normal, Vec3::Z);
+    }
+}

@@ -1,0 +1,158 @@
+//! Bindings of `orthoview`.
+
+use glam::DVec3;
+use nearfar_core::orthoview::{Bounds, Cell, Direction, Format, Parent, Texel, View, Views, Way, connected, surfels};
+use numpy::{Element, IntoPyArray, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+use crate::convert::errors::to_python;
+use crate::convert::names::choice;
+use crate::convert::run;
+use crate::scene::Scene;
+
+/// Size of a view, bits of a depth, bits of a normal.
+type FormatNumbers = (usize, u32, u32);
+
+fn format_of((size, depth_bits, normal_bits): FormatNumbers) -> PyResult<Format> {
+    Format::new(size, depth_bits, normal_bits).map_err(to_python)
+}
+
+fn directions_of(directions: Vec<[i8; 3]>) -> PyResult<Vec<Direction>> {
+    directions.into_iter().map(Direction::new).collect::<Result<_, _>>().map_err(to_python)
+}
+
+/// The views of a cell from D directions.
+#[pyclass(frozen, module = "nearfar._core")]
+pub(crate) struct OrthoViews(Views);
+
+impl OrthoViews {
+    /// Values of all pixels, (D, H, W, C).
+    fn rows<'py, T: Element, const C: usize>(
+        &self,
+        py: Python<'py>,
+        of: impl Fn(&Texel) -> [T; C],
+    ) -> PyResult<Bound<'py, PyArray4<T>>> {
+        let values: Vec<[T; C]> = self.0.views().iter().flat_map(|view| view.texels.iter().map(&of)).collect();
+        let size = self.0.format.size;
+        values.into_flattened().into_pyarray(py).reshape([self.0.directions.len(), size, size, C])
+    }
+}
+
+#[pymethods]
+impl OrthoViews {
+    /// Draws the views of the cubic cell with this corner and side.
+    #[staticmethod]
+    #[pyo3(signature = (scene, corner, side, directions, view_format, *, way=None, report=None))]
+    fn of_cell(
+        py: Python<'_>,
+        scene: &Scene,
+        corner: [f64; 3],
+        side: f64,
+        directions: Vec<[i8; 3]>,
+        view_format: FormatNumbers,
+        way: Option<&str>,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let ways = [("triangles", Way::Triangles), ("rays", Way::Rays)];
+        let way = way.map(|name| choice("way", name, &ways)).transpose().map_err(to_python)?;
+        let cell = Cell::new(DVec3::from_array(corner), side).map_err(to_python)?;
+        let (directions, format) = (directions_of(directions)?, format_of(view_format)?);
+        run::long(py, report, |progress| Views::of_cell(&scene.0, &cell, &directions, &format, way, progress)).map(Self)
+    }
+
+    /// Views from the arrays that `colors`, `depths` and `normals` return.
+    #[staticmethod]
+    fn from_arrays(
+        directions: Vec<[i8; 3]>,
+        view_format: FormatNumbers,
+        colors: PyReadonlyArray4<'_, u8>,
+        depths: PyReadonlyArray4<'_, u16>,
+        normals: PyReadonlyArray4<'_, u16>,
+    ) -> PyResult<Self> {
+        let (colors, normals) = (colors.as_slice()?.as_chunks().0, normals.as_slice()?.as_chunks().0);
+        let pixels = colors.iter().zip(depths.as_slice()?).zip(normals);
+        let texels = pixels.map(|((&color, &depth), &normal)| Texel { color, depth, normal }).collect();
+        Views::new(directions_of(directions)?, format_of(view_format)?, texels).map(Self).map_err(to_python)
+    }
+
+    /// sRGB, (D, size, size, 3).
+    fn colors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<u8>>> {
+        self.rows(py, |texel| texel.color)
+    }
+
+    /// Steps from 1, 0 where there is no surface, (D, size, size, 1).
+    fn depths<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<u16>>> {
+        self.rows(py, |texel| [texel.depth])
+    }
+
+    /// Octahedral numbers, (D, size, size, 2).
+    fn normals<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<u16>>> {
+        self.rows(py, |texel| texel.normal)
+    }
+
+    /// Unit normals, NaN where there is no surface, (D, size, size, 3).
+    fn vectors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<f32>>> {
+        self.rows(py, |texel| self.0.format.normal_of(texel))
+    }
+
+    /// Number of steps that a cell's depth is divided into.
+    #[getter]
+    fn steps(&self) -> u32 {
+        self.0.format.steps
+    }
+
+    /// For each view whether it shows nothing.
+    fn empty(&self) -> Vec<bool> {
+        self.0.views().iter().map(View::is_empty).collect()
+    }
+
+    /// Connections of each pixel, four bits, (D, size, size, 1).
+    fn connected<'py>(&self, py: Python<'py>, bounds: (f32, f32, f32)) -> PyResult<Bound<'py, PyArray4<u8>>> {
+        let (depth, slope, bend) = bounds;
+        let bits = run::short(py, || Ok(connected(&self.0, &Bounds { depth, slope, bend })))?;
+        let size = self.0.format.size;
+        bits.into_pyarray(py).reshape([self.0.directions.len(), size, size, 1])
+    }
+}
+
+/// The views of a parent, of which children are drawn one after the other.
+#[pyclass(module = "nearfar._core")]
+pub(crate) struct OrthoParent(Parent);
+
+#[pymethods]
+impl OrthoParent {
+    #[new]
+    fn new(directions: Vec<[i8; 3]>, view_format: FormatNumbers) -> PyResult<Self> {
+        Ok(Self(Parent::new(directions_of(directions)?, format_of(view_format)?)))
+    }
+
+    /// Draws a child at 0 or 1 along each axis.
+    fn add(&mut self, py: Python<'_>, octant: [u8; 3], child: &OrthoViews) -> PyResult<()> {
+        run::short(py, || self.0.add(octant, &child.0))
+    }
+
+    /// The views, from the children drawn so far.
+    fn finish(&self, py: Python<'_>) -> PyResult<OrthoViews> {
+        run::short(py, || Ok(OrthoViews(self.0.finish())))
+    }
+}
+
+/// Unit vectors to the right, upwards and towards the viewer of a direction's views, and a unit cube's extents along
+/// them.
+#[pyfunction]
+pub(crate) fn orthoview_axes(direction: [i8; 3]) -> PyResult<([[f64; 3]; 3], [f64; 3])> {
+    let frame = Direction::new(direction).map_err(to_python)?.frame();
+    Ok((frame.axes().map(|axis| axis.to_array()), frame.extents().to_array()))
+}
+
+/// Whether each pixel is a surfel, from its connections (D, size, size, 1).
+#[pyfunction]
+pub(crate) fn orthoview_surfels<'py>(
+    py: Python<'py>,
+    bits: PyReadonlyArray4<'py, u8>,
+) -> PyResult<Bound<'py, PyArray4<bool>>> {
+    let shape: [usize; 4] = std::array::from_fn(|axis| bits.shape()[axis]);
+    let pixels = (shape[1] * shape[2]).max(1);
+    let found: Vec<bool> = bits.as_slice()?.chunks(pixels).flat_map(|bits| surfels(bits, shape[2])).collect();
+    found.into_pyarray(py).reshape(shape)
+}

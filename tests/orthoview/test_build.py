@@ -1,0 +1,304 @@
+"""Tests of building: what stores hold, and what is done once, again, or not at all."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike, NDArray
+
+import nearfar as nf
+from nearfar import _core
+from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._grid import Grid
+from tests.support import need
+from tests.support.orthoview_cases import boxes
+
+CELL, SIZE = 10.0, 16
+FORMAT = (SIZE, 12, 16)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _zarr() -> None:
+    need("zarr")
+
+
+@pytest.fixture(scope="module")
+def world() -> nf.Scene:
+    """Boxes in a world of 9 × 9 × 9 leaves or so, dense in one corner and empty in others."""
+    return boxes(60, 80.0)[0]
+
+
+@pytest.fixture(scope="module")
+def tree(world: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+    path = tmp_path_factory.mktemp("trees") / "world.zarr"
+    return nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=5)
+
+
+def places(counts: tuple[int, int, int]) -> list[tuple[int, int, int]]:
+    x, y, z = counts
+    return [(column, layer, row) for column in range(x) for layer in range(y) for row in range(z)]
+
+
+def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.OrthoViews]:
+    """Views of all cells in which something is, level by level, all of them in memory."""
+    grid, directions = Grid.over(world.bounds, CELL), directions_of(5)
+    cells: dict[tuple[int, tuple[int, int, int]], _core.OrthoViews] = {}
+    for place in places(grid.counts):
+        views = _core.OrthoViews.of_cell(world._core, grid.corner(0, place), CELL, directions, FORMAT)
+        if not all(views.empty()):
+            cells[0, place] = views
+    for level in range(1, grid.levels):
+        parents: dict[tuple[int, int, int], _core.OrthoParent] = {}
+        # In the order of octants: x changes last.
+        for (below, (x, y, z)), views in sorted(cells.items()):
+            if below == level - 1:
+                parent = parents.setdefault((x // 2, y // 2, z // 2), _core.OrthoParent(directions, FORMAT))
+                parent.add((x % 2, y % 2, z % 2), views)
+        cells |= {(level, place): parent.finish() for place, parent in parents.items()}
+    return cells
+
+
+def contents(path: Path) -> dict[str, bytes]:
+    """Files of a store by their paths below it, but for what only builds need."""
+    files = (file for file in path.rglob("*") if file.is_file() and "nearfar" not in file.relative_to(path).parts)
+    return {str(file.relative_to(path)): file.read_bytes() for file in files if file.name != "zarr.json"}
+
+
+def test_zarr_reads_the_views_of_all_cells(world: nf.Scene, tree: nf.orthoview.OrthoTree) -> None:
+    import zarr
+
+    group = zarr.open_group(str(tree._path), mode="r")
+    cells = of_cells(world)
+    assert tree.is_complete
+    assert {level for level, _ in cells} == set(range(tree.levels))
+    shown = 0
+    for level in range(tree.levels):
+        for number, name in enumerate(tree._layout.names):
+            arrays = [group[f"{level}/{name}/{channel}"] for channel in ("color", "depth", "normal")]
+            whole = [np.asarray(array[:]) for array in arrays]
+            assert arrays[0].shape == (*tree.cells(level), SIZE, SIZE, 3)
+            for place in places(tree.cells(level)):
+                color, depth, normal = (values[place] for values in whole)
+                views = cells.get((level, place))
+                if views is None:
+                    assert not depth.any()
+                    continue
+                np.testing.assert_array_equal(color, views.colors()[number])
+                np.testing.assert_array_equal(depth >> 4, views.depths()[number])
+                np.testing.assert_array_equal(depth & 15, views.connected((4.0, 0.5, 0.7))[number])
+                np.testing.assert_array_equal(normal, views.normals()[number])
+                shown += bool(depth.any())
+    assert shown > 500
+
+
+def test_each_view_is_written_once_and_none_is_read(world: nf.Scene, tree: nf.orthoview.OrthoTree) -> None:
+    cells = of_cells(world)
+    views = sum(5 - sum(views.empty()) for views in cells.values())
+    counts = tree.counts
+    leaves = sum(level == 0 for level, _ in cells)
+    assert counts["drawn"] == leaves
+    assert counts["drawn"] + counts["empty"] == np.prod(tree.cells(0))
+    assert counts["composed"] == len(cells) - leaves
+    assert counts["chunks"] == 3 * views
+    assert counts.get("reloaded", 0) == 0
+    files = contents(tree._path)
+    index = sum((16 * (1 << (3 - int(name.split("/")[0]) % 3)) ** 3 + 4) for name in files)
+    assert sum(map(len, files.values())) == counts["bytes"] + index
+    assert not list(tree._path.rglob("*.part"))
+    assert not list((tree._path / "nearfar" / "journal").glob("*"))
+
+
+def test_points_of_views_lie_on_a_slope(tmp_path: Path) -> None:
+    """Seen from above, half a step of depth and half a pixel's rise away at most, on all levels."""
+    rise = 0.25
+    corners = np.array([[0, 0, 0], [80, 80 * rise, 0], [80, 80 * rise, 80], [0, 0, 80]], np.float32)
+    slope = nf.Scene.from_arrays(corners, np.array([[0, 2, 1], [0, 3, 2]], np.uint32))
+    tree = nf.orthoview.build(slope, tmp_path / "slope.zarr", cell=CELL, size=SIZE, directions=5, normal_bits=24)
+    seen = 0
+    for level in range(tree.levels):
+        for place in places(tree.cells(level)):
+            view = tree.view(level, place, tree.directions.index((0, 1, 0)))
+            if view is None:
+                continue
+            is_there = np.isfinite(view.depth)
+            points, pixel = view.points()[is_there], view.extents[0] / SIZE
+            # The least depth of a pixel's samples is that of its highest one, up to half a pixel along the slope.
+            off = points[:, 1] - rise * points[:, 0]
+            step = tree.cell * 2**level / 4092
+            assert off.min() >= -step / 2 - 1e-5
+            assert off.max() <= rise * pixel / 2 + step / 2 + 1e-5
+            normal = np.array([-rise, 1, 0]) / np.hypot(rise, 1)
+            assert np.degrees(np.arccos(view.normal[is_there] @ normal)).max() < 0.1
+            assert np.isnan(view.normal[~is_there]).all()
+            box = tree.box(level, place)
+            assert (points >= box[0] - step).all()
+            assert (points <= box[1] + step).all()
+            inner = np.zeros((SIZE, SIZE), bool)
+            inner[1:-1, 1:-1] = True
+            whole = bool(is_there.all())
+            assert not whole or view.surfel[inner].all()
+            seen += whole
+    assert seen > 50
+
+
+class Counted:
+    """A source that counts its queries, and fails where it is told to."""
+
+    def __init__(self, scene: nf.Scene, fails: set[int] = frozenset()) -> None:  # type: ignore[assignment]
+        self._scene, self._fails, self.queries = scene, fails, 0
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        return self._scene.bounds
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        self.queries += 1
+        if self.queries in self._fails:
+            raise OSError("the disk is gone")
+        return self._scene.query(aabb, detail)
+
+
+def test_a_second_build_draws_nothing(world: nf.Scene, tree: nf.orthoview.OrthoTree) -> None:
+    source, before = Counted(world), contents(tree._path)
+    again = nf.orthoview.build(source, tree._path, cell=CELL, size=SIZE, directions=5)
+    assert source.queries == 0
+    assert again.is_complete
+    assert contents(tree._path) == before
+
+
+def test_cells_that_a_source_does_not_give_are_named_and_come_later(
+    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path
+) -> None:
+    path = tmp_path / "world.zarr"
+    first = nf.orthoview.build(Counted(world, {100, 333}), path, cell=CELL, size=SIZE, directions=5)
+    assert not first.is_complete
+    assert len(first.failed) == 2
+    assert set(first.failed.values()) == {"OSError: the disk is gone"}
+    assert "incomplete" in repr(first)
+    source = Counted(world)
+    second = nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5)
+    assert second.is_complete
+    assert second.failed == {}
+    assert source.queries == 2
+    # Chunks of a shard come in the order in which they were made, so bytes differ where cells come later.
+    for level, place in [(0, (3, 3, 3)), (1, (2, 2, 2)), (tree.levels - 1, (0, 0, 0))]:
+        for direction in range(5):
+            one, other = (opened.view(level, place, direction) for opened in (tree, second))
+            assert (one is None) == (other is None)
+            if one is not None and other is not None:
+                np.testing.assert_array_equal(one.color, other.color)
+                np.testing.assert_array_equal(one.depth, other.depth)
+
+
+@pytest.mark.parametrize("after", [1, 150, 400])
+def test_a_kill_costs_the_cell_under_work(
+    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, after: int
+) -> None:
+    """The process ends itself within a query, as `kill -9` ends it."""
+    need("linux")
+    path = tmp_path / "world.zarr"
+    code = f"""
+import os, signal
+import nearfar as nf
+from tests.orthoview.test_build import Counted
+from tests.support.orthoview_cases import boxes
+class Killed(Counted):
+    def query(self, aabb, detail=0.0):
+        if self.queries == {after}:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return super().query(aabb, detail)
+nf.orthoview.build(Killed(boxes(60, 80.0)[0]), {str(path)!r}, cell={CELL}, size={SIZE}, directions=5)
+"""
+    root = Path(__file__).resolve().parents[2]
+    process = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True, check=False)
+    assert process.returncode == -9, process.stderr[-2000:]
+    source = Counted(world)
+    resumed = nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5)
+    assert resumed.is_complete
+    assert source.queries == np.prod(tree.cells(0)) - after
+    assert contents(path) == contents(tree._path)
+
+
+def test_two_builds_into_one_store_are_refused(world: nf.Scene, tmp_path: Path) -> None:
+    need("linux")
+    path = tmp_path / "world.zarr"
+
+    class Second(Counted):
+        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+            with pytest.raises(BlockingIOError, match="another build writes into"):
+                nf.orthoview.build(world, path, cell=40.0, size=SIZE, directions=5)
+            return super().query(aabb, detail)
+
+    assert nf.orthoview.build(Second(world), path, cell=40.0, size=SIZE, directions=5).is_complete
+
+
+def test_bad_input_is_named(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    def wrong(match: str, kind: type[Exception] = ValueError, **changed: Any) -> None:
+        arguments: dict[str, Any] = {
+            "source": world,
+            "path": tmp_path / "new.zarr",
+            "cell": CELL,
+            "size": SIZE,
+        } | changed
+        with pytest.raises(kind, match=match):
+            nf.orthoview.build(arguments.pop("source"), arguments.pop("path"), **arguments)
+        assert not (tmp_path / "new.zarr").exists()
+
+    wrong("directions: expected one of", directions=7)
+    wrong("size: ", size=30)
+    wrong("cell: ", cell=0.0)
+    wrong("cell: .*leaves", cell=1e-9)
+    wrong("depth_bits: ", depth_bits=20)
+    wrong("normal_bits: ", normal_bits=20)
+    wrong("source: expected a source", TypeError, source=3)
+    wrong("begun with other values of .*cell", path=tree._path, cell=20.0, directions=5)
+    wrong("begun with other values of .*directions", path=tree._path)
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "file").write_text("mine")
+    wrong("holds other files", FileExistsError, path=tmp_path / "other")
+    with pytest.raises(FileNotFoundError, match="no store of orthoviews"):
+        nf.orthoview.open(tmp_path)
+    with pytest.raises(ValueError, match="level"):
+        tree.view(tree.levels, (0, 0, 0), 0)
+    with pytest.raises(ValueError, match="place"):
+        tree.view(0, (0, 999, 0), 0)
+
+
+@pytest.fixture
+def copied(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
+    path = tmp_path / "copy.zarr"
+    shutil.copytree(tree._path, path)
+    return path
+
+
+def test_newer_stores_are_refused(copied: Path) -> None:
+    document = (copied / "zarr.json").read_text().replace('"version": 1', '"version": 99')
+    (copied / "zarr.json").write_text(document)
+    with pytest.raises(nf.FormatError, match="version"):
+        nf.orthoview.open(copied)
+
+
+def test_worlds_of_one_leaf_and_without_anything_are_trees(world: nf.Scene, tmp_path: Path) -> None:
+    one = nf.orthoview.build(world, tmp_path / "one.zarr", cell=500.0, size=SIZE, directions=5)
+    assert one.levels <= 2
+    assert one.view(0, (0, 0, 0), 4) is not None or one.levels == 2
+    empty = world.query([world.bounds[0] - 9, world.bounds[0] - 8])
+    with pytest.raises(ValueError, match="finite bounds"):
+        nf.orthoview.build(empty, tmp_path / "none.zarr", cell=1.0, size=SIZE)
+
+
+def test_the_size_of_views_is_that_of_a_display() -> None:
+    # 1,000 pixels over 90° at 50 m: 100 m, of which a cell of 40 m takes 400 pixels.
+    assert nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=np.pi / 2) == 400
+    assert nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=np.pi / 2, angle=np.pi / 3) == 800
+    assert nf.orthoview.size_for(1, cell=0.1, distance=50.0, fov=1.0) == 4
+    with pytest.raises(ValueError, match="angle"):
+        nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=1.0, angle=np.pi / 2)
+    with pytest.raises(ValueError, match="fov"):
+        nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=4.0)

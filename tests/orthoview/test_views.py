@@ -1,0 +1,206 @@
+"""Tests of the views of leaves and parents against pixel-by-pixel definitions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+from PIL import Image
+
+import nearfar as nf
+from nearfar import _core
+from nearfar._scene.srgb import to_linear
+from tests.support import data, orthoview_oracle as oracle
+from tests.support.orthoview_cases import CORNER, FORMAT, SIDE, SIZE, STEPS, boxes, leaf
+from tests.support.orthoview_oracle import DIRECTIONS, OCTANTS, Axes, Picture, Triple
+
+
+def picture(views: _core.OrthoViews, number: int) -> Picture:
+    """A view of the core: depth as the number of its step, from 0."""
+    depths = views.depths()[number, ..., 0].astype(np.float64)
+    return Picture(
+        np.where(depths > 0, depths - 1, np.inf),
+        to_linear(views.colors()[number] / 255),
+        oracle.decoded(views.normals()[number], 12),
+    )
+
+
+def check_alike(got: Picture, right: Picture, *, share: float) -> None:
+    """Depth in the step of its surface, colour within half a code, and normals within the codes' cells."""
+    is_there = np.isfinite(right.depth)
+    apart = is_there != np.isfinite(got.depth)
+    both = is_there & ~apart
+    steps = np.abs(got.depth - np.minimum(np.floor(right.depth), STEPS - 1))[both]
+    colors = np.abs(got.color - right.color)[both].max(axis=1)
+    angles = np.degrees(np.arccos(np.clip((got.normal * right.normal).sum(axis=2)[both], -1, 1)))
+    # Rays through edges, and depths at the border between two steps, fall on either side in float32.
+    wrong = apart.sum() + ((steps > 0) | (colors > 0.006) | (angles > 0.1)).sum()
+    assert wrong <= share * is_there.sum(), (apart.sum(), steps.max(), colors.max(), angles.max())
+    assert steps.max() <= 1 or wrong <= share * is_there.sum()
+
+
+@pytest.mark.parametrize("way", ["rays", "triangles"])
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_a_leaf_shows_what_rays_hit_within_its_cell(direction: Triple, way: str) -> None:
+    scene, colors = boxes()
+    got = picture(leaf(scene, directions=[direction], way=way), 0)
+    double = oracle.drawn(scene, colors, CORNER, SIDE, direction, 2 * SIZE, STEPS)
+    extents = Axes.of(direction).extents * SIDE
+    reach = oracle.REACH_PIXELS * max(extents[:2]) / (2 * SIZE) / (extents[2] / STEPS)
+    right = oracle.reduced(double, reach)
+    assert np.isfinite(right.depth).mean() > 0.3
+    check_alike(got, right, share=0.005)
+
+
+def fence() -> nf.Scene:
+    """Crossed quads whose texture has round holes."""
+    rows, columns = np.indices((64, 64)) % 16 - 7.5
+    texels = np.full((64, 64, 4), 255, np.uint8)
+    texels[..., 0] = np.arange(64) * 4
+    texels[..., 3] = np.where(np.hypot(rows, columns) < 5, 0, 255)
+    material = trimesh.visual.material.PBRMaterial(
+        baseColorTexture=Image.fromarray(texels), alphaMode="MASK", alphaCutoff=0.5
+    )
+    corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
+    quads = []
+    for angle in (0.0, 1.0, 2.0):
+        visual = trimesh.visual.TextureVisuals(uv=(corners[:, :2] + 1) / 2, material=material)
+        quad = trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], visual=visual, process=False)
+        quads.append(quad.apply_transform(trimesh.transformations.rotation_matrix(angle, (0.2, 1, 0.1))))
+    return nf.Scene.from_trimesh(trimesh.Scene(quads))
+
+
+SCENES: dict[str, tuple[Callable[[], nf.Scene], float]] = {
+    "fence": (fence, 1.5),
+    "forest": (lambda: nf.datasets.forest(), 60.0),
+    "city": (lambda: nf.datasets.city(blocks=3), 60.0),
+    "Duck": (lambda: nf.Scene.load(data("objects/gltf/Duck.glb")), 1.0),
+    "tokyo": (lambda: nf.Scene.load(data("city/tokyo23/tokyo_core_lod1.glb")), 500.0),
+}
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_both_ways_show_the_same_of_textures_instances_and_holes(name: str) -> None:
+    """But for rays through edges, and for surfaces in one place, of which rounding decides which is first."""
+    make, side = SCENES[name]
+    scene, most = make(), 0.003
+    corner = scene.bounds.mean(axis=0) - side / 2
+    corner[1] = scene.bounds[0, 1] - 0.1
+    by_rays, by_triangles = (leaf(scene, corner, side, way=way) for way in ("rays", "triangles"))
+    there = by_rays.depths() > 0
+    assert there.mean() > 0.05
+    apart = there != (by_triangles.depths() > 0)
+    steps = np.abs(by_rays.depths().astype(int) - by_triangles.depths())[there & ~apart]
+    colors = np.abs(by_rays.colors().astype(int) - by_triangles.colors())[(there & ~apart)[..., 0]].max(axis=1)
+    assert apart.sum() <= most * there.sum()
+    assert (steps > 1).mean() <= most
+    assert (colors > 2).mean() <= most
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_a_parents_pixels_are_those_of_its_children(direction: Triple) -> None:
+    """Each pixel of a child is one of the parent's picture at twice the size, at the same place in space."""
+    scene, _ = boxes(side=2 * SIDE)
+    axes = Axes.of(direction)
+    parent = _core.OrthoParent([direction], FORMAT)
+    extents = axes.extents * 2 * SIDE
+    front = oracle.pixel_points(CORNER, 2 * SIDE, direction, 2 * SIZE)
+    least = np.full((2 * SIZE, 2 * SIZE), np.inf)
+    color, normal = np.zeros((2 * SIZE, 2 * SIZE, 3)), np.zeros((2 * SIZE, 2 * SIZE, 3))
+    for octant in OCTANTS:
+        corner = CORNER + np.array(octant) * SIDE
+        views = leaf(scene, corner, directions=[direction])
+        parent.add(octant, views)
+        child, own = picture(views, 0), oracle.pixel_points(corner, SIDE, direction, SIZE)
+        # The place of each pixel from its point in space, not from the core's whole numbers.
+        offset = own - front[0, 0]
+        column = offset @ axes.right / (extents[0] / (2 * SIZE))
+        row = -(offset @ axes.up) / (extents[1] / (2 * SIZE))
+        before = -(offset @ axes.toward) / (extents[2] / (2 * STEPS))
+        for values in (column, row, before):
+            np.testing.assert_allclose(values, np.rint(values), atol=1e-9)
+        places = (np.rint(row).astype(int), np.rint(column).astype(int))
+        assert len(np.unique(np.ravel_multi_index(places, least.shape))) == SIZE * SIZE
+        depth = child.depth + np.rint(before)
+        is_first = depth < least[places]
+        chosen = tuple(place[is_first] for place in places)
+        least[chosen], color[chosen], normal[chosen] = depth[is_first], child.color[is_first], child.normal[is_first]
+    reach = oracle.REACH_PIXELS * max(extents[:2]) / (2 * SIZE) / (extents[2] / (2 * STEPS))
+    right = oracle.reduced(Picture(least, color, normal), reach)
+    got = picture(parent.finish(), 0)
+    # Depths are whole numbers, so nothing is at a border.
+    np.testing.assert_array_equal(got.depth, np.floor(right.depth / 2))
+    is_there = np.isfinite(got.depth)
+    assert is_there.mean() > 0.2
+    assert np.abs(got.color - right.color)[is_there].max() < 0.006
+    assert (got.normal * right.normal).sum(axis=2)[is_there].min() > np.cos(np.radians(0.1))
+
+
+@pytest.mark.parametrize("direction", [(0, 0, 1), (0, 1, 0), (0, 1, 1), (1, 1, 0), (1, 1, -1), (-1, -1, -1)])
+def test_depths_three_levels_up_are_those_of_all_leaves_pixels(direction: Triple) -> None:
+    """A depth's step holds the step of the first surface on each level, so no error adds up."""
+    scene, _ = boxes(200, 8 * SIDE)
+    axes = Axes.of(direction)
+    size, root = 8 * SIZE, 8 * SIDE
+    extents = axes.extents * root
+    front = oracle.pixel_points(CORNER, root, direction, size)[0, 0]
+    least = np.full((size, size), np.inf)
+
+    def build(corner: NDArray[np.float64], side: float) -> _core.OrthoViews:
+        if side == SIDE:
+            views = leaf(scene, corner, directions=[direction])
+            offset = oracle.pixel_points(corner, SIDE, direction, SIZE) - front
+            column = np.rint(offset @ axes.right / (extents[0] / size)).astype(int)
+            row = np.rint(-(offset @ axes.up) / (extents[1] / size)).astype(int)
+            before = np.rint(-(offset @ axes.toward) / (extents[2] / (8 * STEPS)))
+            np.minimum.at(least, (row, column), picture(views, 0).depth + before)
+            return views
+        parent = _core.OrthoParent([direction], FORMAT)
+        for octant in OCTANTS:
+            parent.add(octant, build(corner + np.array(octant) * side / 2, side / 2))
+        return parent.finish()
+
+    got = picture(build(CORNER, root), 0)
+    blocks = least.reshape(SIZE, 8, SIZE, 8).min(axis=(1, 3))
+    np.testing.assert_array_equal(got.depth, np.floor(blocks / 8))
+
+
+def test_views_come_back_from_their_arrays_and_bad_ones_do_not() -> None:
+    scene, _ = boxes()
+    views = leaf(scene)
+    arrays: list[Any] = [views.colors(), views.depths(), views.normals()]
+    again = _core.OrthoViews.from_arrays(DIRECTIONS, FORMAT, *arrays)
+    for one, other in zip(arrays, (again.colors(), again.depths(), again.normals()), strict=True):
+        np.testing.assert_array_equal(one, other)
+    assert views.steps == STEPS
+    deep = arrays[1].copy()
+    deep[3, 4, 5] = STEPS + 1
+    with pytest.raises(ValueError, match="depths and normals with the bits of their format"):
+        _core.OrthoViews.from_arrays(DIRECTIONS, FORMAT, arrays[0], deep, arrays[2])
+    with pytest.raises(ValueError, match="25 views of 1024 pixels"):
+        _core.OrthoViews.from_arrays(DIRECTIONS[1:], FORMAT, *arrays)
+    with pytest.raises(ValueError, match="directions and the format of its parent"):
+        _core.OrthoParent(DIRECTIONS[1:], FORMAT).add((0, 0, 0), views)
+    with pytest.raises(ValueError, match="0 or 1 along each axis"):
+        _core.OrthoParent(DIRECTIONS, FORMAT).add((0, 2, 0), views)
+
+
+def test_cells_without_surfaces_are_empty() -> None:
+    scene, _ = boxes()
+    assert all(leaf(scene, CORNER + 500).empty())
+    assert not any(leaf(scene).empty())
+    parent = _core.OrthoParent(DIRECTIONS, FORMAT)
+    assert all(parent.finish().empty())
+
+
+@pytest.mark.parametrize(
+    ("numbers", "named"), [((30, 12, 16), "size"), ((0, 12, 16), "size"), ((32, 7, 16), "depth_bits"),
+                          ((32, 17, 16), "depth_bits"), ((32, 12, 20), "normal_bits")]
+)  # fmt: skip
+def test_formats_are_checked(numbers: Any, named: str) -> None:
+    with pytest.raises(ValueError, match=named):
+        _core.OrthoParent(DIRECTIONS, numbers)

@@ -1,0 +1,43 @@
+"""Scenes and formats for tests of orthoviews."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar import _core
+from nearfar._scene.srgb import to_linear
+from tests.support import orthoview_oracle as oracle
+from tests.support.orthoview_oracle import DIRECTIONS
+
+SIZE, SIDE = 32, 20.0
+CORNER = np.array([40.0, -3.0, -60.0])
+FORMAT = (SIZE, 12, 24)
+STEPS = oracle.steps_of(12)
+
+
+def boxes(count: int = 40, side: float = SIDE) -> tuple[nf.Scene, NDArray[np.float64]]:
+    """Turned boxes in and about a cell, with the linear RGB of each triangle."""
+    rng = np.random.default_rng(3)
+    parts = []
+    for _ in range(count):
+        box = trimesh.creation.box(rng.uniform(0.03, 0.25, 3) * side)
+        turn = trimesh.transformations.random_rotation_matrix(rng.random(3))
+        turn[:3, 3] = CORNER + rng.uniform(-0.1, 1.1, 3) * side
+        parts.append(box.apply_transform(turn))
+    mesh = trimesh.util.concatenate(parts)
+    corners = mesh.triangles.reshape(-1, 3)
+    codes = rng.integers(0, 256, (len(mesh.faces), 3))
+    rgba = np.column_stack([np.repeat(codes, 3, axis=0), np.full(len(corners), 255)]).astype(np.uint8)
+    loose = trimesh.Trimesh(corners, np.arange(len(corners)).reshape(-1, 3), vertex_colors=rgba, process=False)
+    return nf.Scene.from_trimesh(loose), to_linear(codes / 255)
+
+
+def leaf(
+    scene: nf.Scene, corner: Any = CORNER, side: float = SIDE, directions: Any = None, way: str | None = None
+) -> _core.OrthoViews:
+    return _core.OrthoViews.of_cell(scene._core, tuple(corner), side, directions or DIRECTIONS, FORMAT, way=way)
