@@ -52,7 +52,7 @@ def cell(scene: nf.Scene, side: float) -> tuple[nf.Scene, tuple[float, float, fl
     """The cell in the middle of a scene, and what touches it."""
     x, _, z = (scene.bounds.mean(axis=0) - side / 2).tolist()
     corner = (x, float(np.floor(scene.bounds[0, 1])), z)
-    return scene.query([corner, np.add(corner, side)]), corner, side
+    return scene.query(np.array([corner, np.add(corner, side)])), corner, side
 
 
 def of_leaf(
