@@ -5,11 +5,13 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 from numpy.typing import ArrayLike, NDArray
 
 import nearfar as nf
@@ -99,19 +101,35 @@ def test_zarr_reads_the_views_of_all_cells(world: nf.Scene, tree: nf.orthoview.O
 
 def test_each_view_is_written_once_and_none_is_read(world: nf.Scene, tree: nf.orthoview.OrthoTree) -> None:
     cells = of_cells(world)
-    views = sum(5 - sum(views.empty()) for views in cells.values())
-    counts = tree.counts
     leaves = sum(level == 0 for level, _ in cells)
-    assert counts["drawn"] == leaves
-    assert counts["drawn"] + counts["empty"] == np.prod(tree.cells(0))
-    assert counts["composed"] == len(cells) - leaves
-    assert counts["chunks"] == 3 * views
-    assert counts.get("reloaded", 0) == 0
+    held = tree.held
+    assert (held["cells"], held["leaves"]) == (len(cells), leaves)
+    assert held["chunks"] == 3 * sum(5 - sum(views.empty()) for views in cells.values())
+    done = tree.done
+    assert (done["drawn"], done["composed"], done.get("reloaded", 0)) == (leaves, len(cells) - leaves, 0)
     files = contents(tree._path)
     index = sum((16 * (1 << (3 - int(name.split("/")[0]) % 3)) ** 3 + 4) for name in files)
-    assert sum(map(len, files.values())) == counts["bytes"] + index
+    assert sum(map(len, files.values())) == held["bytes"] + index
     assert not list(tree._path.rglob("*.part"))
     assert not list((tree._path / "nearfar" / "journal").glob("*"))
+
+
+def test_empty_parts_are_passed_over(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    """Where nothing touches a cell above leaves, none of its leaves is asked for."""
+    source = Counted(world)
+    nf.orthoview.build(source, tmp_path / "all.zarr", cell=CELL, size=SIZE, directions=5)
+    assert source.queries == np.prod(tree.cells(0))
+    telling = Telling(world)
+    told = nf.orthoview.build(telling, tmp_path / "told.zarr", cell=CELL, size=SIZE, directions=5)
+    assert contents(told._path) == contents(tree._path) == contents(tmp_path / "all.zarr")
+    assert tree.held["leaves"] <= telling.queries < 0.7 * source.queries
+    # A world of 10⁸ leaves with something in two of them.
+    corners = np.array([[1, 1, 1], [15, 3, 4], [4, 14, 15]], np.float32)
+    far = nf.Scene.from_arrays(np.concatenate([corners, corners + 9980]), np.arange(6, dtype=np.uint32).reshape(2, 3))
+    sparse = nf.orthoview.build(far, tmp_path / "sparse.zarr", cell=20.0, size=4, directions=5)
+    assert sparse.cells(0) == (500, 500, 500)
+    assert sparse.held["leaves"] == 2
+    assert sparse.done["empty"] <= 8  # the tree of the scene is asked, whose boxes are larger than triangles
 
 
 def test_points_of_views_lie_on_a_slope(tmp_path: Path) -> None:
@@ -147,10 +165,32 @@ def test_points_of_views_lie_on_a_slope(tmp_path: Path) -> None:
     assert seen > 50
 
 
+@pytest.mark.parametrize("height", [0.0, -3.0, 5.0, 1.0])
+@pytest.mark.parametrize("way", ["rays", "triangles"])
+def test_ground_on_the_lowest_side_of_a_cell_is_seen(height: float, way: str) -> None:
+    """A grid begins at a whole metre, where ground often lies."""
+    corners = np.array([[-80, height, -80], [80, height, -80], [80, height, 80], [-80, height, 80]], np.float32)
+    ground = nf.Scene.from_arrays(corners, np.array([[0, 2, 1], [0, 3, 2]], np.uint32))
+    upper = [direction for direction in directions_of(13) if direction[1] == 1]
+    for corner in [(-10.0, height, -10.0), (-80.0, height, -80.0), (3.7, height, 11.3)]:
+        views = _core.OrthoViews.of_cell(ground._core, corner, CELL, upper, FORMAT, way=way)
+        shown = views.depths()[..., 0] > 0
+        for direction, mask in zip(upper, shown, strict=True):
+            axes, extents = _core.orthoview_axes(direction)
+            place = (np.arange(2 * SIZE) + 0.5) / (2 * SIZE) - 0.5
+            right, up, toward = (np.array(axis) for axis in axes)
+            front = place[None, :, None] * extents[0] * right - place[:, None, None] * extents[1] * up
+            along = (front[..., 1] + 0.5) / toward[1]
+            on_ground = front - along[..., None] * toward
+            hits = (np.abs(on_ground[..., (0, 2)]) < 0.5 - 1e-6).all(axis=-1)
+            inside = hits.reshape(SIZE, 2, SIZE, 2).any(axis=(1, 3))
+            assert mask[inside].all(), direction
+
+
 class Counted:
     """A source that counts its queries, and fails where it is told to."""
 
-    def __init__(self, scene: nf.Scene, fails: set[int] = frozenset()) -> None:  # type: ignore[assignment]
+    def __init__(self, scene: nf.Scene, fails: Collection[int] = ()) -> None:
         self._scene, self._fails, self.queries = scene, fails, 0
 
     @property
@@ -164,11 +204,19 @@ class Counted:
         return self._scene.query(aabb, detail)
 
 
+class Telling(Counted):
+    """One that also tells where nothing is."""
+
+    def touches(self, aabb: ArrayLike) -> bool:
+        return self._scene.touches(aabb)
+
+
 def test_a_second_build_draws_nothing(world: nf.Scene, tree: nf.orthoview.OrthoTree) -> None:
     source, before = Counted(world), contents(tree._path)
     again = nf.orthoview.build(source, tree._path, cell=CELL, size=SIZE, directions=5)
     assert source.queries == 0
     assert again.is_complete
+    assert (again.held, again.done) == (tree.held, tree.done)
     assert contents(tree._path) == before
 
 
@@ -181,11 +229,25 @@ def test_cells_that_a_source_does_not_give_are_named_and_come_later(
     assert len(first.failed) == 2
     assert set(first.failed.values()) == {"OSError: the disk is gone"}
     assert "incomplete" in repr(first)
+    # All others are there, but for the cells above the two.
+    cells, seen = of_cells(world), 0
+    for level, place in cells:
+        missing = any(tuple(number >> level for number in leaf) == place for leaf in first.failed)
+        for direction in range(5):
+            if missing:
+                with pytest.raises(ValueError, match="is missing: OSError: the disk is gone"):
+                    first.view(level, place, direction)
+            else:
+                one, other = (opened.view(level, place, direction) for opened in (first, tree))
+                assert (one is None) == (other is None)
+                seen += one is not None
+    assert seen > 400
     source = Counted(world)
     second = nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5)
     assert second.is_complete
     assert second.failed == {}
     assert source.queries == 2
+    assert second.held == tree.held
     # Chunks of a shard come in the order in which they were made, so bytes differ where cells come later.
     for level, place in [(0, (3, 3, 3)), (1, (2, 2, 2)), (tree.levels - 1, (0, 0, 0))]:
         for direction in range(5):
@@ -196,33 +258,90 @@ def test_cells_that_a_source_does_not_give_are_named_and_come_later(
                 np.testing.assert_array_equal(one.depth, other.depth)
 
 
-@pytest.mark.parametrize("after", [1, 150, 400])
-def test_a_kill_costs_the_cell_under_work(
-    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, after: int
-) -> None:
-    """The process ends itself within a query, as `kill -9` ends it."""
+def ended(path: Path, change: str) -> None:
+    """Build in a process that ends itself as `kill -9` ends it."""
     need("linux")
-    path = tmp_path / "world.zarr"
     code = f"""
 import os, signal
 import nearfar as nf
+from nearfar.orthoview import _layout, _shard, _subtree
 from tests.orthoview.test_build import Counted
 from tests.support.orthoview_cases import boxes
-class Killed(Counted):
-    def query(self, aabb, detail=0.0):
-        if self.queries == {after}:
-            os.kill(os.getpid(), signal.SIGKILL)
-        return super().query(aabb, detail)
-nf.orthoview.build(Killed(boxes(60, 80.0)[0]), {str(path)!r}, cell={CELL}, size={SIZE}, directions=5)
+def die():
+    os.kill(os.getpid(), signal.SIGKILL)
+source = Counted(boxes(60, 80.0)[0])
+{change}
+nf.orthoview.build(source, {str(path)!r}, cell={CELL}, size={SIZE}, directions=5)
 """
     root = Path(__file__).resolve().parents[2]
     process = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True, check=False)
     assert process.returncode == -9, process.stderr[-2000:]
+
+
+def within_query(number: int) -> str:
+    return f"query = source.query\nsource.query = lambda box: die() if source.queries == {number} else query(box)"
+
+
+@pytest.mark.parametrize("after", [1, 150, 400, 513])
+def test_a_kill_costs_the_cell_under_work(
+    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, after: int
+) -> None:
+    path = tmp_path / "world.zarr"
+    ended(path, within_query(after))
+    with pytest.raises(ValueError, match="is missing: the build has not ended"):
+        nf.orthoview.open(path).view(tree.levels - 1, (0, 0, 0), 0)
     source = Counted(world)
     resumed = nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5)
     assert resumed.is_complete
     assert source.queries == np.prod(tree.cells(0)) - after
+    assert resumed.held == tree.held
     assert contents(path) == contents(tree._path)
+
+
+KILLS = {
+    "while the store is made": "_layout.Layout.shard_side = lambda self, level: die()",
+    "between two shards": """
+finish, numbers = _shard.ShardWriter.finish, iter(range(1000))
+_shard.ShardWriter.finish = lambda self: die() if next(numbers) == 11 else finish(self)
+""",
+    "before the record": "_subtree.formats.write_json = lambda *_: die()",
+    "before the journal goes": """
+remove = _subtree.Journal.remove
+_subtree.Journal.remove = lambda self: die() if self.cells else remove(self)
+""",
+}
+
+
+@pytest.mark.parametrize("moment", KILLS)
+def test_a_kill_leaves_a_store_that_can_be_completed(
+    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, moment: str
+) -> None:
+    path = tmp_path / "world.zarr"
+    ended(path, KILLS[moment])
+    resumed = nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=5)
+    assert resumed.is_complete
+    assert contents(path) == contents(tree._path)
+    assert not list(path.rglob("*.part"))
+    assert not list((path / "nearfar" / "journal").glob("*"))
+
+
+def test_what_the_system_lost_is_drawn_again(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    """After a power cut a shard may be shorter than its journal says, and a line of the journal may be none."""
+    path = tmp_path / "world.zarr"
+    ended(path, within_query(400))
+    part = max(path.rglob("*.part"), key=lambda file: file.stat().st_size)
+    part.write_bytes(part.read_bytes()[:-10])
+    (journal,) = (path / "nearfar" / "journal").glob("0_*")
+    journal.write_bytes(journal.read_bytes() + bytes(3) + b"\n")
+    resumed = nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=5)
+    assert resumed.is_complete
+    assert contents(path) == contents(tree._path)
+
+
+def test_a_source_that_always_fails_ends_the_build(world: nf.Scene, tmp_path: Path) -> None:
+    source = Counted(world, range(10**6))
+    with pytest.raises(nf.SceneError, match="it failed for 1,000 leaves, the last one with OSError: the disk is gone"):
+        nf.orthoview.build(source, tmp_path / "world.zarr", cell=CELL, size=SIZE, directions=5)
 
 
 def test_two_builds_into_one_store_are_refused(world: nf.Scene, tmp_path: Path) -> None:
@@ -277,6 +396,26 @@ def copied(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
     return path
 
 
+def test_damaged_shards_are_named(copied: Path) -> None:
+    files = [file for file in (copied / "0" / "py" / "color").rglob("0") if file.is_file()]
+    shard = max(files, key=lambda file: file.stat().st_size)
+    whole, first = shard.read_bytes(), [8 * int(number) for number in shard.relative_to(copied).parts[4:7]]
+    inside = [tuple(np.add(first, place).tolist()) for place in places((8, 8, 8))]
+    tree = nf.orthoview.open(copied)
+    x, y, z = next(p for p in inside if all(np.less(p, tree.cells(0))) and tree.view(0, p, 4) is not None)
+    for damaged in (whole[: len(whole) // 2], whole[:-8] + bytes(8)):
+        shard.write_bytes(damaged)
+        with pytest.raises(nf.FormatError, match="damaged orthoviews"):
+            nf.orthoview.open(copied).view(0, (x, y, z), 4)
+
+
+@pytest.mark.parametrize("content", ["null", '{"nearfar": null}', '{"nearfar": {"format": "nearfar.orthoview"}}', "[]"])
+def test_damaged_attributes_are_named(copied: Path, content: str) -> None:
+    (copied / "zarr.json").write_text(f'{{"zarr_format": 3, "node_type": "group", "attributes": {content}}}')
+    with pytest.raises(nf.FormatError, match="zarr"):
+        nf.orthoview.open(copied)
+
+
 def test_newer_stores_are_refused(copied: Path) -> None:
     document = (copied / "zarr.json").read_text().replace('"version": 1', '"version": 99')
     (copied / "zarr.json").write_text(document)
@@ -284,19 +423,41 @@ def test_newer_stores_are_refused(copied: Path) -> None:
         nf.orthoview.open(copied)
 
 
-def test_worlds_of_one_leaf_and_without_anything_are_trees(world: nf.Scene, tmp_path: Path) -> None:
-    one = nf.orthoview.build(world, tmp_path / "one.zarr", cell=500.0, size=SIZE, directions=5)
-    assert one.levels <= 2
-    assert one.view(0, (0, 0, 0), 4) is not None or one.levels == 2
+def test_worlds_of_one_leaf_are_trees(tmp_path: Path) -> None:
+    ball = trimesh.creation.icosphere(2, 4.0).apply_translation((5, 5, 5))
+    scene = nf.Scene.from_trimesh(ball)
+    tree = nf.orthoview.build(scene, tmp_path / "one.zarr", cell=10.0, size=SIZE, directions=26)
+    assert (tree.levels, tree.cells(0)) == (1, (1, 1, 1))
+    assert all(tree.view(0, (0, 0, 0), direction) is not None for direction in range(26))
+
+
+def test_worlds_without_anything_are_refused(world: nf.Scene, tmp_path: Path) -> None:
     empty = world.query([world.bounds[0] - 9, world.bounds[0] - 8])
     with pytest.raises(ValueError, match="finite bounds"):
         nf.orthoview.build(empty, tmp_path / "none.zarr", cell=1.0, size=SIZE)
 
 
+def test_worlds_that_end_with_a_cell_have_no_cell_beyond() -> None:
+    bounds = np.array([[0.0, 0.0, -30.0], [80.0, 20.0, 50.0]])
+    assert Grid.over(bounds, 10.0).counts == (8, 2, 8)
+    assert Grid.over(bounds + 1e-6, 10.0).counts == (9, 3, 9)
+    rng = np.random.default_rng(0)
+    for cell in (0.7, 1.1, 10.0):
+        low = np.round(rng.uniform(-2000, 2000, (5000, 3)) * 4) / 4
+        assert all((np.array(Grid.over(np.array([place, place + 1]), cell).origin) <= place).all() for place in low)
+
+
 def test_the_size_of_views_is_that_of_a_display() -> None:
     # 1,000 pixels over 90° at 50 m: 100 m, of which a cell of 40 m takes 400 pixels.
-    assert nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=np.pi / 2) == 400
-    assert nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=np.pi / 2, angle=np.pi / 3) == 800
+    display: dict[str, Any] = {"cell": 40.0, "distance": 50.0, "fov": np.pi / 2}
+    assert nf.orthoview.size_for(1000, **display, directions=5) == 400
+    assert nf.orthoview.size_for(1000, **display, directions=5, angle=np.pi / 3) == 800
+    assert nf.orthoview.size_for(1000, **display) == 568  # 400 · √2 = 565.7
+    assert nf.orthoview.size_for(1000, **display, directions=26) == 656  # 400 · 1.633 = 653.2
+    with pytest.raises(ValueError, match="4096 pixels are enough"):
+        nf.orthoview.size_for(1000, cell=1e308, distance=50.0, fov=1.0)
+    with pytest.raises(ValueError, match="4096 pixels are enough"):
+        nf.orthoview.size_for(1000, cell=1.0, distance=50.0, fov=5e-324)
     assert nf.orthoview.size_for(1, cell=0.1, distance=50.0, fov=1.0) == 4
     with pytest.raises(ValueError, match="angle"):
         nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=1.0, angle=np.pi / 2)

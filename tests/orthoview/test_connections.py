@@ -96,3 +96,12 @@ def test_thin_wires_are_balls() -> None:
     shown, surfel = of_mesh(wire, (1, 0, 0))
     assert shown.any()
     assert not surfel.any()
+
+
+def test_bits_that_lead_out_of_a_picture_count_nothing() -> None:
+    """A damaged store may have them."""
+    found = _core.orthoview_surfels(np.full((2, 4, 4, 1), 15, np.uint8))
+    assert found[:, 1:3, 1:3].all()
+    assert not found[:, [0, 0, 3, 3], [0, 3, 0, 3]].any()
+    with pytest.raises(ValueError, match="views of"):
+        _core.orthoview_surfels(np.zeros((1, 3, 4, 1), np.uint8))

@@ -40,7 +40,6 @@ def check_alike(got: Picture, right: Picture, *, share: float) -> None:
     # Rays through edges, and depths at the border between two steps, fall on either side in float32.
     wrong = apart.sum() + ((steps > 0) | (colors > 0.006) | (angles > 0.1)).sum()
     assert wrong <= share * is_there.sum(), (apart.sum(), steps.max(), colors.max(), angles.max())
-    assert steps.max() <= 1 or wrong <= share * is_there.sum()
 
 
 @pytest.mark.parametrize("way", ["rays", "triangles"])
@@ -181,7 +180,7 @@ def test_views_come_back_from_their_arrays_and_bad_ones_do_not() -> None:
     deep[3, 4, 5] = STEPS + 1
     with pytest.raises(ValueError, match="depths and normals with the bits of their format"):
         _core.OrthoViews.from_arrays(DIRECTIONS, FORMAT, arrays[0], deep, arrays[2])
-    with pytest.raises(ValueError, match="25 views of 1024 pixels"):
+    with pytest.raises(ValueError, match=r"colors: expected shape \[25, 32, 32, 3\]"):
         _core.OrthoViews.from_arrays(DIRECTIONS[1:], FORMAT, *arrays)
     with pytest.raises(ValueError, match="directions and the format of its parent"):
         _core.OrthoParent(DIRECTIONS[1:], FORMAT).add((0, 0, 0), views)

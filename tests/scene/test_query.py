@@ -50,7 +50,11 @@ def test_many_small_boxes_return_what_touches(scene: nf.Scene) -> None:
         middle = random.uniform(-9, 9, 3)
         size = 10 ** random.uniform(-3, 0.8, 3)
         aabb = about(scene, [middle - size, middle + size])
-        assert np.array_equal(scene.query(aabb).triangles(), corners[touching(scene, aabb)])
+        found = scene.query(aabb).triangles()
+        assert np.array_equal(found, corners[touching(scene, aabb)])
+        assert scene.touches(aabb) or not len(found)
+    assert scene.touches(scene.bounds)
+    assert not scene.touches(scene.bounds + 1000)
 
 
 def test_only_vertices_in_use_remain(scene: nf.Scene) -> None:

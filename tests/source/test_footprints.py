@@ -94,6 +94,8 @@ def test_empty_places_give_empty_scenes_in_the_same_frame(town: Path) -> None:
     source = opened(town)
     empty = source.query([[0, 0, 0], [1, 1, 1]])
     assert empty.triangle_count == 0
+    assert not source.touches([[0, 0, 0], [1, 1, 1]])
+    assert source.touches(source.bounds)
     np.testing.assert_array_equal(empty.origin, source.query([[-np.inf] * 3, [np.inf] * 3]).origin)
 
 

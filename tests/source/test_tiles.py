@@ -67,6 +67,8 @@ def test_queries_are_those_of_the_scene(written: tuple[nf.Scene, Path], box: Arr
     part, expected = opened(folder).query(aabb), scene.query(aabb)
     assert expected.triangle_count
     assert np.array_equal(rows(part), rows(expected))
+    assert opened(folder).touches(aabb)
+    assert not opened(folder).touches(aabb + 10**6) or np.isinf(aabb).any()
 
 
 def test_materials_and_pictures_are_the_same(written: tuple[nf.Scene, Path]) -> None:

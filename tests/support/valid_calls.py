@@ -143,6 +143,7 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.Scene.shown_to": {"user": EYE},
         "nearfar.Scene.subset": {"objects": ["near"]},
         "nearfar.Scene.subset @triangles": {"triangles": [0]},
+        "nearfar.Scene.touches": {"aabb": [[-1, -1, -1], [1, 1, 1]]},
         "nearfar.Scene.trace": shot,
         "nearfar.Scene.transform": {"name": "near"},
         "nearfar.Scene.triangles": {},

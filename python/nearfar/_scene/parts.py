@@ -91,6 +91,24 @@ class InParts:
         check.at_least_zero("detail", detail)
         return self._query(box, builds=True)
 
+    def touches(self, aabb: ArrayLike) -> bool:
+        """Return False if no triangle touches a box; True may be a false alarm. It takes microseconds.
+
+        Parameters
+        ----------
+        aabb
+            Least and greatest corner (2, 3), world, metres. The sides belong to the box and may be infinite.
+
+        Raises
+        ------
+        ValueError
+            A box with NaN or with a least corner above the greatest.
+        TypeError
+            Values that are not numbers.
+        """
+        least, greatest = check.box("aabb", aabb).tolist()
+        return self._core.touches(tuple(least), tuple(greatest))
+
     def _query(self, box: NDArray[np.float64], *, builds: bool) -> Self:
         """The part that touches a box (2, 3); unless the trees are built, each triangle is tested."""
         least, greatest = box.tolist()

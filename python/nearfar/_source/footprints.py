@@ -50,6 +50,10 @@ class FootprintFile:
         check.at_least_zero("detail", detail)
         return background.run(lambda: self._query(box))
 
+    def touches(self, aabb: ArrayLike) -> bool:
+        """Return False if no feature's box touches a box; see `nearfar.SceneSource`."""
+        return len(self._footprints.rows_touching(check.box("aabb", aabb))) > 0
+
     def _query(self, box: NDArray[np.float64]) -> Scene:
         rows = self._footprints.rows_touching(box)
         return scene_of(self._footprints.content(rows), box, self.bounds)

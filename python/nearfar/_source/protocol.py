@@ -16,6 +16,9 @@ class SceneSource(Protocol):
     """World that scenes are taken from, box by box.
 
     `Scene` is one, and so is what `nearfar.open_source` returns. Any class with `bounds` and `query` becomes one.
+
+    It may also have `touches(aabb) -> bool`, which returns False where nothing is. What visits a world cell by cell asks
+    it, where it is there, before it looks into a part.
     """
 
     @property
@@ -45,6 +48,12 @@ class SceneSource(Protocol):
         ValueError
             A box with NaN or with a least corner above the greatest, a `detail` that is negative or not finite.
         """
+
+
+def may_touch(source: SceneSource, box: NDArray[np.float64]) -> bool:
+    """Whether anything of a source may touch a box (2, 3); False only if it says that nothing does."""
+    touches = getattr(source, "touches", None)
+    return touches is None or bool(touches(box))
 
 
 def source_of(name: str, value: object) -> SceneSource:

@@ -64,16 +64,24 @@ class TileFolder:
 
         Reads the tiles whose boxes touch and that are not in memory. The tiles have all triangles for any `detail`.
         """
-        least, greatest = box = check.box("aabb", aabb)
+        box = check.box("aabb", aabb)
         check.at_least_zero("detail", detail)
-        touches = (self._boxes[:, 0] <= greatest) & (self._boxes[:, 1] >= least)
-        near = [self._index.tiles[at] for at in np.flatnonzero(touches.all(axis=1))]
+        near = [self._index.tiles[at] for at in np.flatnonzero(self._touching(box))]
         parts = [part for part in (self._tile(tile).query(box) for tile in near) if part.triangle_count]
         self._forget()
         if parts:
             return joined(parts)
         names = Names(()) if self._names is None else self._names
         return Scene(empty_core(self._index.origin), names, notes=self._index.notes)
+
+    def touches(self, aabb: ArrayLike) -> bool:
+        """Return False if no tile's box touches a box; see `nearfar.SceneSource`. Reads nothing."""
+        return bool(self._touching(check.box("aabb", aabb)).any())
+
+    def _touching(self, box: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Whether each tile's box touches a box."""
+        touching: NDArray[np.bool_] = ((self._boxes[:, 0] <= box[1]) & (self._boxes[:, 1] >= box[0])).all(axis=1)
+        return touching
 
     def _tile(self, tile: Tile) -> Scene:
         """Return a tile, from memory or from its file."""

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import SupportsFloat, SupportsIndex
 
@@ -14,16 +12,19 @@ import numpy as np
 from nearfar import _core
 from nearfar._base import check, locks, progress
 from nearfar._scene.scene import Scene
-from nearfar._source.protocol import SceneSource, source_of
+from nearfar._source.protocol import SceneSource, may_touch, source_of
 from nearfar.orthoview import _store
 from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._layout import Layout, check_zarr
 from nearfar.orthoview._subtree import FOLDER, Outcome, Subtree
 from nearfar.orthoview._tree import OrthoTree
 
 SUBTREE = 3
 """Levels of a subtree: its shards hold up to 8 × 8 × 8 leaves."""
+
+MOST_FAILED = 1000
+"""Leaves that a source may fail to give before the build ends."""
 
 
 def build(
@@ -38,32 +39,34 @@ def build(
 ) -> OrthoTree:
     """Build the tree of orthographic depth images of a world.
 
-    The world is queried leaf by leaf, depth first, so memory holds a leaf's scene and a few views for each level,
-    however large the world is. A call that ended early, by Ctrl-C, a crash or a source that failed, goes on where it
-    was when it is made again with the same arguments.
+    The world is queried leaf by leaf, depth first: memory holds the scene of a leaf and, for each level, the pictures
+    of one parent, 64 bytes for each pixel of its views. A call that ended early, by Ctrl-C, a crash or a source that
+    failed, goes on where it was when it is made again with the same arguments; a complete store is opened as it is.
 
     Parameters
     ----------
     source
-        World with finite `bounds`, and `query`. Moving objects are left out.
+        World with finite `bounds`, and `query`; where it has `touches`, empty parts are passed over. What moves is left
+        out.
     path
-        The store, a folder of Zarr v3: new, empty, or one that this function wrote in part.
+        The store, a folder of Zarr v3: new, empty, or one that this function wrote.
     cell
         Side of the leaves' cubic cells, metres.
     size
-        Width and height of a view, pixels; a multiple of 4.
+        Width and height of a view, pixels; a multiple of 4, at most 4096.
     directions
         5 views of each cell (from four sides and above), 9 (and from between them), 13 (and from the upper corners) or
         26 (from everywhere).
     depth_bits
-        Bits of a depth, 8 to 16: it is known to half a step of 2 to the power of minus this number of a cell's depth.
+        Bits of a depth, 8 to 16. They number the steps of a cell's depth, 4,092 for 12 bits, and surfaces are taken to
+        lie in the middle of theirs.
     normal_bits
         Bits of a normal, 16 or 24: it is known to 0.96° or 0.06°.
 
     Returns
     -------
     OrthoTree
-        Incomplete where the source failed for a cell; `OrthoTree.failed` says which and why.
+        Incomplete where the source failed for a leaf; `OrthoTree.failed` says for which, and why.
 
     Raises
     ------
@@ -71,10 +74,16 @@ def build(
         A world without end, too many cells, numbers out of range, a store that was begun with other arguments.
     TypeError
         Something that is no source, and values that are not numbers.
+    SceneError
+        A source that failed for a thousand leaves.
+    FormatError
+        A store that is damaged.
     BlockingIOError
-        Another build writes into the store.
+        Another build writes into the store (where the system has locks).
     OSError
         A folder that holds other files, and files that cannot be written.
+    ImportError
+        The package zarr is missing.
 
     Notes
     -----
@@ -82,8 +91,8 @@ def build(
     """
     world, target = source_of("source", source), check.path("path", path)
     bounds = check.array("source.bounds", world.bounds, dtype=np.float64)
-    if not np.isfinite(bounds).all():
-        raise ValueError(f"source: expected finite bounds, got {bounds.tolist()}")
+    if bounds.shape != (2, 3) or not np.isfinite(bounds).all():
+        raise ValueError(f"source: expected finite bounds (2, 3), got {bounds.tolist()}")
     layout = Layout(
         Grid.over(bounds, check.positive("cell", cell)),
         directions_of(directions),
@@ -92,7 +101,8 @@ def build(
         check.integer("normal_bits", normal_bits, 16, 24),
         SUBTREE,
     )
-    _core.OrthoParent(layout.directions[:1], layout.format)  # refuses what the numbers above let through
+    _core.orthoview_steps(layout.format)  # refuses sizes and bits that the limits above let through
+    check_zarr()
     _store.begin(target, layout)
     with locks.alone(target / FOLDER / "lock", f"another build writes into {target}"):
         _Building(world, target, layout).run()
@@ -104,26 +114,42 @@ class _Building:
 
     def __init__(self, source: SceneSource, store: Path, layout: Layout) -> None:
         self._source, self._store, self._layout = source, store, layout
-        self._drawn = 0
+        self._passed, self._failures = 0, 0
+        self._report: progress.Report | None = None
 
     def run(self) -> None:
-        with progress.bar("orthoviews") as report:
-            outcome = self._subtree(self._layout.tiers - 1, (0, 0, 0), report)
-        _store.end(self._store, failed=outcome.failed, counts=outcome.counts)
+        with progress.bar("orthoviews") as self._report:
+            outcome = Subtree(self._layout, self._store, self._layout.tiers - 1, (0, 0, 0), self).run()
+        _store.end(self._store, failed=outcome.failed, done=outcome.counts)
 
-    def _subtree(self, tier: int, place: Place, report: progress.Report) -> Outcome:
-        leaf, below = partial(self._leaf, report=report), partial(self._subtree, tier - 1, report=report)
-        base: Callable[[Place], Outcome] = below if tier else leaf
-        return Subtree(self._layout, self._store, tier, place, base).run()
-
-    def _leaf(self, place: Place, report: progress.Report) -> Outcome:
-        report(self._drawn, int(np.prod(self._layout.grid.counts)))
-        self._drawn += 1
+    def base(self, tier: int, place: Place) -> Outcome:
+        """A leaf of the first tier; the whole subtree below a cell of the others."""
+        if tier:
+            return Subtree(self._layout, self._store, tier - 1, place, self).run()
+        self.pass_over(0, place)
         try:
-            views = drawn(self._source.query(self._layout.grid.box(0, place)), self._layout, place)
+            part = self._source.query(self._layout.grid.box(0, place))
         except Exception as error:  # a source is anybody's code; the rest of the world goes on
-            return Outcome(is_complete=False, failed={_name(place): f"{type(error).__name__}: {error}"})
+            return self._failure(place, error)
+        views = drawn(part, self._layout, place)
         return Outcome(views, counts=Counter(empty=views is None, drawn=views is not None))
+
+    def _failure(self, place: Place, error: Exception) -> Outcome:
+        reason = f"{type(error).__name__}: {error}"
+        self._failures += 1
+        if self._failures >= MOST_FAILED:
+            raise _core.SceneError(f"source: it failed for {self._failures:,} leaves, the last one with {reason}")
+        return Outcome(is_complete=False, failed={_store.name_of(place): check.one_line(reason, 180)})
+
+    def may_hold(self, level: int, place: Place) -> bool:
+        """Whether anything may be in a cell."""
+        return may_touch(self._source, self._layout.grid.box(level, place))
+
+    def pass_over(self, level: int, place: Place) -> None:
+        """Count the leaves of a cell as done."""
+        self._passed += self._layout.grid.leaves(level, place)
+        if self._report is not None:
+            self._report(self._passed, self._layout.grid.leaves(self._layout.grid.levels - 1, (0, 0, 0)))
 
 
 def drawn(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None:
@@ -133,7 +159,3 @@ def drawn(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None
     grid = layout.grid
     views = _core.OrthoViews.of_cell(scene._core, grid.corner(0, place), grid.cell, layout.directions, layout.format)
     return None if all(views.empty()) else views
-
-
-def _name(place: Place) -> str:
-    return "_".join(map(str, place))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -14,6 +15,9 @@ Place = tuple[int, int, int]
 
 MOST_CELLS = 1 << 31
 """Greatest number of leaf cells in a tree's box."""
+
+_ROUNDING = 1e-9
+"""Cells by which rounding may take the end of a world beyond a side."""
 
 OCTANTS: tuple[Place, ...] = tuple((x, y, z) for x, y, z in itertools.product((0, 1), repeat=3))
 """Places of children in their parent, in the order in which they are drawn."""
@@ -39,8 +43,11 @@ class Grid:
         """
         with np.errstate(over="ignore", invalid="ignore"):  # a side near 0 asks for infinitely many cells
             low = np.floor(bounds[0] / cell) * cell
+            # The product may round to beyond the world's side.
+            low = np.where(low > bounds[0], low - cell, low)
             low[1] = np.floor(bounds[0, 1])
-            counts = np.maximum(np.floor((bounds[1] - low) / cell) + 1, 1)
+            # A world that ends on a cell's side, up to rounding, ends with the cell: sides belong to it.
+            counts = np.maximum(np.ceil((bounds[1] - low) / cell - _ROUNDING), 1)
             total = counts.prod()
         if not total <= MOST_CELLS:
             raise ValueError(f"cell: expected a side with at most {MOST_CELLS:,} leaves, got {cell:g} m, {total:.3g}")
@@ -72,6 +79,12 @@ class Grid:
         low = np.array(self.corner(level, place))
         return np.array([low, low + self.side(level)])
 
+    def leaves(self, level: int, place: Place) -> int:
+        """Number of leaves of the world in a cell."""
+        below = 1 << level
+        parts = (min((n + 1) * below, count) - n * below for n, count in zip(place, self.counts, strict=True))
+        return math.prod(max(part, 0) for part in parts)
+
     def children(self, level: int, place: Place) -> Iterator[tuple[Place, Place]]:
         """Octants of a cell's children and their places on the level below, in the order in which they are drawn."""
         counts = self.counts_at(level - 1)
@@ -80,26 +93,8 @@ class Grid:
             if all(number < count for number, count in zip(child, counts, strict=True)):
                 yield octant, child
 
-    def leaves_in(self, box: NDArray[np.float64]) -> tuple[Place, Place] | None:
-        """First and last place of the leaves that a world box touches; None if it touches none."""
-        low, counts = np.array(self.origin), np.array(self.counts)
-        first, last = np.floor((box - low) / self.cell)
-        # A box that begins on a side touches the cell before it.
-        first = np.where((box[0] - low) / self.cell == first, first - 1, first)
-        first, last = np.maximum(first, 0), np.minimum(last, counts - 1)
-        if (first > last).any():
-            return None
-        (x, y, z), (to_x, to_y, to_z) = first.astype(np.int64).tolist(), last.astype(np.int64).tolist()
-        return (x, y, z), (to_x, to_y, to_z)
-
 
 def child_of(place: Place, octant: Place) -> Place:
     """Place, one level below, of a cell's child."""
     x, y, z = (2 * number + part for number, part in zip(place, octant, strict=True))
-    return x, y, z
-
-
-def parent_of(place: Place) -> Place:
-    """Place, one level above, of a cell's parent."""
-    x, y, z = (number // 2 for number in place)
     return x, y, z

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 from nearfar.orthoview._grid import Place
 
@@ -18,32 +19,34 @@ class Journal:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self._file: BinaryIO | None = None
         self.cells: dict[tuple[int, Place], dict[str, Chunk]] = {}
         if path.exists():
             self._read()
 
     def _read(self) -> None:
-        """Read all whole lines, and drop what a line that was cut off left."""
+        """Read the lines up to the first that is none, and drop the rest: what a writer that was ended left."""
         whole = 0
         for line in self._path.read_bytes().splitlines(keepends=True):
-            if not line.endswith(b"\n"):
+            try:
+                self._take(json.loads(line if line.endswith(b"\n") else b""))
+            except (KeyError, TypeError, ValueError):
                 break
-            entry = json.loads(line)
-            x, y, z = entry["place"]
-            chunks = {array: (start, length) for array, (start, length) in entry["chunks"].items()}
-            self.cells[entry["level"], (x, y, z)] = chunks
             whole += len(line)
-        with self._path.open("r+b") as file:
-            file.truncate(whole)
+        os.truncate(self._path, whole)
+
+    def _take(self, entry: dict[str, Any]) -> None:
+        x, y, z = entry["place"]
+        chunks = {str(array): (int(start), int(length)) for array, (start, length) in entry["chunks"].items()}
+        self.cells[entry["level"], (x, y, z)] = chunks
 
     def add(self, level: int, place: Place, chunks: dict[str, Chunk]) -> None:
         """Note that a cell is done; its chunks have been handed to the system before."""
-        if self._file is None:
-            self._path.parent.mkdir(parents=True, exist_ok=True)
-            self._file = self._path.open("ab", buffering=0)
-        entry: dict[str, Any] = {"level": level, "place": place, "chunks": chunks}
-        self._file.write(json.dumps(entry, separators=(",", ":")).encode() + b"\n")
+        self._path.parent.mkdir(parents=True, exist_ok=True)
+        line = json.dumps({"level": level, "place": place, "chunks": chunks}, separators=(",", ":")).encode() + b"\n"
+        with self._path.open("ab", buffering=0) as file:
+            rest = memoryview(line)
+            while rest:
+                rest = rest[file.write(rest) :]
         self.cells[level, place] = chunks
 
     def of_array(self, array: str) -> Iterator[tuple[Place, Chunk]]:
@@ -52,13 +55,16 @@ class Journal:
             if array in chunks:
                 yield place, chunks[array]
 
-    def close(self) -> None:
-        """Close the file, which stays as it is."""
-        if self._file is not None:
-            self._file.close()
-            self._file = None
+    def sizes(self) -> dict[tuple[int, Place, str], int]:
+        """Bytes that the chunks of each array reach to, with the level and the place of one of its cells."""
+        reached: dict[str, tuple[int, Place, int]] = {}
+        for (level, place), chunks in self.cells.items():
+            for array, (start, length) in chunks.items():
+                _, _, before = reached.get(array, (level, place, 0))
+                reached[array] = level, place, max(before, start + length)
+        return {(level, place, array): size for array, (level, place, size) in reached.items()}
 
     def remove(self) -> None:
-        """Remove the file: the subtree is complete."""
-        self.close()
+        """Forget all cells."""
+        self.cells.clear()
         self._path.unlink(missing_ok=True)

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from nearfar import _core
 from nearfar.orthoview._directions import Direction
 from nearfar.orthoview._grid import Grid, Place
 
@@ -23,6 +24,19 @@ CONNECTION_BITS = 4
 """Bits below a depth's: connected with the neighbour to the right, below, below to the right, below to the left."""
 
 ZSTD_LEVEL = 3
+
+
+def check_zarr() -> None:
+    """Raise an ImportError that tells what to install, where zarr and what it brings are missing."""
+    try:
+        import google_crc32c
+        import numcodecs
+        import zarr
+    except ImportError as error:
+        raise ImportError(
+            f'orthoviews need the Python package {error.name}: pip install "nearfar[orthoview]"'
+        ) from None
+    del google_crc32c, numcodecs, zarr
 
 
 @dataclass(frozen=True)
@@ -86,6 +100,11 @@ class Layout:
     def values(self, channel: str) -> int:
         """Number of a pixel's values."""
         return {"color": 3, "depth": 1, "normal": self.normal_bits // 8}[channel]
+
+    @property
+    def steps(self) -> int:
+        """Number of steps of a depth."""
+        return _core.orthoview_steps(self.format)
 
     def create(self, path: Path, attributes: dict[str, Any]) -> None:
         """Make the store's group and its arrays, without chunks."""

@@ -5,7 +5,12 @@ from __future__ import annotations
 import math
 from typing import SupportsFloat, SupportsIndex
 
+from nearfar import _core
 from nearfar._base import check
+from nearfar.orthoview._directions import directions_of
+
+_MOST = 4096
+"""Greatest size of a view."""
 
 _ROUNDING = 1e-12
 """Share by which rounding may lift a whole number above itself."""
@@ -18,6 +23,7 @@ def size_for(
     distance: SupportsFloat,
     fov: SupportsFloat,
     angle: SupportsFloat = 0.0,
+    directions: SupportsIndex = 9,
 ) -> int:
     """Return the size of views whose pixels are as fine as a display's.
 
@@ -34,20 +40,26 @@ def size_for(
     angle
         Angle between a surface's normal and the view, θ, radians, at least 0 and below π/2: a view shows surfaces that
         lean by it with fewer pixels.
+    directions
+        As of `nearfar.orthoview.build`. The widest view of a cell is w sides wide: w = 1 for 5, √2 for 9, 1.633 for
+        13 and 26.
 
     Returns
     -------
     int
-        The least multiple of 4 that is not below q = p/cos θ · s/(2 r tan(α/2)).
+        The least multiple of 4 that is not below q = p/cos θ · w s/(2 r tan(α/2)).
 
     Raises
     ------
     ValueError
-        Values out of range.
+        Values out of range, and views of more than 4096 pixels.
+    TypeError
+        Values that are not numbers.
 
     Notes
     -----
-    Chaudhuri et al., section 4.1. A display's pixel at the distance r is 2 r tan(α/2)/p wide, a view's s/q.
+    Chaudhuri et al., section 4.1, who take w = 1. A display's pixel at the distance r is 2 r tan(α/2)/p wide, the
+    largest side of a view's pixel w s/q.
     """
     width = check.integer("pixels", pixels, 1, 1 << 20)
     side, away = check.positive("cell", cell), check.positive("distance", distance)
@@ -56,5 +68,8 @@ def size_for(
         raise ValueError(f"fov: expected radians between 0 and π, got {opening:g}")
     if not 0 <= lean < math.pi / 2:
         raise ValueError(f"angle: expected radians from 0 to below π/2, got {lean:g}")
-    needed = width / math.cos(lean) * side / (2 * away * math.tan(opening / 2))
-    return max(4, 4 * math.ceil(needed / 4 * (1 - _ROUNDING)))
+    widest = max(max(_core.orthoview_axes(direction)[1][:2]) for direction in directions_of(directions))
+    shown = 2 * away * math.tan(opening / 2) * math.cos(lean)
+    if not width * widest * side <= _MOST * shown:
+        raise ValueError(f"cell: expected a side that {_MOST} pixels are enough for, got {side:g} m at {away:g} m")
+    return max(4, 4 * math.ceil(width * widest * side / shown / 4 * (1 - _ROUNDING)))

@@ -11,11 +11,11 @@ import hashlib
 import os
 from collections.abc import Iterable
 from pathlib import Path
-from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base.errors import UnusableError
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._journal import Chunk
 
@@ -30,12 +30,12 @@ _PIECE = 1 << 20
 
 
 class ShardWriter:
-    """Appends chunks to a shard, and ends it with its index.
+    """Appends chunks to a shard, and ends it with its index. Between two calls no file is open.
 
     Parameters
     ----------
     path
-        The shard's file; until it is complete it has the suffix `PART`.
+        The shard's file; until it has its index it has the suffix `PART`.
     side
         Number of its chunks along each axis of the grid.
     chunks
@@ -45,7 +45,6 @@ class ShardWriter:
     def __init__(self, path: Path, side: int, chunks: Iterable[tuple[Place, Chunk]] = ()) -> None:
         self._path, self._part = path, path.with_name(path.name + PART)
         self._index = np.full((side, side, side, 2), ABSENT, "<u8")
-        self._file: BinaryIO | None = None
         self._hash = hashlib.sha256()
         self._size = 0
         for place, (start, length) in chunks:
@@ -55,8 +54,8 @@ class ShardWriter:
             self._resume()
 
     def _resume(self) -> None:
-        # The build may have ended after the shard got its name, and before that was noted.
-        if not self._part.exists() and self._path.exists():
+        # A shard of cells that are there has its name while other cells of the subtree are missing.
+        if not self._part.exists():
             os.replace(self._path, self._part)
         os.truncate(self._part, self._size)
         with self._part.open("rb") as file:
@@ -66,18 +65,20 @@ class ShardWriter:
     def append(self, place: Place, chunk: bytes) -> Chunk:
         """Write a chunk; returns its first byte and its length."""
         start = self._size
-        self._write(chunk)
+        self._write(chunk, sync=False)
         self._index[place] = start, len(chunk)
         return start, len(chunk)
 
-    def _write(self, data: bytes) -> None:
-        if self._file is None:
+    def _write(self, data: bytes, *, sync: bool) -> None:
+        if not self._size:
             self._part.parent.mkdir(parents=True, exist_ok=True)
-            self._file = self._part.open("r+b" if self._size else "wb", buffering=0)
-            self._file.seek(self._size)
-        rest = memoryview(data)
-        while rest:
-            rest = rest[self._file.write(rest) :]
+        with self._part.open("r+b" if self._size else "wb", buffering=0) as file:
+            file.seek(self._size)
+            rest = memoryview(data)
+            while rest:
+                rest = rest[file.write(rest) :]
+            if sync:
+                os.fsync(file.fileno())
         self._hash.update(data)
         self._size += len(data)
 
@@ -87,21 +88,19 @@ class ShardWriter:
 
     def finish(self) -> tuple[int, str]:
         """Write the index and give the file its name; returns its size and the SHA-256 of its bytes."""
-        import google_crc32c  # zarr's, which `import nearfar` does without
+        import google_crc32c  # `import nearfar` does without it
 
         index = self._index.tobytes()
-        self._write(index + google_crc32c.value(index).to_bytes(_CHECKSUM, "little"))
-        if self._file is not None:
-            os.fsync(self._file.fileno())
-        self.close()
+        self._write(index + google_crc32c.value(index).to_bytes(_CHECKSUM, "little"), sync=True)
         os.replace(self._part, self._path)
         return self._size, self._hash.hexdigest()
 
-    def close(self) -> None:
-        """Close the file, which stays as it is."""
-        if self._file is not None:
-            self._file.close()
-            self._file = None
+
+def holds(path: Path, size: int) -> bool:
+    """Whether a shard, growing or complete, has at least so many bytes."""
+    part = path.with_name(path.name + PART)
+    found = part if part.exists() else path
+    return found.exists() and found.stat().st_size >= size
 
 
 def read_chunk(path: Path, side: int, place: Place) -> bytes | None:
@@ -109,27 +108,27 @@ def read_chunk(path: Path, side: int, place: Place) -> bytes | None:
 
     Raises
     ------
+    UnusableError
+        A file that ends too early, or whose index has another checksum.
     OSError
-        A file that cannot be read.
-    ValueError
-        One that ends too early, or whose index has another checksum.
+        One that cannot be read.
     """
-    return _chunk(path, read_index(path, side), place)
+    return _chunk(path, _read_index(path, side), place)
 
 
-def read_index(path: Path, side: int) -> NDArray[np.uint64]:
-    """Read first bytes and lengths (side, side, side, 2) of a complete shard's chunks; errors as of `read_chunk`."""
+def _read_index(path: Path, side: int) -> NDArray[np.uint64]:
+    """First bytes and lengths (side, side, side, 2) of a complete shard's chunks."""
     import google_crc32c
 
     length = side**3 * 2 * 8
     with path.open("rb") as file:
         size = file.seek(0, os.SEEK_END)
         if size < length + _CHECKSUM:
-            raise ValueError(f"{path}: expected a shard of at least {length + _CHECKSUM} bytes, got {size}")
+            raise UnusableError(f"{path}: expected a shard of at least {length + _CHECKSUM} bytes, got {size}")
         file.seek(-length - _CHECKSUM, os.SEEK_END)
         index, checksum = file.read(length), file.read(_CHECKSUM)
     if google_crc32c.value(index) != int.from_bytes(checksum, "little"):
-        raise ValueError(f"{path}: the checksum of the shard's index is wrong")
+        raise UnusableError(f"{path}: the checksum of the shard's index is wrong")
     return np.frombuffer(index, "<u8").reshape(side, side, side, 2)
 
 
@@ -141,5 +140,5 @@ def _chunk(path: Path, index: NDArray[np.uint64], place: Place) -> bytes | None:
         file.seek(start)
         chunk = file.read(length)
     if len(chunk) < length:
-        raise ValueError(f"{path}: expected {length} bytes at {start}, got {len(chunk)}")
+        raise UnusableError(f"{path}: expected {length} bytes at {start}, got {len(chunk)}")
     return chunk

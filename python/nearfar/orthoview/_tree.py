@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import check
+from nearfar._base import check, formats
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import CHANNELS, Layout
+from nearfar.orthoview._layout import CHANNELS, Layout, check_zarr
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,10 @@ class OrthoTree:
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self._path = check.path("path", path)
         self._attributes = _store.read(self._path)
-        self._layout = Layout.from_described(self._attributes["layout"])
+        with formats.guarded(self._path / _store.DOCUMENT):
+            self._layout = Layout.from_described(self._attributes["layout"])
+            self._is_complete = bool(self._attributes["complete"])
+            self._failed = {_store.place_of(name): str(reason) for name, reason in self._attributes["failed"].items()}
 
     @property
     def cell(self) -> float:
@@ -99,17 +102,25 @@ class OrthoTree:
     @property
     def is_complete(self) -> bool:
         """Whether all cells are there."""
-        return bool(self._attributes["complete"])
+        return self._is_complete
 
     @property
-    def failed(self) -> dict[str, str]:
-        """Leaves that the source failed to give, as ``x_y_z``, with the reasons."""
-        return dict(self._attributes.get("failed", {}))
+    def failed(self) -> dict[tuple[int, int, int], str]:
+        """Reasons why the source did not give leaves, by their places; the cells above them are missing, too."""
+        return dict(self._failed)
 
     @property
-    def counts(self) -> dict[str, int]:
-        """What the last build did: cells drawn, empty, composed; chunks and bytes written; chunks reloaded."""
-        return dict(self._attributes.get("counts", {}))
+    def held(self) -> dict[str, int]:
+        """Number of cells and leaves in which something is, of their chunks, and of the chunks' bytes.
+
+        Those of subtrees that are complete: 8 × 8 × 8 leaves or cells of levels 3, 6 and so on.
+        """
+        return dict(self._attributes["held"])
+
+    @property
+    def done(self) -> dict[str, int]:
+        """What the build that ended last did: leaves drawn and found empty, cells composed, chunks reloaded."""
+        return dict(self._attributes["done"])
 
     def cells(self, level: SupportsIndex) -> tuple[int, int, int]:
         """Return the number of a level's cells along each axis."""
@@ -138,17 +149,29 @@ class OrthoTree:
         Raises
         ------
         ValueError
-            Numbers out of range.
+            Numbers out of range, and a cell that is missing because the build did not end or its source failed.
+        FormatError
+            A shard that is damaged.
         OSError
-            A shard that cannot be read.
+            One that cannot be read.
         """
         number = check.integer("level", level, 0, self.levels - 1)
         at, seen = self._place(number, place), check.integer("direction", direction, 0, len(self.directions) - 1)
-        stored = [self._arrays[self._layout.array(number, seen, channel)][at] for channel in CHANNELS]
-        color, depth, normal = (np.asarray(values) for values in stored)
-        if not depth.any():
-            return None
-        return self._view(color, depth, normal, number, at, seen)
+        with formats.guarded(self._path, "orthoviews"):
+            stored = [self._arrays[self._layout.array(number, seen, channel)][at] for channel in CHANNELS]
+            color, depth, normal = (np.asarray(values) for values in stored)
+            if depth.any():
+                return self._view(color, depth, normal, number, at, seen)
+        if reason := self._missing(number, at):
+            raise ValueError(f"place: the cell {at} of level {number} is missing: {reason}")
+        return None
+
+    def _missing(self, level: int, place: Place) -> str:
+        """Why a cell that shows nothing may be missing; empty if it does show nothing."""
+        if not self._is_complete and not self._failed:
+            return "the build has not ended"
+        reasons = (why for leaf, why in self._failed.items() if tuple(number >> level for number in leaf) == place)
+        return next(reasons, "")
 
     def _view(self, color: Any, depth: Any, normal: Any, level: int, place: Place, direction: int) -> OrthoView:
         directions = (self.directions[direction],)
@@ -157,13 +180,14 @@ class OrthoTree:
         axes, extents = _core.orthoview_axes(directions[0])
         right, up, toward = (np.array(axis) for axis in axes)
         lengths = np.array(extents) * self._layout.grid.side(level)
-        metres = np.where(codes > 0, (codes - 0.5) * (lengths[2] / views.steps), np.inf).astype(np.float32)
+        metres = np.where(codes > 0, (codes - 0.5) * (lengths[2] / self._layout.steps), np.inf).astype(np.float32)
         surfel = _core.orthoview_surfels(bits)[0, ..., 0]
         center = self._layout.grid.box(level, place).mean(axis=0)
         return OrthoView(color, metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
 
     @cached_property
     def _arrays(self) -> Any:
+        check_zarr()
         import zarr
 
         return zarr.open_group(str(self._path), mode="r")

@@ -53,7 +53,7 @@ mod _core {
         lod::simplify::{carry, collapse, first_alike, pieces},
         metrics::{discontinuity, mean_squared_errors, multiscale, object_completion, similarity, tear},
         morph::morph,
-        orthoview::{OrthoParent, OrthoViews, orthoview_axes, orthoview_surfels},
+        orthoview::{OrthoParent, OrthoViews, orthoview_axes, orthoview_steps, orthoview_surfels},
         partition::{LoadCurve, Partition, object_radii, ring_loads, triangle_radii},
         render::bake::{bake_map, bake_rings},
         render::frame::encode_srgb,

@@ -1,6 +1,7 @@
 //! Bindings of `orthoview`.
 
 use glam::DVec3;
+use nearfar_core::base::Error;
 use nearfar_core::orthoview::{Bounds, Cell, Direction, Format, Parent, Texel, View, Views, Way, connected, surfels};
 use numpy::{Element, IntoPyArray, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -19,6 +20,17 @@ fn format_of((size, depth_bits, normal_bits): FormatNumbers) -> PyResult<Format>
 
 fn directions_of(directions: Vec<[i8; 3]>) -> PyResult<Vec<Direction>> {
     directions.into_iter().map(Direction::new).collect::<Result<_, _>>().map_err(to_python)
+}
+
+fn shape_of<T: Element>(array: &PyReadonlyArray4<'_, T>) -> [usize; 4] {
+    std::array::from_fn(|axis| array.shape()[axis])
+}
+
+fn same_shape(argument: &'static str, shape: [usize; 4], expected: [usize; 4]) -> PyResult<()> {
+    if shape == expected {
+        return Ok(());
+    }
+    Err(to_python(Error::value(argument, format!("shape {expected:?}"), format!("{shape:?}"))))
 }
 
 /// The views of a cell from D directions.
@@ -69,10 +81,15 @@ impl OrthoViews {
         depths: PyReadonlyArray4<'_, u16>,
         normals: PyReadonlyArray4<'_, u16>,
     ) -> PyResult<Self> {
+        let (directions, format) = (directions_of(directions)?, format_of(view_format)?);
+        let [views, size] = [directions.len(), format.size];
+        same_shape("colors", shape_of(&colors), [views, size, size, 3])?;
+        same_shape("depths", shape_of(&depths), [views, size, size, 1])?;
+        same_shape("normals", shape_of(&normals), [views, size, size, 2])?;
         let (colors, normals) = (colors.as_slice()?.as_chunks().0, normals.as_slice()?.as_chunks().0);
         let pixels = colors.iter().zip(depths.as_slice()?).zip(normals);
         let texels = pixels.map(|((&color, &depth), &normal)| Texel { color, depth, normal }).collect();
-        Views::new(directions_of(directions)?, format_of(view_format)?, texels).map(Self).map_err(to_python)
+        Views::new(directions, format, texels).map(Self).map_err(to_python)
     }
 
     /// sRGB, (D, size, size, 3).
@@ -151,8 +168,12 @@ pub(crate) fn orthoview_surfels<'py>(
     py: Python<'py>,
     bits: PyReadonlyArray4<'py, u8>,
 ) -> PyResult<Bound<'py, PyArray4<bool>>> {
-    let shape: [usize; 4] = std::array::from_fn(|axis| bits.shape()[axis]);
-    let pixels = (shape[1] * shape[2]).max(1);
-    let found: Vec<bool> = bits.as_slice()?.chunks(pixels).flat_map(|bits| surfels(bits, shape[2])).collect();
-    found.into_pyarray(py).reshape(shape)
+    let (shape, bits) = (shape_of(&bits), bits.as_slice()?);
+    run::short(py, || surfels(bits, shape[2]))?.into_pyarray(py).reshape(shape)
+}
+
+/// Number of steps of a depth; fails for a format that there is not.
+#[pyfunction]
+pub(crate) fn orthoview_steps(view_format: FormatNumbers) -> PyResult<u32> {
+    Ok(format_of(view_format)?.steps)
 }

@@ -7,6 +7,10 @@ use crate::base::{Error, Result};
 use crate::camera::{Camera, Fov, Projection};
 use crate::render::{Limits, Segment};
 
+/// Roundings of the greatest coordinate by which surfaces may lie beyond a cell's sides: those of a corner, of a ray's
+/// start and of its length, which is up to √3 sides.
+const MARGIN: f64 = 8.0;
+
 /// A cubic cell of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
@@ -25,12 +29,21 @@ impl Cell {
         Ok(Self { corner, side })
     }
 
-    /// What lies between its six sides, as half-spaces (n, d), n·x + d ≥ 0.
-    pub fn limits(&self) -> Result<Limits> {
+    /// The least and the greatest corner within which surfaces of a scene are seen, world positions. Surfaces on the
+    /// cell's sides are: kernels round positions relative to the scene's origin to float32, and distances as well.
+    pub fn seen(&self, origin: DVec3) -> (DVec3, DVec3) {
         let far = self.corner + self.side;
+        let reach = (self.corner - origin).abs().max((far - origin).abs()).max_element();
+        let margin = MARGIN * f64::from(f32::EPSILON) * reach;
+        (self.corner - margin, far + margin)
+    }
+
+    /// `seen` as half-spaces (n, d), n·x + d ≥ 0.
+    pub fn limits(&self, origin: DVec3) -> Result<Limits> {
+        let (low, high) = self.seen(origin);
         let planes: [[f64; 4]; 6] = std::array::from_fn(|n| {
             let axis = n / 2;
-            let (sign, offset) = if n % 2 == 0 { (1.0, -self.corner[axis]) } else { (-1.0, far[axis]) };
+            let (sign, offset) = if n % 2 == 0 { (1.0, -low[axis]) } else { (-1.0, high[axis]) };
             let mut plane = [0.0, 0.0, 0.0, offset];
             plane[axis] = sign;
             plane

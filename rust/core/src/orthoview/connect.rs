@@ -12,6 +12,7 @@ use super::direction::Frame;
 use super::format::Format;
 use super::normals;
 use super::view::{View, Views};
+use crate::base::{Error, Result};
 
 /// The bounds τ₁, τ₂ and τ₃.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,17 +44,34 @@ pub fn connected(views: &Views, bounds: &Bounds) -> Vec<u8> {
     bits.concat()
 }
 
-/// Whether each pixel is a surfel, a piece of a plane: more than four of its eight neighbours are connected with it.
-/// Others are balls.
-pub fn surfels(bits: &[u8], size: usize) -> Vec<bool> {
+/// Whether each pixel of some views of `size` × `size` pixels is a surfel, a piece of a plane: more than four of its eight
+/// neighbours are connected with it. Others are balls.
+pub fn surfels(bits: &[u8], size: usize) -> Result<Vec<bool>> {
+    if size == 0 || !bits.len().is_multiple_of(size * size) {
+        return Err(Error::value("bits", format!("views of {size} × {size} pixels"), bits.len()));
+    }
+    Ok(bits.par_chunks(size * size).flat_map_iter(|bits| surfels_of_view(bits, size)).collect())
+}
+
+fn surfels_of_view(bits: &[u8], size: usize) -> Vec<bool> {
     let mut counts = vec![0u8; bits.len()];
     for (pixel, &own) in bits.iter().enumerate() {
-        for (_, (columns, rows)) in (0..).zip(NEIGHBOURS).filter(|(bit, _)| own >> bit & 1 == 1) {
+        for (_, step) in (0..).zip(NEIGHBOURS).filter(|(bit, _)| own >> bit & 1 == 1) {
+            // Bits that lead out of the picture are none of ours.
+            let Some(other) = neighbour(pixel, step, size) else { continue };
             counts[pixel] += 1;
-            counts[(pixel as i64 + columns + rows * size as i64) as usize] += 1;
+            counts[other] += 1;
         }
     }
     counts.into_iter().map(|count| count > MOST_OF_BALL).collect()
+}
+
+/// The pixel some columns and rows away; `None` beyond the border.
+#[inline]
+fn neighbour(pixel: usize, (columns, rows): (i64, i64), size: usize) -> Option<usize> {
+    let (column, row) = ((pixel % size) as i64 + columns, (pixel / size) as i64 + rows);
+    let inside = 0..size as i64;
+    (inside.contains(&column) && inside.contains(&row)).then(|| row as usize * size + column as usize)
 }
 
 /// Greatest number of connected neighbours of a ball.
@@ -61,22 +79,13 @@ const MOST_OF_BALL: u8 = 4;
 
 /// The connections of pairs themselves.
 fn pairs(view: &View, frame: Frame, format: &Format, bounds: &Bounds) -> Vec<u8> {
-    let size = format.size as i64;
+    let size = format.size;
     let judge = Judge::new(view, frame, format, bounds);
-    let row_bits = |row: i64| {
-        let judge = &judge;
-        let bits_of = move |column: i64| {
-            let pixel = row * size + column;
-            let is_inside = |(columns, rows): (i64, i64)| (0..size).contains(&(column + columns)) && row + rows < size;
-            let connects = |step: (i64, i64)| {
-                let other = pixel + step.0 + step.1 * size;
-                is_inside(step) && judge.connects(pixel as usize, other as usize, step)
-            };
-            (0..).zip(NEIGHBOURS).fold(0, |bits, (bit, step)| bits | u8::from(connects(step)) << bit)
-        };
-        (0..size).map(bits_of)
+    let of_pixel = |pixel: usize| {
+        let connects = |step| neighbour(pixel, step, size).is_some_and(|other| judge.connects(pixel, other, step));
+        (0..).zip(NEIGHBOURS).fold(0, |bits, (bit, step)| bits | u8::from(connects(step)) << bit)
     };
-    (0..size).flat_map(row_bits).collect()
+    (0..format.pixels()).map(of_pixel).collect()
 }
 
 /// The points and normals of a view's pixels, along the axes of the view.

@@ -22,7 +22,7 @@ pub enum Way {
 }
 
 /// Triangles for each pixel of a picture up to which drawing them one by one takes less time than rays; measured by the
-/// benchmark `orthoview.leaf`.
+/// benchmark `orthoview.views`.
 const TRIANGLES_A_PIXEL: f64 = 2.0;
 
 const CHANNELS: Channels = Channels {
@@ -64,7 +64,8 @@ impl Views {
 }
 
 fn by_rays(scene: &Scene, cell: &Cell, sight: &Sight, format: &Format, progress: &Progress) -> Result<View> {
-    let picture = truth::render(scene, &sight.camera()?, CHANNELS, 1, cell.limits()?, Pixels::default(), progress)?;
+    let picture =
+        truth::render(scene, &sight.camera()?, CHANNELS, 1, cell.limits(scene.origin)?, Pixels::default(), progress)?;
     let step = (sight.extents.z / f64::from(format.steps)) as f32;
     let sample = |at: usize| {
         let range = picture.range[at];
@@ -105,6 +106,6 @@ fn by_triangles(scene: &Scene, cell: &Cell, sight: &Sight, format: &Format, prog
 fn coded<S: FnMut(usize) -> Option<Sample>>(samplers: impl Fn() -> S + Sync, sight: &Sight, format: &Format) -> View {
     let step = sight.extents.z / f64::from(format.steps);
     // A depth at the end of the range, or rounded beyond it, belongs to the last step.
-    let depth = |sample: &Sample| (sample.depth as u32 + 1).min(format.steps);
+    let depth = |sample: &Sample| (sample.depth as u32).saturating_add(1).min(format.steps);
     reduced_view(samplers, reach(sight.pixel(), step), depth, format)
 }

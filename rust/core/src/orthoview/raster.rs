@@ -28,7 +28,7 @@ pub fn first_hits(scene: &Scene, cell: &Cell, sight: &Sight, progress: &Progress
 struct Raster<'a> {
     scene: &'a Scene,
     sight: &'a Sight,
-    /// The cell's least and greatest corner relative to the scene's origin.
+    /// The least and greatest corner of what is seen, relative to the scene's origin.
     low: DVec3,
     high: DVec3,
     has_cutouts: bool,
@@ -45,9 +45,10 @@ struct Projected {
 
 impl<'a> Raster<'a> {
     fn new(scene: &'a Scene, cell: &Cell, sight: &'a Sight) -> Self {
-        let low = cell.corner - scene.origin;
+        let (low, high) = cell.seen(scene.origin);
         let hits = vec![Hit::MISS; sight.pixels * sight.pixels];
-        Self { scene, sight, low, high: low + cell.side, has_cutouts: scene.has_cutouts(), hits }
+        let (low, high) = (low - scene.origin, high - scene.origin);
+        Self { scene, sight, low, high, has_cutouts: scene.has_cutouts(), hits }
     }
 
     fn draw(&mut self, number: u32, instance: &Instance, face: u32) {
@@ -68,10 +69,12 @@ impl<'a> Raster<'a> {
             let line = edges.map(|edge| edge.at_row(row as f64 + 0.5));
             for column in span(&line, &columns) {
                 let weights = line.map(|line| line.at(column as f64 + 0.5));
-                if weights.iter().any(|&weight| weight < 0.0) {
+                // Their sum is the area up to rounding, which is all that there is of an edge-on triangle's.
+                let sum = weights.iter().sum::<f64>();
+                if sum == 0.0 || weights.iter().any(|&weight| weight < 0.0) {
                     continue;
                 }
-                let share = weights.map(|weight| weight / triangle.doubled_area.abs());
+                let share = weights.map(|weight| weight / sum);
                 let depth = (0..3).map(|n| share[n] * triangle.depths[n]).sum::<f64>() as f32;
                 let pixel = row * self.sight.pixels + column;
                 // Of equal depths that of the lower number stays: it was drawn first.

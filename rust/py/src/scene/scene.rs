@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
-use nearfar_core::base::{Buffer, Error, Result};
+use nearfar_core::base::{Aabb, Buffer, Error, Result};
 use nearfar_core::scene::{self, Alpha, Instance, Material, PlacedMesh, Texture};
+use nearfar_core::trace::touches;
 use numpy::{
     PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
 };
@@ -139,6 +140,15 @@ impl Scene {
         let found = run::long(py, None, |progress| self.0.query(least, greatest, builds, progress))?;
         let places = found.moving.map(|places| PyArray1::from_vec(py, places));
         Ok((Self(found.scene), places))
+    }
+
+    /// False if nothing touches the world box between two corners; true may be a false alarm. Builds the trees.
+    fn touches(&self, py: Python<'_>, least: [f64; 3], greatest: [f64; 3]) -> PyResult<bool> {
+        let (least, greatest) = (DVec3::from_array(least), DVec3::from_array(greatest));
+        run::long(py, None, |progress| {
+            self.0.build(progress)?;
+            Ok(touches(&self.0, &Aabb::within(least - self.0.origin, greatest - self.0.origin)))
+        })
     }
 
     /// One scene of several, in the frame of the first; `objects` has for each the new numbers of its objects.
