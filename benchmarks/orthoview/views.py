@@ -62,7 +62,7 @@ def of_leaf(
     def draw(way: str) -> Callable[[], _core.OrthoViews]:
         # Each leaf of a build is a scene of its own, whose search tree rays need first.
         scenes = [fresh(scene) for _ in range(REPEAT + 1)]
-        return lambda: _core.OrthoViews.of_cell(scenes.pop(), corner, side, DIRECTIONS, LAYOUT.format, way=way)
+        return lambda: _core.OrthoViews.of_cell(scenes.pop(), (corner, side), DIRECTIONS, LAYOUT.format, way=way)
 
     seconds = [best(draw(way), repeat=REPEAT).wall for way in ("triangles", "rays")]
     pixels = 4 * SIZE * SIZE

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import json
 import shutil
 import subprocess
 import sys
@@ -18,7 +20,7 @@ import nearfar as nf
 from nearfar import _core
 from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._grid import Grid
-from tests.support import need
+from tests.support import need, valid
 from tests.support.orthoview_cases import boxes
 
 CELL, SIZE = 10.0, 16
@@ -47,12 +49,13 @@ def places(counts: tuple[int, int, int]) -> list[tuple[int, int, int]]:
     return [(column, layer, row) for column in range(x) for layer in range(y) for row in range(z)]
 
 
+@functools.cache
 def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.OrthoViews]:
     """Views of all cells in which something is, level by level, all of them in memory."""
     grid, directions = Grid.over(world.bounds, CELL), directions_of(5)
     cells: dict[tuple[int, tuple[int, int, int]], _core.OrthoViews] = {}
     for place in places(grid.counts):
-        views = _core.OrthoViews.of_cell(world._core, grid.corner(0, place), CELL, directions, FORMAT)
+        views = _core.OrthoViews.of_cell(world._core, (grid.corner(0, place), CELL), directions, FORMAT)
         if not all(views.empty()):
             cells[0, place] = views
     for level in range(1, grid.levels):
@@ -173,7 +176,7 @@ def test_ground_on_the_lowest_side_of_a_cell_is_seen(height: float, way: str) ->
     ground = nf.Scene.from_arrays(corners, np.array([[0, 2, 1], [0, 3, 2]], np.uint32))
     upper = [direction for direction in directions_of(13) if direction[1] == 1]
     for corner in [(-10.0, height, -10.0), (-80.0, height, -80.0), (3.7, height, 11.3)]:
-        views = _core.OrthoViews.of_cell(ground._core, corner, CELL, upper, FORMAT, way=way)
+        views = _core.OrthoViews.of_cell(ground._core, (corner, CELL), upper, FORMAT, way=way)
         shown = views.depths()[..., 0] > 0
         for direction, mask in zip(upper, shown, strict=True):
             axes, extents = _core.orthoview_axes(direction)
@@ -282,6 +285,7 @@ def within_query(number: int) -> str:
     return f"query = source.query\nsource.query = lambda box: die() if source.queries == {number} else query(box)"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("after", [1, 150, 400, 513])
 def test_a_kill_costs_the_cell_under_work(
     world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, after: int
@@ -312,6 +316,7 @@ _subtree.Journal.remove = lambda self: die() if self.cells else remove(self)
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("moment", KILLS)
 def test_a_kill_leaves_a_store_that_can_be_completed(
     world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, moment: str
@@ -414,6 +419,13 @@ def test_damaged_attributes_are_named(copied: Path, content: str) -> None:
     (copied / "zarr.json").write_text(f'{{"zarr_format": 3, "node_type": "group", "attributes": {content}}}')
     with pytest.raises(nf.FormatError, match="zarr"):
         nf.orthoview.open(copied)
+
+
+def test_attributes_fit_their_schema(tree: nf.orthoview.OrthoTree, copied: Path) -> None:
+    attributes = json.loads((copied / "zarr.json").read_text())["attributes"]["nearfar"]
+    assert valid(attributes, "orthoview")
+    assert not valid(attributes | {"complete": "yes"}, "orthoview")
+    assert attributes["held"] == tree.held
 
 
 def test_newer_stores_are_refused(copied: Path) -> None:

@@ -40,4 +40,4 @@ def boxes(count: int = 40, side: float = SIDE) -> tuple[nf.Scene, NDArray[np.flo
 def leaf(
     scene: nf.Scene, corner: Any = CORNER, side: float = SIDE, directions: Any = None, way: str | None = None
 ) -> _core.OrthoViews:
-    return _core.OrthoViews.of_cell(scene._core, tuple(corner), side, directions or DIRECTIONS, FORMAT, way=way)
+    return _core.OrthoViews.of_cell(scene._core, (tuple(corner), side), directions or DIRECTIONS, FORMAT, way=way)

@@ -19,8 +19,7 @@ class OrthoViews:
     @staticmethod
     def of_cell(
         scene: Scene,
-        corner: Sequence[float],
-        side: float,
+        cell: tuple[Sequence[float], float],
         directions: Sequence[_Direction],
         view_format: _Format,
         *,

@@ -17,8 +17,8 @@ class SceneSource(Protocol):
 
     `Scene` is one, and so is what `nearfar.open_source` returns. Any class with `bounds` and `query` becomes one.
 
-    It may also have `touches(aabb) -> bool`, which returns False where nothing is. What visits a world cell by cell asks
-    it, where it is there, before it looks into a part.
+    It may also have `touches(aabb) -> bool`, which returns False where nothing is. What visits a world cell by cell
+    asks it, where it is there, before it looks into a part.
     """
 
     @property

@@ -157,5 +157,5 @@ def drawn(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None
     if not scene.triangle_count:
         return None
     grid = layout.grid
-    views = _core.OrthoViews.of_cell(scene._core, grid.corner(0, place), grid.cell, layout.directions, layout.format)
+    views = _core.OrthoViews.of_cell(scene._core, (grid.corner(0, place), grid.cell), layout.directions, layout.format)
     return None if all(views.empty()) else views

@@ -71,5 +71,8 @@ def size_for(
     widest = max(max(_core.orthoview_axes(direction)[1][:2]) for direction in directions_of(directions))
     shown = 2 * away * math.tan(opening / 2) * math.cos(lean)
     if not width * widest * side <= _MOST * shown:
-        raise ValueError(f"cell: expected a side that {_MOST} pixels are enough for, got {side:g} m at {away:g} m")
+        wanted = f"expected values for which {_MOST} pixels are enough"
+        raise ValueError(
+            f"pixels, cell, distance, fov, angle: {wanted}, got {width}, {side:g}, {away:g}, {opening:g}, {lean:g}"
+        )
     return max(4, 4 * math.ceil(width * widest * side / shown / 4 * (1 - _ROUNDING)))

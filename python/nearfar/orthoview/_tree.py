@@ -194,7 +194,10 @@ class OrthoTree:
 
     def _place(self, level: int, place: tuple[int, int, int]) -> Place:
         counts = self._layout.grid.counts_at(level)
-        x, y, z = (check.integer("place", number, 0, count - 1) for number, count in zip(place, counts, strict=True))
+        numbers = check.array("place", place, columns=None, dtype=np.int64)
+        if numbers.shape != (3,):
+            raise ValueError(f"place: expected 3 whole numbers, got shape {numbers.shape}")
+        x, y, z = (check.integer("place", n, 0, count - 1) for n, count in zip(numbers.tolist(), counts, strict=True))
         return x, y, z
 
     def __repr__(self) -> str:

@@ -52,14 +52,13 @@ impl OrthoViews {
 
 #[pymethods]
 impl OrthoViews {
-    /// Draws the views of the cubic cell with this corner and side.
+    /// Draws the views of a cubic cell, given by its least corner and its side.
     #[staticmethod]
-    #[pyo3(signature = (scene, corner, side, directions, view_format, *, way=None, report=None))]
+    #[pyo3(signature = (scene, cell, directions, view_format, *, way=None, report=None))]
     fn of_cell(
         py: Python<'_>,
         scene: &Scene,
-        corner: [f64; 3],
-        side: f64,
+        cell: ([f64; 3], f64),
         directions: Vec<[i8; 3]>,
         view_format: FormatNumbers,
         way: Option<&str>,
@@ -67,7 +66,7 @@ impl OrthoViews {
     ) -> PyResult<Self> {
         let ways = [("triangles", Way::Triangles), ("rays", Way::Rays)];
         let way = way.map(|name| choice("way", name, &ways)).transpose().map_err(to_python)?;
-        let cell = Cell::new(DVec3::from_array(corner), side).map_err(to_python)?;
+        let cell = Cell::new(DVec3::from_array(cell.0), cell.1).map_err(to_python)?;
         let (directions, format) = (directions_of(directions)?, format_of(view_format)?);
         run::long(py, report, |progress| Views::of_cell(&scene.0, &cell, &directions, &format, way, progress)).map(Self)
     }
