@@ -445,7 +445,7 @@ def test_worlds_of_one_leaf_are_trees(tmp_path: Path) -> None:
 
 def test_worlds_without_anything_are_refused(world: nf.Scene, tmp_path: Path) -> None:
     empty = world.query([world.bounds[0] - 9, world.bounds[0] - 8])
-    with pytest.raises(ValueError, match="finite bounds"):
+    with pytest.raises(ValueError, match="source: expected finite bounds"):
         nf.orthoview.build(empty, tmp_path / "none.zarr", cell=1.0, size=SIZE)
 
 
@@ -457,6 +457,28 @@ def test_worlds_that_end_with_a_cell_have_no_cell_beyond() -> None:
     for cell in (0.7, 1.1, 10.0):
         low = np.round(rng.uniform(-2000, 2000, (5000, 3)) * 4) / 4
         assert all((np.array(Grid.over(np.array([place, place + 1]), cell).origin) <= place).all() for place in low)
+
+
+def test_a_part_of_a_world_without_end_is_built(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    class Endless(Counted):
+        @property
+        def bounds(self) -> NDArray[np.float64]:
+            return np.array([[-np.inf] * 3, [np.inf] * 3])
+
+    low = np.array(tree.box(0, (3, 3, 3))[0])
+    part = np.array([low, low + 3 * CELL])
+    built = nf.orthoview.build(Endless(world), tmp_path / "part.zarr", cell=CELL, size=SIZE, directions=5, aabb=part)
+    assert built.cells(0) == (3, 3, 3)
+    for place in places((3, 3, 3)):
+        x, y, z = place
+        one, other = built.view(0, place, 4), tree.view(0, (x + 3, y + 3, z + 3), 4)
+        assert (one is None) == (other is None)
+        if one is not None and other is not None:
+            np.testing.assert_array_equal(one.depth, other.depth)
+    with pytest.raises(ValueError, match="source: expected finite bounds"):
+        nf.orthoview.build(Endless(world), tmp_path / "new.zarr", cell=CELL)
+    with pytest.raises(ValueError, match="aabb: expected a finite part of the source"):
+        nf.orthoview.build(world, tmp_path / "new.zarr", cell=CELL, aabb=part + 10**6)
 
 
 def test_the_size_of_views_is_that_of_a_display() -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import SupportsFloat, SupportsIndex
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, locks, progress
@@ -32,6 +33,7 @@ def build(
     path: str | os.PathLike[str],
     *,
     cell: SupportsFloat,
+    aabb: ArrayLike | None = None,
     size: SupportsIndex = 512,
     directions: SupportsIndex = 9,
     depth_bits: SupportsIndex = 12,
@@ -46,12 +48,14 @@ def build(
     Parameters
     ----------
     source
-        World with finite `bounds`, and `query`; where it has `touches`, empty parts are passed over. What moves is left
+        World with `bounds` and `query`; where it has `touches`, empty parts are passed over. What moves is left
         out.
     path
         The store, a folder of Zarr v3: new, empty, or one that this function wrote.
     cell
         Side of the leaves' cubic cells, metres.
+    aabb
+        World box (2, 3): only the leaves that cover it are built; sides may be infinite. By default all.
     size
         Width and height of a view, pixels; a multiple of 4, at most 4096.
     directions
@@ -71,7 +75,8 @@ def build(
     Raises
     ------
     ValueError
-        A world without end, too many cells, numbers out of range, a store that was begun with other arguments.
+        A world without end and no `aabb`, an `aabb` beside the world, too many cells, numbers out of range, a store
+        that was begun with other arguments.
     TypeError
         Something that is no source, and values that are not numbers.
     SceneError
@@ -90,11 +95,8 @@ def build(
     Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.
     """
     world, target = source_of("source", source), check.path("path", path)
-    bounds = check.array("source.bounds", world.bounds, dtype=np.float64)
-    if bounds.shape != (2, 3) or not np.isfinite(bounds).all():
-        raise ValueError(f"source: expected finite bounds (2, 3), got {bounds.tolist()}")
     layout = Layout(
-        Grid.over(bounds, check.positive("cell", cell)),
+        Grid.over(_bounds(world, None if aabb is None else check.box("aabb", aabb)), check.positive("cell", cell)),
         directions_of(directions),
         check.integer("size", size, 4, 4096),
         check.integer("depth_bits", depth_bits, 8, 16),
@@ -107,6 +109,19 @@ def build(
     with locks.alone(target / FOLDER / "lock", f"another build writes into {target}"):
         _Building(world, target, layout).run()
     return OrthoTree(target)
+
+
+def _bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    """The part of a source's box that lies in another one, which must be finite and not empty."""
+    bounds: NDArray[np.float64] = check.array("source.bounds", source.bounds, dtype=np.float64)
+    if bounds.shape != (2, 3):
+        raise ValueError(f"source: expected bounds (2, 3), got {bounds.shape}")
+    if box is not None:
+        bounds = np.array([np.maximum(bounds[0], box[0]), np.minimum(bounds[1], box[1])])
+    if not np.isfinite(bounds).all() or (bounds[0] > bounds[1]).any():
+        expected = "source: expected finite bounds" if box is None else "aabb: expected a finite part of the source"
+        raise ValueError(f"{expected}, got {bounds.tolist()}")
+    return bounds
 
 
 class _Building:
