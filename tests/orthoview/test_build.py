@@ -234,17 +234,15 @@ def test_cells_that_a_source_does_not_give_are_named_and_come_later(
     assert "incomplete" in repr(first)
     # All others are there, but for the cells above the two.
     cells, seen = of_cells(world), 0
-    for level, place in cells:
-        missing = any(tuple(number >> level for number in leaf) == place for leaf in first.failed)
-        for direction in range(5):
-            if missing:
-                with pytest.raises(ValueError, match="is missing: OSError: the disk is gone"):
-                    first.view(level, place, direction)
-            else:
-                one, other = (opened.view(level, place, direction) for opened in (first, tree))
-                assert (one is None) == (other is None)
-                seen += one is not None
-    assert seen > 400
+    for level, place in list(cells)[::9] + [key for key in cells if key[0] > 1]:
+        if any(tuple(number >> level for number in leaf) == place for leaf in first.failed):
+            with pytest.raises(ValueError, match="is missing: OSError: the disk is gone"):
+                first.view(level, place, 4)
+            continue
+        one, other = (opened.view(level, place, 4) for opened in (first, tree))
+        assert (one is None) == (other is None)
+        seen += one is not None
+    assert seen > 50
     source = Counted(world)
     second = nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5)
     assert second.is_complete

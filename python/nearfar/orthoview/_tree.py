@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, SupportsIndex
 
 import numpy as np
@@ -73,6 +72,7 @@ class OrthoTree:
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self._path = check.path("path", path)
+        self._arrays: dict[str, Any] = {}
         self._attributes = _store.read(self._path)
         with formats.guarded(self._path / _store.DOCUMENT):
             self._layout = Layout.from_described(self._attributes["layout"])
@@ -158,7 +158,7 @@ class OrthoTree:
         number = check.integer("level", level, 0, self.levels - 1)
         at, seen = self._place(number, place), check.integer("direction", direction, 0, len(self.directions) - 1)
         with formats.guarded(self._path, "orthoviews"):
-            stored = [self._arrays[self._layout.array(number, seen, channel)][at] for channel in CHANNELS]
+            stored = [self._array(self._layout.array(number, seen, channel))[at] for channel in CHANNELS]
             color, depth, normal = (np.asarray(values) for values in stored)
             if depth.any():
                 return self._view(color, depth, normal, number, at, seen)
@@ -185,12 +185,14 @@ class OrthoTree:
         center = self._layout.grid.box(level, place).mean(axis=0)
         return OrthoView(color, metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
 
-    @cached_property
-    def _arrays(self) -> Any:
-        check_zarr()
-        import zarr
+    def _array(self, name: str) -> Any:
+        """An array of the store, whose document is read once."""
+        if name not in self._arrays:
+            check_zarr()
+            import zarr
 
-        return zarr.open_group(str(self._path), mode="r")
+            self._arrays[name] = zarr.open_array(str(self._path / name), mode="r")
+        return self._arrays[name]
 
     def _place(self, level: int, place: tuple[int, int, int]) -> Place:
         counts = self._layout.grid.counts_at(level)
