@@ -55,7 +55,9 @@ def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.Or
     grid, directions = Grid.over(world.bounds, CELL), directions_of(5)
     cells: dict[tuple[int, tuple[int, int, int]], _core.OrthoViews] = {}
     for place in places(grid.counts):
-        views = _core.OrthoViews.of_cell(world._core, (grid.corner(0, place), CELL), directions, FORMAT)
+        # As many triangles decide the way of drawing, whose depths may differ at the border of two steps.
+        part = world.query(grid.box(0, place))._core
+        views = _core.OrthoViews.of_cell(part, (grid.corner(0, place), CELL), directions, FORMAT)
         if not all(views.empty()):
             cells[0, place] = views
     for level in range(1, grid.levels):

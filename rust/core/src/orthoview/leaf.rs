@@ -23,7 +23,7 @@ pub enum Way {
 
 /// Triangles for each pixel of a picture up to which drawing them one by one takes less time than rays; measured by the
 /// benchmark `orthoview.views`.
-const TRIANGLES_A_PIXEL: f64 = 2.0;
+const TRIANGLES_A_PIXEL: f64 = 0.5;
 
 const CHANNELS: Channels = Channels {
     color: false,
