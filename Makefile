@@ -118,7 +118,7 @@ clean:
 
 # Tools of the tests and notebooks. pyrender pins a PyOpenGL that cannot be loaded: it comes without its requirements.
 .venv/test: .venv/base
-	$(bin)/python scripts/requirements.py lod stream cluster plot notebook test crosscheck > .venv/test.txt
+	$(bin)/python scripts/requirements.py lod orthoview stream cluster plot notebook test crosscheck > .venv/test.txt
 	$(pip) -r .venv/test.txt
 	$(pip) --no-deps pyrender==0.1.45
 	touch $@
