@@ -86,7 +86,7 @@ class Subtree:
             self._journal.remove()  # the build may have ended before it did
             self._below.pass_over(min(self._top, self._root), self._place)
             return self._reloaded()
-        if not all(holds(self._path(level, place, array), size) for (level, place, array), size in self._sizes()):
+        if not self._is_sound():
             self._journal.remove()  # what the system had promised to write is gone, so all is drawn again
         if self._top > self._root:
             _, self._outcome.is_complete = self._views(self._root, (0, 0, 0))
@@ -101,11 +101,12 @@ class Subtree:
     def _root(self) -> int:
         return self._layout.grid.levels - 1
 
-    def _sizes(self) -> Any:
-        return self._journal.sizes().items()
-
-    def _path(self, level: int, place: Place, array: str) -> Path:
-        return self._store / self._layout.shard_path(array, self._layout.shard_of(level, place)[0])
+    def _is_sound(self) -> bool:
+        """Whether the shards have all bytes that the journal tells of."""
+        return all(
+            holds(self._store / self._layout.shard_path(array, self._layout.shard_of(level, place)[0]), size)
+            for (level, place, array), size in self._journal.sizes().items()
+        )
 
     def _views(self, level: int, place: Place) -> tuple[Views, bool]:
         """The views of a cell of this subtree, and whether all below it is there."""
