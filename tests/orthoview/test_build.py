@@ -2,12 +2,6 @@
 
 from __future__ import annotations
 
-import functools
-import json
-import shutil
-import subprocess
-import sys
-from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -20,67 +14,16 @@ import nearfar as nf
 from nearfar import _core
 from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._grid import Grid
-from tests.support import need, valid
-from tests.support.orthoview_cases import boxes
+from tests.support import need
+from tests.support.orthoview_stores import CELL, FORMAT, SIZE, Counted, Telling, contents, ended, of_cells, places
 
-CELL, SIZE = 10.0, 16
-FORMAT = (SIZE, 12, 16)
-
-
-@pytest.fixture(scope="module", autouse=True)
-def _zarr() -> None:
-    need("zarr")
-
-
-@pytest.fixture(scope="module")
-def world() -> nf.Scene:
-    """Boxes in a world of 9 × 9 × 9 leaves or so, dense in one corner and empty in others."""
-    return boxes(60, 80.0)[0]
-
-
-@pytest.fixture(scope="module")
-def tree(world: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
-    path = tmp_path_factory.mktemp("trees") / "world.zarr"
-    return nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=5)
-
-
-def places(counts: tuple[int, int, int]) -> list[tuple[int, int, int]]:
-    x, y, z = counts
-    return [(column, layer, row) for column in range(x) for layer in range(y) for row in range(z)]
-
-
-@functools.cache
-def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.OrthoViews]:
-    """Views of all cells in which something is, level by level, all of them in memory."""
-    grid, directions = Grid.over(world.bounds, CELL), directions_of(5)
-    cells: dict[tuple[int, tuple[int, int, int]], _core.OrthoViews] = {}
-    for place in places(grid.counts):
-        # As many triangles decide the way of drawing, whose depths may differ at the border of two steps.
-        part = world.query(grid.box(0, place))._core
-        views = _core.OrthoViews.of_cell(part, (grid.corner(0, place), CELL), directions, FORMAT)
-        if not all(views.empty()):
-            cells[0, place] = views
-    for level in range(1, grid.levels):
-        parents: dict[tuple[int, int, int], _core.OrthoParent] = {}
-        # In the order of octants: x changes last.
-        for (below, (x, y, z)), views in sorted(cells.items()):
-            if below == level - 1:
-                parent = parents.setdefault((x // 2, y // 2, z // 2), _core.OrthoParent(directions, FORMAT))
-                parent.add((x % 2, y % 2, z % 2), views)
-        cells |= {(level, place): parent.finish() for place, parent in parents.items()}
-    return cells
-
-
-def contents(path: Path) -> dict[str, bytes]:
-    """Files of a store by their paths below it, but for what only builds need."""
-    files = (file for file in path.rglob("*") if file.is_file() and "nearfar" not in file.relative_to(path).parts)
-    return {str(file.relative_to(path)): file.read_bytes() for file in files if file.name != "zarr.json"}
+need("zarr")
 
 
 def test_zarr_reads_the_views_of_all_cells(world: nf.Scene, tree: nf.orthoview.OrthoTree) -> None:
     import zarr
 
-    group = zarr.open_group(str(tree._path), mode="r")
+    group = zarr.open_group(str(Path(tree.path)), mode="r")
     cells = of_cells(world)
     assert tree.is_complete
     assert {level for level, _ in cells} == set(range(tree.levels))
@@ -112,11 +55,11 @@ def test_each_view_is_written_once_and_none_is_read(world: nf.Scene, tree: nf.or
     assert held["chunks"] == 3 * sum(5 - sum(views.empty()) for views in cells.values())
     done = tree.done
     assert (done["drawn"], done["composed"], done.get("reloaded", 0)) == (leaves, len(cells) - leaves, 0)
-    files = contents(tree._path)
+    files = contents(Path(tree.path))
     index = sum((16 * (1 << (3 - int(name.split("/")[0]) % 3)) ** 3 + 4) for name in files)
     assert sum(map(len, files.values())) == held["bytes"] + index
-    assert not list(tree._path.rglob("*.part"))
-    assert not list((tree._path / "nearfar" / "journal").glob("*"))
+    assert not list(Path(tree.path).rglob("*.part"))
+    assert not list((Path(tree.path) / "nearfar" / "journal").glob("*"))
 
 
 def test_empty_parts_are_passed_over(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
@@ -126,7 +69,7 @@ def test_empty_parts_are_passed_over(world: nf.Scene, tree: nf.orthoview.OrthoTr
     assert source.queries == np.prod(tree.cells(0))
     telling = Telling(world)
     told = nf.orthoview.build(telling, tmp_path / "told.zarr", cell=CELL, size=SIZE, directions=5)
-    assert contents(told._path) == contents(tree._path) == contents(tmp_path / "all.zarr")
+    assert contents(Path(told.path)) == contents(Path(tree.path)) == contents(tmp_path / "all.zarr")
     assert tree.held["leaves"] <= telling.queries < 0.7 * source.queries
     # A world of 10⁸ leaves with something in two of them.
     corners = np.array([[1, 1, 1], [15, 3, 4], [4, 14, 15]], np.float32)
@@ -192,37 +135,13 @@ def test_ground_on_the_lowest_side_of_a_cell_is_seen(height: float, way: str) ->
             assert mask[inside].all(), direction
 
 
-class Counted:
-    """A source that counts its queries, and fails where it is told to."""
-
-    def __init__(self, scene: nf.Scene, fails: Collection[int] = ()) -> None:
-        self._scene, self._fails, self.queries = scene, fails, 0
-
-    @property
-    def bounds(self) -> NDArray[np.float64]:
-        return self._scene.bounds
-
-    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
-        self.queries += 1
-        if self.queries in self._fails:
-            raise OSError("the disk is gone")
-        return self._scene.query(aabb, detail)
-
-
-class Telling(Counted):
-    """One that also tells where nothing is."""
-
-    def touches(self, aabb: ArrayLike) -> bool:
-        return self._scene.touches(aabb)
-
-
 def test_a_second_build_draws_nothing(world: nf.Scene, tree: nf.orthoview.OrthoTree) -> None:
-    source, before = Counted(world), contents(tree._path)
-    again = nf.orthoview.build(source, tree._path, cell=CELL, size=SIZE, directions=5)
+    source, before = Counted(world), contents(Path(tree.path))
+    again = nf.orthoview.build(source, Path(tree.path), cell=CELL, size=SIZE, directions=5)
     assert source.queries == 0
     assert again.is_complete
     assert (again.held, again.done) == (tree.held, tree.done)
-    assert contents(tree._path) == before
+    assert contents(Path(tree.path)) == before
 
 
 def test_cells_that_a_source_does_not_give_are_named_and_come_later(
@@ -261,26 +180,6 @@ def test_cells_that_a_source_does_not_give_are_named_and_come_later(
                 np.testing.assert_array_equal(one.depth, other.depth)
 
 
-def ended(path: Path, change: str) -> None:
-    """Build in a process that ends itself as `kill -9` ends it."""
-    need("linux")
-    code = f"""
-import os, signal
-import nearfar as nf
-from nearfar.orthoview import _layout, _shard, _subtree
-from tests.orthoview.test_build import Counted
-from tests.support.orthoview_cases import boxes
-def die():
-    os.kill(os.getpid(), signal.SIGKILL)
-source = Counted(boxes(60, 80.0)[0])
-{change}
-nf.orthoview.build(source, {str(path)!r}, cell={CELL}, size={SIZE}, directions=5)
-"""
-    root = Path(__file__).resolve().parents[2]
-    process = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True, check=False)
-    assert process.returncode == -9, process.stderr[-2000:]
-
-
 def within_query(number: int) -> str:
     return f"query = source.query\nsource.query = lambda box: die() if source.queries == {number} else query(box)"
 
@@ -299,7 +198,7 @@ def test_a_kill_costs_the_cell_under_work(
     assert resumed.is_complete
     assert source.queries == np.prod(tree.cells(0)) - after
     assert resumed.held == tree.held
-    assert contents(path) == contents(tree._path)
+    assert contents(path) == contents(Path(tree.path))
 
 
 KILLS = {
@@ -325,7 +224,7 @@ def test_a_kill_leaves_a_store_that_can_be_completed(
     ended(path, KILLS[moment])
     resumed = nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=5)
     assert resumed.is_complete
-    assert contents(path) == contents(tree._path)
+    assert contents(path) == contents(Path(tree.path))
     assert not list(path.rglob("*.part"))
     assert not list((path / "nearfar" / "journal").glob("*"))
 
@@ -340,7 +239,7 @@ def test_what_the_system_lost_is_drawn_again(world: nf.Scene, tree: nf.orthoview
     journal.write_bytes(journal.read_bytes() + bytes(3) + b"\n")
     resumed = nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=5)
     assert resumed.is_complete
-    assert contents(path) == contents(tree._path)
+    assert contents(path) == contents(Path(tree.path))
 
 
 def test_a_source_that_always_fails_ends_the_build(world: nf.Scene, tmp_path: Path) -> None:
@@ -381,8 +280,8 @@ def test_bad_input_is_named(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_p
     wrong("depth_bits: ", depth_bits=20)
     wrong("normal_bits: ", normal_bits=20)
     wrong("source: expected a source", TypeError, source=3)
-    wrong("begun with other values of .*cell", path=tree._path, cell=20.0, directions=5)
-    wrong("begun with other values of .*directions", path=tree._path)
+    wrong("begun with other values of .*cell", path=Path(tree.path), cell=20.0, directions=5)
+    wrong("begun with other values of .*directions", path=Path(tree.path))
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "file").write_text("mine")
     wrong("holds other files", FileExistsError, path=tmp_path / "other")
@@ -392,47 +291,6 @@ def test_bad_input_is_named(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_p
         tree.view(tree.levels, (0, 0, 0), 0)
     with pytest.raises(ValueError, match="place"):
         tree.view(0, (0, 999, 0), 0)
-
-
-@pytest.fixture
-def copied(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
-    path = tmp_path / "copy.zarr"
-    shutil.copytree(tree._path, path)
-    return path
-
-
-def test_damaged_shards_are_named(copied: Path) -> None:
-    files = [file for file in (copied / "0" / "py" / "color").rglob("0") if file.is_file()]
-    shard = max(files, key=lambda file: file.stat().st_size)
-    whole, first = shard.read_bytes(), [8 * int(number) for number in shard.relative_to(copied).parts[4:7]]
-    inside = [tuple(np.add(first, place).tolist()) for place in places((8, 8, 8))]
-    tree = nf.orthoview.open(copied)
-    x, y, z = next(p for p in inside if all(np.less(p, tree.cells(0))) and tree.view(0, p, 4) is not None)
-    for damaged in (whole[: len(whole) // 2], whole[:-8] + bytes(8)):
-        shard.write_bytes(damaged)
-        with pytest.raises(nf.FormatError, match="damaged orthoviews"):
-            nf.orthoview.open(copied).view(0, (x, y, z), 4)
-
-
-@pytest.mark.parametrize("content", ["null", '{"nearfar": null}', '{"nearfar": {"format": "nearfar.orthoview"}}', "[]"])
-def test_damaged_attributes_are_named(copied: Path, content: str) -> None:
-    (copied / "zarr.json").write_text(f'{{"zarr_format": 3, "node_type": "group", "attributes": {content}}}')
-    with pytest.raises(nf.FormatError, match="zarr"):
-        nf.orthoview.open(copied)
-
-
-def test_attributes_fit_their_schema(tree: nf.orthoview.OrthoTree, copied: Path) -> None:
-    attributes = json.loads((copied / "zarr.json").read_text())["attributes"]["nearfar"]
-    assert valid(attributes, "orthoview")
-    assert not valid(attributes | {"complete": "yes"}, "orthoview")
-    assert attributes["held"] == tree.held
-
-
-def test_newer_stores_are_refused(copied: Path) -> None:
-    document = (copied / "zarr.json").read_text().replace('"version": 1', '"version": 99')
-    (copied / "zarr.json").write_text(document)
-    with pytest.raises(nf.FormatError, match="version"):
-        nf.orthoview.open(copied)
 
 
 def test_worlds_of_one_leaf_are_trees(tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
-from nearfar._base import check, progress
+from nearfar._base import check, cluster, progress
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -53,9 +53,8 @@ def distribute(
         raise ValueError("workers: expected None beside a client, which has its own")
     if workers is not None:
         workers = check.integer("workers", workers, 1, 4096)
-    methods = ("submit", "scatter", "cancel")
-    if client is not None and not all(callable(getattr(client, name, None)) for name in methods):
-        raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
+    if client is not None:
+        cluster.check_client("client", client)
     if not items:
         return []
     if client is not None:
@@ -84,21 +83,9 @@ def _in_turn(function: Callable[[Item, progress.Report], Result], items: Sequenc
 def _over_cluster(
     function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str, client: Any
 ) -> list[Result]:
-    """Call off the items that have not begun where one fails, and at Ctrl-C."""
-    # Items go to workers by themselves: within a call they would pass through the scheduler.
-    scattered = client.scatter(list(items), hash=False)
-    futures = [client.submit(_on_cluster, function, item, pure=False) for item in scattered]
-    try:
-        with progress.bar(label) as report:
-            results = []
-            for number, future in enumerate(futures):
-                report(number, len(futures))
-                results.append(future.result())
-            return results
-    except BaseException:
-        client.cancel([*futures, *scattered])
-        raise
-
-
-def _on_cluster(function: Callable[[Item, progress.Report], Result], item: Item) -> Result:
-    return function(item, lambda _done, _total: None)
+    results: list[Result] = []
+    with progress.bar(label) as report:
+        for result in cluster.in_order(function, items, client):
+            results.append(result)
+            report(len(results), len(items))
+    return results

@@ -14,7 +14,7 @@ except ImportError:  # Windows, where nothing is locked
 
 
 @contextmanager
-def alone(path: Path, deed: str) -> Iterator[None]:
+def alone(path: Path, deed: str | None) -> Iterator[None]:
     """Hold a lock file; the system frees it when the process ends, however it does.
 
     Parameters
@@ -22,19 +22,19 @@ def alone(path: Path, deed: str) -> Iterator[None]:
     path
         The lock file, which stays. Its folder is made.
     deed
-        What another holder does, such as "another build writes into world.zarr".
+        What another holder does, such as "another build writes into world.zarr"; None waits for its end.
 
     Raises
     ------
     BlockingIOError
-        Another process holds it.
+        Another process holds it, and `deed` is given.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     lock = os.open(path, os.O_CREAT | os.O_RDWR, 0o666)
     try:
         if fcntl is not None:
             try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                fcntl.flock(lock, fcntl.LOCK_EX | (fcntl.LOCK_NB if deed else 0))
             except BlockingIOError:
                 raise BlockingIOError(f"{path}: {deed}") from None
             except OSError:

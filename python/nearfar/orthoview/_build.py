@@ -3,29 +3,26 @@
 from __future__ import annotations
 
 import os
-from collections import Counter
 from pathlib import Path
-from typing import SupportsFloat, SupportsIndex
+from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, locks, progress
-from nearfar._scene.scene import Scene
-from nearfar._source.protocol import SceneSource, may_touch, source_of
-from nearfar.orthoview import _store
+from nearfar._base.cluster import client_of
+from nearfar._source.protocol import SceneSource, source_of
+from nearfar.orthoview import _on_cluster, _store
 from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._layout import Layout, check_zarr
-from nearfar.orthoview._subtree import FOLDER, Outcome, Subtree
+from nearfar.orthoview._grid import Grid
+from nearfar.orthoview._layout import FOLDER, Layout, check_zarr
+from nearfar.orthoview._leaves import Leaves
+from nearfar.orthoview._subtree import Outcome
 from nearfar.orthoview._tree import OrthoTree
 
 SUBTREE = 3
 """Levels of a subtree: its shards hold up to 8 × 8 × 8 leaves."""
-
-MOST_FAILED = 1000
-"""Leaves that a source may fail to give before the build ends."""
 
 
 def build(
@@ -38,6 +35,7 @@ def build(
     directions: SupportsIndex = 9,
     depth_bits: SupportsIndex = 12,
     normal_bits: SupportsIndex = 16,
+    cluster: Any = None,
 ) -> OrthoTree:
     """Build the tree of orthographic depth images of a world.
 
@@ -66,6 +64,11 @@ def build(
         lie in the middle of theirs.
     normal_bits
         Bits of a normal, 16 or 24: it is known to 0.96° or 0.06°.
+    cluster
+        "local" spreads subtrees over one process for each core of this machine, a `distributed.Client` over its
+        workers, which must see `path` as it is here. The source is pickled into the store for them, so a folder of
+        tiles suits better than a scene in memory. Files are the same for any number of workers. A subtree whose worker
+        is lost goes to another one, which goes on where it was.
 
     Returns
     -------
@@ -81,6 +84,8 @@ def build(
         Something that is no source, and values that are not numbers.
     SceneError
         A source that failed for a thousand leaves.
+    ConnectionError
+        A cluster whose scheduler is lost, or whose workers end one after the other.
     FormatError
         A store that is damaged.
     BlockingIOError
@@ -88,7 +93,7 @@ def build(
     OSError
         A folder that holds other files, and files that cannot be written.
     ImportError
-        The package zarr is missing.
+        The package zarr is missing, or distributed where a cluster is asked for.
 
     Notes
     -----
@@ -107,8 +112,21 @@ def build(
     check_zarr()
     _store.begin(target, layout)
     with locks.alone(target / FOLDER / "lock", f"another build writes into {target}"):
-        _Building(world, target, layout).run()
+        outcome = _built(world, target, layout, cluster)
+        _store.end(target, failed=outcome.failed, done=outcome.counts)
     return OrthoTree(target)
+
+
+def _built(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> Outcome:
+    if cluster is None:
+        with progress.bar("orthoviews") as report:
+            return Leaves(source, target, layout).run(report)
+    with (
+        client_of(cluster) as client,
+        _on_cluster.subtrees(source, target, layout, client) as elsewhere,
+        progress.bar("orthoviews") as report,
+    ):
+        return Leaves(source, target, layout, elsewhere).run(report)
 
 
 def _bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArray[np.float64]:
@@ -122,55 +140,3 @@ def _bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArray[np.
         expected = "source: expected finite bounds" if box is None else "aabb: expected a finite part of the source"
         raise ValueError(f"{expected}, got {bounds.tolist()}")
     return bounds
-
-
-class _Building:
-    """The work of `build`."""
-
-    def __init__(self, source: SceneSource, store: Path, layout: Layout) -> None:
-        self._source, self._store, self._layout = source, store, layout
-        self._passed, self._failures = 0, 0
-        self._report: progress.Report | None = None
-
-    def run(self) -> None:
-        with progress.bar("orthoviews") as self._report:
-            outcome = Subtree(self._layout, self._store, self._layout.tiers - 1, (0, 0, 0), self).run()
-        _store.end(self._store, failed=outcome.failed, done=outcome.counts)
-
-    def base(self, tier: int, place: Place) -> Outcome:
-        """A leaf of the first tier; the whole subtree below a cell of the others."""
-        if tier:
-            return Subtree(self._layout, self._store, tier - 1, place, self).run()
-        self.pass_over(0, place)
-        try:
-            part = self._source.query(self._layout.grid.box(0, place))
-        except Exception as error:  # a source is anybody's code; the rest of the world goes on
-            return self._failure(place, error)
-        views = drawn(part, self._layout, place)
-        return Outcome(views, counts=Counter(empty=views is None, drawn=views is not None))
-
-    def _failure(self, place: Place, error: Exception) -> Outcome:
-        reason = f"{type(error).__name__}: {error}"
-        self._failures += 1
-        if self._failures >= MOST_FAILED:
-            raise _core.SceneError(f"source: it failed for {self._failures:,} leaves, the last one with {reason}")
-        return Outcome(is_complete=False, failed={_store.name_of(place): check.one_line(reason, 180)})
-
-    def may_hold(self, level: int, place: Place) -> bool:
-        """Whether anything may be in a cell."""
-        return may_touch(self._source, self._layout.grid.box(level, place))
-
-    def pass_over(self, level: int, place: Place) -> None:
-        """Count the leaves of a cell as done."""
-        self._passed += self._layout.grid.leaves(level, place)
-        if self._report is not None:
-            self._report(self._passed, self._layout.grid.leaves(self._layout.grid.levels - 1, (0, 0, 0)))
-
-
-def drawn(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None:
-    """Draw the views of a leaf; None if it shows nothing."""
-    if not scene.triangle_count:
-        return None
-    grid = layout.grid
-    views = _core.OrthoViews.of_cell(scene._core, (grid.corner(0, place), grid.cell), layout.directions, layout.format)
-    return None if all(views.empty()) else views

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -9,21 +10,21 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar.orthoview._directions import Direction
-from nearfar.orthoview._layout import CHANNELS, CONNECTION_BITS, ZSTD_LEVEL, Layout
+from nearfar.orthoview._layout import CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
 
 CONNECTED = (4.0, 0.5, 0.7)
 """Bounds of connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a normal
 and the vector to the neighbour, τ₃ = cos 46° between normals."""
 
-Chunks = dict[tuple[int, str], bytes]
+Encoded = dict[tuple[int, str], bytes]
 """Compressed chunks of a cell, by the number of the direction and the channel; none for views that show nothing."""
 
 
-def encoded(views: _core.OrthoViews, layout: Layout) -> Chunks:
+def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     """Compress the views of a cell."""
     from numcodecs.zstd import Zstd
 
-    compressor = Zstd(level=ZSTD_LEVEL)
+    compressor = Zstd(**COMPRESSION)
     of_channel = {
         "color": views.colors(),
         "depth": views.depths().astype(layout.dtype("depth")) << CONNECTION_BITS | views.connected(CONNECTED),
@@ -37,31 +38,44 @@ def encoded(views: _core.OrthoViews, layout: Layout) -> Chunks:
     }
 
 
-def decoded(chunks: Chunks, layout: Layout) -> _core.OrthoViews:
-    """Read the views of a cell from their chunks."""
+def decoded(
+    chunks: Mapping[tuple[int, str], bytes], layout: Layout, numbers: Sequence[int] | None = None
+) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
+    """Views of a cell from their chunks, and the connections (D, size, size, 1) of their pixels.
+
+    Parameters
+    ----------
+    chunks
+        By the numbers of directions and the channels; those that are missing show nothing.
+    layout
+        Of the tree.
+    numbers
+        Numbers of the directions; by default all.
+    """
     from numcodecs.zstd import Zstd
 
+    numbers = range(len(layout.directions)) if numbers is None else numbers
     compressor, arrays = Zstd(), {}
     for channel in CHANNELS:
         shape = (layout.size, layout.size, layout.values(channel))
-        whole = np.zeros((len(layout.directions), *shape), layout.dtype(channel))
-        for number in range(len(layout.directions)):
+        whole = np.zeros((len(numbers), *shape), layout.dtype(channel))
+        for at, number in enumerate(numbers):
             if (number, channel) in chunks:
                 found = compressor.decode(chunks[number, channel])
-                whole[number] = np.frombuffer(found, layout.dtype(channel)).reshape(shape)
+                whole[at] = np.frombuffer(found, layout.dtype(channel)).reshape(shape)
         arrays[channel] = whole
-    views, _ = from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, layout.directions)
-    return views
+    directions = tuple(layout.directions[number] for number in numbers)
+    return _from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, directions)
 
 
-def from_stored(
+def _from_stored(
     color: NDArray[np.uint8],
     depth: NDArray[Any],
     normal: NDArray[np.uint8],
     layout: Layout,
     directions: tuple[Direction, ...],
 ) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
-    """Views from a store's arrays (D, size, size, values), and the connections (D, size, size, 1) of their pixels."""
+    """Views and connections from a store's arrays (D, size, size, values)."""
     depths = (depth >> CONNECTION_BITS).astype(np.uint16)
     bits = (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)
     normals = _unpacked(normal, layout.normal_bits)

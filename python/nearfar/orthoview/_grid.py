@@ -19,6 +19,9 @@ MOST_CELLS = 1 << 31
 _ROUNDING = 1e-9
 """Cells by which rounding may take the end of a world beyond a side."""
 
+_SEEN_BEYOND = 8 * float(np.finfo(np.float32).eps)
+"""Share of the greatest coordinate by which surfaces may lie beyond the sides of a cell that shows them."""
+
 OCTANTS: tuple[Place, ...] = tuple((x, y, z) for x, y, z in itertools.product((0, 1), repeat=3))
 """Places of children in their parent, in the order in which they are drawn."""
 
@@ -79,6 +82,12 @@ class Grid:
         low = np.array(self.corner(level, place))
         return np.array([low, low + self.side(level)])
 
+    def touches(self, level: int, place: Place, aabb: NDArray[np.float64]) -> bool:
+        """Whether surfaces in a box may be seen in a cell: it holds its sides, up to roundings of coordinates."""
+        box = self.box(level, place)
+        reach = _SEEN_BEYOND * np.abs(box).max()
+        return bool((box[0] - reach <= aabb[1]).all() and (aabb[0] <= box[1] + reach).all())
+
     def leaves(self, level: int, place: Place) -> int:
         """Number of leaves of the world in a cell."""
         below = 1 << level
@@ -92,6 +101,17 @@ class Grid:
             child = child_of(place, octant)
             if all(number < count for number, count in zip(child, counts, strict=True)):
                 yield octant, child
+
+
+def depth_first(side: int) -> Iterator[Place]:
+    """Places of a cube of cells, a power of two along each axis, in the order in which a build ends them."""
+    if side == 1:
+        yield 0, 0, 0
+        return
+    half = side // 2
+    for x, y, z in OCTANTS:
+        for u, v, w in depth_first(half):
+            yield x * half + u, y * half + v, z * half + w
 
 
 def child_of(place: Place, octant: Place) -> Place:

@@ -7,6 +7,7 @@ axis and their parents on m levels, then of as many of those on the next m level
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -20,10 +21,17 @@ from nearfar.orthoview._grid import Grid, Place
 
 CHANNELS = ("color", "depth", "normal")
 
+Key = tuple[int, Place, str]
+"""Level, place and array of a chunk."""
+
 CONNECTION_BITS = 4
 """Bits below a depth's: connected with the neighbour to the right, below, below to the right, below to the left."""
 
-ZSTD_LEVEL = 3
+COMPRESSION: dict[str, Any] = {"level": 3, "checksum": True}
+"""Settings of Zstandard. A chunk carries a checksum of its content, so that readers notice what was altered."""
+
+FOLDER = "nearfar"
+"""Folder of a store for what Zarr does not know."""
 
 
 def check_zarr() -> None:
@@ -91,6 +99,12 @@ class Layout:
         """Path of a shard's file below the store."""
         return Path(array, "c", *map(str, shard), "0", "0", "0")
 
+    def keys(self, level: int, place: Place, numbers: Iterable[int] | None = None) -> dict[tuple[int, str], Key]:
+        """Keys of a cell's chunks by the number of the direction, of all by default, and the channel."""
+        wanted = range(len(self.directions)) if numbers is None else numbers
+        pairs = [(number, channel) for number in wanted for channel in CHANNELS]
+        return {pair: (level, place, self.array(level, *pair)) for pair in pairs}
+
     def dtype(self, channel: str) -> np.dtype[Any]:
         """Type of a channel's values."""
         if channel == "depth":
@@ -124,7 +138,7 @@ class Layout:
                         shards=(side, side, side, *picture),
                         dtype=self.dtype(channel),
                         fill_value=0,
-                        compressors=[ZstdCodec(level=ZSTD_LEVEL)],
+                        compressors=[ZstdCodec(**COMPRESSION)],
                         dimension_names=("x", "y", "z", "row", "column", "value"),
                     )
 

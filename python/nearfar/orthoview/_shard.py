@@ -3,6 +3,8 @@
 A shard is the chunks of some cells, one after the other in the order in which they came, and an index: first byte and
 length of each chunk as little-endian uint64, both 2⁶⁴ − 1 for a chunk that is not there, and the index's CRC32C. So a
 chunk is written once, when its cell is done, and lies in its final place.
+
+A chunk of length 0, which Zarr does not know, says in an overlay that an older generation's chunk is there no more.
 """
 
 from __future__ import annotations
@@ -84,7 +86,12 @@ class ShardWriter:
 
     def read(self, place: Place) -> bytes | None:
         """Read a chunk again, for work that was interrupted; None for one that is not there."""
-        return _chunk(self._part, self._index, place)
+        start, length = (int(number) for number in self._index[place])
+        if start == ABSENT:
+            return None
+        with self._part.open("rb") as file:
+            file.seek(start)
+            return complete(self._path, file.read(length), start, length)
 
     def finish(self) -> tuple[int, str]:
         """Write the index and give the file its name; returns its size and the SHA-256 of its bytes."""
@@ -103,42 +110,31 @@ def holds(path: Path, size: int) -> bool:
     return found.exists() and found.stat().st_size >= size
 
 
-def read_chunk(path: Path, side: int, place: Place) -> bytes | None:
-    """Read a chunk of a complete shard; None for one that is not there.
+def index_length(side: int) -> int:
+    """Bytes of the index of a shard with so many chunks along each axis, which its file ends with."""
+    return side**3 * 2 * 8 + _CHECKSUM
+
+
+def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
+    """First bytes and lengths (side, side, side, 2) of a shard's chunks, from the end of its file.
 
     Raises
     ------
     UnusableError
-        A file that ends too early, or whose index has another checksum.
-    OSError
-        One that cannot be read.
+        A file that is too short, and an index with another checksum.
     """
-    return _chunk(path, _read_index(path, side), place)
-
-
-def _read_index(path: Path, side: int) -> NDArray[np.uint64]:
-    """First bytes and lengths (side, side, side, 2) of a complete shard's chunks."""
     import google_crc32c
 
-    length = side**3 * 2 * 8
-    with path.open("rb") as file:
-        size = file.seek(0, os.SEEK_END)
-        if size < length + _CHECKSUM:
-            raise UnusableError(f"{path}: expected a shard of at least {length + _CHECKSUM} bytes, got {size}")
-        file.seek(-length - _CHECKSUM, os.SEEK_END)
-        index, checksum = file.read(length), file.read(_CHECKSUM)
+    if len(end) < index_length(side):
+        raise UnusableError(f"{name}: expected a shard of at least {index_length(side)} bytes, got {len(end)}")
+    index, checksum = end[:-_CHECKSUM], end[-_CHECKSUM:]
     if google_crc32c.value(index) != int.from_bytes(checksum, "little"):
-        raise UnusableError(f"{path}: the checksum of the shard's index is wrong")
+        raise UnusableError(f"{name}: the checksum of the shard's index is wrong")
     return np.frombuffer(index, "<u8").reshape(side, side, side, 2)
 
 
-def _chunk(path: Path, index: NDArray[np.uint64], place: Place) -> bytes | None:
-    start, length = (int(number) for number in index[place])
-    if start == ABSENT:
-        return None
-    with path.open("rb") as file:
-        file.seek(start)
-        chunk = file.read(length)
+def complete(name: object, chunk: bytes, start: int, length: int) -> bytes:
+    """Return a chunk if it is as long as the shard's index says."""
     if len(chunk) < length:
-        raise UnusableError(f"{path}: expected {length} bytes at {start}, got {len(chunk)}")
+        raise UnusableError(f"{name}: expected {length} bytes at {start}, got {len(chunk)}")
     return chunk

@@ -3,27 +3,27 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
 from nearfar import _core
 from nearfar._base import formats
-from nearfar._base.errors import UnusableError
+from nearfar._base.errors import FormatError
 from nearfar.orthoview import _codec
+from nearfar.orthoview._chunks import Chunks, Generation
+from nearfar.orthoview._files import Local
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._journal import Journal
-from nearfar.orthoview._layout import CHANNELS, Layout
-from nearfar.orthoview._shard import ShardWriter, holds, read_chunk
+from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._shard import ShardWriter, holds
 
 Views = _core.OrthoViews | None
 """Views of a cell; None for one in which nothing is."""
 
-FOLDER = "nearfar"
-"""Folder of the store for what Zarr does not know."""
-
 DONE = "done"
-"""Folder in it with a record of each complete subtree."""
+"""Folder in `FOLDER` with a record of each complete subtree."""
 
 RECORD, VERSION = "orthoview_subtree", 1
 
@@ -41,14 +41,49 @@ class Outcome:
     """What was done: leaves drawn and found empty, cells composed, chunks reloaded."""
 
 
+def record_of(store: Path, tier: int, place: Place) -> Path:
+    """The record of a subtree, which is there once it is complete."""
+    return store / FOLDER / DONE / f"{tier}_{'_'.join(map(str, place))}.json"
+
+
+class Held:
+    """Counts what shards hold."""
+
+    def __init__(self) -> None:
+        self._cells: set[tuple[int, Place]] = set()
+        self._chunks, self._bytes = 0, 0
+
+    def add(self, level: int, place: Place, length: int) -> None:
+        """Count a chunk of a cell; its length is 0 if it is not there."""
+        if length:
+            self._cells.add((level, place))
+            self._chunks += 1
+            self._bytes += length
+
+    def counts(self) -> dict[str, int]:
+        """Numbers of cells and leaves in which something is, of their chunks and of the chunks' bytes."""
+        leaves = sum(level == 0 for level, _ in self._cells)
+        return {"cells": len(self._cells), "leaves": leaves, "chunks": self._chunks, "bytes": self._bytes}
+
+
+def write_record(path: Path, shards: dict[str, tuple[int, str]], held: Held) -> None:
+    """Write the record of a complete subtree."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    own = {"shards": shards, "held": held.counts()}
+    formats.write_json(path, formats.header(RECORD, VERSION) | own)
+
+
 class Below(Protocol):
     """What a subtree knows of the world and of the subtrees below it."""
 
     def base(self, tier: int, place: Place) -> Outcome:
         """Return the outcome of a cell of a tier's lowest level: a leaf that is drawn, or a subtree below."""
 
-    def may_hold(self, level: int, place: Place) -> bool:
-        """Whether anything may be in a cell."""
+    def known(self, level: int, place: Place) -> Outcome | None:
+        """The outcome of a cell in which nothing is to be done; None if it must be looked into."""
+
+    def before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
+        """Chunks of a cell that an older generation of the store has."""
 
     def pass_over(self, level: int, place: Place) -> None:
         """Take note that nothing is to be done in a cell."""
@@ -74,9 +109,8 @@ class Subtree:
     def __init__(self, layout: Layout, store: Path, tier: int, place: Place, below: Below) -> None:
         self._layout, self._store, self._tier, self._place, self._below = layout, store, tier, place, below
         self._lowest, self._top = tier * layout.subtree, (tier + 1) * layout.subtree
-        name = f"{tier}_{'_'.join(map(str, place))}"
-        self._record = store / FOLDER / DONE / f"{name}.json"
-        self._journal = Journal(store / FOLDER / "journal" / f"{name}.jsonl")
+        self._record = record_of(store, tier, place)
+        self._journal = Journal(store / FOLDER / "journal" / f"{self._record.stem}.jsonl")
         self._writers: dict[str, ShardWriter] = {}
         self._outcome = Outcome()
 
@@ -113,9 +147,10 @@ class Subtree:
         if (level, place) in self._journal.cells:
             self._below.pass_over(level, place)
             return self._reread(level, place), True
-        if not self._below.may_hold(level, place):
+        if (known := self._below.known(level, place)) is not None:
             self._below.pass_over(level, place)
-            return None, True
+            self._outcome.counts += known.counts
+            return known.views, True
         if level == self._lowest:
             below = self._below.base(self._tier, place)
             self._outcome.failed |= below.failed
@@ -143,8 +178,10 @@ class Subtree:
 
     def _write(self, level: int, place: Place, views: Views) -> None:
         shard, within = self._layout.shard_of(level, place)
+        encoded = _codec.encoded(views, self._layout) if views else {}
+        gone = dict.fromkeys(self._below.before(level, place) - encoded.keys(), b"")
         chunks = {}
-        for (direction, channel), chunk in (_codec.encoded(views, self._layout) if views else {}).items():
+        for (direction, channel), chunk in (encoded | gone).items():
             array = self._layout.array(level, direction, channel)
             chunks[array] = self._writer(array, level, shard).append(within, chunk)
         self._journal.add(level, place, chunks)
@@ -158,18 +195,22 @@ class Subtree:
 
     def _reread(self, level: int, place: Place) -> Views:
         """Read the views of a cell that an interrupted build wrote."""
-        chunks: _codec.Chunks = {}
         shard, within = self._layout.shard_of(level, place)
+        written = self._journal.cells[level, place]
         with formats.guarded(self._store, "orthoviews"):
-            for direction in range(len(self._layout.directions)):
-                for channel in CHANNELS:
-                    array = self._layout.array(level, direction, channel)
-                    if array in self._journal.cells[level, place]:
-                        chunk = self._writer(array, level, shard).read(within)
-                        if chunk is not None:
-                            chunks[direction, channel] = chunk
-            self._outcome.counts["reloaded"] += len(chunks)
-            return _codec.decoded(chunks, self._layout) if chunks else None
+            return self._decoded(
+                {
+                    pair: self._writer(array, level, shard).read(within)
+                    for pair, (_, _, array) in self._layout.keys(level, place).items()
+                    if array in written
+                }
+            )
+
+    def _decoded(self, chunks: dict[tuple[int, str], bytes | None]) -> Views:
+        """Views of a cell from those of its chunks that are there."""
+        shown = {pair: chunk for pair, chunk in chunks.items() if chunk}
+        self._outcome.counts["reloaded"] += len(shown)
+        return _codec.decoded(shown, self._layout)[0] if shown else None
 
     def _named(self) -> dict[str, tuple[int, str]]:
         """Give all shards their index and their names; their sizes and SHA-256 by their paths.
@@ -186,46 +227,31 @@ class Subtree:
 
     def _note(self, shards: dict[str, tuple[int, str]]) -> None:
         """Write the record of a complete subtree."""
-        chunks = [length for cell in self._journal.cells.values() for _, length in cell.values()]
-        held = {
-            "cells": sum(bool(cell) for cell in self._journal.cells.values()),
-            "leaves": sum(level == 0 and bool(cell) for (level, _), cell in self._journal.cells.items()),
-            "chunks": len(chunks),
-            "bytes": sum(chunks),
-        }
-        self._record.parent.mkdir(parents=True, exist_ok=True)
-        formats.write_json(self._record, formats.header(RECORD, VERSION) | {"shards": shards, "held": held})
+        held = Held()
+        for (level, place), chunks in self._journal.cells.items():
+            for _, length in chunks.values():
+                held.add(level, place, length)
+        write_record(self._record, shards, held)
         self._journal.remove()
 
     def _reloaded(self) -> Outcome:
         """The outcome of a subtree that is complete: its views are composed again of those of its highest level."""
-        outcome = Outcome()
         if self._top > self._root:
-            return outcome
-        shards = formats.read_json(self._record, RECORD, VERSION)["shards"]
-        parent = None
+            return self._outcome
+        self._check(formats.read_json(self._record, RECORD, VERSION)["shards"])
+        chunks, parent = Chunks(Local(self._store), self._layout, [Generation("", None)]), None
         for octant, child in self._layout.grid.children(self._top, self._place):
+            keys = self._layout.keys(self._top - 1, child)
             with formats.guarded(self._store, "orthoviews"):
-                chunks = self._stored(self._top - 1, child, shards)
-                outcome.counts["reloaded"] += len(chunks)
-                if chunks:
-                    parent = parent or _core.OrthoParent(self._layout.directions, self._layout.format)
-                    parent.add(octant, _codec.decoded(chunks, self._layout))
-        outcome.views = parent.finish() if parent else None
-        return outcome
+                views = self._decoded(dict(zip(keys, chunks.read(list(keys.values())), strict=True)))
+            if views is not None:
+                parent = parent or _core.OrthoParent(self._layout.directions, self._layout.format)
+                parent.add(octant, views)
+        self._outcome.views = parent.finish() if parent else None
+        return self._outcome
 
-    def _stored(self, level: int, place: Place, shards: dict[str, Any]) -> _codec.Chunks:
-        """Chunks of a cell in complete shards; UnusableError if one of the record's shards is gone or damaged."""
-        chunks: _codec.Chunks = {}
-        shard, within = self._layout.shard_of(level, place)
-        for direction in range(len(self._layout.directions)):
-            for channel in CHANNELS:
-                relative = self._layout.shard_path(self._layout.array(level, direction, channel), shard)
-                if relative.as_posix() not in shards:
-                    continue
-                if not (self._store / relative).exists():
-                    raise UnusableError(f"{self._store / relative}: the shard is gone")
-                chunk = read_chunk(self._store / relative, self._layout.shard_side(level), within)
-                if chunk is not None:
-                    chunks[direction, channel] = chunk
-        return chunks
+    def _check(self, shards: dict[str, Any]) -> None:
+        """Raise a FormatError for a shard of a record that is gone."""
+        for path in shards:
+            if not (self._store / path).exists():
+                raise FormatError(f"{self._store / path}: damaged orthoviews: the shard is gone")

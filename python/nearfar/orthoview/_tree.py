@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, SupportsIndex
+from pathlib import Path
+from typing import SupportsIndex
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, formats
-from nearfar.orthoview import _codec, _store
+from nearfar._source.protocol import SceneSource, source_of
+from nearfar.orthoview import _codec, _compact, _store, _update, _verify
+from nearfar.orthoview._chunks import Chunks
+from nearfar.orthoview._directions import Direction
+from nearfar.orthoview._files import Local, files_at
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import CHANNELS, Layout, check_zarr
+from nearfar.orthoview._layout import Layout, check_zarr
 
 
 @dataclass(frozen=True)
@@ -60,24 +65,50 @@ class OrthoTree:
     Parameters
     ----------
     path
-        The folder that it wrote.
+        The folder that it wrote, or the URL of one: https://…, s3://… and all else that fsspec knows.
 
     Raises
     ------
     FileNotFoundError
-        A folder without a store.
+        A place without a store.
     FormatError
         A store of another kind, or of a newer version.
+    ValueError
+        A URL that fsspec cannot open.
+    ImportError
+        The package zarr is missing.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
-        self._path = check.path("path", path)
-        self._arrays: dict[str, Any] = {}
-        self._attributes = _store.read(self._path)
-        with formats.guarded(self._path / _store.DOCUMENT):
+        check_zarr()
+        self._files = files_at(path)
+        self._attributes = _store.read(self._files)
+        with formats.guarded(f"{self.path}/{_store.DOCUMENT}"):
             self._layout = Layout.from_described(self._attributes["layout"])
             self._is_complete = bool(self._attributes["complete"])
             self._failed = {_store.place_of(name): str(reason) for name, reason in self._attributes["failed"].items()}
+            generations = _store.generations(self._files, self.generation)
+        self._chunks = Chunks(self._files, self._layout, generations)
+
+    @property
+    def path(self) -> str:
+        """The folder or the URL."""
+        return self._files.place
+
+    @property
+    def generation(self) -> int:
+        """Number of updates since the tree was built.
+
+        A tree that is open shows the generation that was the newest when it was opened.
+        """
+        return int(self._attributes["generation"])
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """World box (2, 3) of all leaves, metres."""
+        grid = self._layout.grid
+        low = np.array(grid.origin)
+        return np.array([low, low + np.array(grid.counts) * grid.cell])
 
     @property
     def cell(self) -> float:
@@ -119,7 +150,11 @@ class OrthoTree:
 
     @property
     def done(self) -> dict[str, int]:
-        """What the build that ended last did: leaves drawn and found empty, cells composed, chunks reloaded."""
+        """What the build or the update that ended last did.
+
+        Leaves "drawn" and found "empty", cells "composed", chunks "reloaded" from the store, and "sent" by the workers
+        of a cluster.
+        """
         return dict(self._attributes["done"])
 
     def cells(self, level: SupportsIndex) -> tuple[int, int, int]:
@@ -157,11 +192,13 @@ class OrthoTree:
         """
         number = check.integer("level", level, 0, self.levels - 1)
         at, seen = self._place(number, place), check.integer("direction", direction, 0, len(self.directions) - 1)
-        with formats.guarded(self._path, "orthoviews"):
-            stored = [self._array(self._layout.array(number, seen, channel))[at] for channel in CHANNELS]
-            color, depth, normal = (np.asarray(values) for values in stored)
-            if depth.any():
-                return self._view(color, depth, normal, number, at, seen)
+        keys = self._layout.keys(number, at, (seen,))
+        with formats.guarded(self.path, "orthoviews"):
+            found = zip(keys, self._chunks.read(list(keys.values())), strict=True)
+            shown = {pair: chunk for pair, chunk in found if chunk}
+            if shown:
+                views, bits = _codec.decoded(shown, self._layout, (seen,))
+                return self._view(views, bits, number, at, self.directions[seen])
         if reason := self._missing(number, at):
             raise ValueError(f"place: the cell {at} of level {number} is missing: {reason}")
         return None
@@ -173,26 +210,107 @@ class OrthoTree:
         reasons = (why for leaf, why in self._failed.items() if tuple(number >> level for number in leaf) == place)
         return next(reasons, "")
 
-    def _view(self, color: Any, depth: Any, normal: Any, level: int, place: Place, direction: int) -> OrthoView:
-        directions = (self.directions[direction],)
-        views, bits = _codec.from_stored(color[None], depth[None], normal[None], self._layout, directions)
-        codes = views.depths()[0, ..., 0]
-        axes, extents = _core.orthoview_axes(directions[0])
+    def _view(
+        self, views: _core.OrthoViews, bits: NDArray[np.uint8], level: int, place: Place, direction: Direction
+    ) -> OrthoView:
+        axes, extents = _core.orthoview_axes(direction)
         right, up, toward = (np.array(axis) for axis in axes)
         lengths = np.array(extents) * self._layout.grid.side(level)
+        codes = views.depths()[0, ..., 0]
         metres = np.where(codes > 0, (codes - 0.5) * (lengths[2] / self._layout.steps), np.inf).astype(np.float32)
         surfel = _core.orthoview_surfels(bits)[0, ..., 0]
         center = self._layout.grid.box(level, place).mean(axis=0)
-        return OrthoView(color, metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
+        return OrthoView(views.colors()[0], metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
 
-    def _array(self, name: str) -> Any:
-        """An array of the store, whose document is read once."""
-        if name not in self._arrays:
-            check_zarr()
-            import zarr
+    def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
+        """Write a new generation, in which a part of the world is as it is now.
 
-            self._arrays[name] = zarr.open_array(str(self._path / name), mode="r")
-        return self._arrays[name]
+        Leaves that the box touches are drawn again, and the cells above them composed: about k + log n of them for k
+        leaves of n. Their views become a new generation beside those of the cells that stay, and one document
+        changes at the end. Trees that are open go on with the generation that they have. An update that ends early
+        leaves the store as it was.
+
+        Parameters
+        ----------
+        aabb
+            World box (2, 3) within which the world has changed, metres.
+        source
+            The whole world as it is now.
+
+        Returns
+        -------
+        OrthoTree
+            The new generation; `done` tells what was drawn and composed.
+
+        Raises
+        ------
+        ValueError
+            A store behind a URL, one that is not complete, and a world that goes beyond the tree's `bounds` within the
+            box.
+        TypeError
+            Something that is no source.
+        FormatError
+            A shard that is damaged.
+        BlockingIOError
+            A build or another update writes into the store.
+        Exception
+            What the source raises.
+        """
+        box, world = check.box("aabb", aabb), source_of("source", source)
+        _update.update(self._folder("update"), box, world)
+        return OrthoTree(self.path)
+
+    def compact(self, path: str | os.PathLike[str]) -> OrthoTree:
+        """Write this generation as a store of its own, which any reader of Zarr v3 opens.
+
+        Shards that no update touched are not copied where both stores are on one disk: they are the same files. Cells
+        have the bytes and the order that a build of the changed world would have given them.
+
+        Parameters
+        ----------
+        path
+            New folder, or one with a store, which is replaced.
+
+        Raises
+        ------
+        ValueError
+            A store that is not complete; the place of this one.
+        FormatError
+            A shard that is damaged or missing.
+        OSError
+            Files that cannot be written.
+        """
+        target = check.path("path", path)
+        if not self._is_complete:
+            raise ValueError(f"path: {self.path} is not complete, build it again")
+        if isinstance(self._files, Local) and target.resolve() == self._files.folder.resolve():
+            raise ValueError("path: expected another place than that of the tree, whose readers go on")
+        _compact.compact(self._files, self._attributes, target)
+        return OrthoTree(target)
+
+    def verify(self) -> int:
+        """Read every shard and compare its size and hash with the store's records.
+
+        Returns
+        -------
+        int
+            Number of shards, those of older generations included.
+
+        Raises
+        ------
+        FormatError
+            For the first record or shard that is missing or differs; the message names it.
+        ValueError
+            A store that is not complete.
+        """
+        if not self._is_complete:
+            raise ValueError(f"path: {self.path} is not complete, build it again")
+        return _verify.verify(self._files, self.generation)
+
+    def _folder(self, deed: str) -> Path:
+        if not isinstance(self._files, Local):
+            raise ValueError(f"path: expected a local folder to {deed}, got {check.shortened(self.path)}")
+        return self._files.folder
 
     def _place(self, level: int, place: tuple[int, int, int]) -> Place:
         counts = self._layout.grid.counts_at(level)
@@ -205,8 +323,9 @@ class OrthoTree:
     def __repr__(self) -> str:
         """Return a line."""
         state = "" if self.is_complete else ", incomplete"
+        name = self.path.rpartition("/")[2]
         return (
-            f"OrthoTree({self._path.name!r}, {self.levels} levels of {self.cells(0)} leaves of {self.cell:g} m, "
+            f"OrthoTree({name!r}, {self.levels} levels of {self.cells(0)} leaves of {self.cell:g} m, "
             f"{len(self.directions)} directions of {self.size} × {self.size} pixels{state})"
         )
 
@@ -217,13 +336,18 @@ def open(path: str | os.PathLike[str]) -> OrthoTree:  # noqa: A001 - the name of
     Parameters
     ----------
     path
-        The folder that `nearfar.orthoview.build` wrote.
+        The folder that `nearfar.orthoview.build` wrote, or the URL of one: https://…, s3://… and all else that fsspec
+        knows. Parts of shards are read as they are needed.
 
     Raises
     ------
     FileNotFoundError
-        A folder without a store.
+        A place without a store.
     FormatError
         A store of another kind, or of a newer version.
+    ValueError
+        A URL that fsspec cannot open.
+    ImportError
+        The package zarr is missing.
     """
     return OrthoTree(path)

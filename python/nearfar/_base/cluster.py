@@ -1,0 +1,126 @@
+"""Work on a Dask cluster: one of this machine or any other, and results in the order of the items."""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any, TypeVar
+
+from nearfar._base import check, progress
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+LOCAL = "local"
+"""Name of a cluster of this machine's cores, one worker each."""
+
+_METHODS = ("submit", "scatter", "cancel", "ncores")
+
+
+def check_client(name: str, client: object) -> None:
+    """Raise a TypeError for anything but a `distributed.Client`."""
+    if not all(callable(getattr(client, method, None)) for method in _METHODS):
+        raise TypeError(f"{name}: expected a distributed.Client, got {check.described(client)}")
+
+
+@contextmanager
+def client_of(cluster: object) -> Iterator[Any]:
+    """Open the client of `LOCAL`, whose workers end with the block; pass on a `distributed.Client`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Anything else.
+    ImportError
+        The package distributed is missing.
+    """
+    if not isinstance(cluster, str):
+        check_client("cluster", cluster)
+        yield cluster
+        return
+    if cluster != LOCAL:
+        raise ValueError(f"cluster: expected {LOCAL!r} or a distributed.Client, got {check.shortened(cluster)}")
+    try:
+        from distributed import Client, LocalCluster
+    except ImportError:
+        raise ImportError('clusters need the Python package distributed: pip install "nearfar[cluster]"') from None
+    settings = {"NEARFAR_NUM_THREADS": "1", "NEARFAR_PROGRESS": "0"}
+    count = os.cpu_count() or 1
+    with (
+        LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, env=settings) as workers,
+        Client(workers) as client,
+    ):
+        yield client
+
+
+def in_order(
+    function: Callable[[Item, progress.Report], Result], items: Iterable[Item], client: Any, *, ahead: int | None = None
+) -> Iterator[Result]:
+    """Call a function for each item on a cluster, and yield the results in the order of the items.
+
+    Parameters
+    ----------
+    function, items
+        As `nearfar._base.distribute` has them.
+    client
+        A `distributed.Client`. Where one of its workers is lost, what it had not done is done by another.
+    ahead
+        Greatest number of items for each of the cluster's threads whose results nobody has taken yet; None for any.
+
+    Raises
+    ------
+    ConnectionError
+        The scheduler is lost, or one item ended one worker after the other.
+    Exception
+        The first that the function raises. Items that have not begun are then called off, as at Ctrl-C.
+    """
+    waiting: deque[tuple[Any, Any]] = deque()
+    rest = iter(items)
+    try:
+        while True:
+            most = float("inf") if ahead is None else ahead * max(1, sum(client.ncores().values()))
+            while len(waiting) < most and (item := next(rest, _END)) is not _END:
+                # Items go to workers by themselves: within a call they would pass through the scheduler.
+                scattered = client.scatter([item], hash=False)[0] if ahead is None else item
+                waiting.append((client.submit(_on_cluster, function, scattered, pure=False), scattered))
+            if not waiting:
+                return
+            future, _ = waiting.popleft()
+            yield _result(future, client)
+    finally:
+        if waiting:
+            _cancel(waiting, client)
+
+
+_END = object()
+
+
+def _result(future: Any, client: Any) -> Any:
+    from concurrent.futures import CancelledError
+
+    from distributed import KilledWorker
+    from distributed.comm import CommClosedError
+
+    try:
+        return future.result()
+    except (CancelledError, CommClosedError) as error:
+        raise ConnectionError(f"cluster: the scheduler is lost: {check.one_line(str(error), 180)}") from None
+    except KilledWorker as error:
+        raise ConnectionError(
+            f"cluster: workers ended one after the other: {check.one_line(str(error), 180)}"
+        ) from None
+    except BaseException:
+        client.cancel([future])
+        raise
+
+
+def _cancel(waiting: Iterable[tuple[Any, Any]], client: Any) -> None:
+    """Call off what has not begun; a client without its scheduler cannot."""
+    if client.status == "running":
+        client.cancel([future for future, _ in waiting])
+
+
+def _on_cluster(function: Callable[[Item, progress.Report], Result], item: Item) -> Result:
+    return function(item, lambda _done, _total: None)

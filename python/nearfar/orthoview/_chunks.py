@@ -1,0 +1,109 @@
+"""Chunks of complete stores, those of the newest generation that has them."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Iterable, Sequence, Set as AbstractSet
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar.orthoview import _shard
+from nearfar.orthoview._files import Files
+from nearfar.orthoview._layout import Key, Layout
+
+MOST_INDEXES = 2048
+"""Indexes of shards that are kept, of 8 kB at most."""
+
+
+@dataclass(frozen=True)
+class Generation:
+    """A folder of shards."""
+
+    folder: str
+    """Below the store, with a slash at its end; empty for the store itself."""
+    shards: AbstractSet[str] | None
+    """Paths of its shards below the folder; None where that is not known, so that they are looked for."""
+
+
+@dataclass(frozen=True)
+class _Found:
+    """Where a chunk lies."""
+
+    file: str
+    first: int
+    length: int
+
+
+class Chunks:
+    """Reads chunks of a store.
+
+    Parameters
+    ----------
+    files
+        Of the store.
+    layout
+        Of the tree.
+    generations
+        The newest one first.
+    """
+
+    def __init__(self, files: Files, layout: Layout, generations: Sequence[Generation]) -> None:
+        self._files, self._layout, self._generations = files, layout, generations
+        self._indexes: OrderedDict[str, NDArray[np.uint64] | None] = OrderedDict()
+
+    def read(self, keys: Sequence[Key]) -> list[bytes | None]:
+        """Read chunks; None for those that are not there.
+
+        Raises
+        ------
+        UnusableError
+            A shard that ends too early, or whose index is damaged.
+        OSError
+            One that cannot be read.
+        """
+        found = self._found(keys)
+        there = {key: place for key, place in zip(keys, found, strict=True) if place is not None}
+        parts = self._files.parts([(place.file, place.first, place.length) for place in there.values()])
+        chunks = {
+            key: _shard.complete(place.file, part or b"", place.first, place.length)
+            for (key, place), part in zip(there.items(), parts, strict=True)
+        }
+        return [chunks.get(key) for key in keys]
+
+    def lengths(self, keys: Sequence[Key]) -> list[int]:
+        """Lengths of chunks, bytes; 0 for those that are not there."""
+        return [0 if place is None else place.length for place in self._found(keys)]
+
+    def _found(self, keys: Sequence[Key]) -> list[_Found | None]:
+        found: dict[Key, _Found | None] = {}
+        for generation in self._generations:
+            missing = {key: self._shard(generation, key) for key in keys if key not in found}
+            self._load({name: self._layout.shard_side(key[0]) for key, name in missing.items() if name})
+            for key, name in missing.items():
+                index = self._indexes[name] if name else None
+                if name is None or index is None:
+                    continue
+                first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
+                if first != _shard.ABSENT:
+                    found[key] = _Found(name, first, length) if length else None
+        while len(self._indexes) > MOST_INDEXES:
+            self._indexes.popitem(last=False)
+        return [found.get(key) for key in keys]
+
+    def _shard(self, generation: Generation, key: Key) -> str | None:
+        level, place, array = key
+        path = self._layout.shard_path(array, self._layout.shard_of(level, place)[0]).as_posix()
+        return generation.folder + path if generation.shards is None or path in generation.shards else None
+
+    def _load(self, sides: dict[str, int]) -> None:
+        """Read the indexes of shards that are not kept, all at once."""
+        wanted = {name: side for name, side in sides.items() if name not in self._indexes}
+        for name in sides.keys() - wanted.keys():
+            self._indexes.move_to_end(name)
+        parts: Iterable[bytes | None] = self._files.parts(
+            [(name, -_shard.index_length(side), _shard.index_length(side)) for name, side in wanted.items()]
+        )
+        for (name, side), end in zip(wanted.items(), parts, strict=True):
+            self._indexes[name] = None if end is None else _shard.index_of(f"{self._files.place}/{name}", end, side)

@@ -1,0 +1,114 @@
+"""Copies of a store's newest generation: plain Zarr again."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections import defaultdict
+from contextlib import suppress
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from nearfar._base import files, formats, progress
+from nearfar._base.errors import FormatError
+from nearfar.orthoview import _store
+from nearfar.orthoview._chunks import Chunks
+from nearfar.orthoview._files import Files, Local
+from nearfar.orthoview._grid import Place, depth_first
+from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._shard import ShardWriter
+from nearfar.orthoview._subtree import Held, record_of, write_record
+
+
+def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
+    """Write the newest generation of a complete store as a new one; `OrthoTree.compact` tells more."""
+    layout, newest = Layout.from_described(attributes["layout"]), int(attributes["generation"])
+    with files.atomic_folder(target, marker=_store.DOCUMENT) as folder, progress.bar("compacting") as report:
+        _store.create(folder, layout)
+        (folder / FOLDER).mkdir()
+        copy = _Copy(store, layout, newest, folder)
+        subtrees = copy.subtrees()
+        for done, (subtree, shards) in enumerate(subtrees.items()):
+            report(done, len(subtrees))
+            copy.write(subtree, shards)
+        _store.end_compact(folder, attributes)
+
+
+_AT_ONCE = 64
+"""Chunks that are asked for at once."""
+
+Subtree = tuple[int, Place]
+"""Tier and place."""
+
+
+class _Copy:
+    def __init__(self, store: Files, layout: Layout, newest: int, folder: Path) -> None:
+        self._store, self._layout, self._newest, self._folder = store, layout, newest, folder
+        self._chunks = Chunks(store, layout, _store.generations(store, newest))
+
+    def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
+        """Shards of all subtrees by their paths, with the size and the hash of those that are as they were."""
+        found: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
+        for recorded in _store.recorded(self._store, self._newest):
+            for path, described in recorded.shards.items():
+                found[self._subtree_of(path)][path] = None if recorded.folder else described
+            if not recorded.folder and not recorded.shards:  # nothing is in it
+                tier, *place = map(int, recorded.name.split("_"))
+                found.setdefault((tier, (place[0], place[1], place[2])), {})
+        return dict(sorted(found.items()))
+
+    def _subtree_of(self, path: str) -> Subtree:
+        level, _, _, _, x, y, z, *_ = PurePosixPath(path).parts
+        return int(level) // self._layout.subtree, (int(x), int(y), int(z))
+
+    def write(self, subtree: Subtree, shards: dict[str, tuple[int, str] | None]) -> None:
+        """Write the shards of a subtree, and its record."""
+        held = Held()
+        written: dict[str, tuple[int, str]] = {}
+        for path, described in sorted(shards.items()):
+            level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:3])
+            places = self._places(level, subtree[1])
+            keys = [(level, place, array) for place in places]
+            with formats.guarded(self._store.place, "orthoviews"):
+                for place, length in zip(places, self._chunks.lengths(keys), strict=True):
+                    held.add(level, place, length)
+                if described is None:
+                    described = self._merged(path, level, keys)
+                else:
+                    self._copy(path)
+            if described is not None:
+                written[path] = described
+        write_record(record_of(self._folder, *subtree), written, held)
+
+    def _places(self, level: int, shard: Place) -> list[Place]:
+        """Places of a shard's cells within the world."""
+        side, counts = self._layout.shard_side(level), self._layout.grid.counts_at(level)
+        first = [number * side for number in shard]
+        places = (tuple(a + b for a, b in zip(first, within, strict=True)) for within in depth_first(side))
+        return [(x, y, z) for x, y, z in places if x < counts[0] and y < counts[1] and z < counts[2]]
+
+    def _merged(self, path: str, level: int, keys: list[tuple[int, Place, str]]) -> tuple[int, str] | None:
+        """Write a shard of the newest chunks; None if there are none."""
+        writer, is_empty = ShardWriter(self._folder / path, self._layout.shard_side(level)), True
+        for first in range(0, len(keys), _AT_ONCE):
+            batch = keys[first : first + _AT_ONCE]
+            for (_, place, _), chunk in zip(batch, self._chunks.read(batch), strict=True):
+                if chunk is not None:
+                    writer.append(self._layout.shard_of(level, place)[1], chunk)
+                    is_empty = False
+        return None if is_empty else writer.finish()
+
+    def _copy(self, path: str) -> None:
+        """Put a shard into the new store; on one disk both have the same file, which nothing ever changes."""
+        target = self._folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if isinstance(self._store, Local):
+            with suppress(OSError):
+                os.link(self._store.folder / path, target)
+                return
+            shutil.copyfile(self._store.folder / path, target)
+            return
+        content = self._store.whole(path)
+        if content is None:
+            raise FormatError(f"{self._store.place}/{path}: expected a shard, found none")
+        files.write(target, content)

@@ -1,0 +1,110 @@
+"""The leaves of a tree, drawn from a source: what a build knows of the world."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Set as AbstractSet
+from pathlib import Path
+
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._scene.scene import Scene
+from nearfar._source.protocol import SceneSource, may_touch
+from nearfar.orthoview import _store
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._subtree import Outcome, Subtree
+
+MOST_FAILED = 1000
+"""Leaves that a source may fail to give before the build ends."""
+
+Elsewhere = Callable[[Place], Outcome | None]
+"""Returns the outcome of a subtree of leaves that another process built; None for one that none did."""
+
+
+class Leaves:
+    """Draws leaves and builds the subtrees that hold them, each of them when its parent asks for it.
+
+    Parameters
+    ----------
+    source
+        The world.
+    folder
+        Of the store, or of a generation of it.
+    layout
+        Of the tree.
+    elsewhere
+        Gives subtrees of leaves that are built by other processes.
+    """
+
+    def __init__(
+        self, source: SceneSource, folder: Path, layout: Layout, elsewhere: Elsewhere = lambda _place: None
+    ) -> None:
+        self.source, self.folder, self.layout, self._elsewhere = source, folder, layout, elsewhere
+        self._passed, self._failures = 0, 0
+        self._report: progress.Report | None = None
+
+    def run(self, report: progress.Report) -> Outcome:
+        """Build the whole tree."""
+        self._report = report
+        return Subtree(self.layout, self.folder, self.layout.tiers - 1, (0, 0, 0), self).run()
+
+    def run_one(self, place: Place, report: progress.Report) -> Outcome:
+        """Build one subtree of leaves."""
+        self._report = report
+        return Subtree(self.layout, self.folder, 0, place, self).run()
+
+    def base(self, tier: int, place: Place) -> Outcome:
+        """A leaf of the first tier; the whole subtree below a cell of the others."""
+        if not tier:
+            self.pass_over(0, place)
+            return self._leaf(place)
+        if tier == 1 and (outcome := self._elsewhere(place)) is not None:
+            self.pass_over(self.layout.subtree, place)
+            self._count_failures(outcome)
+            return outcome
+        return Subtree(self.layout, self.folder, tier - 1, place, self).run()
+
+    def _leaf(self, place: Place) -> Outcome:
+        try:
+            part = self.source.query(self.layout.grid.box(0, place))
+        except Exception as error:  # a source is anybody's code; the rest of the world goes on
+            return self.failure(place, error)
+        views = drawn(part, self.layout, place)
+        return Outcome(views, counts=Counter(empty=views is None, drawn=views is not None))
+
+    def failure(self, place: Place, error: Exception) -> Outcome:
+        """The outcome of a leaf that the source does not give."""
+        reason = check.one_line(f"{type(error).__name__}: {error}", 180)
+        outcome = Outcome(is_complete=False, failed={_store.name_of(place): reason})
+        self._count_failures(outcome)
+        return outcome
+
+    def _count_failures(self, outcome: Outcome) -> None:
+        self._failures += len(outcome.failed)
+        if outcome.failed and self._failures >= MOST_FAILED:
+            reason = list(outcome.failed.values())[-1]
+            raise _core.SceneError(f"source: it failed for {self._failures:,} leaves, the last one with {reason}")
+
+    def known(self, level: int, place: Place) -> Outcome | None:
+        """An empty outcome for a cell in which nothing is."""
+        return None if may_touch(self.source, self.layout.grid.box(level, place)) else Outcome()
+
+    def before(self, _level: int, _place: Place) -> AbstractSet[tuple[int, str]]:
+        """Nothing: a build makes the first generation."""
+        return frozenset()
+
+    def pass_over(self, level: int, place: Place) -> None:
+        """Count the leaves of a cell as done."""
+        self._passed += self.layout.grid.leaves(level, place)
+        if self._report is not None:
+            self._report(self._passed, self.layout.grid.leaves(self.layout.grid.levels - 1, (0, 0, 0)))
+
+
+def drawn(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None:
+    """Draw the views of a leaf; None if it shows nothing."""
+    if not scene.triangle_count:
+        return None
+    grid = layout.grid
+    views = _core.OrthoViews.of_cell(scene._core, (grid.corner(0, place), grid.cell), layout.directions, layout.format)
+    return None if all(views.empty()) else views

@@ -1,0 +1,105 @@
+"""Updates: the cells that a change of the world touches, drawn again into a new generation of the store.
+
+A generation is a folder of shards that have the changed cells only. Readers take a chunk from the newest generation
+that has it. Files of older generations stay as they are, so who reads one goes on.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections import Counter
+from collections.abc import Set as AbstractSet
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import formats, locks, progress
+from nearfar._source.protocol import SceneSource, may_touch
+from nearfar.orthoview import _codec, _store
+from nearfar.orthoview._chunks import Chunks
+from nearfar.orthoview._files import Local
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._leaves import Leaves
+from nearfar.orthoview._subtree import Outcome
+
+
+def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
+    """Write a new generation in which a box of the world is as a source has it now; `OrthoTree.update` tells more."""
+    with locks.alone(path / FOLDER / "lock", f"another build writes into {path}"):
+        store = Local(path)
+        attributes = _store.read(store)
+        if not attributes["complete"]:
+            raise ValueError(f"path: {path} is not complete, build it again")
+        layout = Layout.from_described(attributes["layout"])
+        _check_reach(layout, aabb, source)
+        newest = int(attributes["generation"])
+        folder = path / _store.overlay(newest + 1)
+        shutil.rmtree(folder, ignore_errors=True)  # of an update that ended early
+        changed = Changed(source, folder, layout, Chunks(store, layout, _store.generations(store, newest)), aabb)
+        with progress.bar("orthoviews") as report:
+            outcome = changed.run(report)
+        held = Counter(attributes["held"])
+        held.subtract(changed.replaced)
+        written = _store.held_below(folder)
+        held.update(written)
+        _store.end_generation(path, newest + 1, aabb.tolist(), written)
+        shutil.rmtree(folder / FOLDER)
+        _store.change(path, generation=newest + 1, held=dict(held), done=dict(outcome.counts))
+
+
+def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource) -> None:
+    """Raise a ValueError where the source has something in the box, but beyond the tree."""
+    grid = layout.grid
+    low, high = np.array(grid.origin), np.array(grid.origin) + np.array(grid.counts) * grid.cell
+    part = np.array([np.maximum(aabb[0], source.bounds[0]), np.minimum(aabb[1], source.bounds[1])])
+    margin = 1e-9 * grid.cell
+    for axis in range(3):
+        below, above = part.copy(), part.copy()
+        below[1, axis], above[0, axis] = low[axis] - margin, high[axis] + margin
+        for slab in (below, above):
+            if (slab[0] <= slab[1]).all() and may_touch(source, slab):
+                raise ValueError(
+                    f"aabb: expected a change within the tree's box {[low.tolist(), high.tolist()]}, "
+                    f"but the source has something in {slab.tolist()}"
+                )
+
+
+class Changed(Leaves):
+    """The leaves that a change touches; all other cells are as they are in the store."""
+
+    def __init__(
+        self, source: SceneSource, folder: Path, layout: Layout, chunks: Chunks, aabb: NDArray[np.float64]
+    ) -> None:
+        super().__init__(source, folder, layout)
+        self._chunks, self._aabb = chunks, aabb
+        self.replaced: Counter[str] = Counter()
+        """Cells, leaves, chunks and bytes of older generations that are no longer read."""
+
+    def failure(self, _place: Place, error: Exception) -> Outcome:
+        """Give up: the store stays as it is."""
+        raise error
+
+    def known(self, level: int, place: Place) -> Outcome | None:
+        """The views in the store of a cell that the change does not touch."""
+        keys = self.layout.keys(level, place)
+        if not self.layout.grid.touches(level, place, self._aabb):
+            with formats.guarded(self.folder, "orthoviews"):
+                found = dict(zip(keys, self._chunks.read(list(keys.values())), strict=True))
+                shown = {pair: chunk for pair, chunk in found.items() if chunk}
+                views = _codec.decoded(shown, self.layout)[0] if shown else None
+            return Outcome(views, counts=Counter(reloaded=len(shown)))
+        if not any(self._chunks.lengths(list(keys.values()))):
+            return super().known(level, place)
+        return None
+
+    def before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
+        """Chunks of a cell in the store."""
+        keys = self.layout.keys(level, place)
+        lengths = dict(zip(keys, self._chunks.lengths(list(keys.values())), strict=True))
+        there = {pair for pair, length in lengths.items() if length}
+        self.replaced.update(
+            cells=bool(there), leaves=bool(there) and level == 0, chunks=len(there), bytes=sum(lengths.values())
+        )
+        return there

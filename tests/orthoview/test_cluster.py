@@ -1,0 +1,120 @@
+"""Tests of builds on a Dask cluster of processes: same bytes, workers and schedulers that are lost, and errors."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from tests.support import need
+from tests.support.orthoview_stores import CELL, SIZE, Counted, Deadly, Waiting, contents
+from tests.support.waiting import wait_until
+
+need("zarr")
+need("distributed")
+
+pytestmark = pytest.mark.slow
+
+
+@contextmanager
+def workers(count: int) -> Iterator[Any]:
+    from distributed import Client, LocalCluster
+
+    settings = {"NEARFAR_NUM_THREADS": "1"}
+    with (
+        LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, env=settings) as cluster,
+        Client(cluster) as client,
+    ):
+        yield client
+
+
+def built(source: Any, path: Path, cluster: Any) -> nf.orthoview.OrthoTree:
+    return nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5, cluster=cluster)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_any_number_of_workers_writes_the_same_bytes(
+    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, count: int
+) -> None:
+    with workers(count) as client:
+        spread = built(world, tmp_path / "world.zarr", client)
+        assert spread.is_complete
+        assert contents(Path(spread.path)) == contents(Path(tree.path))
+        assert spread.held == tree.held
+        done = dict(spread.done)
+        # The views of each subtree of leaves are sent once, and none is read again.
+        at_top = [place for place in np.ndindex(tree.cells(3)) if tree.view(3, place, 4) is not None]
+        assert len(at_top) * 3 <= done.pop("sent") <= len(at_top) * 15
+        assert done == tree.done
+        assert not list(Path(spread.path).glob("nearfar/locks/*"))
+        assert not list(Path(spread.path).glob("nearfar/source*"))
+        again = built(world, Path(spread.path), client)
+        assert again.done == spread.done
+
+
+def test_a_local_cluster_is_one_word(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    spread = built(world, tmp_path / "world.zarr", "local")
+    assert contents(Path(spread.path)) == contents(Path(tree.path))
+
+
+def test_a_killed_worker_costs_its_cell(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    sign = tmp_path / "killed"
+    source = Deadly(world, tree.box(0, (3, 3, 3)).mean(axis=0), sign)
+    with workers(2) as client:
+        spread = built(source, tmp_path / "world.zarr", client)
+    assert sign.exists()
+    assert spread.is_complete
+    assert contents(Path(spread.path)) == contents(Path(tree.path))
+    # The leaves that were done are not drawn again: their subtree goes on from its journal.
+    assert spread.done["drawn"] < tree.done["drawn"]
+    assert spread.done["reloaded"] > 0
+
+
+def test_leaves_that_workers_do_not_get_are_named(world: nf.Scene, tmp_path: Path) -> None:
+    with workers(2) as client:
+        part = built(Counted(world, {40}), tmp_path / "world.zarr", client)
+        assert set(part.failed.values()) == {"OSError: the disk is gone"}
+        whole = built(world, tmp_path / "world.zarr", client)
+    assert whole.is_complete
+
+
+def test_without_its_scheduler_a_build_ends_and_goes_on_later(
+    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path
+) -> None:
+    path = tmp_path / "world.zarr"
+    with workers(1) as client:
+
+        def lose() -> None:
+            wait_until(lambda: (tmp_path / "asked").exists())
+            client.cluster.loop.add_callback(client.cluster.scheduler.close)
+
+        losing = threading.Thread(target=lose)
+        losing.start()
+        with pytest.raises(ConnectionError, match="cluster: the scheduler is lost"):
+            built(Waiting(world, tmp_path), path, client)
+        losing.join()
+        (tmp_path / "go").touch()
+    later = built(world, path, None)
+    assert later.is_complete
+    assert contents(path) == contents(Path(tree.path))
+
+
+def test_bad_clusters_are_named(world: nf.Scene, tmp_path: Path) -> None:
+    class Local:
+        bounds = world.bounds
+
+        def query(self, aabb: Any, detail: Any = 0.0) -> nf.Scene:
+            return world.query(aabb, detail)
+
+    with pytest.raises(ValueError, match=r"cluster: expected 'local' or a distributed.Client, got 'remote'"):
+        built(world, tmp_path / "world.zarr", "remote")
+    with pytest.raises(TypeError, match=r"cluster: expected a distributed.Client, got"):
+        built(world, tmp_path / "world.zarr", 3)
+    with workers(1) as client, pytest.raises(TypeError, match="source: expected one that can be pickled"):
+        built(Local(), tmp_path / "world.zarr", client)

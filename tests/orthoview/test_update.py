@@ -1,0 +1,193 @@
+"""Tests of updates: what is drawn again, what readers see, and that the result is what a build would have made."""
+
+from __future__ import annotations
+
+import itertools
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike, NDArray
+
+import nearfar as nf
+from tests.support import need
+from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, contents, places, world_of
+
+need("zarr")
+
+BEFORE = range(30)
+REMOVED, ADDED = {7, 8}, {101}
+AFTER = [number for number in (*BEFORE, *ADDED) if number not in REMOVED]
+
+Trees = dict[str, nf.orthoview.OrthoTree]
+
+
+def built(scene: Any, path: Path) -> nf.orthoview.OrthoTree:
+    return nf.orthoview.build(scene, path, cell=CELL, size=SIZE, directions=5)
+
+
+@pytest.fixture(scope="module")
+def trees(tmp_path_factory: pytest.TempPathFactory) -> Trees:
+    """The trees of the world as it was and as it is."""
+    folder = tmp_path_factory.mktemp("worlds")
+    return {"before": built(world_of(BEFORE), folder / "a.zarr"), "after": built(world_of(AFTER), folder / "b.zarr")}
+
+
+@pytest.fixture
+def tree(trees: Trees, tmp_path: Path) -> nf.orthoview.OrthoTree:
+    """A copy of the world as it was."""
+    return trees["before"].compact(tmp_path / "world.zarr")
+
+
+def assert_same(one: nf.orthoview.OrthoTree, other: nf.orthoview.OrthoTree) -> None:
+    """All views of two trees are equal."""
+    seen = 0
+    for level in range(one.levels):
+        for place in places(one.cells(level)):
+            for direction in range(5):
+                left, right = (opened.view(level, place, direction) for opened in (one, other))
+                assert (left is None) == (right is None), (level, place, direction)
+                if left is not None and right is not None:
+                    for name in ("color", "depth", "normal", "surfel"):
+                        np.testing.assert_array_equal(getattr(left, name), getattr(right, name))
+                    seen += 1
+    assert seen > 500
+
+
+def touched(tree: nf.orthoview.OrthoTree, aabb: NDArray[np.float64]) -> list[set[tuple[int, int, int]]]:
+    """Places of the cells that a box touches, level by level."""
+
+    def touches(level: int, place: tuple[int, int, int]) -> bool:
+        low, high = tree.box(level, place)
+        return bool((low <= aabb[1]).all() and (aabb[0] <= high).all())
+
+    return [{place for place in places(tree.cells(level)) if touches(level, place)} for level in range(tree.levels)]
+
+
+def test_an_updated_tree_is_that_of_the_new_world(trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    first, before = contents(Path(tree.path)), trees["before"]
+    updated = tree.update(box_about(REMOVED | ADDED), world_of(AFTER))
+    assert (tree.generation, updated.generation) == (0, 1)
+    assert updated.held == trees["after"].held != before.held
+    assert_same(updated, trees["after"])
+    # Who opened the store before goes on with what it was, whose files have not changed.
+    assert_same(tree, before)
+    now = contents(Path(tree.path))
+    assert {path: now[path] for path in first} == first
+    compacted = updated.compact(tmp_path / "compact.zarr")
+    assert compacted.generation == 0
+    assert compacted.held == trees["after"].held
+    assert contents(Path(compacted.path)) == contents(Path(trees["after"].path))
+    assert compacted.verify() == trees["after"].verify()
+
+
+def test_leaves_in_the_box_and_the_cells_above_them_are_computed(tree: nf.orthoview.OrthoTree) -> None:
+    box = box_about(REMOVED | ADDED)
+    levels = touched(tree, box)
+    source = Counted(world_of(AFTER))
+    updated = tree.update(box, source)
+    done = updated.done
+    assert source.queries == len(levels[0]) == done["drawn"] + done["empty"]
+    above = [(level, place) for level, cells in enumerate(levels) for place in cells if level]
+    shown = [cell for cell in above if any(updated.view(*cell, direction) is not None for direction in range(5))]
+    assert done["composed"] == len(shown)
+    assert len(shown) > len(above) / 2
+    # A contiguous change costs k + log n, not k · log n.
+    assert sum(map(len, levels)) < len(levels[0]) * tree.levels / 2
+    # Of the cells beside those, each is read once at most.
+    beside = sum(8 * len(above) - len(below) for below, above in itertools.pairwise(levels))
+    assert 0 < done["reloaded"] <= 15 * beside
+
+
+def test_what_goes_leaves_no_view(trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    emptied = world_of([])
+    box = np.array([emptied.bounds[0], emptied.bounds[1]])
+    updated = tree.update(box, emptied)
+    fresh = built(emptied, tmp_path / "empty.zarr")
+    assert updated.held == fresh.held
+    assert updated.held["leaves"] < trees["before"].held["leaves"] / 10
+    compacted = updated.compact(tmp_path / "compact.zarr")
+    assert contents(Path(compacted.path)) == contents(Path(fresh.path))
+
+
+def test_updates_follow_each_other(trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    """There and back again, and in two steps."""
+    without = world_of(number for number in BEFORE if number not in REMOVED)
+    first = tree.update(box_about(REMOVED), without)
+    second = first.update(box_about(ADDED), world_of(AFTER))
+    assert second.generation == 2
+    assert_same(second, trees["after"])
+    # A tree that is open and not the newest updates the newest.
+    back = tree.update(box_about(REMOVED | ADDED), world_of(BEFORE))
+    assert back.generation == 3
+    assert back.held == trees["before"].held
+    compacted = back.compact(tmp_path / "compact.zarr")
+    assert contents(Path(compacted.path)) == contents(Path(trees["before"].path))
+    assert back.verify() > compacted.verify()
+
+
+def test_readers_see_one_generation_while_an_update_runs(trees: Trees, tree: nf.orthoview.OrthoTree) -> None:
+    place, level = (0, 0, 0), tree.levels - 1
+
+    class Read(Counted):
+        """Reads the store at each query: an open tree, and one that is opened then."""
+
+        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+            for opened in (tree, nf.orthoview.open(tree.path)):
+                assert opened.generation == 0
+                view, expected = opened.view(level, place, 4), trees["before"].view(level, place, 4)
+                assert view is not None
+                assert expected is not None
+                np.testing.assert_array_equal(view.color, expected.color)
+            return super().query(aabb, detail)
+
+    source = Read(world_of(AFTER))
+    updated = tree.update(box_about(REMOVED | ADDED), source)
+    assert source.queries > 10
+    new, old = updated.view(level, place, 4), tree.view(level, place, 4)
+    assert new is not None
+    assert old is not None
+    assert not np.array_equal(new.color, old.color)
+
+
+def test_an_update_that_fails_changes_nothing(trees: Trees, tree: nf.orthoview.OrthoTree) -> None:
+    document = (Path(tree.path) / "zarr.json").read_bytes()
+    with pytest.raises(OSError, match="the disk is gone"):
+        tree.update(box_about(REMOVED | ADDED), Counted(world_of(AFTER), {9}))
+    assert (Path(tree.path) / "zarr.json").read_bytes() == document
+    assert_same(nf.orthoview.open(tree.path), trees["before"])
+    # What it left behind does not count.
+    assert_same(tree.update(box_about(REMOVED | ADDED), world_of(AFTER)), trees["after"])
+
+
+def test_changes_beyond_the_tree_are_refused(tree: nf.orthoview.OrthoTree) -> None:
+    wider = world_of([*BEFORE, 5000])
+    low, high = tree.bounds
+    beyond = np.array([low, high + 100])
+    shifted = nf.Scene.from_arrays(
+        np.array([high + 5, high + 6, high + np.array([5, 9, 5])], np.float64), np.array([[0, 1, 2]], np.uint32)
+    )
+    with pytest.raises(ValueError, match="aabb: expected a change within the tree's box"):
+        tree.update(beyond, shifted)
+    assert tree.update(beyond, wider).generation == 1  # nothing lies beyond
+
+
+def test_bad_calls_are_named(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="aabb"):
+        tree.update([[0, 0, 0], [-1, 0, 0]], world_of(BEFORE))
+    with pytest.raises(TypeError, match="source: expected a source"):
+        tree.update(tree.bounds, 3)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="path: expected another place"):
+        tree.compact(tree.path)
+    failing = built(Counted(world_of(BEFORE), {5}), tmp_path / "part.zarr")
+    for call in (
+        lambda: failing.update(tree.bounds, world_of(BEFORE)),
+        lambda: failing.compact(tmp_path / "new.zarr"),
+        failing.verify,
+    ):
+        with pytest.raises(ValueError, match=r"part\.zarr is not complete, build it again"):
+            call()
+    tree.update(box_about(ADDED), world_of([*BEFORE, *ADDED]))
+    with pytest.raises(ValueError, match="was updated since it was built"):
+        built(world_of(BEFORE), Path(tree.path))

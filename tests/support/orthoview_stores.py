@@ -1,0 +1,156 @@
+"""Stores of orthoviews, and sources that count, for tests that compare what they hold."""
+
+from __future__ import annotations
+
+import functools
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Collection, Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import trimesh
+from numpy.typing import ArrayLike, NDArray
+
+import nearfar as nf
+from nearfar import _core
+from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._grid import Grid
+from tests.support import need
+from tests.support.orthoview_cases import CORNER
+
+CELL, SIZE = 10.0, 16
+FORMAT = (SIZE, 12, 16)
+
+
+def places(counts: tuple[int, int, int]) -> list[tuple[int, int, int]]:
+    x, y, z = counts
+    return [(column, layer, row) for column in range(x) for layer in range(y) for row in range(z)]
+
+
+@functools.cache
+def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.OrthoViews]:
+    """Views of all cells in which something is, level by level, all of them in memory."""
+    grid, directions = Grid.over(world.bounds, CELL), directions_of(5)
+    cells: dict[tuple[int, tuple[int, int, int]], _core.OrthoViews] = {}
+    for place in places(grid.counts):
+        # As many triangles decide the way of drawing, whose depths may differ at the border of two steps.
+        part = world.query(grid.box(0, place))._core
+        views = _core.OrthoViews.of_cell(part, (grid.corner(0, place), CELL), directions, FORMAT)
+        if not all(views.empty()):
+            cells[0, place] = views
+    for level in range(1, grid.levels):
+        parents: dict[tuple[int, int, int], _core.OrthoParent] = {}
+        # In the order of octants: x changes last.
+        for (below, (x, y, z)), views in sorted(cells.items()):
+            if below == level - 1:
+                parent = parents.setdefault((x // 2, y // 2, z // 2), _core.OrthoParent(directions, FORMAT))
+                parent.add((x % 2, y % 2, z % 2), views)
+        cells |= {(level, place): parent.finish() for place, parent in parents.items()}
+    return cells
+
+
+def contents(path: Path) -> dict[str, bytes]:
+    """Files of a store by their paths below it, but for what only builds need."""
+    files = (file for file in path.rglob("*") if file.is_file() and "nearfar" not in file.relative_to(path).parts)
+    return {str(file.relative_to(path)): file.read_bytes() for file in files if file.name != "zarr.json"}
+
+
+class Counted:
+    """A source that counts its queries, and fails where it is told to."""
+
+    def __init__(self, scene: nf.Scene, fails: Collection[int] = ()) -> None:
+        self._scene, self._fails, self.queries = scene, fails, 0
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        return self._scene.bounds
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        self.queries += 1
+        if self.queries in self._fails:
+            raise OSError("the disk is gone")
+        return self._scene.query(aabb, detail)
+
+
+class Telling(Counted):
+    """One that also tells where nothing is."""
+
+    def touches(self, aabb: ArrayLike) -> bool:
+        return self._scene.touches(aabb)
+
+
+def ended(path: Path, change: str) -> None:
+    """Build in a process that ends itself as `kill -9` ends it."""
+    need("linux")
+    code = f"""
+import os, signal
+import nearfar as nf
+from nearfar.orthoview import _layout, _shard, _subtree
+from tests.support.orthoview_stores import Counted
+from tests.support.orthoview_cases import boxes
+def die():
+    os.kill(os.getpid(), signal.SIGKILL)
+source = Counted(boxes(60, 80.0)[0])
+{change}
+nf.orthoview.build(source, {str(path)!r}, cell={CELL}, size={SIZE}, directions=5)
+"""
+    root = Path(__file__).resolve().parents[2]
+    process = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True, check=False)
+    assert process.returncode == -9, process.stderr[-2000:]
+
+
+def box(number: int) -> trimesh.Trimesh:
+    """A turned box with a colour of its own, in a world of 80 m."""
+    rng = np.random.default_rng(number)
+    mesh = trimesh.creation.box(rng.uniform(4, 18, 3))
+    turn = trimesh.transformations.random_rotation_matrix(rng.random(3))
+    turn[:3, 3] = CORNER + rng.uniform(16, 64, 3)
+    mesh.apply_transform(turn)
+    mesh.visual = trimesh.visual.ColorVisuals(mesh, face_colors=rng.integers(0, 256, 3))
+    return mesh
+
+
+def world_of(numbers: Iterable[int]) -> nf.Scene:
+    """Boxes between two small ones, so that all such worlds have one box."""
+    ends = [trimesh.creation.box((1, 1, 1)).apply_translation(CORNER + shift) for shift in (0.5, 79.5)]
+    return nf.Scene.from_trimesh(trimesh.util.concatenate([*ends, *map(box, numbers)]))
+
+
+def box_about(numbers: Iterable[int]) -> NDArray[np.float64]:
+    """World box of some boxes."""
+    bounds = [box(number).bounds for number in numbers]
+    return np.array([np.min(bounds, axis=0)[0], np.max(bounds, axis=0)[1]])
+
+
+class Deadly(Counted):
+    """A source that ends its process, once in all processes, in a query for a cell."""
+
+    def __init__(self, scene: nf.Scene, place: ArrayLike, sign: Path) -> None:
+        super().__init__(scene)
+        self._place, self._sign = np.asarray(place), sign
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        low, high = np.asarray(aabb)
+        if (low <= self._place).all() and (self._place < high).all() and not self._sign.exists():
+            self._sign.touch()
+            os.kill(os.getpid(), signal.SIGKILL)
+        return super().query(aabb, detail)
+
+
+class Waiting(Counted):
+    """A source that shows by a file that it was asked, and waits for another one."""
+
+    def __init__(self, scene: nf.Scene, folder: Path) -> None:
+        super().__init__(scene)
+        self._folder = folder
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        (self._folder / "asked").touch()
+        while not (self._folder / "go").exists():
+            time.sleep(0.01)
+        return super().query(aabb, detail)
