@@ -18,6 +18,7 @@ from nearfar.cli import (
     _export,
     _info,
     _lod,
+    _orthoview,
     _partition,
     _reduce,
     _render,
@@ -47,6 +48,7 @@ app.command("compare")(_compare.compare)
 app.command("lod")(_lod.lod)
 app.command("stereo")(_stereo.stereo)
 app.command("export")(_export.export)
+app.add_typer(_orthoview.app, name="orthoview")
 app.command("serve")(_serve.serve)
 app.command("view")(_view.view)
 

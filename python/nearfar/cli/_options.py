@@ -241,18 +241,11 @@ def open_scene(
         check.positive("--scale", scale)
     if max_bytes is not None:
         check.integer("--max-bytes", max_bytes, 1, 1 << 62)
-    name, _, settings = text.partition(":")
-    if name in PROCEDURAL:
-        if up != "y":
-            raise ValueError(f"--up: expected y with {name}, which stands upright already, got {check.shortened(up)}")
-        if scale is not None:
-            raise ValueError(f"--scale: expected none with {name}, which is in metres already, got {scale:g}")
-        if max_bytes is not None:
-            raise ValueError(f"--max-bytes: expected none with {name}, which is no file, got {max_bytes}")
-        for key, value in parts.items():
-            if value is not None:
-                raise ValueError(f"--{key}: expected none with {name}, which is no file, got {check.shortened(value)}")
-        return _procedural(name, settings)
+    if text.partition(":")[0] in PROCEDURAL:
+        made = procedural(text, up=up, scale=scale, max_bytes=max_bytes, parts=parts)
+        if isinstance(made, nf.datasets.Asteroids):
+            return made.scene()
+        return made.query(MIDDLE) if isinstance(made, nf.datasets.World) else made
     if Path(text).is_dir():
         kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
         if all((Path(text) / name).is_file() for name in ("manifest.json", "tileset.json")):
@@ -281,7 +274,20 @@ def headset(text: str) -> nf.Hmd:
         raise ValueError(f"--hmd: {error}") from None
 
 
-def _procedural(name: str, settings: str) -> nf.Scene:
+def procedural(
+    text: str, *, up: str, scale: float | None, max_bytes: int | None, parts: Mapping[str, Any] = WHOLE
+) -> nf.Scene | nf.datasets.World | nf.datasets.Asteroids:
+    """Make what a text such as "city:blocks=4,seed=1" names; options of files are refused."""
+    name, _, settings = text.partition(":")
+    if up != "y":
+        raise ValueError(f"--up: expected y with {name}, which stands upright already, got {check.shortened(up)}")
+    if scale is not None:
+        raise ValueError(f"--scale: expected none with {name}, which is in metres already, got {scale:g}")
+    if max_bytes is not None:
+        raise ValueError(f"--max-bytes: expected none with {name}, which is no file, got {max_bytes}")
+    for key, value in parts.items():
+        if value is not None:
+            raise ValueError(f"--{key}: expected none with {name}, which is no file, got {check.shortened(value)}")
     maker = getattr(nf.datasets, name)
     defaults = {k: p.default for k, p in inspect.signature(maker).parameters.items() if type(p.default) is int}
     chosen: dict[str, int] = {}
@@ -296,6 +302,4 @@ def _procedural(name: str, settings: str) -> nf.Scene:
         except ValueError:
             raise ValueError(f"{name}: expected a whole number for {key}, got {check.shortened(value)}") from None
     made: nf.Scene | nf.datasets.World | nf.datasets.Asteroids = maker(**chosen)
-    if isinstance(made, nf.datasets.Asteroids):
-        return made.scene()
-    return made.query(MIDDLE) if isinstance(made, nf.datasets.World) else made
+    return made

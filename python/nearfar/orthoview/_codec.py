@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
+from nearfar._base.errors import UnusableError
 from nearfar.orthoview._directions import Direction
 from nearfar.orthoview._layout import CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
 
@@ -61,11 +62,19 @@ def decoded(
         whole = np.zeros((len(numbers), *shape), layout.dtype(channel))
         for at, number in enumerate(numbers):
             if (number, channel) in chunks:
-                found = compressor.decode(chunks[number, channel])
+                found = _decompressed(compressor, chunks[number, channel])
                 whole[at] = np.frombuffer(found, layout.dtype(channel)).reshape(shape)
         arrays[channel] = whole
     directions = tuple(layout.directions[number] for number in numbers)
     return _from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, directions)
+
+
+def _decompressed(compressor: Any, chunk: bytes) -> bytes:
+    """Content of a chunk; UnusableError if its checksum tells that it was altered."""
+    try:
+        return bytes(compressor.decode(chunk))
+    except RuntimeError as error:
+        raise UnusableError(f"a chunk: {error}") from None
 
 
 def _from_stored(

@@ -10,6 +10,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from nearfar._base import files, formats
 from nearfar._base.errors import FormatError
 from nearfar.orthoview._chunks import Generation
@@ -151,13 +154,14 @@ def overlay(number: int) -> str:
     return f"{FOLDER}/generations/{number}/"
 
 
-def end_generation(path: Path, number: int, aabb: list[list[float]], held: Mapping[str, int]) -> None:
+def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Mapping[str, int]) -> None:
     """Write the record of a generation, from those of its subtrees."""
     folder = path / overlay(number)
     shards: dict[str, Any] = {}
     for record in _records(folder):
         shards |= formats.read_json(record, RECORD, RECORD_VERSION)["shards"]
-    own = {"aabb": aabb, "shards": shards, "held": dict(held)}
+    box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
+    own = {"aabb": box, "shards": shards, "held": dict(held)}
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | own)
 
 

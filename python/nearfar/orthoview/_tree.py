@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from pathlib import Path
 from typing import SupportsIndex
 
@@ -11,52 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, formats
+from nearfar._base import card, check, formats
 from nearfar._source.protocol import SceneSource, source_of
-from nearfar.orthoview import _codec, _compact, _store, _update, _verify
+from nearfar.orthoview import _codec, _compact, _preview, _store, _update, _verify
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._directions import Direction
 from nearfar.orthoview._files import Local, files_at
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Layout, check_zarr
-
-
-@dataclass(frozen=True)
-class OrthoView:
-    """A cell seen along parallel rays."""
-
-    color: NDArray[np.uint8]
-    """sRGB without light (size, size, 3)."""
-    depth: NDArray[np.float32]
-    """Metres behind the front of the cell's extent along the view (size, size); infinite where nothing is."""
-    normal: NDArray[np.float32]
-    """Unit normals towards the viewer, world axes (size, size, 3); NaN where nothing is."""
-    surfel: NDArray[np.bool_]
-    """Whether a pixel is a piece of a plane (size, size); others are balls."""
-    right: NDArray[np.float64]
-    """Unit vector along a row."""
-    up: NDArray[np.float64]
-    """Unit vector against a column."""
-    toward: NDArray[np.float64]
-    """Unit vector towards the viewer."""
-    extents: NDArray[np.float64]
-    """Extents of the picture to the right and upwards, and of depths, metres."""
-    center: NDArray[np.float64]
-    """World position of the cell's centre, metres."""
-
-    def points(self) -> NDArray[np.float64]:
-        """World positions (size, size, 3) of the surfaces, metres; NaN where nothing is."""
-        place = (np.arange(len(self.depth)) + 0.5) / len(self.depth) - 0.5
-        across, down = np.meshgrid(place, place)
-        behind = np.where(np.isfinite(self.depth), self.depth, np.nan).astype(np.float64)
-        width, height, depth = self.extents
-        points: NDArray[np.float64] = (
-            self.center
-            + (across * width)[..., None] * self.right
-            - (down * height)[..., None] * self.up
-            + (depth / 2 - behind)[..., None] * self.toward
-        )
-        return points
+from nearfar.orthoview._view import OrthoView
 
 
 class OrthoTree:
@@ -222,6 +184,27 @@ class OrthoTree:
         center = self._layout.grid.box(level, place).mean(axis=0)
         return OrthoView(views.colors()[0], metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
 
+    def preview(
+        self, level: SupportsIndex | None = None, place: tuple[int, int, int] | None = None
+    ) -> NDArray[np.uint8]:
+        """Return the views of a cell side by side, sRGB (H, W, 3).
+
+        Parameters
+        ----------
+        level, place
+            The cell; by default the one on top, which has the whole world.
+
+        Raises
+        ------
+        ValueError, FormatError, OSError
+            As in `view`.
+        """
+        number = self.levels - 1 if level is None else check.integer("level", level, 0, self.levels - 1)
+        at = (0, 0, 0) if place is None else place
+        return _preview.sheet(
+            [self.view(number, at, direction) for direction in range(len(self.directions))], self.size
+        )
+
     def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
         """Write a new generation, in which a part of the world is as it is now.
 
@@ -319,6 +302,20 @@ class OrthoTree:
             raise ValueError(f"place: expected 3 whole numbers, got shape {numbers.shape}")
         x, y, z = (check.integer("place", n, 0, count - 1) for n, count in zip(numbers.tolist(), counts, strict=True))
         return x, y, z
+
+    @card.repr_html
+    def _repr_html_(self) -> str:
+        facts = [
+            ("leaves", f"{' × '.join(map(str, self.cells(0)))} of {self.cell:g} m, {self.held['leaves']:,} not empty"),
+            ("levels", str(self.levels)),
+            ("views", f"{len(self.directions)} of {self.size} × {self.size} pixels for each cell"),
+            ("cells", f"{self.held['cells']:,}, {self.held['bytes']:,} bytes"),
+            ("updates", str(self.generation)),
+        ]
+        if not self.is_complete:
+            return card.page("OrthoTree", [*facts, ("incomplete", f"{len(self.failed):,} leaves failed")])
+        picture = card.picture(self.preview(), "views of the whole world", "from all directions, without light")
+        return card.page("OrthoTree", facts, picture)
 
     def __repr__(self) -> str:
         """Return a line."""

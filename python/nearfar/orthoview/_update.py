@@ -44,7 +44,7 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
         held.subtract(changed.replaced)
         written = _store.held_below(folder)
         held.update(written)
-        _store.end_generation(path, newest + 1, aabb.tolist(), written)
+        _store.end_generation(path, newest + 1, aabb, written)
         shutil.rmtree(folder / FOLDER)
         _store.change(path, generation=newest + 1, held=dict(held), done=dict(outcome.counts))
 

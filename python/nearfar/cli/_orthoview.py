@@ -1,0 +1,203 @@
+"""`nearfar orthoview`: trees of orthoviews, built, looked at, updated, checked and written as plain Zarr."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+import nearfar as nf
+from nearfar._base import check, files, formats
+from nearfar._base.cluster import LOCAL
+from nearfar.cli import _options as options
+from nearfar.cli._cut import read_box
+from nearfar.cli._options import option
+from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show
+
+VERSION = 1
+
+app = typer.Typer(
+    help="Worlds of any size as an octree of orthographic depth images.", no_args_is_help=True, add_completion=False
+)
+
+World = Annotated[
+    str,
+    option(
+        "-i --input",
+        "WORLD",
+        "Folder of tiles, tileset, footprints, scene file or procedural scene; world and asteroids are taken whole.",
+    ),
+]
+Store = Annotated[str, typer.Argument(metavar="STORE", help="Folder or URL of a tree.")]
+BOX = option("--box", "X0,Z0,X1,Z1", "Least x and z and greatest x and z in metres; by default everything.")
+
+
+@app.command("build")
+def build(
+    world: World,
+    output: Annotated[Path, option("-o --output", "STORE", "Folder to write; an interrupted call goes on.")],
+    cell: Annotated[float, option("--cell", "METRES", "Side of the leaves' cubic cells.")],
+    box: Annotated[str | None, BOX] = None,
+    size: Annotated[int, option("--size", "PIXELS", "Width and height of a view, a multiple of 4.")] = 512,
+    directions: Annotated[int, option("--directions", "5|9|13|26", "Number of sides that cells are seen from.")] = 9,
+    depth_bits: Annotated[int, option("--depth-bits", "BITS", "Bits of a depth, 8 to 16.")] = 12,
+    normal_bits: Annotated[int, option("--normal-bits", "16|24", "Bits of a normal.")] = 16,
+    cluster: Annotated[
+        str | None,
+        option(
+            "--cluster", "local|ADDRESS", "One process a core, or the workers of a Dask scheduler, tcp://HOST:PORT."
+        ),
+    ] = None,
+    up: options.Up = "y",
+    scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
+    on_invalid: options.Invalid = "raise",
+    as_json: options.Json = False,
+) -> None:
+    """Build the tree of a world that may be larger than memory."""
+    aabb = None if box is None else read_box(box)
+    source = open_world(world, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    clock = Clock()
+    with _client(cluster) as client, clock.step("build"):
+        tree = nf.orthoview.build(
+            source,
+            output,
+            cell=cell,
+            aabb=aabb,
+            size=size,
+            directions=directions,
+            depth_bits=depth_bits,
+            normal_bits=normal_bits,
+            cluster=client,
+        )
+    _show(tree, as_json, source=world, seconds=clock.seconds)
+
+
+@app.command("info")
+def info(
+    store: Store,
+    preview: Annotated[Path | None, option("--preview", "FILE.png", "Write the views of the whole world.")] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Print what a tree holds."""
+    if preview is not None:
+        check_target(preview, ".png")
+    tree = nf.orthoview.open(store)
+    if preview is not None:
+        from PIL import Image
+
+        with files.atomic_file(preview) as temporary:
+            Image.fromarray(tree.preview()).save(temporary, format="PNG")
+    _show(tree, as_json, **({} if preview is None else {"preview": str(preview)}))
+
+
+@app.command("update")
+def update(
+    store: Store,
+    world: World,
+    box: Annotated[
+        str, option("--box", "X0,Z0,X1,Z1", "Where the world has changed: least x and z, greatest, metres.")
+    ],
+    up: options.Up = "y",
+    scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
+    on_invalid: options.Invalid = "raise",
+    as_json: options.Json = False,
+) -> None:
+    """Draw a part of a tree again, from the world as it is now, into a new generation of its store."""
+    aabb = read_box(box)
+    tree = nf.orthoview.open(store)
+    source = open_world(world, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+    clock = Clock()
+    with clock.step("update"):
+        updated = tree.update(aabb, source)
+    _show(updated, as_json, source=world, seconds=clock.seconds)
+
+
+@app.command("verify")
+def verify(store: Store, as_json: options.Json = False) -> None:
+    """Compare all files of a tree with the sizes and hashes that its store lists."""
+    tree = nf.orthoview.open(store)
+    clock = Clock()
+    with clock.step("verify"):
+        shards = tree.verify()
+    _show(tree, as_json, shards=shards, seconds=clock.seconds)
+
+
+@app.command("export")
+def export(
+    store: Store,
+    output: Annotated[Path, option("-o --output", "FOLDER", "Folder to write.")],
+    as_json: options.Json = False,
+) -> None:
+    """Write the newest generation of a tree as plain Zarr, for any reader; from a URL it is a download."""
+    tree = nf.orthoview.open(store)
+    clock = Clock()
+    with clock.step("export"):
+        compacted = tree.compact(output)
+    _show(compacted, as_json, source=store, seconds=clock.seconds)
+
+
+def open_world(text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None) -> nf.SceneSource:
+    """Open the world that `-i` names."""
+    if text.partition(":")[0] in options.PROCEDURAL:
+        return options.procedural(text, up=up, scale=scale, max_bytes=max_bytes)
+    return nf.open_source(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+
+
+@contextmanager
+def _client(cluster: str | None) -> Iterator[Any]:
+    """The cluster that `--cluster` names."""
+    if cluster is None or cluster == LOCAL:
+        yield cluster
+        return
+    if "://" not in cluster:
+        raise ValueError(
+            f"--cluster: expected local or an address such as tcp://host:8786, got {check.shortened(cluster)}"
+        )
+    try:
+        from distributed import Client
+    except ImportError:
+        raise ImportError('clusters need the Python package distributed: pip install "nearfar[cluster]"') from None
+    with Client(cluster) as client:
+        yield client
+
+
+def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
+    """Print what a tree holds, and what was done."""
+    held = tree.held
+    document = formats.header("orthoview_info", VERSION) | {
+        "store": tree.path,
+        "complete": tree.is_complete,
+        "failed": {"_".join(map(str, place)): reason for place, reason in tree.failed.items()},
+        "generation": tree.generation,
+        "cell": tree.cell,
+        "bounds": tree.bounds.tolist(),
+        "levels": tree.levels,
+        "leaves": list(tree.cells(0)),
+        "directions": [list(direction) for direction in tree.directions],
+        "size": tree.size,
+        "held": held,
+        "done": tree.done,
+    }
+    each = bytes_text(held["bytes"] / max(held["chunks"] // 3, 1))
+    low, high = tree.bounds
+    rows = [
+        ("leaves", f"{' × '.join(map(str, tree.cells(0)))} of {tree.cell:g} m, {count(held['leaves'])} not empty"),
+        ("from, to", f"{metres(low)}; {metres(high)}"),
+        ("levels", str(tree.levels)),
+        ("views", f"{len(tree.directions)} directions, {tree.size} × {tree.size} pixels"),
+        ("held", f"{count(held['cells'])} cells, {bytes_text(held['bytes'])}, {each} a view"),
+        ("updates", str(tree.generation)),
+        *(("done", f"{name} {count(number)}") for name, number in sorted(tree.done.items())),
+        *((name, f"{value:.2f} s") for name, value in facts.get("seconds", {}).items()),
+    ]
+    if "shards" in facts:
+        rows.append(("shards", f"{count(facts['shards'])}, all as they were written"))
+    if not tree.is_complete:
+        rows.append(("incomplete", f"{count(len(tree.failed))} leaves failed; the same call completes the tree"))
+        rows += [("", f"{place}: {reason}") for place, reason in list(tree.failed.items())[:5]]
+    show(document | facts, rows, title=tree.path, as_json=as_json)

@@ -1,0 +1,98 @@
+"""Tests of `nearfar orthoview`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import nearfar as nf
+from tests.support import need
+from tests.support.cli_cases import city, command, document
+
+__all__ = ["city"]
+
+need("zarr")
+
+BOX = "--box=-60,-60,59,59"
+
+
+@pytest.fixture(scope="module")
+def store(city: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("trees") / "city.zarr"
+    box = np.array([[-60, -np.inf, -60], [59, np.inf, 59]])
+    nf.orthoview.build(nf.Scene.load(city), path, cell=30, aabb=box, size=32, directions=5)
+    return path
+
+
+def test_a_tree_is_built_looked_at_updated_checked_and_exported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, city: Path, store: Path
+) -> None:
+    path, picture, plain = tmp_path / "city.zarr", tmp_path / "views.png", tmp_path / "plain.zarr"
+    options = ("--cell", "30", BOX, "--size", "32", "--directions", "5", "--json")
+    status, out, _ = command(capsys, "orthoview", "build", "-i", city, "-o", path, *options)
+    assert status == 0
+    built, expected = document(out, "orthoview_info"), nf.orthoview.open(store)
+    assert (built["held"], built["complete"]) == (expected.held, True)
+    assert built["source"] == str(city)
+    status, out, _ = command(capsys, "orthoview", "info", path, "--preview", picture)
+    assert status == 0
+    assert f"{expected.held['leaves']:,} not empty" in out
+    np.testing.assert_array_equal(np.asarray(Image.open(picture)), expected.preview())
+    less = tmp_path / "less.glb"
+    assert command(capsys, "cut", "-i", city, "-o", less, "--box=-999,-999,-21,999")[0] == 0
+    change = ("--box=-20,-20,59,59", "--json")
+    status, out, _ = command(capsys, "orthoview", "update", path, "-i", less, *change)
+    assert status == 0
+    updated = document(out, "orthoview_info")
+    assert updated["generation"] == 1
+    assert updated["held"]["leaves"] < built["held"]["leaves"]
+    status, out, _ = command(capsys, "orthoview", "verify", path, "--json")
+    assert status == 0
+    assert document(out, "orthoview_info")["shards"] == nf.orthoview.open(path).verify()
+    status, out, _ = command(capsys, "orthoview", "export", path, "-o", plain, "--json")
+    assert status == 0
+    exported = document(out, "orthoview_info")
+    assert (exported["generation"], exported["held"]) == (0, updated["held"])
+
+
+def test_a_damaged_tree_is_a_sentence(capsys: pytest.CaptureFixture[str], tmp_path: Path, store: Path) -> None:
+    copy = nf.orthoview.open(store).compact(tmp_path / "copy.zarr")
+    shard = next(path for path in (Path(copy.path) / "0").rglob("0") if path.is_file())
+    content = shard.read_bytes()
+    shard.unlink()  # the copy shares its files
+    shard.write_bytes(content[:-1])
+    status, out, err = command(capsys, "orthoview", "verify", copy.path)
+    assert (status, out) == (1, "")
+    assert err.startswith(f"nearfar: {shard}: damaged orthoviews: expected a shard of {len(content)} bytes")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("build", "-i", "city", "-o", "new", "--cell", "0"), "cell: expected"),
+        (("build", "-i", "city", "-o", "new", "--cell", "9", "--box", "1"), "--box: expected x0,z0,x1,z1"),
+        (("build", "-i", "city", "-o", "new", "--cell", "9", "--scale", "2"), "--scale: expected none with city"),
+        (("build", "-i", "none.glb", "-o", "new", "--cell", "9"), "none.glb"),
+        (("build", "-i", "spheres", "-o", "new", "--cell", "9", "--cluster", "x"), "--cluster: expected local or"),
+        (("info", "new"), "no store of orthoviews"),
+        (("update", "new", "-i", "city", "--box", "0,0,1,1"), "no store of orthoviews"),
+        (("verify", "new"), "no store of orthoviews"),
+        (("export", "new", "-o", "other"), "no store of orthoviews"),
+    ],
+)
+def test_wrong_calls_are_sentences(
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: tuple[str, ...],
+    words: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    status, _, err = command(capsys, "orthoview", *arguments)
+    assert status == 1
+    assert words in err
+    assert err.count("\n") == 1
+    assert not (tmp_path / "new").exists()

@@ -1,0 +1,274 @@
+"""Tests of stores: what is damaged, what stands behind URLs, and what ends a build."""
+
+from __future__ import annotations
+
+import errno
+import functools
+import http.server
+import json
+import shutil
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike
+
+import nearfar as nf
+from nearfar.orthoview._shard import ShardWriter
+from tests.support import need, valid
+from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, contents, places, world_of
+
+need("zarr")
+
+
+def test_damaged_shards_are_named(copied: Path) -> None:
+    files = [file for file in (copied / "0" / "py" / "color").rglob("0") if file.is_file()]
+    shard = max(files, key=lambda file: file.stat().st_size)
+    whole, first = shard.read_bytes(), [8 * int(number) for number in shard.relative_to(copied).parts[4:7]]
+    inside = [tuple(np.add(first, place).tolist()) for place in places((8, 8, 8))]
+    tree = nf.orthoview.open(copied)
+    x, y, z = next(p for p in inside if all(np.less(p, tree.cells(0))) and tree.view(0, p, 4) is not None)
+    for damaged in (whole[: len(whole) // 2], whole[:-8] + bytes(8)):
+        shard.write_bytes(damaged)
+        with pytest.raises(nf.FormatError, match="damaged orthoviews"):
+            nf.orthoview.open(copied).view(0, (x, y, z), 4)
+
+
+@pytest.mark.parametrize("content", ["null", '{"nearfar": null}', '{"nearfar": {"format": "nearfar.orthoview"}}', "[]"])
+def test_damaged_attributes_are_named(copied: Path, content: str) -> None:
+    (copied / "zarr.json").write_text(f'{{"zarr_format": 3, "node_type": "group", "attributes": {content}}}')
+    with pytest.raises(nf.FormatError, match="zarr"):
+        nf.orthoview.open(copied)
+
+
+def test_attributes_fit_their_schema(tree: nf.orthoview.OrthoTree, copied: Path) -> None:
+    attributes = json.loads((copied / "zarr.json").read_text())["attributes"]["nearfar"]
+    assert valid(attributes, "orthoview")
+    assert not valid(attributes | {"complete": "yes"}, "orthoview")
+    assert attributes["held"] == tree.held
+
+
+def test_newer_stores_are_refused(copied: Path) -> None:
+    document = (copied / "zarr.json").read_text().replace('"version": 1', '"version": 99')
+    (copied / "zarr.json").write_text(document)
+    with pytest.raises(nf.FormatError, match="version"):
+        nf.orthoview.open(copied)
+
+
+def test_records_fit_their_schemas(tree: nf.orthoview.OrthoTree, copied: Path) -> None:
+    nf.orthoview.open(copied).update(tree.box(0, (3, 3, 3)), world_of(range(9)))
+    documents = {
+        "orthoview_records": [copied / "nearfar" / "records.json"],
+        "orthoview_subtree": list((copied / "nearfar" / "done").glob("*.json")),
+        "orthoview_generation": list((copied / "nearfar" / "generations").rglob("generation.json")),
+    }
+    for name, paths in documents.items():
+        assert paths
+        for path in paths:
+            document = json.loads(path.read_text())
+            assert valid(document, name)
+            document.pop("shards" if name != "orthoview_records" else "records")
+            assert not valid(document, name)
+
+
+def largest(folder: Path) -> Path:
+    return max((path for path in folder.rglob("0") if path.is_file()), key=lambda path: path.stat().st_size)
+
+
+def test_an_altered_chunk_is_noticed_when_it_is_read(copied: Path) -> None:
+    """A byte of each chunk in turn; Zstandard's checksum of the content tells."""
+    shard = largest(copied / "0" / "py" / "depth")
+    whole, first = bytearray(shard.read_bytes()), [8 * int(number) for number in shard.relative_to(copied).parts[4:7]]
+    index = np.frombuffer(whole[-4 - 8**3 * 16 : -4], "<u8").reshape(8, 8, 8, 2)
+    there = [place for place in places((8, 8, 8)) if index[(*place, 1)] < 2**63]
+    assert len(there) > 20
+    for place in there[:20]:
+        start, length = index[place].tolist()
+        altered = bytearray(whole)
+        altered[start + length // 2] ^= 16
+        shard.write_bytes(altered)
+        x, y, z = (a + b for a, b in zip(first, place, strict=True))
+        with pytest.raises(nf.FormatError, match="damaged orthoviews"):
+            nf.orthoview.open(copied).view(0, (x, y, z), 4)
+
+
+def test_verify_names_what_is_damaged(copied: Path) -> None:
+    tree = nf.orthoview.open(copied).update(box_about([1]), world_of(range(9)))
+    count = sum(path.is_file() and path.name == "0" for path in copied.rglob("0"))
+    assert tree.verify() == count
+    overlay = copied / "nearfar" / "generations" / "1"
+    for folder in (copied / "1" / "px" / "color", overlay / "0"):
+        shard = largest(folder)
+        whole = shard.read_bytes()
+        for damaged, text in (
+            (whole[:-1], f"expected a shard of {len(whole)} bytes, got {len(whole) - 1}"),
+            (whole[:9] + bytes([whole[9] ^ 1]) + whole[10:], "the shard's SHA-256 is not"),
+            (None, "the shard is gone"),
+        ):
+            shard.unlink()
+            if damaged is not None:
+                shard.write_bytes(damaged)
+            with pytest.raises(nf.FormatError, match=f"{shard}: damaged orthoviews: {text}"):
+                tree.verify()
+            shard.write_bytes(whole)
+    assert tree.verify() == count
+    record = next((copied / "nearfar" / "done").glob("0_*.json"))
+    record.write_text(record.read_text() + " ")
+    with pytest.raises(nf.FormatError, match=f"{record}: damaged: its SHA-256 is not"):
+        tree.verify()
+    record.unlink()
+    with pytest.raises(nf.FormatError, match=f"{record}: expected a file that the store refers to, found none"):
+        tree.verify()
+    (overlay / "generation.json").unlink()
+    with pytest.raises(nf.FormatError, match=r"generation.json: expected a file that the store refers to"):
+        nf.orthoview.open(copied)
+
+
+class Handler(http.server.SimpleHTTPRequestHandler):
+    """Serves a folder, with ranges unless the path begins with /whole, and notes what it sends."""
+
+    sent: list[tuple[str, int]]
+
+    def log_message(self, format: str, *given: Any) -> None:  # noqa: A002
+        pass
+
+    def do_GET(self) -> None:
+        path = Path(self.translate_path(self.path.removeprefix("/whole")))
+        wanted = self.headers.get("Range")
+        if not path.is_file():
+            self.send_error(404)
+            return
+        content, status = path.read_bytes(), 200
+        if wanted and not self.path.startswith("/whole"):
+            first, last = wanted.removeprefix("bytes=").split("-")
+            content = content[-int(last) :] if not first else content[int(first) : int(last) + 1]
+            status = 206
+        type(self).sent.append((self.path, len(content)))
+        self.send_response(status)
+        self.send_header("Content-Length", str(len(content)))
+        self.end_headers()
+        self.wfile.write(content)
+
+
+@pytest.fixture
+def url(copied: Path) -> Iterator[str]:
+    need("fsspec")
+    need("aiohttp")
+    Handler.sent = []
+    handler = functools.partial(Handler, directory=str(copied.parent))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+        thread.join()
+
+
+def assert_same_views(one: nf.orthoview.OrthoTree, other: nf.orthoview.OrthoTree, step: int) -> None:
+    seen = 0
+    for level in range(one.levels):
+        for place in places(one.cells(level))[::step]:
+            left, right = (opened.view(level, place, 4) for opened in (one, other))
+            assert (left is None) == (right is None)
+            if left is not None and right is not None:
+                np.testing.assert_array_equal(left.color, right.color)
+                np.testing.assert_array_equal(left.depth, right.depth)
+                seen += 1
+    assert seen > 5
+
+
+@pytest.mark.parametrize("place", ["", "whole/"])
+def test_a_store_behind_a_web_server_is_read_in_part(copied: Path, url: str, place: str) -> None:
+    local = nf.orthoview.open(copied).update(box_about([1]), world_of(range(9)))
+    remote = nf.orthoview.open(f"{url}/{place}copy.zarr/")
+    assert remote.generation == 1
+    assert_same_views(remote, local, 29)
+    if not place:
+        chunks = sum(size for path, size in Handler.sent if path.endswith("/0/0/0"))
+        whole = sum(path.stat().st_size for path in copied.rglob("0") if path.is_file())
+        assert chunks < whole / 4
+        asked = len(Handler.sent)
+        remote.view(0, (3, 3, 3), 4)
+        remote.view(0, (3, 3, 3), 4)
+        assert len(Handler.sent) <= asked + 9  # indexes are kept
+    assert remote.verify() == local.verify()
+
+
+def test_a_store_behind_a_web_server_is_not_written(copied: Path, url: str, tmp_path: Path) -> None:
+    remote = nf.orthoview.open(f"{url}/copy.zarr")
+    with pytest.raises(ValueError, match="path: expected a local folder to update, got 'http"):
+        remote.update(remote.bounds, world_of([]))
+    assert contents(Path(remote.compact(tmp_path / "local.zarr").path)) == contents(copied)
+    with pytest.raises(FileNotFoundError, match=f"{url}/none"):
+        nf.orthoview.open(f"{url}/none")
+    with pytest.raises(ValueError, match="path: expected a URL that fsspec can open"):
+        nf.orthoview.open("nowhere://store")
+
+
+def test_object_stores_are_read(copied: Path) -> None:
+    """fsspec's store in memory stands for all that have keys and no folders."""
+    need("fsspec")
+    import fsspec
+
+    memory = fsspec.filesystem("memory")
+    memory.put(str(copied), "/bucket/world.zarr", recursive=True)
+    try:
+        assert_same_views(nf.orthoview.open("memory://bucket/world.zarr"), nf.orthoview.open(copied), 29)
+    finally:
+        memory.rm("/bucket", recursive=True)
+
+
+def test_a_full_disk_ends_the_build_and_costs_nothing(
+    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Half of a chunk is written when the disk is full."""
+    write, left = ShardWriter._write, [50_000]
+
+    def limited(self: ShardWriter, data: bytes, *, sync: bool) -> None:
+        left[0] -= len(data)
+        if left[0] < 0:
+            write(self, data[: len(data) // 2], sync=sync)
+            raise OSError(errno.ENOSPC, "No space left on device")
+        write(self, data, sync=sync)
+
+    path = tmp_path / "world.zarr"
+    with monkeypatch.context() as patched:
+        patched.setattr(ShardWriter, "_write", limited)
+        with pytest.raises(OSError, match="No space left on device"):
+            nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=5)
+    source = Counted(world)
+    resumed = nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5)
+    assert source.queries < np.prod(tree.cells(0))
+    assert resumed.is_complete
+    assert contents(path) == contents(Path(tree.path))
+
+
+def test_ctrl_c_ends_the_build_and_costs_nothing(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    class Interrupted(Counted):
+        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+            part = super().query(aabb, detail)
+            if self.queries == 200:
+                raise KeyboardInterrupt
+            return part
+
+    path = tmp_path / "world.zarr"
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(Interrupted(world), path, cell=CELL, size=SIZE, directions=5)
+    source = Counted(world)
+    nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5)
+    assert source.queries == np.prod(tree.cells(0)) - 199
+    assert contents(path) == contents(Path(tree.path))
+
+
+def test_a_shard_that_is_gone_is_named_when_a_build_goes_on(copied: Path, world: nf.Scene) -> None:
+    document = json.loads((copied / "zarr.json").read_text())
+    document["attributes"]["nearfar"]["complete"] = False
+    (copied / "zarr.json").write_text(json.dumps(document))
+    for record in (copied / "nearfar" / "done").glob("1_*.json"):
+        record.unlink()
+    shutil.rmtree(copied / "2" / "py" / "color")
+    with pytest.raises(nf.FormatError, match="damaged orthoviews: the shard is gone"):
+        nf.orthoview.build(world, copied, cell=CELL, size=SIZE, directions=5)
