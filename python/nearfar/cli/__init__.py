@@ -1,4 +1,4 @@
-"""The command line: `nearfar demo | info | partition | bake | reduce | render | compare | lod | stereo | orthoview | …`.
+"""The command line: `nearfar demo | info | partition | bake | reduce | render | compare | lod | stereo | … | view`.
 
 A user's mistake prints one sentence on standard error and ends with exit status 1 (2 for a wrong command line); a
 traceback is a bug of nearfar.
