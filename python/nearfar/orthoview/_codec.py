@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,8 @@ def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     """Compress the views of a cell."""
     from numcodecs.zstd import Zstd
 
+    from nearfar._base import side_by_side  # its threads bring the module `logging`
+
     compressor = Zstd(**COMPRESSION)
     of_channel = {
         "color": views.colors(),
@@ -32,11 +35,9 @@ def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
         "normal": _packed(views.normals(), layout.normal_bits),
     }
     shown = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
-    return {
-        (number, channel): bytes(compressor.encode(np.ascontiguousarray(of_channel[channel][number])))
-        for number in shown
-        for channel in CHANNELS
-    }
+    pairs = [(number, channel) for number in shown for channel in CHANNELS]
+    jobs = (partial(compressor.encode, np.ascontiguousarray(of_channel[channel][number])) for number, channel in pairs)
+    return dict(zip(pairs, map(bytes, side_by_side.results(jobs)), strict=True))
 
 
 def decoded(
