@@ -42,8 +42,8 @@ class WebpCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not 
         return {"name": NAME, "configuration": settings}
 
     def compute_encoded_size(self, input_byte_length: int, chunk_spec: Any) -> int:
-        """No size is known before."""
-        raise NotImplementedError
+        """zarr asks codecs of one size alone."""
+        raise ValueError(f"{NAME}: lengths of files are not known beforehand")
 
     def _encode_sync(self, chunk: Any, spec: Any) -> Any:
         array = chunk.as_numpy_array()
