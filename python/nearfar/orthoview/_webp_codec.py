@@ -42,7 +42,7 @@ class WebpCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not 
         return {"name": NAME, "configuration": settings}
 
     def compute_encoded_size(self, input_byte_length: int, chunk_spec: Any) -> int:
-        """zarr asks codecs of one size alone."""
+        """Only codecs whose files all have one length are asked."""
         raise ValueError(f"{NAME}: lengths of files are not known beforehand")
 
     def _encode_sync(self, chunk: Any, spec: Any) -> Any:
