@@ -151,9 +151,9 @@ SETTINGS: list[dict[str, Any]] = [{}, {"level": 90, "lossless": False}]
 
 @pytest.mark.parametrize("settings", SETTINGS)
 def test_zarr_python_keeps_pictures_as_webp(tmp_path: Path, settings: dict[str, Any]) -> None:
+    need("zarr")
     import zarr
 
-    need("zarr")
     picture = waves()
     write(tmp_path / "store", picture, **settings)
     array = zarr.open_group(str(tmp_path / "store"), mode="r")["color"]
@@ -181,9 +181,9 @@ def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
 
 
 def test_damage_is_noticed(tmp_path: Path) -> None:
+    need("zarr")
     import zarr
 
-    need("zarr")
     write(tmp_path / "store", waves())
     shard = tmp_path / "store" / "color" / "c" / "0" / "1" / "1" / "0" / "0" / "0"
     content = bytearray(shard.read_bytes())
