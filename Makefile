@@ -123,7 +123,7 @@ clean:
 	$(pip) --no-deps pyrender==0.1.45
 	touch $@
 
-# Readers of glTF and 3D Tiles from npm; without it the tests that run them skip.
+# Readers of glTF, 3D Tiles and Zarr from npm; without it the tests that run them skip.
 .venv/readers: .venv/made tests/readers/package.json tests/readers/package-lock.json
 	@if command -v npm > /dev/null; then \
 		npm ci --prefix tests/readers --ignore-scripts --no-audit --no-fund --loglevel=error && touch $@; \

@@ -279,6 +279,9 @@ def test_bad_input_is_named(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_p
     wrong("cell: .*leaves", cell=1e-9)
     wrong("depth_bits: ", depth_bits=20)
     wrong("normal_bits: ", normal_bits=20)
+    wrong("color: ", color="png")
+    wrong("quality: expected None with", quality=50)
+    wrong("quality: ", color="webp", quality=101)
     wrong("source: expected a source", TypeError, source=3)
     wrong("begun with other values of .*cell", path=Path(tree.path), cell=20.0, directions=5)
     wrong("begun with other values of .*directions", path=Path(tree.path))
@@ -355,3 +358,32 @@ def test_the_size_of_views_is_that_of_a_display() -> None:
         nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=1.0, angle=np.pi / 2)
     with pytest.raises(ValueError, match="fov"):
         nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=4.0)
+
+
+@pytest.mark.parametrize("quality", [None, 80])
+def test_colours_as_webp(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, quality: int | None) -> None:
+    """Lossless ones are equal. Of lossy ones parents are composed, so a build that goes on writes the same bytes."""
+    settings: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 5, "color": "webp", "quality": quality}
+    path = tmp_path / "world.zarr"
+    made = nf.orthoview.build(world, path, **settings)
+    differences = []
+    for place in places(made.cells(1)):
+        one, other = made.view(1, place, 4), tree.view(1, place, 4)
+        if one is not None and other is not None:
+            np.testing.assert_array_equal(one.depth, other.depth)
+            assert not one.color[~np.isfinite(one.depth)].any()
+            differences.append(np.abs(one.color.astype(int) - other.color).max())
+    assert len(differences) > 30
+    assert (max(differences) > 0) == (quality is not None)
+
+    class Interrupted(Counted):
+        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+            if self.queries == 300:
+                raise KeyboardInterrupt
+            return super().query(aabb, detail)
+
+    other_path = tmp_path / "other.zarr"
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(Interrupted(world), other_path, **settings)
+    nf.orthoview.build(world, other_path, **settings)
+    assert contents(other_path) == contents(path)

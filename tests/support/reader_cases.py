@@ -13,9 +13,11 @@ import threading
 import time
 from collections.abc import Iterable, Mapping
 from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from http.server import ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
+
+from tests.support.range_server import RangeHandler
 
 FOLDER = Path(__file__).resolve().parents[1] / "readers"
 EXPORTERS = FOLDER.with_name("exporters")
@@ -81,16 +83,16 @@ def browser() -> str | None:
     return next(filter(None, map(shutil.which, BROWSERS)), None)
 
 
-def node(script: str, paths: Iterable[Path]) -> dict[str, Any]:
-    """The JSON that a script prints about files."""
-    command = ["node", str(FOLDER / script), *map(str, paths)]
+def node(script: str, given: Iterable[Path | str]) -> dict[str, Any]:
+    """The JSON that a script prints about files and what else it is given."""
+    command = ["node", str(FOLDER / script), *map(str, given)]
     process = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
     assert process.returncode == 0, process.stderr
     answer: dict[str, Any] = json.loads(process.stdout)
     return answer
 
 
-class _Handler(SimpleHTTPRequestHandler):
+class _Handler(RangeHandler):
     """Serves a folder of pages, and bundles below /bundles; takes the page's answer."""
 
     def __init__(
@@ -111,13 +113,13 @@ class _Handler(SimpleHTTPRequestHandler):
             return str(self._bundles[parts[2]].joinpath(*parts[3:]))
         return super().translate_path(path)
 
-    def do_GET(self) -> None:
+    def do_GET(self) -> None:  # noqa: N802 - the base class's name
         if self.path == "/job.json":
             self._reply(self._job, "application/json")
         else:
             super().do_GET()
 
-    def do_POST(self) -> None:
+    def do_POST(self) -> None:  # noqa: N802
         self._answers.put(self.rfile.read(int(self.headers["Content-Length"])))
         self._reply(b"", "text/plain")
 
@@ -127,9 +129,6 @@ class _Handler(SimpleHTTPRequestHandler):
         self.send_header("Content-Length", str(len(content)))
         self.end_headers()
         self.wfile.write(content)
-
-    def log_message(self, *_: Any) -> None:
-        """Print nothing."""
 
 
 def in_browser(bundles: Mapping[str, Path], views: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, Any]:

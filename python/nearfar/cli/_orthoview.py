@@ -45,6 +45,10 @@ def build(
     directions: Annotated[int, option("--directions", "5|9|13|26", "Number of sides that cells are seen from.")] = 9,
     depth_bits: Annotated[int, option("--depth-bits", "BITS", "Bits of a depth, 8 to 16.")] = 12,
     normal_bits: Annotated[int, option("--normal-bits", "16|24", "Bits of a normal.")] = 16,
+    color: Annotated[str, option("--color", "zstd|webp", "How colours are compressed.")] = "zstd",
+    quality: Annotated[
+        int | None, option("--quality", "0-100", "Quality of WebP; by default files are lossless.")
+    ] = None,
     cluster: Annotated[
         str | None,
         option(
@@ -71,6 +75,8 @@ def build(
             directions=directions,
             depth_bits=depth_bits,
             normal_bits=normal_bits,
+            color=color,
+            quality=quality,
             cluster=client,
         )
     _show(tree, as_json, source=world, seconds=clock.seconds)

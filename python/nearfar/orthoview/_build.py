@@ -35,6 +35,8 @@ def build(
     directions: SupportsIndex = 9,
     depth_bits: SupportsIndex = 12,
     normal_bits: SupportsIndex = 16,
+    color: str = "zstd",
+    quality: SupportsIndex | None = None,
     cluster: Any = None,
 ) -> OrthoTree:
     """Build the tree of orthographic depth images of a world.
@@ -64,6 +66,10 @@ def build(
         lie in the middle of theirs.
     normal_bits
         Bits of a normal, 16 or 24: it is known to 0.96° or 0.06°.
+    color
+        How colours are compressed: "zstd", which all readers have, or "webp", smaller where a world has textures.
+    quality
+        Of WebP, 0 to 100; None for lossless files.
     cluster
         "local" spreads subtrees over one process for each core of this machine, a `distributed.Client` over its
         workers, which must see `path` as it is here. The source is pickled into the store for them, so a folder of
@@ -107,7 +113,11 @@ def build(
         check.integer("depth_bits", depth_bits, 8, 16),
         check.integer("normal_bits", normal_bits, 16, 24),
         SUBTREE,
+        check.choice("color", color, ("zstd", "webp")),
+        None if quality is None else check.integer("quality", quality, 0, 100),
     )
+    if layout.quality is not None and layout.color == "zstd":
+        raise ValueError("quality: expected None with color='zstd', which is lossless")
     _core.orthoview_steps(layout.format)  # refuses sizes and bits that the limits above let through
     check_zarr()
     _store.begin(target, layout)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base.errors import UnusableError
+from nearfar.orthoview import _webp
 from nearfar.orthoview._directions import Direction
 from nearfar.orthoview._layout import CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
 
@@ -36,8 +37,36 @@ def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     }
     shown = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
     pairs = [(number, channel) for number in shown for channel in CHANNELS]
-    jobs = (partial(compressor.encode, np.ascontiguousarray(of_channel[channel][number])) for number, channel in pairs)
-    return dict(zip(pairs, map(bytes, side_by_side.results(jobs)), strict=True))
+    seen = views.depths()[..., 0] > 0
+
+    def chunk(number: int, channel: str) -> bytes:
+        values = np.ascontiguousarray(of_channel[channel][number])
+        if channel == "color" and layout.color == "webp":
+            return _summed(_webp.encode(values, layout.quality, seen[number]))
+        return bytes(compressor.encode(values))
+
+    return dict(zip(pairs, side_by_side.results([partial(chunk, *pair) for pair in pairs]), strict=True))
+
+
+def settled(views: _core.OrthoViews, chunks: Encoded, layout: Layout) -> _core.OrthoViews:
+    """The views as readers of their chunks see them. Parents are composed of these, as in a build that goes on."""
+    return views if layout.quality is None else decoded(chunks, layout)[0]
+
+
+def _summed(data: bytes) -> bytes:
+    """Bytes with their CRC32C, as Zarr's codec `crc32c` appends it."""
+    import google_crc32c
+
+    return data + int(google_crc32c.value(data)).to_bytes(4, "little")
+
+
+def _unsummed(chunk: bytes) -> bytes:
+    import google_crc32c
+
+    data = chunk[:-4]
+    if google_crc32c.value(data).to_bytes(4, "little") != chunk[-4:]:
+        raise UnusableError("the checksum of a chunk is wrong")
+    return data
 
 
 def decoded(
@@ -63,9 +92,13 @@ def decoded(
         whole = np.zeros((len(numbers), *shape), layout.dtype(channel))
         for at, number in enumerate(numbers):
             if (number, channel) in chunks:
+                if channel == "color" and layout.color == "webp":
+                    whole[at] = _webp.decode(_unsummed(chunks[number, channel]), layout.size)
+                    continue
                 found = _decompressed(compressor, chunks[number, channel])
                 whole[at] = np.frombuffer(found, layout.dtype(channel)).reshape(shape)
         arrays[channel] = whole
+    arrays["color"][arrays["depth"][..., 0] == 0] = 0  # lossy colours cover what is not seen, too
     directions = tuple(layout.directions[number] for number in numbers)
     return _from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, directions)
 

@@ -8,7 +8,7 @@ axis and their parents on m levels, then of as many of those on the next m level
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -60,11 +60,20 @@ class Layout:
     """Bits of both of a normal's numbers."""
     subtree: int
     """Levels of a subtree."""
+    color: str = "zstd"
+    """How colours are compressed: by zstd or webp."""
+    quality: int | None = None
+    """Of WebP, 0 to 100; None for lossless files."""
 
     @property
     def format(self) -> tuple[int, int, int]:
         """The format of views, as the core takes it."""
         return self.size, self.depth_bits, self.normal_bits
+
+    @property
+    def lossless(self) -> Layout:
+        """The same layout with colours that are stored as they are."""
+        return replace(self, color="zstd", quality=None)
 
     @property
     def tiers(self) -> int:
@@ -123,7 +132,6 @@ class Layout:
     def create(self, path: Path, attributes: dict[str, Any]) -> None:
         """Make the store's group and its arrays, without chunks."""
         import zarr
-        from zarr.codecs import ZstdCodec
 
         group = zarr.create_group(str(path), attributes=attributes)
         for level in range(self.grid.levels):
@@ -138,9 +146,19 @@ class Layout:
                         shards=(side, side, side, *picture),
                         dtype=self.dtype(channel),
                         fill_value=0,
-                        compressors=[ZstdCodec(**COMPRESSION)],
+                        **self._coding(channel),
                         dimension_names=("x", "y", "z", "row", "column", "value"),
                     )
+
+    def _coding(self, channel: str) -> dict[str, Any]:
+        """Codecs of a channel's chunks, as zarr takes them."""
+        from zarr.codecs import Crc32cCodec, ZstdCodec
+
+        if channel != "color" or self.color == "zstd":
+            return {"compressors": [ZstdCodec(**COMPRESSION)]}
+        from nearfar.orthoview._webp_codec import WebpCodec
+
+        return {"serializer": WebpCodec(self.quality, self.quality is None), "compressors": [Crc32cCodec()]}
 
     def described(self) -> dict[str, Any]:
         """The layout as JSON."""
@@ -155,6 +173,8 @@ class Layout:
             "depth_bits": self.depth_bits,
             "normal_bits": self.normal_bits,
             "subtree": self.subtree,
+            "color": self.color,
+            "quality": self.quality,
         }
 
     @classmethod
@@ -163,5 +183,5 @@ class Layout:
         (x, y, z), (columns, layers, rows) = described["origin"], described["counts"]
         grid = Grid((x, y, z), described["cell"], (columns, layers, rows))
         directions = tuple((d[0], d[1], d[2]) for d in described["directions"])
-        numbers = (described[key] for key in ("size", "depth_bits", "normal_bits", "subtree"))
+        numbers = (described[key] for key in ("size", "depth_bits", "normal_bits", "subtree", "color", "quality"))
         return cls(grid, directions, *numbers)

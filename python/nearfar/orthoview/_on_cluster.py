@@ -123,7 +123,7 @@ class _InTurn:
         if self._next is None or self._next.place != place:
             return None
         sent, self._next = self._next, None
-        views = _codec.decoded(sent.chunks, self._layout)[0] if sent.chunks else None
+        views = _codec.decoded(sent.chunks, self._layout.lossless)[0] if sent.chunks else None
         return Outcome(views, sent.is_complete, sent.failed, sent.counts)
 
 
@@ -133,7 +133,7 @@ def _built(job: _Job, place: Place, report: progress.Report) -> _Sent:
     with locks.alone(job.folder / FOLDER / _LOCKS / name, None):
         leaves = Leaves(_source(job.source, job.changed), job.folder, job.layout)
         outcome = leaves.run_one(place, report)
-    chunks = _codec.encoded(outcome.views, job.layout) if outcome.views is not None else {}
+    chunks = _codec.encoded(outcome.views, job.layout.lossless) if outcome.views is not None else {}
     counts = outcome.counts + Counter(sent=len(chunks))
     return _Sent(place, chunks, outcome.is_complete, outcome.failed, counts)
 

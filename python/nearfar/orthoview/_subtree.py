@@ -159,7 +159,7 @@ class Subtree:
         else:
             views, is_complete = self._composed(level, place)
         if is_complete:
-            self._write(level, place, views)
+            views = self._write(level, place, views)
         return views, is_complete
 
     def _composed(self, level: int, place: Place) -> tuple[Views, bool]:
@@ -176,7 +176,8 @@ class Subtree:
         self._outcome.counts["composed"] += 1
         return parent.finish(), True
 
-    def _write(self, level: int, place: Place, views: Views) -> None:
+    def _write(self, level: int, place: Place, views: Views) -> Views:
+        """Write the views of a cell; returns them as readers see them."""
         shard, within = self._layout.shard_of(level, place)
         encoded = _codec.encoded(views, self._layout) if views else {}
         gone = dict.fromkeys(self._below.before(level, place) - encoded.keys(), b"")
@@ -185,6 +186,7 @@ class Subtree:
             array = self._layout.array(level, direction, channel)
             chunks[array] = self._writer(array, level, shard).append(within, chunk)
         self._journal.add(level, place, chunks)
+        return _codec.settled(views, encoded, self._layout) if views else None
 
     def _writer(self, array: str, level: int, shard: Place) -> ShardWriter:
         if array not in self._writers:

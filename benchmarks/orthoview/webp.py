@@ -1,0 +1,189 @@
+"""Colours of leaves by zstd, lossless WebP and lossy WebP: bytes, time and error; and errors that add up over levels.
+
+A parent's colours come from its children's. Where those are lossy, a parent is composed of what readers of its children
+see, so that a build that goes on reads the same colours again; the last table compares that with parents of exact ones.
+"""
+
+from __future__ import annotations
+
+import itertools
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numcodecs.zstd import Zstd
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, helmet, layout_of, leaves
+from nearfar import _core
+from nearfar.orthoview import _codec, _webp
+from nearfar.orthoview._grid import OCTANTS, Place
+
+LEVELS = 3
+QUALITIES = (80, 90)
+
+Picture = NDArray[np.uint8]
+Seen = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Way:
+    """A way to keep the colours of a view."""
+
+    name: str
+    encode: Callable[[Picture, Seen], bytes]
+    decode: Callable[[bytes], Picture]
+
+
+def main() -> None:
+    print(machine(), "\n")
+    textured = helmet()
+    every = [*leaves(), *([textured] if textured else [])]
+    header = [
+        "leaf",
+        "colours",
+        "kB a view",
+        "of zstd 3",
+        "all channels, kB",
+        "encode, ms",
+        "decode, ms",
+        "PSNR, dB",
+        "SSIM",
+    ]
+    rows = [row for leaf in every for row in of_leaf(leaf)]
+    print(
+        table(f"Colours of a view of {SIZE}² pixels; PSNR and SSIM of the pixels in which something is", header, rows)
+    )
+    deep = [leaf for leaf in every if leaf.name in ("forest, 80 m", "helmet, 0.75 m")]
+    rows = [row for leaf in deep for row in of_levels(leaf, QUALITIES[-1])]
+    header = ["world", "level", "from exact children, dB", "from children as they are stored, dB"]
+    print(table(f"Quality {QUALITIES[-1]} over levels: PSNR with a tree without losses", header, rows))
+
+
+def ways() -> list[Way]:
+    def by_zstd(level: int) -> Way:
+        codec = Zstd(level=level)
+        return Way(
+            f"zstd {level}",
+            lambda picture, _: bytes(codec.encode(picture)),
+            lambda data: np.frombuffer(codec.decode(data), np.uint8).reshape(SIZE, SIZE, 3),
+        )
+
+    def decode(data: bytes) -> Picture:
+        return _webp.decode(data, SIZE)
+
+    def lossy(quality: int) -> Way:
+        return Way(f"WebP {quality}", lambda picture, seen: _webp.encode(picture, quality, seen), decode)
+
+    return [
+        by_zstd(3),
+        by_zstd(9),
+        by_zstd(19),
+        Way("WebP lossless", lambda picture, _: _webp.encode(picture), decode),
+        *map(lossy, QUALITIES),
+        Way("WebP 90, black about it", lambda picture, _: _webp.encode(picture, 90), decode),
+    ]
+
+
+def of_leaf(leaf: Leaf) -> Iterable[list[str]]:
+    layout = layout_of()
+    views = leaf.views(layout)
+    chunks = _codec.encoded(views, layout)
+    shown = sorted({number for number, _ in chunks})
+    others = sum(len(chunk) for (_, channel), chunk in chunks.items() if channel != "color") / len(shown)
+    pictures, seen = views.colors()[shown], views.depths()[shown, ..., 0] > 0
+    first = 0.0
+    for way in ways():
+        started = time.perf_counter()
+        files = [way.encode(picture, mask) for picture, mask in zip(pictures, seen, strict=True)]
+        written = time.perf_counter()
+        decoded = np.array([way.decode(data) for data in files])
+        read = time.perf_counter()
+        size = sum(map(len, files)) / len(shown)
+        first = first or size
+        yield [
+            leaf.name,
+            way.name,
+            f"{size / 1e3:.1f}",
+            f"{size / first:.2f}",
+            f"{(size + others) / 1e3:.1f}",
+            *(f"{1e3 * seconds / len(shown):.1f}" for seconds in (written - started, read - written)),
+            *of_pictures(pictures, decoded, seen),
+        ]
+
+
+def of_pictures(right: Picture, decoded: Picture, seen: Seen) -> list[str]:
+    if (right == decoded)[seen].all():
+        return ["exact", "1"]
+    pairs = zip(right, decoded, seen, strict=True)
+    ssim = [nf.ssim(one, other, data_range=255, mask=mask, masking="windows") for one, other, mask in pairs]
+    return [f"{psnr(right, decoded, seen):.1f}", f"{np.mean(ssim):.3f}"]
+
+
+def psnr(right: Picture, decoded: Picture, seen: Seen) -> float:
+    return nf.psnr(right[seen][:, None], decoded[seen][:, None], data_range=255)
+
+
+# Levels --------------------------------------------------------------------------------------------------------------
+Views = dict[Place, _core.OrthoViews]
+
+
+def of_levels(world: Leaf, quality: int) -> Iterable[list[str]]:
+    """Errors of a tree whose root is the world's cell."""
+    exact = small_leaves(world)
+    stored = {place: settled(views, quality) for place, views in exact.items()}
+    for level in range(LEVELS):
+        if level:
+            exact = parents(exact)
+            stored = {place: settled(views, quality) for place, views in parents(stored).items()}
+        alone = {place: settled(views, quality) for place, views in exact.items()}
+        found = (f"{between(exact, other):.1f}" for other in (alone, stored))
+        yield [world.name, str(level), *found]
+
+
+def small_leaves(world: Leaf) -> Views:
+    """Views of the leaves below a cell."""
+    count = 1 << (LEVELS - 1)
+    side = world.side / count
+    found: Views = {}
+    for column, layer, row in itertools.product(range(count), repeat=3):
+        corner = np.add(world.corner, np.multiply((column, layer, row), side))
+        x, y, z = corner.tolist()
+        part = world.scene.query(np.array([corner, corner + side]))
+        if part.triangle_count:
+            views = Leaf("", part, (x, y, z), side).views(layout_of())
+            if not all(views.empty()):
+                found[column, layer, row] = views
+    return found
+
+
+def parents(children: Views) -> Views:
+    made: dict[Place, _core.OrthoParent] = {}
+    for octant in OCTANTS:
+        for (x, y, z), views in children.items():
+            if octant == (x % 2, y % 2, z % 2):
+                place = (x // 2, y // 2, z // 2)
+                made.setdefault(place, _core.OrthoParent(DIRECTIONS, layout_of().format)).add(octant, views)
+    return {place: parent.finish() for place, parent in made.items()}
+
+
+def settled(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
+    """The views as readers see them."""
+    colors, depths = views.colors(), views.depths()
+    for picture, seen in zip(colors, depths[..., 0] > 0, strict=True):
+        picture[:] = np.where(seen[..., None], _webp.decode(_webp.encode(picture, quality, seen), SIZE), 0)
+    return _core.OrthoViews.from_arrays(DIRECTIONS, layout_of().format, colors, depths, views.normals())
+
+
+def between(exact: Views, other: Views) -> float:
+    """PSNR of all cells' pixels in which something is."""
+    right, found = (np.concatenate([views[place].colors() for place in exact]) for views in (exact, other))
+    seen = np.concatenate([exact[place].depths()[..., 0] > 0 for place in exact])
+    return psnr(right, found, seen)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+"""Colours of views as WebP, lossless or lossy."""
+
+from __future__ import annotations
+
+import io
+import warnings
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def encode(picture: NDArray[np.uint8], quality: int | None = None, seen: NDArray[np.bool_] | None = None) -> bytes:
+    """Encode the colours of a view.
+
+    Parameters
+    ----------
+    picture
+        sRGB (size, size, 3).
+    quality
+        0 to 100, or None for a lossless file, which decodes to the same picture.
+    seen
+        Pixels (size, size) in which something is; by default all. A lossy file gives the others colours from about
+        them: black ones would darken the pixels beside them, and an edge takes bytes. Readers know them by their
+        depth, 0.
+    """
+    from PIL import Image
+
+    if quality is not None and seen is not None and seen.any():
+        picture = np.rint(_spread(picture.astype(np.float32), seen)).astype(np.uint8)
+    settings: dict[str, Any] = {"lossless": True} if quality is None else {"quality": quality}
+    file = io.BytesIO()
+    Image.fromarray(picture).save(file, "webp", method=4, **settings)
+    return file.getvalue()
+
+
+def _spread(colors: NDArray[np.float32], seen: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Give what is not seen the mean colour of the least block of 2ᵏ × 2ᵏ pixels about it that holds something."""
+    if seen.all():
+        return colors
+    size = len(seen)
+    if size % 2:
+        return np.where(seen[..., None], colors, colors[seen].mean(axis=0))
+    half = size // 2
+    counts = seen.reshape(half, 2, half, 2).sum(axis=(1, 3), dtype=np.float32)
+    totals = (colors * seen[..., None]).reshape(half, 2, half, 2, 3).sum(axis=(1, 3))
+    blocks = _spread(totals / np.maximum(counts, 1)[..., None], counts > 0)
+    return np.where(seen[..., None], colors, blocks.repeat(2, axis=0).repeat(2, axis=1))
+
+
+def decode(data: bytes, size: int) -> NDArray[np.uint8]:
+    """Decode the colours (size, size, 3) of a view.
+
+    Raises
+    ------
+    ValueError
+        Bytes that are no WebP file, and a picture of another size.
+    """
+    from PIL import Image, UnidentifiedImageError
+
+    try:
+        with warnings.catch_warnings():
+            # The size is known and checked before anything is decoded.
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            image = Image.open(io.BytesIO(data), formats=["webp"])
+        with image:
+            if image.size != (size, size):
+                raise ValueError(f"expected a picture of {size} × {size} pixels, got {image.size}")
+            return np.array(image.convert("RGB"))
+    except UnidentifiedImageError:
+        raise ValueError("expected a WebP picture, got something else") from None
+    except (OSError, SyntaxError, Image.DecompressionBombError) as error:
+        raise ValueError(f"expected a WebP picture, got {error}") from None

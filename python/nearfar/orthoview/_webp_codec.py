@@ -1,0 +1,79 @@
+"""WebP as a codec of Zarr v3, under the name and with the settings of the package imagecodecs.
+
+So readers with imagecodecs-zarr open such stores without nearfar, and those with nearfar without imagecodecs.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from dataclasses import dataclass
+from typing import Any
+
+from zarr.abc.codec import ArrayBytesCodec
+from zarr.registry import get_codec_class, register_codec
+
+from nearfar.orthoview import _webp
+
+NAME = "imagecodecs_webp"
+
+
+@dataclass(frozen=True)
+class WebpCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not read
+    """Codec of chunks whose last axes are a square picture of sRGB, and whose other axes have the length 1."""
+
+    level: float | None = None
+    """Quality of a lossy file, 0 to 100."""
+    lossless: bool = True
+
+    is_fixed_size = False
+
+    def __post_init__(self) -> None:
+        if not self.lossless and (self.level is None or not 0 <= self.level <= 100):
+            raise ValueError(f"level: expected 0 to 100 for lossy WebP, got {self.level}")
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> WebpCodec:
+        """The codec that an array's document describes."""
+        return cls(**data.get("configuration", {}))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The codec in an array's document."""
+        settings = {"lossless": True} if self.lossless else {"level": self.level, "lossless": False}
+        return {"name": NAME, "configuration": settings}
+
+    def compute_encoded_size(self, input_byte_length: int, chunk_spec: Any) -> int:
+        """Only codecs whose files all have one length are asked."""
+        raise ValueError(f"{NAME}: lengths of files are not known beforehand")
+
+    def _encode_sync(self, chunk: Any, spec: Any) -> Any:
+        array = chunk.as_numpy_array()
+        *others, height, width, values = array.shape
+        if array.dtype != "u1" or values != 3 or height != width or any(number != 1 for number in others):
+            raise ValueError(f"chunk: expected a square picture of 3 × uint8, got {array.shape} {array.dtype}")
+        quality = None if self.lossless or self.level is None else round(self.level)
+        return spec.prototype.buffer.from_bytes(_webp.encode(array.reshape(height, width, values), quality))
+
+    def _decode_sync(self, chunk: Any, spec: Any) -> Any:
+        picture = _webp.decode(chunk.to_bytes(), spec.shape[-2])
+        return spec.prototype.nd_buffer.from_numpy_array(picture.reshape(spec.shape))
+
+    async def _encode_single(self, chunk: Any, spec: Any) -> Any:
+        return await asyncio.to_thread(self._encode_sync, chunk, spec)
+
+    async def _decode_single(self, chunk: Any, spec: Any) -> Any:
+        return await asyncio.to_thread(self._decode_sync, chunk, spec)
+
+
+def register() -> None:
+    """Let zarr know the codec, where no package that is installed does."""
+    try:
+        get_codec_class(NAME)
+    except KeyError:
+        register_codec(NAME, WebpCodec)
+
+
+# Of two classes with one name zarr takes any and warns: the entry point names theirs where it is installed.
+try:
+    from imagecodecs.zarr import Webp as Codec
+except ImportError:
+    Codec = WebpCodec

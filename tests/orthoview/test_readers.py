@@ -1,0 +1,257 @@
+"""Other programs read stores: zarr-python and zarrita, from a folder and over HTTP, as docs/orthoview.md shows."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from tests.support import need
+from tests.support.range_server import served
+from tests.support.reader_cases import FOLDER, SECONDS, node
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "orthoview.md"
+CELL, SIZE, STEPS = 10.0, 16, 4092
+CHANNELS = ("color", "depth", "normal")
+Place = tuple[int, int, int]
+Chunk = tuple[str, Place]
+"""An array and a place in it."""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _zarr() -> None:
+    need("zarr")
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A store of boxes near one another and one far away, so that shards between them are missing."""
+    rng = np.random.default_rng(5)
+    parts = []
+    for x in (*rng.uniform(0, 30, 8), 175.0):
+        turn = trimesh.transformations.random_rotation_matrix(rng.random(3))
+        turn[:3, 3] = x, *rng.uniform(0, 20, 2)
+        parts.append(trimesh.creation.box(rng.uniform(3, 12, 3)).apply_transform(turn))
+        parts[-1].visual.vertex_colors = rng.integers(40, 256, 4)
+    path = tmp_path_factory.mktemp("trees") / "world.zarr"
+    world = nf.Scene.from_trimesh(trimesh.util.concatenate(parts))
+    nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=9)
+    return path
+
+
+def layout_of(group: Any) -> dict[str, Any]:
+    layout: dict[str, Any] = group.attrs["nearfar"]["layout"]
+    return layout
+
+
+def places(group: Any, level: int) -> list[Place]:
+    x, y, z = group[f"{level}/py/depth"].shape[:3]
+    return [(column, layer, row) for column in range(x) for layer in range(y) for row in range(z)]
+
+
+def check_views(tree: nf.orthoview.OrthoTree, group: Any, level: int, some: list[Place]) -> Counter[bool]:
+    """Compare zarr-python's arrays with a tree's views; counts those that show something and those that do not."""
+    found: Counter[bool] = Counter()
+    for number, name in enumerate(layout_of(group)["names"]):
+        arrays = [group[f"{level}/{name}/{channel}"] for channel in CHANNELS]
+        for place in some:
+            color, depth, normal = (array[place] for array in arrays)
+            view = tree.view(level, place, number)
+            found[view is not None] += 1
+            if view is None:
+                assert not any(values.any() for values in (color, depth, normal))
+                continue
+            np.testing.assert_array_equal(color, view.color)
+            codes = depth[..., 0] >> 4
+            # The axes of a direction's sign are its name's parts: a cell is √1, √2 or √3 sides deep.
+            deep = CELL * 2**level * np.sqrt(len(name.split("_")))
+            metres = np.where(codes > 0, (codes - 0.5) * deep / STEPS, np.inf)
+            np.testing.assert_allclose(metres, view.depth, rtol=1e-6)
+            vectors = octahedral(normal)[codes > 0]
+            np.testing.assert_allclose(vectors, view.normal[codes > 0], atol=1e-5)
+    return found
+
+
+def octahedral(codes: NDArray[np.uint8]) -> NDArray[np.float64]:
+    """Unit normals of two bytes each."""
+    x, y = np.moveaxis(codes / 254 * 2 - 1, -1, 0)
+    z = 1 - abs(x) - abs(y)
+    fold = np.maximum(-z, 0)
+    normal = np.stack([x - np.copysign(fold, x), y - np.copysign(fold, y), z], axis=-1)
+    unit: NDArray[np.float64] = normal / np.linalg.norm(normal, axis=-1, keepdims=True)
+    return unit
+
+
+def test_zarr_python_reads_what_the_tree_shows(path: Path) -> None:
+    import zarr
+
+    group, tree = zarr.open_group(str(path), mode="r"), nf.orthoview.open(path)
+    assert layout_of(group)["levels"] == tree.levels == 6
+    for level in range(tree.levels):
+        found = check_views(tree, group, level, places(group, level)[:: 11 if level == 0 else 3])
+        assert found[True] > 5
+        assert found[False] > 50 or level > 1
+
+
+def test_zarr_python_reads_over_http(path: Path) -> None:
+    import zarr
+
+    need("fsspec")
+    need("aiohttp")
+    with served(path.parent) as server:
+        group = zarr.open_group(server.url + path.name, mode="r")
+        found = check_views(nf.orthoview.open(path), group, 0, places(group, 0)[::16])
+        assert min(found.values()) > 5
+        shards = Counter({key: count for key, count in server.answers.items() if "/c/" in key[1]})
+    assert {status for method, _, status in shards if method == "GET"} == {206, 404}
+
+
+# zarrita -------------------------------------------------------------------------------------------------------------
+def by_zarrita(place: str, chunks: list[Chunk]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """The group's attributes and chunks, as zarrita reads them."""
+    asked = [text for array, cell in chunks for text in (array, ",".join(map(str, cell)))]
+    answer = node("orthoviews.mjs", [place, *asked])
+    return answer["attributes"], answer["read"]
+
+
+def some_chunks(group: Any) -> list[Chunk]:
+    """Chunks of all channels, of some directions and all levels, with something in them and without."""
+    names = ["py", "px_py", "nz"]
+    return [
+        (f"{level}/{name}/{channel}", place)
+        for level in range(layout_of(group)["levels"])
+        for name in names
+        for channel in CHANNELS
+        for place in places(group, level)[:: 11 if level == 0 else 3]
+    ]
+
+
+def check_chunks(group: Any, chunks: list[Chunk], read: list[dict[str, Any]]) -> Counter[bool]:
+    """Compare zarrita's chunks with zarr-python's arrays; counts those that hold something and those that do not."""
+    found: Counter[bool] = Counter()
+    for (name, place), got in zip(chunks, read, strict=True):
+        array = group[name]
+        expected = array[place]
+        assert got["shape"] == list(array.shape)
+        assert got["type"] == array.dtype.name
+        assert got["chunk"] == [1, 1, 1, *expected.shape]
+        assert base64.b64decode(got["bytes"]) == expected.tobytes()
+        found[bool(expected.any())] += 1
+    return found
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("is_remote", [False, True])
+def test_zarrita_reads_chunks_and_fills_missing_ones(path: Path, is_remote: bool) -> None:
+    import zarr
+
+    need("node")
+    group = zarr.open_group(str(path), mode="r")
+    chunks = some_chunks(group)
+    with served(path.parent) as server:
+        attributes, read = by_zarrita(server.url + path.name if is_remote else str(path), chunks)
+        shards = Counter({key: count for key, count in server.answers.items() if "/c/" in key[1]})
+    assert attributes == dict(group.attrs)
+    found = check_chunks(group, chunks, read)
+    assert min(found.values()) > 20
+    if is_remote:
+        # The index of a shard once for each array that is opened, a chunk that is there once, one that is not never.
+        parts = sum(count for (method, _, status), count in shards.items() if (method, status) == ("GET", 206))
+        heads = sum(count for (method, _, status), count in shards.items() if (method, status) == ("HEAD", 200))
+        assert parts == found[True] + heads
+        assert {(method, status) for method, _, status in shards} == {("GET", 206), ("HEAD", 200), ("HEAD", 404)}
+
+
+@pytest.mark.slow
+def test_zarrita_checks_the_checksums_of_zstd(tmp_path: Path) -> None:
+    import zarr
+    from zarr.codecs import ZstdCodec
+
+    need("node")
+    group = zarr.create_group(str(tmp_path / "sums.zarr"))
+    picture = (4, 4, 3)
+    group.create_array(
+        "array",
+        shape=(2, 2, 2, *picture),
+        chunks=(1, 1, 1, *picture),
+        shards=(2, 2, 2, *picture),
+        dtype="u1",
+        fill_value=0,
+        compressors=[ZstdCodec(level=3, checksum=True)],
+    )[1, 0, 1] = np.arange(48).reshape(picture)
+    place = str(tmp_path / "sums.zarr")
+    _, read = by_zarrita(place, [("array", (1, 0, 1)), ("array", (0, 0, 0))])
+    assert [base64.b64decode(got["bytes"]) for got in read] == [bytes(range(48)), bytes(48)]
+    shard = tmp_path / "sums.zarr" / "array" / "c" / "0" / "0" / "0" / "0" / "0" / "0"
+    content = bytearray(shard.read_bytes())
+    content[content.index(bytes(range(20, 30)))] ^= 1
+    shard.write_bytes(content)
+    with pytest.raises(AssertionError, match="doesn't match checksum"):
+        by_zarrita(place, [("array", (1, 0, 1))])
+
+
+# docs/orthoview.md ---------------------------------------------------------------------------------------------------
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+
+
+@pytest.fixture(scope="module")
+def city(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder in which the page's first example has run."""
+    folder = tmp_path_factory.mktemp("page")
+    run([sys.executable, "-W", "error", "-c", blocks("python")[0]], folder)
+    return folder
+
+
+def run(command: list[str], folder: Path) -> str:
+    process = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False)
+    assert process.returncode == 0, process.stderr
+    return process.stdout
+
+
+@pytest.mark.slow
+def test_the_pages_ten_lines_of_python_read_the_pages_leaf(city: Path) -> None:
+    code = blocks("python")[1]
+    assert len(code.splitlines()) <= 10
+    assert "nearfar " not in code
+    more = "\nnp.savez('read.npz', color=color, metres=metres[..., 0])"
+    run([sys.executable, "-W", "error", "-c", code + more], city)
+    with np.load(city / "read.npz") as read:
+        check_leaf(city, read["color"], read["metres"])
+
+
+@pytest.mark.slow
+def test_the_pages_ten_lines_of_javascript_read_the_pages_leaf(city: Path) -> None:
+    need("node")
+    code = blocks("js")[0]
+    assert len(code.splitlines()) <= 11
+    (city / "node_modules").symlink_to(FOLDER / "node_modules")
+    # JSON has no infinity.
+    more = "\nconsole.log(JSON.stringify([Array.from(color.data), metres.map((m) => (m === Infinity ? null : m))]));"
+    *_, printed = run(["node", "--input-type=module", "-e", code + more], city).splitlines()
+    color, metres = json.loads(printed)
+    shape = (256, 256)
+    check_leaf(
+        city,
+        np.array(color, np.uint8).reshape(*shape, 3),
+        np.array([np.inf if m is None else m for m in metres]).reshape(shape),
+    )
+
+
+def check_leaf(city: Path, color: NDArray[np.uint8], metres: NDArray[np.float64]) -> None:
+    view = nf.orthoview.open(city / "city.zarr").view(0, (4, 0, 4), 4)
+    assert view is not None
+    assert np.isfinite(view.depth).mean() > 0.5
+    np.testing.assert_array_equal(color, view.color)
+    np.testing.assert_allclose(metres, view.depth, rtol=1e-6)

@@ -1,0 +1,66 @@
+"""A server of files that also answers requests for parts of them, as web servers and object stores do."""
+
+from __future__ import annotations
+
+import re
+import threading
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+
+class RangeHandler(SimpleHTTPRequestHandler):
+    """Serves a folder; of files also one part at a time: `bytes=FIRST-LAST`, `bytes=FIRST-` and `bytes=-COUNT`."""
+
+    def do_GET(self) -> None:
+        path = Path(self.translate_path(self.path))
+        asked = re.fullmatch(r"bytes=(\d*)-(\d*)", self.headers.get("Range", ""))
+        if asked is None or not path.is_file():
+            super().do_GET()
+            return
+        content, (first, last) = path.read_bytes(), asked.groups()
+        start = int(first) if first else max(len(content) - int(last), 0)
+        stop = min(int(last) + 1, len(content)) if first and last else len(content)
+        self.send_response(206)
+        self.send_header("Content-Type", self.guess_type(path))
+        self.send_header("Content-Range", f"bytes {start}-{stop - 1}/{len(content)}")
+        self.send_header("Content-Length", str(stop - start))
+        self.end_headers()
+        self.wfile.write(content[start:stop])
+
+    def log_message(self, *_: Any) -> None:
+        """Print nothing."""
+
+
+@dataclass(frozen=True)
+class Served:
+    """A folder that is served."""
+
+    url: str
+    """Address of the folder, which ends with a slash."""
+    answers: Counter[tuple[str, str, int]] = field(default_factory=Counter)
+    """Answers by method, path below the folder and status."""
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[Served]:
+    """Serve a folder to this machine."""
+    answers: Counter[tuple[str, str, int]] = Counter()
+
+    class Handler(RangeHandler):
+        def log_request(self, code: int | str = "-", size: int | str = "-") -> None:
+            answers[self.command, self.path.lstrip("/"), int(code)] += 1
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(folder))) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        try:
+            yield Served(f"http://127.0.0.1:{server.server_port}/", answers)
+        finally:
+            server.shutdown()
+            thread.join()
