@@ -138,6 +138,13 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
+def test_the_lowest_subtrees_have_many_levels() -> None:
+    assert [availability.subtree_levels(levels) for levels in range(1, 14)] == [4, 4, 4, 4, 5, 6, 4, 4, 5, 5, 6, 6, 5]
+    for levels in range(1, 26):
+        own = availability.subtree_levels(levels)
+        assert levels - (levels - 1) // own * own >= min(levels, 3)
+
+
 @pytest.mark.parametrize("levels", [1, 3, 4, 5, 8, 9])
 def test_subtrees_say_what_is_there(levels: int, tmp_path: Path) -> None:
     """Against a walk that knows only sets of cells, read by nearfar's reader."""
@@ -155,22 +162,23 @@ def test_subtrees_say_what_is_there(levels: int, tmp_path: Path) -> None:
 
     found = availability.write(tmp_path, levels, leaves[rng.permutation(len(leaves))], box_of)
     np.testing.assert_array_equal(found, whole[0, 0, 0, 0])
+    depths = availability.subtree_levels(levels)
     properties = metadata.box_properties({"schema": availability.SCHEMA})
-    roots = {cell for cell in whole if cell[0] % availability.LEVELS == 0}
+    roots = {cell for cell in whole if cell[0] % depths == 0}
     assert {path.name for path in tmp_path.iterdir()} == {
         availability.NAME.format(level=level, x=x, y=y, z=z) for level, x, y, z in roots
     }
     for level, x, y, z in roots:
         data = (tmp_path / availability.NAME.format(level=level, x=x, y=y, z=z)).read_bytes()
-        read = subtrees.read(data, 3, availability.LEVELS, lambda uri: b"", properties)
+        read = subtrees.read(data, 3, depths, lambda uri: b"", properties)
         assert read.boxes is not None
         row = 0
-        for depth in range(availability.LEVELS + 1):
+        for depth in range(depths + 1):
             for number in range(8**depth):
                 bits = [(number >> 3 * bit) & 7 for bit in range(depth)]
                 steps = [sum((part >> axis & 1) << bit for bit, part in enumerate(bits)) for axis in range(3)]
                 cell = (level + depth, *((n << depth) + step for n, step in zip((x, y, z), steps, strict=True)))
-                if depth == availability.LEVELS:
+                if depth == depths:
                     assert read.children.at(number) == (cell in whole)
                     continue
                 bit = subtrees.start_of(depth, 3) + number

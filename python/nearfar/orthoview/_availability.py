@@ -24,7 +24,7 @@ from nearfar.orthoview._grid import Place
 
 Floats = NDArray[np.float64]
 
-LEVELS = 4
+_LEVELS = (4, 5, 6)
 """Of a subtree."""
 
 NAME = "{level}.{x}.{y}.{z}.subtree"
@@ -56,6 +56,11 @@ _HEADER = struct.Struct("<4sIQQ")
 _TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
 
+def subtree_levels(levels: int) -> int:
+    """Levels of a subtree in a tree of so many; the lowest subtrees, which are most files, get as many as possible."""
+    return max(_LEVELS, key=lambda own: (levels - 1) % own)
+
+
 def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable[[Place], Floats]) -> Floats:
     """Write all subtrees of a tree, from the leaves up.
 
@@ -77,8 +82,9 @@ def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable
     """
     below: NDArray[np.int64] = leaves
     boxes: Floats | None = None
-    for first in range((levels - 1) // LEVELS * LEVELS, -1, -LEVELS):
-        depth = min(levels - 1 - first, LEVELS)
+    own = subtree_levels(levels)
+    for first in range((levels - 1) // own * own, -1, -own):
+        depth = min(levels - 1 - first, own)
         roots = below >> depth
         numbers = morton(below - (roots << depth), depth)
         order = np.lexsort((numbers, *roots.T[::-1]))
@@ -86,7 +92,7 @@ def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable
         of_roots = np.empty((len(starts), 2, 3))
         for at, rows in enumerate(np.split(order, starts[1:])):
             inner = np.array([box_of(_place(row)) for row in below[rows]]) if boxes is None else boxes[rows]
-            data, of_roots[at] = _encoded(numbers[rows], depth, inner, has_content=boxes is None)
+            data, of_roots[at] = _encoded(numbers[rows], depth, own, inner, has_content=boxes is None)
             x, y, z = _place(roots[rows[0]])
             files.write(folder / NAME.format(level=first, x=x, y=y, z=z), data)
         below, boxes = roots[order[starts]], of_roots
@@ -116,8 +122,10 @@ def _place(row: NDArray[np.int64]) -> Place:
     return x, y, z
 
 
-def _encoded(numbers: NDArray[np.int64], depth: int, boxes: Floats, *, has_content: bool) -> tuple[bytes, Floats]:
-    """A subtree and the box of all in it.
+def _encoded(
+    numbers: NDArray[np.int64], depth: int, levels: int, boxes: Floats, *, has_content: bool
+) -> tuple[bytes, Floats]:
+    """A subtree of so many levels, and the box of all in it.
 
     `numbers` are the Morton numbers, ascending, of the cells that are there at a depth below its first one: leaves,
     which have content, or the first cells of subtrees below, which are one level deeper than its own.
@@ -136,9 +144,9 @@ def _encoded(numbers: NDArray[np.int64], depth: int, boxes: Floats, *, has_conte
     rows = np.array([volume(box) for level in reversed(of_depth) for box in level])
     views = _Views()
     document = {
-        "tileAvailability": views.bits(tiles, start_of(LEVELS)),
-        "contentAvailability": [views.bits(start_of(depth) + numbers if has_content else None, start_of(LEVELS))],
-        "childSubtreeAvailability": views.bits(None if has_content else numbers, 8**LEVELS),
+        "tileAvailability": views.bits(tiles, start_of(levels)),
+        "contentAvailability": [views.bits(start_of(depth) + numbers if has_content else None, start_of(levels))],
+        "childSubtreeAvailability": views.bits(None if has_content else numbers, 8**levels),
         "tileMetadata": 0,
         "propertyTables": [
             {"class": CLASS, "count": len(tiles), "properties": {PROPERTY: {"values": views.add(rows.tobytes())}}}

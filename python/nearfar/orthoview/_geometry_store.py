@@ -148,7 +148,7 @@ class GeometryStore:
                     "content": {"uri": f"{STANDS}/{_NAME}"},
                     "implicitTiling": {
                         "subdivisionScheme": "OCTREE",
-                        "subtreeLevels": availability.LEVELS,
+                        "subtreeLevels": availability.subtree_levels(levels),
                         "availableLevels": levels,
                         "subtrees": {"uri": f"{SUBTREES}/{availability.NAME}"},
                     },
