@@ -11,8 +11,8 @@ import pytest
 
 import nearfar as nf
 from nearfar._scene import glb
+from nearfar._scene.moving_rows import rows_of
 from nearfar.stream import _encode
-from nearfar.stream._moving import rows_of
 
 SETTINGS: dict[str, Any] = {"center": (0, 1.7, 0), "radii": [5.0, 20.0], "face_size": 64, "samples": 1}
 SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)

@@ -91,6 +91,12 @@ class Writer:
         return _file(text, *([_CHUNK.pack(self._size, b"BIN\0"), *self._pieces] if self._size else []))
 
 
+def with_document(data: bytes, document: dict[str, Any]) -> bytes:
+    """The GLB with another JSON document and the same other chunks."""
+    _, end = header(data)
+    return _file(json.dumps(document, separators=(",", ":"), allow_nan=False), data[end:])
+
+
 def header(data: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_json) -> tuple[dict[str, Any], int]:
     """Return the JSON document of a GLB, and the place where the next chunk begins; ValueError for anything else."""
     start = _HEADER.size + _CHUNK.size

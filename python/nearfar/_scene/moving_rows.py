@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
+from nearfar._base import check, glb
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
 
@@ -54,3 +55,39 @@ def frames_of(
     if not (np.isfinite(frames).all() and np.isfinite(rest).all()):
         raise ValueError("moving: expected finite matrices")
     return (frames if (frames != np.eye(4)).any() else None), rest
+
+
+def rows_of(scene: Scene, data: bytes) -> list[dict[str, Any]]:
+    """Describe the nodes of a GLB of a scene's dynamic objects: those that keep faces when positions are rounded.
+
+    Nodes stand in the order of the instances. Of instances alike in name and placement it does not matter which one a
+    node stands for.
+    """
+    placements = scene._core.moving_placements()
+    is_filled = [mesh.face_count > 0 for mesh in _moving_meshes(scene)]
+    pairs = iter(zip(moving_rows(scene), placements[is_filled], strict=True))
+    rows = []
+    for node in nodes_of(data)[1]:
+        row, placement = next(pairs)
+        while row["object"] != node["name"] or not np.array_equal(placement, placement_of(node)):
+            row, placement = next(pairs)
+        rows.append(row)
+    return rows
+
+
+def nodes_of(data: bytes) -> tuple[tuple[float, float, float], list[dict[str, Any]]]:
+    """The origin of a GLB and its nodes, which are the children of the first."""
+    root, *nodes = glb.header(data)[0]["nodes"]
+    return check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))), nodes
+
+
+def placement_of(node: dict[str, Any]) -> NDArray[np.float64]:
+    """Placement (3, 4) of a node, bit by bit."""
+    matrix: NDArray[np.float64] = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4)
+    return matrix.T[:3]
+
+
+def _moving_meshes(scene: Scene) -> Sequence[_core.Mesh]:
+    parts = _core.scene_parts(scene._core)
+    meshes: list[_core.Mesh] = parts["meshes"]
+    return meshes[parts["standing_count"] :]

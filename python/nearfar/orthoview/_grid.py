@@ -78,9 +78,8 @@ class Grid:
         return x, y, z
 
     def box(self, level: int, place: Place) -> NDArray[np.float64]:
-        """World box (2, 3) of a cell."""
-        low = np.array(self.corner(level, place))
-        return np.array([low, low + self.side(level)])
+        """World box (2, 3) of a cell; neighbours share their sides bit by bit."""
+        return np.array([self.corner(level, place), self.corner(level, (place[0] + 1, place[1] + 1, place[2] + 1))])
 
     def touches(self, level: int, place: Place, aabb: NDArray[np.float64]) -> bool:
         """Whether surfaces in a box may be seen in a cell: it holds its sides, up to roundings of coordinates."""

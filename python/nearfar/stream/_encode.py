@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import glb as binary, progress, side_by_side
+from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
+from nearfar._scene.texture_file import encode_texture
 from nearfar.stream import _map_files as codec
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
-from nearfar.stream._moving import rows_of
 from nearfar.stream._store import FOLDER, described, named
 
 ACROSS = 16
@@ -139,7 +140,7 @@ class TextureFiles:
         if (number, times) not in self._known:
             texels, is_cut_out = self._texels[number], number in self._cut_out
             shown = _core.halved_texture(texels, times=times, cutout=is_cut_out) if times else texels
-            data = codec.encode_texture(shown, self._quality)
+            data = encode_texture(shown, self._quality)
             self._known[number, times] = named(data, "webp"), data
         return self._known[number, times]
 

@@ -47,17 +47,6 @@ def encode_color(linear: NDArray[np.float32], quality: int | None) -> bytes:
     return file.getvalue()
 
 
-def encode_texture(texels: NDArray[np.uint8], quality: int | None) -> bytes:
-    """Encode a texture (H, W, 4), sRGB with alpha, as WebP; `quality` 0 to 100, or None for a lossless one."""
-    from PIL import Image
-
-    opaque = bool((texels[..., 3] == 255).all())
-    settings: dict[str, Any] = {"lossless": True, "exact": True} if quality is None else {"quality": quality}
-    file = io.BytesIO()
-    Image.fromarray(texels[..., :3] if opaque else texels).save(file, "webp", method=4, **settings)
-    return file.getvalue()
-
-
 def decode_color(data: bytes, size: tuple[int, int]) -> NDArray[np.float32]:
     """Decode a picture of known width and height to (H, W, 3), linear RGB; ValueError for anything else."""
     from PIL import Image, UnidentifiedImageError

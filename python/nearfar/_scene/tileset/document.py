@@ -14,7 +14,7 @@ from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.reasons import LONGEST, sentence
-from nearfar._scene.tileset import implicit, subtree, values, volumes
+from nearfar._scene.tileset import implicit, metadata, subtree, values, volumes
 from nearfar._scene.tileset.files import Files
 from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.implicit import Implicit
@@ -105,7 +105,8 @@ class Documents:
         if stated is None:
             return tile
         # The templates are those of all tiles below; the tile itself is only the place where they begin.
-        tiling = implicit.read(tile, stated, self._subtree)
+        boxes = metadata.box_properties(self._document(source.name))
+        tiling = implicit.read(tile, stated, self._subtree, boxes)
         root = partial(self._implicit_root, tiling)
         return StatedTile(place, source, tile.volume, tile.error, replaces, tile.transform, (), root, refers=True)
 
@@ -153,7 +154,7 @@ class Documents:
             self.missing[name] = None
             return None
         with self._named(name):
-            return subtree.read(data, tiling.axes, tiling.subtree_levels, partial(self._beside, name))
+            return subtree.read(data, tiling.axes, tiling.subtree_levels, partial(self._beside, name), tiling.boxes)
 
     def _beside(self, name: str, uri: str) -> bytes:
         return self.read(self._files.resolve(name, uri))

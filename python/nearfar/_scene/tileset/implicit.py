@@ -8,9 +8,12 @@ from itertools import product
 from operator import add
 from typing import Any
 
+import numpy as np
+
 from nearfar._base.errors import UnusableError
 from nearfar._scene.tileset import values
 from nearfar._scene.tileset.frames import Floats
+from nearfar._scene.tileset.metadata import BoxProperty
 from nearfar._scene.tileset.subtree import MOST_LEVELS, Subtree, start_of
 from nearfar._scene.tileset.tile import Source, StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
@@ -41,6 +44,8 @@ class Implicit:
         Templates of references, with {level}, {x}, {y} and {z}.
     open_subtree
         Reads a subtree; None where its file is missing.
+    boxes
+        Properties of its tiles that take the place of their parts of the volume, by the names of their classes.
     """
 
     place: str
@@ -55,6 +60,7 @@ class Implicit:
     subtrees: str
     contents: tuple[str, ...]
     open_subtree: Callable[[Implicit, str], Subtree | None]
+    boxes: dict[str, BoxProperty]
 
     def root(self) -> list[Tile]:
         """The tile of level 0, unless it is not there."""
@@ -70,12 +76,12 @@ class Implicit:
 class ImplicitTile(Tile):
     """A tile of an implicit tiling: its level and cell in the tree, and its level and Morton number in a subtree."""
 
-    __slots__ = ("_cell", "_depth", "_level", "_number", "_subtree", "_tiling")
+    __slots__ = ("_bit", "_cell", "_depth", "_level", "_number", "_subtree", "_tiling")
 
     def __init__(self, tiling: Implicit, subtree: Subtree, level: int, cell: Cell, depth: int, number: int) -> None:
         self._tiling, self._subtree = tiling, subtree
         self._level, self._cell, self._depth, self._number = level, cell, depth, number
-        bit = start_of(depth, tiling.axes) + number
+        self._bit = bit = start_of(depth, tiling.axes) + number
         super().__init__(
             tiling.source,
             tiling.error * 0.5**level,
@@ -87,15 +93,18 @@ class ImplicitTile(Tile):
 
     @property
     def volume(self) -> Volume:
-        """Its part of the tiling's volume."""
+        """The box that its metadata states, else its part of the tiling's volume."""
+        subtree = self._subtree
+        if subtree.boxes is not None:
+            middle, *axes = subtree.boxes[subtree.tiles.before(self._bit)]
+            return Box(middle, np.array(axes))
         return self._tiling.volume.part(self._level, self._cell)
 
     @property
     def contents(self) -> tuple[str, ...]:
         """The templates of the contents that are there, filled in."""
-        bit = start_of(self._depth, self._tiling.axes) + self._number
         there = zip(self._tiling.contents, self._subtree.contents, strict=False)
-        return tuple(filled(template, self._level, self._cell) for template, bits in there if bits.at(bit))
+        return tuple(filled(template, self._level, self._cell) for template, bits in there if bits.at(self._bit))
 
     def expand(self) -> list[Tile]:
         """Make the children that the bits say are there."""
@@ -129,7 +138,12 @@ def described_by(described: dict[str, Any]) -> dict[str, Any] | None:
     return None if found is None else values.entries("implicitTiling", found)
 
 
-def read(tile: StatedTile, stated: dict[str, Any], open_subtree: Callable[[Implicit, str], Subtree | None]) -> Implicit:
+def read(
+    tile: StatedTile,
+    stated: dict[str, Any],
+    open_subtree: Callable[[Implicit, str], Subtree | None],
+    boxes: dict[str, BoxProperty],
+) -> Implicit:
     """The tiling that a tile states, whose contents are templates."""
     place = f"{tile.place}.implicitTiling"
     scheme = values.choice(f"{place}.subdivisionScheme", stated.get("subdivisionScheme"), ("QUADTREE", "OCTREE"))
@@ -157,6 +171,7 @@ def read(tile: StatedTile, stated: dict[str, Any], open_subtree: Callable[[Impli
         subtrees=values.text(f"{place}.subtrees.uri", template),
         contents=tile.contents,
         open_subtree=open_subtree,
+        boxes=boxes,
     )
 
 

@@ -5,14 +5,16 @@ from __future__ import annotations
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
 
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
-from nearfar._scene.tileset import values
+from nearfar._scene.tileset import metadata, values
+from nearfar._scene.tileset.frames import Floats
+from nearfar._scene.tileset.metadata import BoxProperty
 
 MOST_LEVELS = {2: 16, 3: 10}
 """Greatest number of levels of a subtree by the axes of its tree; it has a thousand million tiles then."""
@@ -21,6 +23,8 @@ _CHECKED = 1 << 26
 """Greatest number of bits that are compared with each other, which takes a byte for each."""
 
 _HEADER = struct.Struct("<4sIQQ")
+
+_ONES = np.array([byte.bit_count() for byte in range(256)], np.uint8)
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,20 @@ class Bits:
             return self.constant
         return bool(self.stored[number >> 3] >> (number & 7) & 1)
 
+    def before(self, number: int) -> int:
+        """How many of the bits before a number are set."""
+        if self.stored is None:
+            return number if self.constant else 0
+        byte = number >> 3
+        rest = self.stored[byte : byte + 1]
+        return int(self._ones[byte]) + ((rest[0] & ((1 << (number & 7)) - 1)).bit_count() if rest else 0)
+
+    @cached_property
+    def _ones(self) -> np.ndarray[Any, np.dtype[np.int32]]:
+        """How many bits are set before each byte, and in all."""
+        assert self.stored is not None
+        return np.append(0, np.cumsum(_ONES[np.frombuffer(self.stored, np.uint8)], dtype=np.int32)).astype(np.int32)
+
     def unpacked(self) -> np.ndarray[Any, np.dtype[np.bool_]]:
         """All bits (N,)."""
         if self.stored is None:
@@ -52,6 +70,8 @@ class Subtree:
     tiles: Bits
     contents: tuple[Bits, ...]
     children: Bits
+    boxes: Floats | None = None
+    """Of its tiles that are there (N, 4, 3): the middle, then half of each edge. None where it states none."""
 
 
 @cache
@@ -60,8 +80,13 @@ def start_of(level: int, axes: int) -> int:
     return int(((1 << axes * level) - 1) // ((1 << axes) - 1))
 
 
-def read(data: bytes, axes: int, levels: int, load: Callable[[str], bytes]) -> Subtree:
-    """Read a subtree, binary or JSON; `load` returns the bytes of a file that it refers to."""
+def read(
+    data: bytes, axes: int, levels: int, load: Callable[[str], bytes], properties: dict[str, BoxProperty] | None = None
+) -> Subtree:
+    """Read a subtree, binary or JSON.
+
+    `load` returns the bytes of a file that it refers to; `properties` are those of the tileset that hold boxes.
+    """
     document, binary = _parts(data)
     views = _Views(document, binary, load)
     inner, leaves = start_of(levels, axes), 1 << axes * levels
@@ -71,10 +96,12 @@ def read(data: bytes, axes: int, levels: int, load: Callable[[str], bytes]) -> S
     if isinstance(others, dict) and "3DTILES_multiple_contents" in others:
         several = values.entries("3DTILES_multiple_contents", others["3DTILES_multiple_contents"])
         listed = values.items("contentAvailability", several.get("contentAvailability"))
+    tiles = views.bits("tileAvailability", document.get("tileAvailability"), inner)
     subtree = Subtree(
-        views.bits("tileAvailability", document.get("tileAvailability"), inner),
+        tiles,
         tuple(views.bits(f"contentAvailability[{n}]", entry, inner) for n, entry in enumerate(listed)),
         views.bits("childSubtreeAvailability", document.get("childSubtreeAvailability"), leaves),
+        metadata.boxes(document, properties, tiles.before(inner), views.view) if properties else None,
     )
     _check(subtree, axes, levels)
     return subtree
@@ -110,8 +137,7 @@ class _Views:
         if "constant" in described:
             return Bits(count, None, bool(values.whole(f"{place}.constant", described["constant"], 0, 1)))
         number = described.get("bitstream", described.get("bufferView"))
-        view = values.entries(place, _at(f"{place}.bitstream", self._views, number))
-        data = self._bytes(f"bufferViews[{number}]", view)
+        data = self.view(f"{place}.bitstream", number)
         if 8 * len(data) < count:
             raise UnusableError(f"{place}: expected {count} bits, got {8 * len(data)}")
         bits = Bits(count, data)
@@ -119,6 +145,10 @@ class _Views:
         if stated is not None and count <= _CHECKED and stated != (found := int(bits.unpacked().sum())):
             raise UnusableError(f"{place}: it states {check.shortened(stated)} as available, and its bits {found}")
         return bits
+
+    def view(self, place: str, number: Any) -> bytes:
+        """The bytes of a view that an entry refers to."""
+        return self._bytes(f"bufferViews[{number}]", values.entries(place, _at(place, self._views, number)))
 
     def _bytes(self, place: str, view: dict[str, Any]) -> bytes:
         number = view.get("buffer")

@@ -1,0 +1,164 @@
+"""Storage: bytes of the geometry of leaves against bytes of their views, and the density at which the two cross."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.compare import FOLDER
+from benchmarks.harness.timing import machine, table
+from benchmarks.orthoview.views import DIRECTIONS, LAYOUT, SIZE, TOKYO
+from nearfar import _core
+from nearfar._base import data, glb
+from nearfar.orthoview import _codec
+from nearfar.orthoview._geometry import cell_glb, step_of
+from nearfar.orthoview._grid import Grid
+
+PLACE = (1, 1, 1)
+"""Of the leaf, among neighbours on all sides."""
+
+SIDES = (125.0, 250.0, 500.0, 1000.0)
+"""Of leaves, metres, for which the crossing is told in triangles per square kilometre."""
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """What a leaf takes."""
+
+    name: str
+    side: float
+    triangles: int
+    geometry: int
+    """Bytes of its GLB."""
+    shared: int
+    """Of these, those of meshes of several placements."""
+    merged: int
+    """Bytes of its GLB if each placement had its own triangles."""
+    views: int
+    """Bytes of the chunks of its views."""
+
+    @property
+    def world(self) -> str:
+        """The world it is from."""
+        return self.name.partition(",")[0]
+
+    @property
+    def row(self) -> list[str]:
+        """Of the table."""
+        per_km2 = self.triangles / (self.side / 1000) ** 2
+        numbers = [f"{self.triangles:,}", f"{per_km2:,.0f}", f"{self.triangles / SIZE**2:.3g}"]
+        sizes = [f"{bytes_ / 1000:,.1f}" for bytes_ in (self.geometry, self.shared, self.merged, self.views)]
+        return [self.name, *numbers, *sizes, f"{self.merged / self.triangles:.1f}", f"{self.geometry / self.views:.3g}"]
+
+
+def main() -> None:
+    print(machine(), "\n")
+    found = [leaf for leaf in map(measured, worlds()) if leaf is not None]
+    header = ["leaf", "triangles", "a km²", "a pixel", "geometry, kB", "of it shared meshes", "merged, kB", "views, kB"]
+    title = f"Geometry and nine views of {SIZE}² pixels"
+    print(table(title, [*header, "merged, bytes a triangle", "geometry / views"], [leaf.row for leaf in found]))
+    worlds_of = dict.fromkeys(leaf.world for leaf in found)
+    rows = [crossing_of(world, [leaf for leaf in found if leaf.world == world]) for world in worlds_of]
+    header = ["world", "triangles a leaf", "a pixel", *(f"a km², {side:g} m" for side in SIDES)]
+    print(table("Where merged geometry takes as much as views", header, rows))
+    draw(found)
+
+
+def worlds() -> Iterator[tuple[str, Any, float]]:
+    """Worlds and sides of leaves in the middle of them."""
+    path = data.find(TOKYO)
+    if path is not None:
+        city = nf.Scene.load(path)
+        yield from (("Tokyo", city, side) for side in (125.0, 250.0, 500.0, 1000.0, 2000.0))
+    town = nf.datasets.city(blocks=4)
+    yield from (("city", town, side) for side in (10.0, 20.0, 40.0, 80.0))
+    forest = nf.datasets.forest()
+    yield from (("forest", forest, side) for side in (10.0, 20.0, 40.0, 80.0))
+    yield from (("world", nf.datasets.world(km=10), side) for side in (62.5, 125.0, 250.0))
+    # A belt whose bodies have 1,000 polygons, and finer ones.
+    yield from (("asteroids", nf.datasets.asteroids(polygons=count), 1500.0) for count in (1_000, 10_000, 97_000))
+
+
+def measured(case: tuple[str, Any, float]) -> Leaf | None:
+    """The bytes of the leaf in the middle of a world; None if nothing is there."""
+    name, world, side = case
+    grid = Grid(corner_of(name, world, side), side, (3, 3, 3))
+    part = world.query(grid.box(0, PLACE))
+    geometry = cell_glb(part, grid, PLACE)
+    if geometry is None:
+        return None
+    place = (grid.corner(0, PLACE), side)
+    views = _core.OrthoViews.of_cell(part._core, place, DIRECTIONS, LAYOUT.format)
+    chunks = sum(map(len, _codec.encoded(views, LAYOUT).values()))
+    whole = part._derived(part._core.of_mesh(part._core.merged()), part._rest[:0])
+    merged = cell_glb(whole, grid, PLACE)
+    assert merged is not None
+    triangles = glb.header(geometry)[0]["asset"]["extras"]["triangles"]
+    sizes = len(geometry), shared(part, step_of(grid)), len(merged), chunks
+    return Leaf(f"{name}, {side:g} m", side, triangles, *sizes)
+
+
+def corner_of(name: str, world: Any, side: float) -> tuple[float, float, float]:
+    """Least corner of a grid of three leaves along each axis, whose middle one has the ground, or a body, in it."""
+    if name == "asteroids":
+        x, y, z = (world.centers[np.argmax(world.radii)] - 1.5 * side).tolist()
+        return x, y, z
+    x, _, z = (world.bounds.mean(axis=0) - 1.5 * side).tolist()
+    if name == "world":
+        x, z = x + 1000.0, z + 1000.0
+    column = np.array([[x + side, -np.inf, z + side], [x + 2 * side, np.inf, z + 2 * side]])
+    return x, float(np.floor(world.query(column).bounds[0, 1])) - side, z
+
+
+def shared(part: nf.Scene, step: float) -> int:
+    """Bytes of the meshes of several placements in the GLB of a leaf."""
+    images: list[str | None] = [None] * part._core.texture_count
+    export = _core.Export(part._core, np.zeros(1, np.uint16), 1, names=[], images=images, step=step, compressed=True)
+    return sum(len(content) for content, _, _ in export.shared())
+
+
+def crossing_of(world: str, leaves: list[Leaf]) -> list[str]:
+    """Row of a world: where the ratio is 1 on lines between the logarithms of its leaves, or beyond them."""
+    ordered = sorted(leaves, key=lambda leaf: leaf.triangles)
+    dense = np.log([leaf.triangles for leaf in ordered])
+    ratios = np.log([leaf.merged / leaf.views for leaf in ordered])
+    changes = np.flatnonzero((ratios[:-1] < 0) & (ratios[1:] >= 0))
+    at = int(changes[0]) if len(changes) else len(ordered) - 2
+    slope = (ratios[at + 1] - ratios[at]) / (dense[at + 1] - dense[at])
+    crossing = float(np.exp(dense[at] - ratios[at] / slope))
+    numbers = [f"{crossing:,.0f}" + ("" if len(changes) else " (beyond)"), f"{crossing / SIZE**2:.2g}"]
+    return [world, *numbers, *(f"{crossing / (side / 1000) ** 2:,.0f}" for side in SIDES)]
+
+
+def draw(found: list[Leaf]) -> None:
+    """Save the plot: bytes by triangles a pixel, both logarithmic."""
+    folder = os.environ.get(FOLDER)
+    if not folder:
+        return
+    import matplotlib as mpl
+
+    mpl.use("agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(7.5, 4.8), layout="constrained")
+    for number, world in enumerate(dict.fromkeys(leaf.world for leaf in found)):
+        leaves = [leaf for leaf in found if leaf.world == world]
+        dense: NDArray[np.float64] = np.array([leaf.triangles for leaf in leaves]) / SIZE**2
+        for name, marker, style in (("merged", "o", "-"), ("geometry", "s", ":"), ("views", "x", "--")):
+            values = [getattr(leaf, name) / 1000 for leaf in leaves]
+            axes.plot(dense, values, color=f"C{number}", marker=marker, linestyle=style, label=f"{world}, {name}")
+    axes.set(xscale="log", yscale="log", xlabel=f"triangles a pixel of a view ({SIZE}²)", ylabel="kB a leaf")
+    axes.legend(fontsize="x-small", ncols=2)
+    figure.savefig(Path(folder) / "orthoview_storage.png", dpi=100)
+    pyplot.close(figure)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,83 @@
+"""Metadata of implicit tiles that is read: boxes that take the place of the parts of the tiling's volume."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nearfar._base import check
+from nearfar._base.errors import UnusableError
+from nearfar._scene.tileset import values
+from nearfar._scene.tileset.frames import Floats
+
+_SEMANTIC = "TILE_BOUNDING_BOX"
+_NUMBERS = 12
+"""Of a box: its middle, then half of each edge."""
+_TYPES: dict[str, np.dtype[Any]] = {"FLOAT32": np.dtype("<f4"), "FLOAT64": np.dtype("<f8")}
+
+
+@dataclass(frozen=True)
+class BoxProperty:
+    """The property of a class of metadata that holds boxes."""
+
+    name: str
+    dtype: np.dtype[Any]
+
+
+def box_properties(document: dict[str, Any]) -> dict[str, BoxProperty]:
+    """The properties of a tileset's document that hold boxes of tiles, by the names of their classes."""
+    found: dict[str, BoxProperty] = {}
+    schema = values.entries("schema", document.get("schema") or {})
+    for class_name, described in values.entries("schema.classes", schema.get("classes", {})).items():
+        place = f"schema.classes.{check.shortened(class_name)}"
+        properties = values.entries(place, described).get("properties", {})
+        for name, stated in values.entries(f"{place}.properties", properties).items():
+            here = f"{place}.properties.{check.shortened(name)}"
+            if values.entries(here, stated).get("semantic") != _SEMANTIC:
+                continue
+            component = values.choice(f"{here}.componentType", stated.get("componentType"), tuple(_TYPES))
+            values.whole(f"{here}.count", stated.get("count"), _NUMBERS, _NUMBERS)
+            found[class_name] = BoxProperty(name, _TYPES[component])
+    return found
+
+
+def boxes(
+    document: dict[str, Any], known: dict[str, BoxProperty], count: int, view: Callable[[str, Any], bytes]
+) -> Floats | None:
+    """The boxes (count, 4, 3) of a subtree's tiles: the middle, then half of each edge; None where it has none.
+
+    Parameters
+    ----------
+    document
+        Of the subtree.
+    known
+        What `box_properties` returned.
+    count
+        Number of its tiles that are there.
+    view
+        Returns the bytes of one of its views by its number.
+    """
+    if not known or document.get("tileMetadata") is None:
+        return None
+    tables = values.items("propertyTables", document.get("propertyTables"))
+    place = f"propertyTables[{values.whole('tileMetadata', document['tileMetadata'], 0, len(tables) - 1)}]"
+    table = values.entries(place, tables[document["tileMetadata"]])
+    property_ = known.get(str(table.get("class")))
+    if property_ is None:
+        return None
+    if table.get("count") != count:
+        raise UnusableError(
+            f"{place}.count: expected {count}, the tiles that are there, got {check.shortened(table.get('count'))}"
+        )
+    columns = values.entries(f"{place}.properties", table.get("properties"))
+    column = f"{place}.properties.{check.shortened(property_.name)}"
+    data = view(column, values.entries(column, columns.get(property_.name)).get("values"))
+    if len(data) != count * _NUMBERS * property_.dtype.itemsize:
+        raise UnusableError(f"{column}: expected {_NUMBERS} numbers for each of {count} tiles, got {len(data)} bytes")
+    rows = np.frombuffer(data, property_.dtype).astype(np.float64).reshape(count, 4, 3)
+    if not np.isfinite(rows).all():
+        raise UnusableError(f"{column}: expected finite numbers")
+    return rows

@@ -1,0 +1,189 @@
+"""Subtrees of a tileset (3D Tiles 1.1): bits that say which cells have tiles, and the box of what is in each.
+
+Levels of tilesets count from the root. A subtree has the cells of some levels below one cell; in each level they are in
+the order of their Morton numbers, whose bits are those of x, y and z in turn, x lowest. Cells of a tileset are numbered
+as those of the grid.
+
+Triangles reach beyond the cell that they belong to. The metadata TILE_BOUNDING_BOX states the box of all that lies in a
+cell and below it, so that viewers that read it lose nothing at the edge of a picture.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import files
+from nearfar.orthoview._grid import Place
+
+Floats = NDArray[np.float64]
+
+_LEVELS = (4, 5, 6)
+"""Of a subtree."""
+
+NAME = "{level}.{x}.{y}.{z}.subtree"
+"""Name of a subtree's file by its first cell."""
+
+CLASS, PROPERTY = "tile", "box"
+"""Names of the metadata."""
+
+SCHEMA: dict[str, Any] = {
+    "id": "nearfar",
+    "classes": {
+        CLASS: {
+            "properties": {
+                PROPERTY: {
+                    "type": "SCALAR",
+                    "componentType": "FLOAT64",
+                    "array": True,
+                    "count": 12,
+                    "required": True,
+                    "semantic": "TILE_BOUNDING_BOX",
+                }
+            }
+        }
+    },
+}
+"""Of the metadata."""
+
+_HEADER = struct.Struct("<4sIQQ")
+_TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+
+
+def subtree_levels(levels: int) -> int:
+    """Levels of a subtree in a tree of so many; the lowest subtrees, which are most files, get as many as possible."""
+    return max(_LEVELS, key=lambda own: (levels - 1) % own)
+
+
+def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable[[Place], Floats]) -> Floats:
+    """Write all subtrees of a tree, from the leaves up.
+
+    Parameters
+    ----------
+    folder
+        Where they come to lie.
+    levels
+        Of the tree.
+    leaves
+        The leaves (N, 3) that have content, each once; at least one.
+    box_of
+        Returns the box (2, 3) of a leaf's content, world, metres. It is asked once for each leaf.
+
+    Returns
+    -------
+    NDArray
+        The box (2, 3) of all.
+    """
+    below: NDArray[np.int64] = leaves
+    boxes: Floats | None = None
+    own = subtree_levels(levels)
+    for first in range((levels - 1) // own * own, -1, -own):
+        depth = min(levels - 1 - first, own)
+        roots = below >> depth
+        numbers = morton(below - (roots << depth), depth)
+        order = np.lexsort((numbers, *roots.T[::-1]))
+        starts = np.flatnonzero(np.diff(roots[order], axis=0, prepend=-1).any(axis=1))
+        of_roots = np.empty((len(starts), 2, 3))
+        for at, rows in enumerate(np.split(order, starts[1:])):
+            inner = np.array([box_of(_place(row)) for row in below[rows]]) if boxes is None else boxes[rows]
+            data, of_roots[at] = _encoded(numbers[rows], depth, own, inner, has_content=boxes is None)
+            x, y, z = _place(roots[rows[0]])
+            files.write(folder / NAME.format(level=first, x=x, y=y, z=z), data)
+        below, boxes = roots[order[starts]], of_roots
+    assert boxes is not None
+    whole: Floats = boxes[0]
+    return whole
+
+
+def morton(cells: NDArray[np.int64], bits: int) -> NDArray[np.int64]:
+    """Morton numbers (N,) of cells (N, 3) whose numbers have so many bits."""
+    numbers = np.zeros(len(cells), np.int64)
+    for bit in range(bits):
+        for axis in range(3):
+            numbers |= (cells[:, axis] >> bit & 1) << (3 * bit + axis)
+    return numbers
+
+
+def volume(box: Floats) -> list[float]:
+    """A box (2, 3) of the world, y up, as tilesets state it, z up: the middle, then half of each edge."""
+    turned = box @ _TO_Z_UP.T
+    half = np.abs(turned[1] - turned[0]) / 2
+    return [*turned.mean(axis=0).tolist(), *np.diag(half).ravel().tolist()]
+
+
+def _place(row: NDArray[np.int64]) -> Place:
+    x, y, z = row.tolist()
+    return x, y, z
+
+
+def _encoded(
+    numbers: NDArray[np.int64], depth: int, levels: int, boxes: Floats, *, has_content: bool
+) -> tuple[bytes, Floats]:
+    """A subtree of so many levels, and the box of all in it.
+
+    `numbers` are the Morton numbers, ascending, of the cells that are there at a depth below its first one: leaves,
+    which have content, or the first cells of subtrees below, which are one level deeper than its own.
+    """
+    by_depth, of_depth = [numbers], [boxes]
+    while len(by_depth) <= depth:
+        parents, starts = np.unique(by_depth[-1] >> 3, return_index=True)
+        low = np.minimum.reduceat(of_depth[-1][:, 0], starts)
+        high = np.maximum.reduceat(of_depth[-1][:, 1], starts)
+        by_depth.append(parents)
+        of_depth.append(np.stack([low, high], axis=1))
+    root = of_depth[-1][0]
+    if not has_content:
+        del by_depth[0], of_depth[0]
+    tiles = np.concatenate([start_of(level) + found for level, found in enumerate(reversed(by_depth))])
+    rows = np.array([volume(box) for level in reversed(of_depth) for box in level])
+    views = _Views()
+    document = {
+        "tileAvailability": views.bits(tiles, start_of(levels)),
+        "contentAvailability": [views.bits(start_of(depth) + numbers if has_content else None, start_of(levels))],
+        "childSubtreeAvailability": views.bits(None if has_content else numbers, 8**levels),
+        "tileMetadata": 0,
+        "propertyTables": [
+            {"class": CLASS, "count": len(tiles), "properties": {PROPERTY: {"values": views.add(rows.tobytes())}}}
+        ],
+    }
+    return views.encoded(document), root
+
+
+def start_of(level: int) -> int:
+    """Number of a subtree's cells before a level."""
+    return ((1 << 3 * level) - 1) // 7
+
+
+class _Views:
+    """Arrays of a subtree."""
+
+    def __init__(self) -> None:
+        self._data = b""
+        self._views: list[dict[str, int]] = []
+
+    def add(self, data: bytes) -> int:
+        """Add bytes at a multiple of eight; returns their number."""
+        self._views.append({"buffer": 0, "byteOffset": len(self._data), "byteLength": len(data)})
+        self._data += data + bytes(-len(data) % 8)
+        return len(self._views) - 1
+
+    def bits(self, numbers: NDArray[np.int64] | None, count: int) -> dict[str, int]:
+        """Add a bit for each of `count` things: whether its number is among some; None stands for no numbers."""
+        if numbers is None:
+            return {"constant": 0}
+        flags = np.zeros(count, bool)
+        flags[numbers] = True
+        return {"bitstream": self.add(np.packbits(flags, bitorder="little").tobytes()), "availableCount": len(numbers)}
+
+    def encoded(self, document: dict[str, Any]) -> bytes:
+        """The subtree's file."""
+        whole = {"buffers": [{"byteLength": len(self._data)}], "bufferViews": self._views, **document}
+        text = json.dumps(whole, separators=(",", ":")).encode()
+        text += b" " * (-len(text) % 8)
+        return _HEADER.pack(b"subt", 1, len(text), len(self._data)) + text + self._data

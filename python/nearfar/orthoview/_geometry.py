@@ -1,0 +1,200 @@
+"""The triangles of a leaf as GLB files: those that stand, and those that move.
+
+Files are as those of bundles: meshopt's compression, meshes of several placements once, materials as they are drawn,
+textures beside them as WebP. Positions are multiples of a step, relative to a point in the middle of the leaf. These
+points are an even number of steps apart, so that a corner is rounded alike in all leaves: what touches stays joined.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import files, glb
+from nearfar._scene.moving_rows import rows_of
+from nearfar._scene.scene import Scene
+from nearfar._scene.texture_file import encode_texture
+from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._owned import owned
+
+STEP = 2.0**-10
+"""Greatest step of positions, metres: what stands once is off by half of it at most, instances by all of it."""
+
+SHARE = 2.0**-14
+"""Greatest step of positions as a share of a leaf's side."""
+
+_WIDEST = 16383
+"""Greatest side of a WebP picture; larger textures are halved."""
+
+_LEAST_STEP = 2.0**-40
+"""What the exporter takes at least, metres."""
+
+_MIDDLE = 1024
+"""Steps of which the middles of leaves are multiples: a metre where the step is the greatest."""
+
+QUALITY = 90
+"""Of textures as WebP, 0 to 100."""
+
+IMAGES = "../../../../images"
+"""Folder of the files of textures, as seen from that of a GLB."""
+
+
+def step_of(grid: Grid) -> float:
+    """The step of positions in the leaves of a grid, a power of two, metres."""
+    _, exponent = math.frexp(min(STEP, SHARE * grid.cell))
+    return max(2.0 ** (exponent - 1), _LEAST_STEP)
+
+
+class Images:
+    """Files of textures, which all leaves share: they are named by what they show.
+
+    Parameters
+    ----------
+    folder
+        Where they lie; it is made with the first file.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._known: set[str] = set()
+
+    def add(self, texels: NDArray[np.uint8]) -> str:
+        """Write the file of a texture (H, W, 4), sRGB with alpha, unless it is there; returns its name."""
+        shape = np.array(texels.shape, "<u4").tobytes()
+        # A quarter of a SHA-256, which no two textures share by chance.
+        name = f"{hashlib.sha256(shape + texels.tobytes()).hexdigest()[:16]}.webp"
+        path = self._folder / name
+        if name not in self._known and not path.exists():
+            self._folder.mkdir(parents=True, exist_ok=True)
+            with files.atomic_file(path) as temporary:
+                files.write(temporary, encode_texture(_fitting(texels), QUALITY))
+        self._known.add(name)
+        return name
+
+
+def _fitting(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """A texture, halved until a picture holds it."""
+    while max(texels.shape[:2]) > _WIDEST:
+        texels = _core.halved_texture(texels, times=1, cutout=False)
+    return texels
+
+
+def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
+    """Encode the triangles that stand in a leaf and belong to it (`owned`).
+
+    Parameters
+    ----------
+    part
+        What a query of the leaf's box returned.
+    grid, place
+        The leaf.
+    images
+        Takes the textures; None draws materials without them.
+
+    Returns
+    -------
+    bytes or None
+        A GLB in world metres, y up; None where nothing belongs to the leaf. The `extras` of its `asset` have the number
+        of `triangles`, the greatest `error` of a position along an axis, and the `box` of all, metres. Triangles that
+        have no area once their corners are rounded are left out.
+    """
+    mine = _mine(part, grid, place, moving=False)
+    if not mine.any():
+        return None
+    core = part._core if mine.all() else part._core.subset_of_triangles(mine)
+    middle = _middle(grid, place)
+    return _encoded(_about(core, middle), step_of(grid), images, [])
+
+
+def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
+    """Encode the triangles that move and belong to a leaf where they are now; see `cell_glb`.
+
+    Each node is an instance with the name of its object. The `extras` also have `moving`, a row for each node in their
+    order: its `object`, and its load `transform` and its placement at `rest` where they are not the usual ones.
+    """
+    mine = _mine(part, grid, place, moving=True)
+    if not mine.any():
+        return None
+    movers = part.subset(triangles=mine)
+    most = int(movers._core.moving_objects().max()) + 1
+    data = _encoded(_about(movers._core, None), step_of(grid), images, list(movers.object_names[:most]))
+    if data is None:
+        return None
+    document, _ = glb.header(data)
+    document["asset"]["extras"]["moving"] = rows_of(movers, data)
+    return glb.with_document(data, document)
+
+
+def _mine(part: Scene, grid: Grid, place: Place, *, moving: bool) -> NDArray[np.bool_]:
+    """Which triangles (T,) belong to a leaf and move, or do not; those that stand come first."""
+    standing = part._core.standing_triangle_count
+    if moving and standing == part.triangle_count:
+        return np.zeros(part.triangle_count, bool)
+    mine = owned(part, grid, place)
+    mine[slice(0, standing) if moving else slice(standing, None)] = False
+    return mine
+
+
+def _middle(grid: Grid, place: Place) -> NDArray[np.float64]:
+    """The point that positions in a leaf are relative to, world, metres."""
+    unit = _MIDDLE * step_of(grid)
+    middle: NDArray[np.float64] = np.rint(grid.box(0, place).mean(axis=0) / unit) * unit
+    return middle
+
+
+def _about(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene:
+    """The same scene relative to another origin, without the textures that nothing shows."""
+    parts = _core.scene_parts(core)
+    if origin is not None:
+        parts["placements"][:, :, 3] += np.array(parts["origin"]) - origin
+        parts["origin"] = tuple(origin.tolist())
+    if parts["textures"]:
+        _prune(parts, core.mesh_ids())
+    return _core.Scene(**parts)
+
+
+def _prune(parts: dict[str, Any], meshes: NDArray[np.uint64]) -> None:
+    """Leave out textures of materials that no face has."""
+    _, rows = np.unique(meshes, return_index=True)
+    has = np.zeros(len(parts["material_colors"]) + 1, bool)
+    for row in rows.tolist():
+        has[_core.mesh_parts(parts["meshes"][row])["materials"]] = True
+    # The last flag was that of faces without a material, whose number is −1.
+    shown = np.zeros(len(parts["textures"]) + 1, bool)
+    links = ("material_textures", "material_emission_textures")
+    for name in links:
+        parts[name] = np.where(has[:-1], parts[name], -1).astype(np.int32)
+        shown[parts[name]] = True
+    numbers = np.append(np.cumsum(shown[:-1]) - 1, -1).astype(np.int32)
+    for name in links:
+        parts[name] = numbers[parts[name]]
+    parts["textures"] = [texels for texels, is_shown in zip(parts["textures"], shown, strict=False) if is_shown]
+
+
+def _encoded(core: _core.Scene, step: float, images: Images | None, names: list[str]) -> bytes | None:
+    """The GLB of a scene; None if all its faces lose their area."""
+    uris: list[str | None] = [None] * core.texture_count
+    if images is not None and uris:
+        uris = [f"{IMAGES}/{images.add(texels)}" for texels in _core.scene_parts(core)["textures"]]
+    group = np.zeros(1, np.uint16)  # that of all objects
+    export = _core.Export(core, group, 1, names=names, images=uris, step=step, compressed=True)
+    data, facts = export.glb(0, uris=[None] * len(export.shared()))
+    if not facts["drawn"]:
+        return None
+    low, high = core.bounds()
+    error = facts["position_error"]
+    # Whole steps, one of them beyond, so that boxes of flat leaves have a volume and roundings stay inside.
+    box = [(np.floor((low - error) / step) - 1) * step, (np.ceil((high + error) / step) + 1) * step]
+    document, _ = glb.header(data)
+    document["asset"]["extras"] = {
+        "triangles": facts["drawn"],
+        "error": error,
+        "box": [corner.tolist() for corner in box],
+    }
+    return glb.with_document(data, document)

@@ -1,0 +1,229 @@
+"""Where a tree keeps the geometry of its leaves: a folder of its store that is a tileset of 3D Tiles.
+
+A leaf's files are written once, aside, and renamed, so that a build that was ended leaves whole files only. `finish`
+lists the files that are there, so that nothing else must be kept while the build goes on.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check, files, formats, glb
+from nearfar._base.errors import FormatError
+from nearfar._base.version import __version__
+from nearfar._scene.scene import Scene
+from nearfar.orthoview import _availability as availability
+from nearfar.orthoview._geometry import Images, cell_glb, moving_glb, step_of
+from nearfar.orthoview._grid import Grid, Place
+
+FOLDER = "geometry"
+"""Folder of a tree's store."""
+
+TILESET, MOVING, SUBTREES = "tileset.json", "moving.json", "subtrees"
+
+STANDS, MOVES = "content", "moving"
+"""Folders of what stands and of what moves."""
+
+KIND, VERSION = "orthoview_moving", 1
+"""Of the list of what moves."""
+
+_NAME = "{level}/{x}/{y}/{z}.glb"
+_FIRST = availability.NAME.format(level=0, x=0, y=0, z=0)
+_NUMBER = re.compile(r"0|[1-9][0-9]{0,9}")
+_CHUNK = 20
+"""Bytes of a GLB before its document."""
+
+
+class Facts(NamedTuple):
+    """What a GLB says of itself."""
+
+    bytes: int
+    triangles: int
+    error: float
+    box: NDArray[np.float64]
+    moving: list[dict[str, Any]]
+
+
+class GeometryStore:
+    """Writes the geometry of a tree's leaves.
+
+    Parameters
+    ----------
+    store
+        The tree's folder.
+    grid
+        Its leaves.
+    """
+
+    def __init__(self, store: Path, grid: Grid) -> None:
+        self._folder, self._grid = store / FOLDER, grid
+        self._images = Images(self._folder / "images")
+
+    def write(self, part: Scene, place: Place) -> int:
+        """Write the triangles that belong to a leaf; returns the number of bytes.
+
+        Parameters
+        ----------
+        part
+            What a query of the leaf's box returned.
+        place
+            The leaf. Written again, its files get the same bytes.
+        """
+        written = 0
+        for folder, encode in ((STANDS, cell_glb), (MOVES, moving_glb)):
+            data = encode(part, self._grid, place, self._images)
+            if data is not None:
+                path = self._path(folder, place)
+                path.parent.mkdir(parents=True, exist_ok=True)
+                with files.atomic_file(path) as temporary:
+                    files.write(temporary, data)
+                written += len(data)
+        return written
+
+    def finish(self) -> dict[str, Any]:
+        """Write the tileset of all leaves that have files, and the list of what moves.
+
+        Returns
+        -------
+        dict
+            Numbers of `leaves`, `triangles` and `bytes` of what stands and of what is `moving`, and the greatest
+            `error` of a position along an axis in metres.
+
+        Raises
+        ------
+        FormatError
+            A file that is damaged, and one that no leaf has.
+        OSError
+            Files that cannot be read or written.
+        """
+        total = {"leaves": 0, "triangles": 0, "bytes": 0, "error": 0.0}
+
+        def box_of(place: Place) -> NDArray[np.float64]:
+            facts = self._facts(STANDS, place)
+            total["leaves"] += 1
+            total["triangles"] += facts.triangles
+            total["bytes"] += facts.bytes
+            total["error"] = max(total["error"], facts.error)
+            return facts.box
+
+        self._folder.mkdir(parents=True, exist_ok=True)
+        leaves = self._places(STANDS)
+        box = None
+        if len(leaves):
+            with files.atomic_folder(self._folder / SUBTREES, marker=_FIRST) as temporary:
+                box = availability.write(temporary, self._grid.levels, leaves, box_of)
+        movers = {self._name(MOVES, place): self._facts(MOVES, place) for place in self._listed(MOVES)}
+        self._write_movers(movers)
+        document = self._tileset(box, {name: facts.box for name, facts in movers.items()})
+        with files.atomic_file(self._folder / TILESET) as temporary:
+            temporary.write_text(formats.to_json(document), encoding="utf-8")
+        moving = {
+            "files": len(movers),
+            "triangles": sum(facts.triangles for facts in movers.values()),
+            "bytes": sum(facts.bytes for facts in movers.values()),
+            "objects": len({row["object"] for facts in movers.values() for row in facts.moving}),
+        }
+        error = max([total["error"], *(facts.error for facts in movers.values())])
+        return {**total, "error": error, "step": step_of(self._grid), "moving": moving}
+
+    def _tileset(self, box: NDArray[np.float64] | None, movers: dict[str, NDArray[np.float64]]) -> dict[str, Any]:
+        """The document of the tileset: the tree, and a tile for each file of what moves."""
+        levels = self._grid.levels
+        # A cell whose children are not shown lacks all that is in it.
+        error = math.sqrt(3.0) * self._grid.side(levels - 1)
+        children: list[dict[str, Any]] = []
+        if box is not None:
+            children.append(
+                {
+                    "boundingVolume": {"box": self._cube()},
+                    "geometricError": error,
+                    "refine": "ADD",
+                    "content": {"uri": f"{STANDS}/{_NAME}"},
+                    "implicitTiling": {
+                        "subdivisionScheme": "OCTREE",
+                        "subtreeLevels": availability.subtree_levels(levels),
+                        "availableLevels": levels,
+                        "subtrees": {"uri": f"{SUBTREES}/{availability.NAME}"},
+                    },
+                }
+            )
+        for name, around in movers.items():
+            shown = {"boundingVolume": {"box": availability.volume(around)}, "geometricError": 0.0}
+            children.append({**shown, "content": {"uri": name}, "extras": {"moving": True}})
+        boxes = [*([] if box is None else [box]), *movers.values()]
+        whole = self._grid.box(levels - 1, (0, 0, 0))
+        if boxes:
+            whole = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
+        root = {"boundingVolume": {"box": availability.volume(whole)}, "geometricError": error, "refine": "ADD"}
+        return {
+            "asset": {"version": "1.1", "extras": {"generator": f"nearfar {__version__}"}},
+            "geometricError": error,
+            "schema": availability.SCHEMA,
+            "root": {**root, **({"children": children} if children else {})},
+        }
+
+    def _cube(self) -> list[float]:
+        """The root's cell; its axes are those of the grid, so that cells are numbered alike."""
+        half = self._grid.side(self._grid.levels - 1) / 2
+        x, y, z = (low + half for low in self._grid.origin)
+        return [x, 0.0 - z, y, half, 0.0, 0.0, 0.0, 0.0, half, 0.0, -half, 0.0]
+
+    def _write_movers(self, movers: dict[str, Facts]) -> None:
+        listed = [
+            {"file": name, "triangles": facts.triangles, "box": facts.box.tolist(), "instances": facts.moving}
+            for name, facts in movers.items()
+        ]
+        formats.write_json(self._folder / MOVING, formats.header(KIND, VERSION) | {"files": listed})
+
+    def _name(self, folder: str, place: Place) -> str:
+        x, y, z = place
+        return f"{folder}/{_NAME.format(level=self._grid.levels - 1, x=x, y=y, z=z)}"
+
+    def _path(self, folder: str, place: Place) -> Path:
+        return self._folder / self._name(folder, place)
+
+    def _places(self, folder: str) -> NDArray[np.int64]:
+        """Leaves (N, 3) that have a file."""
+        listed = np.fromiter((number for place in self._listed(folder) for number in place), np.int64)
+        places: NDArray[np.int64] = listed.reshape(-1, 3)
+        return places
+
+    def _listed(self, folder: str) -> Iterator[Place]:
+        """The same one by one, in their order."""
+        top = self._folder / folder / str(self._grid.levels - 1)
+        for x, column in _numbered(top, ""):
+            for y, layer in _numbered(column, ""):
+                for z, path in _numbered(layer, ".glb"):
+                    if not all(number < count for number, count in zip((x, y, z), self._grid.counts, strict=True)):
+                        raise FormatError(f"{path}: expected a leaf among {self._grid.counts}")
+                    yield x, y, z
+
+    def _facts(self, folder: str, place: Place) -> Facts:
+        path = self._path(folder, place)
+        with path.open("rb") as file, formats.guarded(path, "geometry"):
+            start = file.read(_CHUNK)
+            head = start + file.read(int.from_bytes(start[12:16], "little"))
+            size = file.seek(0, 2)
+            extras = glb.header(head, formats.from_json)[0]["asset"]["extras"]
+            if (stated := int.from_bytes(head[8:12], "little")) != size:
+                raise ValueError(f"expected {stated} bytes, got {size}")
+            rows = check.items("moving", extras["moving"], dict, "rows") if folder == MOVES else []
+            triangles = check.integer("triangles", extras["triangles"], 1, 1 << 40)
+            error = check.at_least_zero("error", extras["error"])
+            return Facts(size, triangles, error, check.box("box", extras["box"]), list(rows))
+
+
+def _numbered(folder: Path, suffix: str) -> Iterator[tuple[int, Path]]:
+    """Entries of a folder that are a number and a suffix, ascending; none where there is no folder."""
+    if not folder.is_dir():
+        return
+    names = (path.name.removesuffix(suffix) for path in folder.iterdir() if path.name.endswith(suffix))
+    for number in sorted(int(name) for name in names if _NUMBER.fullmatch(name)):
+        yield number, folder / f"{number}{suffix}"
