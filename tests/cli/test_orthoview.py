@@ -51,7 +51,7 @@ def test_a_tree_is_built_looked_at_updated_checked_and_exported(
     assert updated["held"]["bytes"] < 0.9 * built["held"]["bytes"]  # the ground alone is left there
     status, out, _ = command(capsys, "orthoview", "verify", path, "--json")
     assert status == 0
-    assert document(out, "orthoview_info")["shards"] == nf.orthoview.open(path).verify()
+    assert document(out, "orthoview_info")["files"] == nf.orthoview.open(path).verify()
     status, out, _ = command(capsys, "orthoview", "export", path, "-o", plain, "--json")
     assert status == 0
     exported = document(out, "orthoview_info")
@@ -66,7 +66,7 @@ def test_a_damaged_tree_is_a_sentence(capsys: pytest.CaptureFixture[str], tmp_pa
     shard.write_bytes(content[:-1])
     status, out, err = command(capsys, "orthoview", "verify", copy.path)
     assert (status, out) == (1, "")
-    assert err.startswith(f"nearfar: {shard}: damaged orthoviews: expected a shard of {len(content)} bytes")
+    assert err.startswith(f"nearfar: {shard}: damaged orthoviews: expected {len(content)} bytes")
 
 
 @pytest.mark.parametrize(

@@ -70,8 +70,8 @@ def test_records_fit_their_schemas(tree: nf.orthoview.OrthoTree, copied: Path) -
         for path in paths:
             document = json.loads(path.read_text())
             assert valid(document, name)
-            document.pop("shards" if name != "orthoview_records" else "records")
-            assert not valid(document, name)
+            for key in ("shards" if name != "orthoview_records" else "records", "geometry"):
+                assert not valid({other: value for other, value in document.items() if other != key}, name)
 
 
 def largest(folder: Path) -> Path:
@@ -97,16 +97,19 @@ def test_an_altered_chunk_is_noticed_when_it_is_read(copied: Path) -> None:
 
 def test_verify_names_what_is_damaged(copied: Path) -> None:
     tree = nf.orthoview.open(copied).update(box_about([1]), world_of(range(9)))
-    count = sum(path.is_file() and path.name == "0" for path in copied.rglob("0"))
+    shards = sum(path.is_file() and path.name == "0" for path in copied.rglob("0"))
+    others = sum(path.is_file() for path in copied.rglob("geometry/**/*"))
+    assert others > 100
+    count = shards + others
     assert tree.verify() == count
     overlay = copied / "nearfar" / "generations" / "1"
     for folder in (copied / "1" / "px" / "color", overlay / "0"):
         shard = largest(folder)
         whole = shard.read_bytes()
         for damaged, text in (
-            (whole[:-1], f"expected a shard of {len(whole)} bytes, got {len(whole) - 1}"),
-            (whole[:9] + bytes([whole[9] ^ 1]) + whole[10:], "the shard's SHA-256 is not"),
-            (None, "the shard is gone"),
+            (whole[:-1], f"expected {len(whole)} bytes, got {len(whole) - 1}"),
+            (whole[:9] + bytes([whole[9] ^ 1]) + whole[10:], "its SHA-256 is not"),
+            (None, "the file is gone"),
         ):
             shard.unlink()
             if damaged is not None:

@@ -71,6 +71,9 @@ def test_an_updated_tree_is_that_of_the_new_world(trees: Trees, tree: nf.orthovi
     assert (tree.generation, updated.generation) == (0, 1)
     assert updated.held == trees["after"].held != before.held
     assert_same(updated, trees["after"])
+    leaves = places(updated.cells(0))
+    assert [updated.leaf_glb(place) for place in leaves] == [trees["after"].leaf_glb(place) for place in leaves]
+    assert [tree.leaf_glb(place) for place in leaves] == [before.leaf_glb(place) for place in leaves]
     # Who opened the store before goes on with what it was, whose files have not changed.
     assert_same(tree, before)
     now = contents(Path(tree.path))

@@ -49,6 +49,9 @@ def build(
     quality: Annotated[
         int | None, option("--quality", "0-100", "Quality of WebP; by default files are lossless.")
     ] = None,
+    geometry: Annotated[
+        bool, typer.Option("--geometry/--no-geometry", help="Also write the triangles of leaves, as 3D Tiles.")
+    ] = True,
     cluster: Annotated[
         str | None,
         option(
@@ -77,6 +80,7 @@ def build(
             normal_bits=normal_bits,
             color=color,
             quality=quality,
+            geometry=geometry,
             cluster=client,
         )
     _show(tree, as_json, source=world, seconds=clock.seconds)
@@ -129,8 +133,8 @@ def verify(store: Store, as_json: options.Json = False) -> None:
     tree = nf.orthoview.open(store)
     clock = Clock()
     with clock.step("verify"):
-        shards = tree.verify()
-    _show(tree, as_json, shards=shards, seconds=clock.seconds)
+        files = tree.verify()
+    _show(tree, as_json, files=files, seconds=clock.seconds)
 
 
 @app.command("export")
@@ -188,6 +192,7 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
         "size": tree.size,
         "held": held,
         "done": tree.done,
+        "geometry": tree.geometry,
     }
     each = bytes_text(held["bytes"] / max(held["chunks"] // 3, 1))
     low, high = tree.bounds
@@ -197,13 +202,25 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
         ("levels", str(tree.levels)),
         ("views", f"{len(tree.directions)} directions, {tree.size} × {tree.size} pixels"),
         ("held", f"{count(held['cells'])} cells, {bytes_text(held['bytes'])}, {each} a view"),
+        *_geometry_rows(tree.geometry),
         ("updates", str(tree.generation)),
         *(("done", f"{name} {count(number)}") for name, number in sorted(tree.done.items())),
         *((name, f"{value:.2f} s") for name, value in facts.get("seconds", {}).items()),
     ]
-    if "shards" in facts:
-        rows.append(("shards", f"{count(facts['shards'])}, all as they were written"))
+    if "files" in facts:
+        rows.append(("files", f"{count(facts['files'])}, all as they were written"))
     if not tree.is_complete:
         rows.append(("incomplete", f"{count(len(tree.failed))} leaves failed; the same call completes the tree"))
         rows += [("", f"{place}: {reason}") for place, reason in list(tree.failed.items())[:5]]
     show(document | facts, rows, title=tree.path, as_json=as_json)
+
+
+def _geometry_rows(facts: dict[str, Any] | None) -> list[tuple[str, str]]:
+    """Rows on the triangles of leaves."""
+    if facts is None:
+        return []
+    stands, moving = f"{count(facts['triangles'])} triangles in {count(facts['leaves'])} leaves", facts["moving"]
+    rows = [("geometry", f"{stands}, {bytes_text(facts['bytes'])}, off by {1e3 * facts['error']:.2g} mm at most")]
+    if moving["triangles"]:
+        rows.append(("moving", f"{count(moving['triangles'])} triangles of {count(moving['objects'])} objects"))
+    return rows

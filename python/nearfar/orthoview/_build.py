@@ -37,6 +37,7 @@ def build(
     normal_bits: SupportsIndex = 16,
     color: str = "zstd",
     quality: SupportsIndex | None = None,
+    geometry: bool = True,
     cluster: Any = None,
 ) -> OrthoTree:
     """Build the tree of orthographic depth images of a world.
@@ -70,6 +71,9 @@ def build(
         How colours are compressed: "zstd", which all readers have, or "webp", smaller where a world has textures.
     quality
         Of WebP, 0 to 100; None for lossless files.
+    geometry
+        Also write the triangles of leaves, what stands and what moves, as a tileset of 3D Tiles in the store's folder
+        "geometry": what is near is shown by triangles.
     cluster
         "local" spreads subtrees over one process for each core of this machine, a `distributed.Client` over its
         workers, which must see `path` as it is here. The source is pickled into the store for them, so a folder of
@@ -115,6 +119,7 @@ def build(
         SUBTREE,
         check.choice("color", color, ("zstd", "webp")),
         None if quality is None else check.integer("quality", quality, 0, 100),
+        check.flag("geometry", geometry),
     )
     if layout.quality is not None and layout.color == "zstd":
         raise ValueError("quality: expected None with color='zstd', which is lossless")

@@ -25,6 +25,8 @@ class Generation:
     """Below the store, with a slash at its end; empty for the store itself."""
     shards: AbstractSet[str] | None
     """Paths of its shards below the folder; None where that is not known, so that they are looked for."""
+    geometry: AbstractSet[str] | None
+    """Paths of its files of geometry, likewise."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +73,13 @@ class Chunks:
             for (key, place), part in zip(there.items(), parts, strict=True)
         }
         return [chunks.get(key) for key in keys]
+
+    def geometry(self, name: str) -> bytes | None:
+        """Read a file of geometry; None for one that is not there, or no more."""
+        for generation in self._generations:
+            if generation.geometry is None or name in generation.geometry:
+                return self._files.whole(generation.folder + name) or None
+        return None
 
     def lengths(self, keys: Sequence[Key]) -> list[int]:
         """Lengths of chunks, bytes; 0 for those that are not there."""

@@ -14,10 +14,11 @@ from nearfar._base.errors import FormatError
 from nearfar.orthoview import _store
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Files, Local
+from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
 from nearfar.orthoview._grid import Place, depth_first
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._shard import ShardWriter
-from nearfar.orthoview._subtree import Held, record_of, write_record
+from nearfar.orthoview._subtree import Described, Held, described, record_of, write_record
 
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
@@ -31,6 +32,7 @@ def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
         for done, (subtree, shards) in enumerate(subtrees.items()):
             report(done, len(subtrees))
             copy.write(subtree, shards)
+        copy.images()
         _store.end_compact(folder, attributes)
 
 
@@ -43,19 +45,31 @@ Subtree = tuple[int, Place]
 
 class _Copy:
     def __init__(self, store: Files, layout: Layout, newest: int, folder: Path) -> None:
-        self._store, self._layout, self._newest, self._folder = store, layout, newest, folder
+        self._store, self._layout, self._folder = store, layout, folder
         self._chunks = Chunks(store, layout, _store.generations(store, newest))
+        self._records = list(_store.recorded(store, newest))
+        self._geometry = self._newest_geometry()
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
         """Shards of all subtrees by their paths, with the size and the hash of those that are as they were."""
         found: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
-        for recorded in _store.recorded(self._store, self._newest):
-            for path, described in recorded.shards.items():
-                found[self._subtree_of(path)][path] = None if recorded.folder else described
-            if not recorded.folder and not recorded.shards:  # nothing is in it
+        for recorded in self._records:
+            for path, known in recorded.shards.items():
+                found[self._subtree_of(path)][path] = None if recorded.folder else known
+            if not recorded.folder and recorded.name and not recorded.shards:  # nothing is in it
                 tier, *place = map(int, recorded.name.split("_"))
                 found.setdefault((tier, (place[0], place[1], place[2])), {})
         return dict(sorted(found.items()))
+
+    def _newest_geometry(self) -> dict[str, str]:
+        """Files of geometry below the store, by the names that they have in the copy."""
+        found: dict[str, str] = {}
+        for recorded in self._records:
+            for path, (size, _) in recorded.geometry.items():
+                found.pop(path, None)
+                if size:
+                    found[path] = recorded.folder + path
+        return found
 
     def _subtree_of(self, path: str) -> Subtree:
         level, _, _, _, x, y, z, *_ = PurePosixPath(path).parts
@@ -65,20 +79,37 @@ class _Copy:
         """Write the shards of a subtree, and its record."""
         held = Held()
         written: dict[str, tuple[int, str]] = {}
-        for path, described in sorted(shards.items()):
+        for path, known in sorted(shards.items()):
             level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:3])
             places = self._places(level, subtree[1])
             keys = [(level, place, array) for place in places]
             with formats.guarded(self._store.place, "orthoviews"):
                 for place, length in zip(places, self._chunks.lengths(keys), strict=True):
                     held.add(level, place, length)
-                if described is None:
-                    described = self._merged(path, level, keys)
+                if known is None:
+                    known = self._merged(path, level, keys)
                 else:
-                    self._copy(path)
-            if described is not None:
-                written[path] = described
-        write_record(record_of(self._folder, *subtree), written, held)
+                    self._copy(path, path)
+            if known is not None:
+                written[path] = known
+        write_record(record_of(self._folder, *subtree), written, self._leaves(subtree), held)
+
+    def _leaves(self, subtree: Subtree) -> Described:
+        """Copy the geometry of a subtree's leaves; sizes and hashes."""
+        tier, shard = subtree
+        if not self._layout.geometry or tier:
+            return {}
+        places = sorted(self._places(0, shard))
+        paths = [name for place in places for name in names(self._layout.grid, place) if name in self._geometry]
+        for path in paths:
+            self._copy(self._geometry[path], path)
+        return {path: described(self._folder / path) for path in paths}
+
+    def images(self) -> None:
+        """Copy the textures of the geometry."""
+        for path, source in self._geometry.items():
+            if path.startswith(f"{GEOMETRY}/{IMAGES}/"):
+                self._copy(source, path)
 
     def _places(self, level: int, shard: Place) -> list[Place]:
         """Places of a shard's cells within the world."""
@@ -98,17 +129,17 @@ class _Copy:
                     is_empty = False
         return None if is_empty else writer.finish()
 
-    def _copy(self, path: str) -> None:
-        """Put a shard into the new store; on one disk both have the same file, which nothing ever changes."""
+    def _copy(self, source: str, path: str) -> None:
+        """Put a file into the new store; on one disk both have the same file, which nothing ever changes."""
         target = self._folder / path
         target.parent.mkdir(parents=True, exist_ok=True)
         if isinstance(self._store, Local):
             with suppress(OSError):
-                os.link(self._store.folder / path, target)
+                os.link(self._store.folder / source, target)
                 return
-            shutil.copyfile(self._store.folder / path, target)
+            shutil.copyfile(self._store.folder / source, target)
             return
-        content = self._store.whole(path)
+        content = self._store.whole(source)
         if content is None:
-            raise FormatError(f"{self._store.place}/{path}: expected a shard, found none")
+            raise FormatError(f"{self._store.place}/{source}: expected a file that the store refers to, found none")
         files.write(target, content)

@@ -28,6 +28,12 @@ FOLDER = "geometry"
 
 TILESET, MOVING, SUBTREES = "tileset.json", "moving.json", "subtrees"
 
+IMAGES = "images"
+"""Folder of textures."""
+
+OTHERS = (SUBTREES, IMAGES)
+"""Folders of what belongs to no leaf alone."""
+
 STANDS, MOVES = "content", "moving"
 """Folders of what stands and of what moves."""
 
@@ -51,6 +57,17 @@ class Facts(NamedTuple):
     moving: list[dict[str, Any]]
 
 
+def names(grid: Grid, place: Place) -> tuple[str, str]:
+    """Names of a leaf's files below the store, of what stands and of what moves."""
+    stands, moves = (f"{FOLDER}/{_name(grid, folder, place)}" for folder in (STANDS, MOVES))
+    return stands, moves
+
+
+def _name(grid: Grid, folder: str, place: Place) -> str:
+    x, y, z = place
+    return f"{folder}/{_NAME.format(level=grid.levels - 1, x=x, y=y, z=z)}"
+
+
 class GeometryStore:
     """Writes the geometry of a tree's leaves.
 
@@ -64,7 +81,7 @@ class GeometryStore:
 
     def __init__(self, store: Path, grid: Grid) -> None:
         self._folder, self._grid = store / FOLDER, grid
-        self._images = Images(self._folder / "images")
+        self._images = Images(self._folder / IMAGES)
 
     def write(self, part: Scene, place: Place) -> int:
         """Write the triangles that belong to a leaf; returns the number of bytes.
@@ -183,8 +200,7 @@ class GeometryStore:
         formats.write_json(self._folder / MOVING, formats.header(KIND, VERSION) | {"files": listed})
 
     def _name(self, folder: str, place: Place) -> str:
-        x, y, z = place
-        return f"{folder}/{_NAME.format(level=self._grid.levels - 1, x=x, y=y, z=z)}"
+        return _name(self._grid, folder, place)
 
     def _path(self, folder: str, place: Place) -> Path:
         return self._folder / self._name(folder, place)

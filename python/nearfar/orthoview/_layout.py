@@ -64,6 +64,8 @@ class Layout:
     """How colours are compressed: by zstd or webp."""
     quality: int | None = None
     """Of WebP, 0 to 100; None for lossless files."""
+    geometry: bool = False
+    """Whether the store has the geometry of leaves, too."""
 
     @property
     def format(self) -> tuple[int, int, int]:
@@ -175,6 +177,7 @@ class Layout:
             "subtree": self.subtree,
             "color": self.color,
             "quality": self.quality,
+            "geometry": self.geometry,
         }
 
     @classmethod
@@ -183,5 +186,7 @@ class Layout:
         (x, y, z), (columns, layers, rows) = described["origin"], described["counts"]
         grid = Grid((x, y, z), described["cell"], (columns, layers, rows))
         directions = tuple((d[0], d[1], d[2]) for d in described["directions"])
-        numbers = (described[key] for key in ("size", "depth_bits", "normal_bits", "subtree", "color", "quality"))
+        numbers = (
+            described[key] for key in ("size", "depth_bits", "normal_bits", "subtree", "color", "quality", "geometry")
+        )
         return cls(grid, directions, *numbers)

@@ -11,6 +11,7 @@ from nearfar._base import check, progress
 from nearfar._scene.scene import Scene
 from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _store
+from nearfar.orthoview._geometry_store import GeometryStore
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._subtree import Outcome, Subtree
@@ -41,6 +42,7 @@ class Leaves:
         self, source: SceneSource, folder: Path, layout: Layout, elsewhere: Elsewhere = lambda _place: None
     ) -> None:
         self.source, self.folder, self.layout, self._elsewhere = source, folder, layout, elsewhere
+        self.geometry = GeometryStore(folder, layout.grid) if layout.geometry else None
         self._passed, self._failures = 0, 0
         self._report: progress.Report | None = None
 
@@ -70,8 +72,14 @@ class Leaves:
             part = self.source.query(self.layout.grid.box(0, place))
         except Exception as error:  # a source is anybody's code; the rest of the world goes on
             return self.failure(place, error)
+        self.write_geometry(part, place)
         views = drawn(part, self.layout, place)
         return Outcome(views, counts=Counter(empty=views is None, drawn=views is not None))
+
+    def write_geometry(self, part: Scene, place: Place) -> None:
+        """Write the geometry of a leaf, if the store has any; before the journal tells that the leaf is done."""
+        if self.geometry is not None:
+            self.geometry.write(part, place)
 
     def failure(self, place: Place, error: Exception) -> Outcome:
         """The outcome of a leaf that the source does not give."""

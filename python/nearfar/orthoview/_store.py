@@ -17,9 +17,10 @@ from nearfar._base import files, formats
 from nearfar._base.errors import FormatError
 from nearfar.orthoview._chunks import Generation
 from nearfar.orthoview._files import Files, Local, missing
+from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, OTHERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
-from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION
+from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, described
 
 KIND, VERSION = "orthoview", 1
 
@@ -35,9 +36,6 @@ _RECORDS_FILE = f"{FOLDER}/records.json"
 _GENERATION, _GENERATION_VERSION = "orthoview_generation", 1
 _GENERATION_FILE = "generation.json"
 
-Shards = dict[str, tuple[int, str]]
-"""Sizes and SHA-256 of shards by their paths."""
-
 
 @dataclass(frozen=True)
 class Recorded:
@@ -46,7 +44,8 @@ class Recorded:
     folder: str
     """Below the store, with a slash at its end; empty for the store itself."""
     name: str
-    shards: Shards
+    shards: Described
+    geometry: Described
     held: dict[str, int]
 
 
@@ -87,6 +86,7 @@ def create(folder: Path, layout: Layout) -> None:
     """Make a store without chunks in an empty folder."""
     held = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
     own = {"layout": layout.described(), "complete": False, "failed": {}, "held": held, "done": {}, "generation": 0}
+    own |= {"geometry": None}
     layout.create(folder, {_KEY: formats.header(KIND, VERSION, color_space="sRGB") | own})
 
 
@@ -94,14 +94,22 @@ def end(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> No
     """Note what the store holds, and what the build did; a store without failures is complete."""
     if read(Local(path))["complete"]:
         return
-    end_records(path)
-    change(path, complete=not failed, failed=dict(failed), held=dict(held_below(path)), done=dict(done))
+    own = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
+    change(path, complete=not failed, **own, **_end_files(path))
 
 
-def end_records(path: Path) -> None:
-    """List the records of all subtrees."""
+def _end_files(path: Path) -> dict[str, Any]:
+    """Write the tileset of the geometry, and list the records of all subtrees; the attributes that follow."""
+    layout = Layout.from_described(read(Local(path))["layout"])
+    facts = GeometryStore(path, layout.grid).finish() if layout.geometry else None
     digests = {record.name: hashlib.sha256(record.read_bytes()).hexdigest() for record in _records(path)}
-    formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | {"records": digests})
+    # The files of leaves stand in the records of their subtrees.
+    others = [path / GEOMETRY / name for name in (TILESET, MOVING)]
+    others += sorted(file for folder in OTHERS for file in (path / GEOMETRY / folder).glob("*"))
+    listed = {file.relative_to(path).as_posix(): described(file) for file in others if file.is_file()}
+    own = {"records": digests, "geometry": listed}
+    formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | own)
+    return {"geometry": facts}
 
 
 def held_below(folder: Path) -> Counter[str]:
@@ -126,8 +134,7 @@ def change(path: Path, **attributes: Any) -> None:
 
 def end_compact(folder: Path, tree: Mapping[str, Any]) -> None:
     """Complete a store that is the newest generation of another one, whose attributes are given."""
-    end_records(folder)
-    change(folder, complete=True, held=tree["held"], done=tree["done"])
+    change(folder, complete=True, held=tree["held"], done=tree["done"], **_end_files(folder))
 
 
 def read(store: Files) -> dict[str, Any]:
@@ -157,33 +164,44 @@ def overlay(number: int) -> str:
 def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Mapping[str, int]) -> None:
     """Write the record of a generation, from those of its subtrees."""
     folder = path / overlay(number)
-    shards: dict[str, Any] = {}
+    shards: Described = {}
+    geometry: Described = {}
     for record in _records(folder):
-        shards |= formats.read_json(record, RECORD, RECORD_VERSION)["shards"]
+        document = formats.read_json(record, RECORD, RECORD_VERSION)
+        shards |= document["shards"]
+        geometry |= document["geometry"]
+    images = sorted((folder / GEOMETRY / IMAGES).glob("*"))
+    geometry |= {file.relative_to(folder).as_posix(): described(file) for file in images}
     box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
-    own = {"aabb": box, "shards": shards, "held": dict(held)}
+    own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held)}
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | own)
 
 
 def generations(store: Files, newest: int) -> list[Generation]:
     """The generations of a store, the newest one first."""
     overlays = (_generation(store, number) for number in range(newest, 0, -1))
-    return [*(Generation(found.folder, found.shards.keys()) for found in overlays), Generation("", None)]
+    known = (Generation(found.folder, found.shards.keys(), found.geometry.keys()) for found in overlays)
+    return [*known, Generation("", None, None)]
 
 
 def _generation(store: Files, number: int) -> Recorded:
     folder = overlay(number)
     document = _json(store, folder + _GENERATION_FILE, _GENERATION, _GENERATION_VERSION)
-    return Recorded(folder, str(number), _shards(document["shards"]), document["held"])
+    return _recorded(folder, str(number), document)
+
+
+def _recorded(folder: str, name: str, document: Mapping[str, Any]) -> Recorded:
+    shards, geometry = (_listed(document[key]) for key in ("shards", "geometry"))
+    return Recorded(folder, name, shards, geometry, document["held"])
 
 
 def recorded(store: Files, newest: int) -> Iterator[Recorded]:
     """The records of a complete store: of all subtrees of the first generation, then of the others."""
-    records = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)["records"]
-    for name, digest in records.items():
+    records = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
+    for name, digest in records["records"].items():
         path = f"{FOLDER}/{DONE}/{name}"
-        document = _json(store, path, RECORD, RECORD_VERSION, digest)
-        yield Recorded("", name.removesuffix(".json"), _shards(document["shards"]), document["held"])
+        yield _recorded("", name.removesuffix(".json"), _json(store, path, RECORD, RECORD_VERSION, digest))
+    yield Recorded("", "", {}, _listed(records["geometry"]), {})
     for number in range(1, newest + 1):
         yield _generation(store, number)
 
@@ -198,5 +216,5 @@ def _json(store: Files, name: str, kind: str, version: int, digest: str | None =
         return formats.check(formats.from_json(content), kind, version, place)
 
 
-def _shards(listed: Mapping[str, Any]) -> Shards:
+def _listed(listed: Mapping[str, Any]) -> Described:
     return {str(path): (int(size), str(digest)) for path, (size, digest) in listed.items()}

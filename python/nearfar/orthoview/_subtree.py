@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections import Counter
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
@@ -14,6 +15,7 @@ from nearfar._base.errors import FormatError
 from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Local
+from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._journal import Journal
 from nearfar.orthoview._layout import FOLDER, Layout
@@ -21,6 +23,9 @@ from nearfar.orthoview._shard import ShardWriter, holds
 
 Views = _core.OrthoViews | None
 """Views of a cell; None for one in which nothing is."""
+
+Described = dict[str, tuple[int, str]]
+"""Sizes and SHA-256 of files by their paths."""
 
 DONE = "done"
 """Folder in `FOLDER` with a record of each complete subtree."""
@@ -66,10 +71,16 @@ class Held:
         return {"cells": len(self._cells), "leaves": leaves, "chunks": self._chunks, "bytes": self._bytes}
 
 
-def write_record(path: Path, shards: dict[str, tuple[int, str]], held: Held) -> None:
+def described(path: Path) -> tuple[int, str]:
+    """Size and SHA-256 of a file."""
+    content = path.read_bytes()
+    return len(content), hashlib.sha256(content).hexdigest()
+
+
+def write_record(path: Path, shards: Described, geometry: Described, held: Held) -> None:
     """Write the record of a complete subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    own = {"shards": shards, "held": held.counts()}
+    own = {"shards": shards, "geometry": geometry, "held": held.counts()}
     formats.write_json(path, formats.header(RECORD, VERSION) | own)
 
 
@@ -214,7 +225,7 @@ class Subtree:
         self._outcome.counts["reloaded"] += len(shown)
         return _codec.decoded(shown, self._layout)[0] if shown else None
 
-    def _named(self) -> dict[str, tuple[int, str]]:
+    def _named(self) -> Described:
         """Give all shards their index and their names; their sizes and SHA-256 by their paths.
 
         Those of a subtree that is not complete become `PART` again when it goes on; until then readers find its cells.
@@ -227,21 +238,29 @@ class Subtree:
         self._writers.clear()
         return shards
 
-    def _note(self, shards: dict[str, tuple[int, str]]) -> None:
+    def _note(self, shards: Described) -> None:
         """Write the record of a complete subtree."""
         held = Held()
         for (level, place), chunks in self._journal.cells.items():
             for _, length in chunks.values():
                 held.add(level, place, length)
-        write_record(self._record, shards, held)
+        write_record(self._record, shards, self._geometry(), held)
         self._journal.remove()
+
+    def _geometry(self) -> Described:
+        """Sizes and SHA-256 of the files of the leaves' geometry."""
+        if not self._layout.geometry or self._tier:
+            return {}
+        leaves = sorted(place for level, place in self._journal.cells if level == 0)
+        paths = [name for place in leaves for name in names(self._layout.grid, place)]
+        return {path: described(self._store / path) for path in paths if (self._store / path).exists()}
 
     def _reloaded(self) -> Outcome:
         """The outcome of a subtree that is complete: its views are composed again of those of its highest level."""
         if self._top > self._root:
             return self._outcome
         self._check(formats.read_json(self._record, RECORD, VERSION)["shards"])
-        chunks, parent = Chunks(Local(self._store), self._layout, [Generation("", None)]), None
+        chunks, parent = Chunks(Local(self._store), self._layout, [Generation("", None, None)]), None
         for octant, child in self._layout.grid.children(self._top, self._place):
             keys = self._layout.keys(self._top - 1, child)
             with formats.guarded(self._store, "orthoviews"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import SupportsIndex
+from typing import Any, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,7 @@ from nearfar.orthoview import _codec, _compact, _preview, _store, _update, _veri
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._directions import Direction
 from nearfar.orthoview._files import Local, files_at
+from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Layout, check_zarr
 from nearfar.orthoview._view import OrthoView
@@ -183,6 +184,41 @@ class OrthoTree:
         surfel = _core.orthoview_surfels(bits)[0, ..., 0]
         center = self._layout.grid.box(level, place).mean(axis=0)
         return OrthoView(views.colors()[0], metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
+
+    @property
+    def geometry(self) -> dict[str, Any] | None:
+        """Numbers of leaves, triangles and bytes of the geometry, and the greatest error of a position in metres.
+
+        Those of the build; None for a tree without geometry.
+        """
+        found = self._attributes["geometry"]
+        return None if found is None else dict(found)
+
+    def leaf_glb(self, place: tuple[int, int, int], *, moving: bool = False) -> bytes | None:
+        """Read the triangles that belong to a leaf.
+
+        Parameters
+        ----------
+        place
+            The leaf.
+        moving
+            Those that move, instead of those that stand.
+
+        Returns
+        -------
+        bytes or None
+            A GLB in world metres; None where there are none.
+
+        Raises
+        ------
+        ValueError
+            Numbers out of range, a tree without geometry.
+        OSError
+            A file that cannot be read.
+        """
+        if not self._layout.geometry:
+            raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
+        return self._chunks.geometry(names(self._layout.grid, self._place(0, place))[check.flag("moving", moving)])
 
     def preview(
         self, level: SupportsIndex | None = None, place: tuple[int, int, int] | None = None

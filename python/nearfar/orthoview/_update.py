@@ -15,10 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import formats, locks, progress
+from nearfar._scene.scene import Scene
 from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Local
+from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._leaves import Leaves
@@ -77,6 +79,17 @@ class Changed(Leaves):
         self.replaced: Counter[str] = Counter()
         """Cells, leaves, chunks and bytes of older generations that are no longer read."""
 
+    def write_geometry(self, part: Scene, place: Place) -> None:
+        """Write the geometry of a leaf; an empty file says that what was there is gone."""
+        super().write_geometry(part, place)
+        if self.geometry is None:
+            return
+        for name in names(self.layout.grid, place):
+            path = self.folder / name
+            if not path.exists() and self._chunks.geometry(name) is not None:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.touch()
+
     def failure(self, _place: Place, error: Exception) -> Outcome:
         """Give up: the store stays as it is."""
         raise error
@@ -90,9 +103,15 @@ class Changed(Leaves):
                 shown = {pair: chunk for pair, chunk in found.items() if chunk}
                 views = _codec.decoded(shown, self.layout)[0] if shown else None
             return Outcome(views, counts=Counter(reloaded=len(shown)))
-        if not any(self._chunks.lengths(list(keys.values()))):
-            return super().known(level, place)
-        return None
+        if any(self._chunks.lengths(list(keys.values()))) or (level == 0 and self._had_geometry(place)):
+            return None
+        return super().known(level, place)
+
+    def _had_geometry(self, place: Place) -> bool:
+        """Whether a leaf has geometry in the store: some triangles are too small for a pixel."""
+        return self.layout.geometry and any(
+            self._chunks.geometry(name) is not None for name in names(self.layout.grid, place)
+        )
 
     def before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
         """Chunks of a cell in the store."""

@@ -1,4 +1,4 @@
-"""Comparison of a store's shards with its records."""
+"""Comparison of a store's files with its records."""
 
 from __future__ import annotations
 
@@ -11,25 +11,26 @@ from nearfar.orthoview._files import Files
 
 
 def verify(store: Files, newest: int) -> int:
-    """Check the size and the SHA-256 of all shards; returns their number."""
+    """Check the size and the SHA-256 of all shards and files of geometry; returns their number."""
     records = list(_store.recorded(store, newest))
-    count, checked = sum(len(recorded.shards) for recorded in records), 0
+    listed = [
+        (recorded.folder + path, *described)
+        for recorded in records
+        for files in (recorded.shards, recorded.geometry)
+        for path, described in files.items()
+    ]
     with progress.bar("checking") as report:
-        for recorded in records:
-            for path, (size, digest) in recorded.shards.items():
-                _check(store, recorded.folder + path, size, digest)
-                checked += 1
-                report(checked, count)
-    return checked
+        for done, (name, size, digest) in enumerate(listed):
+            _check(store, name, size, digest)
+            report(done + 1, len(listed))
+    return len(listed)
 
 
 def _check(store: Files, name: str, size: int, digest: str) -> None:
     content = store.whole(name)
     if content is None:
-        raise FormatError(f"{store.place}/{name}: damaged orthoviews: the shard is gone")
+        raise FormatError(f"{store.place}/{name}: damaged orthoviews: the file is gone")
     if len(content) != size:
-        raise FormatError(
-            f"{store.place}/{name}: damaged orthoviews: expected a shard of {size} bytes, got {len(content)}"
-        )
+        raise FormatError(f"{store.place}/{name}: damaged orthoviews: expected {size} bytes, got {len(content)}")
     if hashlib.sha256(content).hexdigest() != digest:
-        raise FormatError(f"{store.place}/{name}: damaged orthoviews: the shard's SHA-256 is not {digest}")
+        raise FormatError(f"{store.place}/{name}: damaged orthoviews: its SHA-256 is not {digest}")
