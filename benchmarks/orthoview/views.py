@@ -31,10 +31,10 @@ def main() -> None:
     for name, scene, corner, side in leaves():
         views, row = of_leaf(name, scene, corner, side)
         rows.append(row)
-    header = ["leaf", "triangles", "a pixel", "by triangles, ms", "by rays, ms", "Embree's rays alone, ms"]
+    header = ["leaf", "triangles", "a pixel", "by triangles, ms", "by rays, ms", "nf.render, ms", "Embree's rays, ms"]
     print(table(f"Nine views of {SIZE}² pixels, drawn at twice the size", header, rows))
     if views is not None:
-        print(table("Of the last leaf", ["step", "ms"], of_steps(views)))
+        print(table("Of the last leaf", ["step", "ms", "GB/s"], of_steps(views)))
 
 
 def leaves() -> Iterator[tuple[str, nf.Scene, tuple[float, float, float], float]]:
@@ -67,7 +67,26 @@ def of_leaf(
     seconds = [best(draw(way), repeat=REPEAT).wall for way in ("triangles", "rays")]
     pixels = 4 * SIZE * SIZE
     row = [name, f"{scene.triangle_count:,}", f"{scene.triangle_count / pixels:.2f}"]
-    return draw("triangles")(), [*row, *(f"{second * 1e3:.0f}" for second in seconds), embree(scene, corner, side)]
+    row += [f"{second * 1e3:.0f}" for second in (*seconds, rendered(scene, corner, side))]
+    return draw("triangles")(), [*row, embree(scene, corner, side)]
+
+
+def rendered(scene: nf.Scene, corner: tuple[float, float, float], side: float) -> float:
+    """Seconds of the same pictures by the renderer: no limits, no reduction, no codes."""
+    scenes = [scene.subset(triangles=np.ones(scene.triangle_count, bool)) for _ in range(REPEAT + 1)]
+
+    def job() -> None:
+        fresh_one = scenes.pop()
+        for direction in DIRECTIONS:
+            (_, up, toward), extents = _core.orthoview_axes(direction)
+            half = side * np.array(extents) / 2
+            eye = np.add(corner, side / 2) + half[2] * np.array(toward)
+            frame = nf.Orthographic(-half[0], half[0], -half[1], half[1])
+            size = (2 * SIZE, 2 * SIZE)
+            camera = nf.Camera.look_at(eye, eye - np.array(toward), up=np.array(up), fov=frame, size=size)
+            nf.render(fresh_one, camera, channels=("range", "normal", "albedo"))
+
+    return best(job, repeat=REPEAT).wall
 
 
 def fresh(scene: nf.Scene) -> _core.Scene:
@@ -110,7 +129,11 @@ def of_steps(views: _core.OrthoViews) -> list[list[str]]:
         "connected pixels": lambda: views.connected(_codec.CONNECTED),
         "compressing and packing, connected pixels included": lambda: _codec.encoded(views, LAYOUT),
     }
-    return [[name, f"{best(job).wall * 1e3:.1f}"] for name, job in jobs.items()]
+    rows = [[name, f"{best(job).wall * 1e3:.1f}"] for name, job in jobs.items()]
+    # A texel of a child is 10 bytes. One of a parent's picture, of four for each pixel, is 16: read and written.
+    pixels = len(DIRECTIONS) * SIZE * SIZE
+    moved = {"drawing a child into its parent": pixels * (10 + 2 * 16), "reducing a parent": pixels * (4 * 16 + 10)}
+    return [[*row, f"{moved[row[0]] / float(row[1]) / 1e6:.1f}" if row[0] in moved else ""] for row in rows]
 
 
 if __name__ == "__main__":
