@@ -1,0 +1,147 @@
+"""How much of worlds each set of directions hides from viewers, which set is chosen, and how long that takes.
+
+The plot goes to the folder NEARFAR_BENCH_OUT, where it is set.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.compare import FOLDER
+from benchmarks.harness.timing import machine, table
+from nearfar._base import data
+from nearfar.orthoview._directions import COUNTS
+from nearfar.orthoview._disocclusion import BOUND, Choice, chosen
+from nearfar.orthoview._grid import Grid
+
+MANHATTAN = "city/manhattan_deckgl/manhattan_core.glb"
+TOKYO = "city/tokyo23/tokyo_core_lod1.glb"
+
+GRID = 28.5
+"""Degrees by which Manhattan has to be turned about y for its avenues to run along an axis."""
+
+ANGLES = (0.0, 15.0, 30.0, 45.0)
+"""Degrees between an axis and the streets of Manhattan."""
+
+
+@dataclass(frozen=True)
+class World:
+    """A world, and how it is looked at."""
+
+    name: str
+    source: nf.SceneSource
+    cell: float
+    below: bool = False
+    """Whether viewers look up from below as well."""
+
+    @property
+    def label(self) -> str:
+        """Name and leaf."""
+        return f"{self.name}, {self.cell:g} m"
+
+
+def main() -> None:
+    print(machine(), "\n")
+    rows: list[list[str]] = []
+    choices = {world.label: measured(world, rows) for world in worlds()}
+    header = ["world, leaf", *map(str, COUNTS), "chosen", "leaves", "seconds", "CPU seconds"]
+    print(table("Share of what viewers see that no view shows, %, by the number of directions", header, rows))
+    turned_rows: list[list[str]] = []
+    by_angle = [measured(world, turned_rows) for world in of_angles()]
+    print(table("The same by the angle between Manhattan's streets and the axes", header, turned_rows))
+    folder = os.environ.get(FOLDER)
+    if folder:
+        draw(choices, by_angle, Path(folder) / "orthoview-directions.png")
+        print("![disocclusion by the number of directions](orthoview-directions.png)\n")
+
+
+def worlds() -> Iterator[World]:
+    """Cities with grids and without, wooded land, and bodies in space."""
+    city = nf.datasets.city(blocks=12, detail=1)
+    yield World("city, streets along the axes", city, 40.0)
+    yield World("city, streets along the axes", city, 80.0)
+    yield World("city, turned by 45°", turned(city, 45.0), 80.0)
+    for name, file, cells in (("Manhattan", MANHATTAN, (125.0, 500.0)), ("Tokyo", TOKYO, (125.0, 250.0, 500.0))):
+        path = data.find(file)
+        if path is not None:
+            scene = nf.Scene.load(path)
+            for cell in cells:
+                yield World(name, scene, cell)
+    forest = nf.datasets.forest()
+    yield World("forest", forest, 20.0)
+    yield World("forest", forest, 80.0)
+    asteroids = nf.datasets.asteroids().scene()
+    yield World("asteroids", asteroids, 1000.0)
+    yield World("asteroids, viewers below too", asteroids, 1000.0, below=True)
+
+
+def of_angles() -> Iterator[World]:
+    """Manhattan at angles to the axes."""
+    path = data.find(MANHATTAN)
+    if path is not None:
+        scene = nf.Scene.load(path)
+        for angle in ANGLES:
+            yield World(f"Manhattan, {angle:g}°", turned(scene, GRID + angle), 250.0)
+
+
+def turned(scene: nf.Scene, degrees: float) -> nf.Scene:
+    """The triangles of a scene, turned about the y axis."""
+    corners, (sine, cosine) = scene.triangles().reshape(-1, 3), np.sin(np.radians([degrees, degrees + 90]))
+    matrix = np.array([[cosine, 0, -sine], [0, 1, 0], [sine, 0, cosine]], np.float32)
+    return nf.Scene.from_arrays(corners @ matrix, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))
+
+
+def measured(world: World, rows: list[list[str]]) -> Choice:
+    """The choice for a world, of which a row of the table is made."""
+    grid = Grid.over(world.source.bounds, world.cell)
+    world.source.query(grid.box(0, (0, 0, 0)))  # makes the search tree of a scene in memory
+    wall, cpu = time.perf_counter(), time.process_time()
+    choice = chosen(world.source, grid, below=world.below)
+    seconds = [f"{time.perf_counter() - wall:.1f}", f"{time.process_time() - cpu:.1f}"]
+    shares = [f"{100 * choice.shares[count]:.1f}" for count in COUNTS]
+    rows.append([world.label, *shares, str(choice.count), str(choice.cells), *seconds])
+    return choice
+
+
+def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) -> None:
+    """Draw the shares of all worlds by the set, with a ring about the chosen ones, and those of Manhattan by angle."""
+    import matplotlib as mpl
+
+    mpl.use("agg")
+    from matplotlib import pyplot as plt
+
+    figure, axes = plt.subplots(1, 2, figsize=(12, 4.8), sharey=True, layout="constrained", width_ratios=(2, 1))
+    sets = range(len(COUNTS))
+    for number, (name, choice) in enumerate(choices.items()):
+        color = plt.cm.tab20(number)
+        line(axes[0], sets, [choice.shares[count] for count in COUNTS], name, color)
+        taken = COUNTS.index(choice.count), 100 * choice.shares[choice.count]
+        axes[0].plot(*taken, "o", ms=10, mfc="none", color=color)
+    axes[0].set_xticks(sets, COUNTS)
+    axes[0].set(xlabel="directions; ○ chosen", ylabel="hidden, %", ylim=0)
+    for number, count in enumerate(COUNTS):
+        shares = [choice.shares[count] for choice in by_angle]
+        line(axes[1], ANGLES[: len(shares)], shares, f"{count} directions", plt.cm.viridis(number / len(COUNTS)))
+    axes[1].set(xticks=ANGLES, xlabel="degrees between Manhattan's streets and the axes")
+    for axis in axes:
+        axis.axhline(100 * BOUND, color="black", ls=":", lw=1)
+        axis.grid(alpha=0.3)
+        axis.legend(fontsize=7)
+    figure.savefig(path, dpi=100)
+    plt.close(figure)
+
+
+def line(axis: Any, places: Any, shares: list[float], label: str, color: Any) -> None:
+    axis.plot(places, [100 * share for share in shares], marker=".", label=label, color=color)
+
+
+if __name__ == "__main__":
+    main()

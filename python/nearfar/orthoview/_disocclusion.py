@@ -1,0 +1,268 @@
+"""How much of a world its views hide from viewers (disocclusion), and the set of directions that hides little.
+
+A client draws a far cell from the 3 directions of the set that are nearest to its viewing direction. What the viewer
+sees of the cell and none of the 3 views shows is a hole in its picture.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import progress
+from nearfar._scene.scene import Scene
+from nearfar._source.protocol import SceneSource
+from nearfar._trace.rays import cast_rays
+from nearfar.orthoview._directions import COUNTS, directions_of
+from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._sampling import leaves
+
+DRAWN = 3
+"""Views that a client draws of a cell."""
+
+VIEWERS = 32
+"""Directions from which the world is viewed."""
+
+LOOKED = 32
+"""Leaves whose triangles are counted."""
+
+FEWEST, CELLS = 4, 16
+"""Fewest and most leaves whose views are drawn."""
+
+ENOUGH = 1_000_000
+"""Triangles of such leaves after which no more than the fewest are taken."""
+
+SIZE = 128
+"""Size of their views, pixels."""
+
+RAYS = 48
+"""Rays of a viewer along a leaf's side."""
+
+BOUND = 0.035
+"""Disocclusion that is good enough."""
+
+GAIN = 0.01
+"""Disocclusion by which a larger set has to be better."""
+
+DEFAULT = 9
+"""The set for a world of which nothing was found."""
+
+_REACH = 2.0
+"""Pixels of a view by which a point's depth may differ from one beside it, of the same surface.
+
+As far as in the kernel that reduces views, which takes 4 pixels of a picture of twice the size. The depths of a view
+are those of points that lie a pixel apart, so the nearest of them is at most √½ pixel away: a plane's depth differs by
+2 pixels where the angle between its normal and the view is 70°, for which tan is 2 √2.
+"""
+
+_MARGIN = 8.0
+"""Roundings of the greatest coordinate by which surfaces may lie beyond a cell's sides, as in its views."""
+
+_FORMAT = (16, 16)
+"""Bits of a view's depths and normals."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A set of directions for a world, and why."""
+
+    count: int
+    """Number of directions."""
+    shares: dict[int, float]
+    """Disocclusion of each set; empty if nothing was found in the world."""
+    cells: int
+    """Leaves that it is the mean of."""
+
+
+def chosen(source: SceneSource, grid: Grid, *, below: bool = False) -> Choice:
+    """Choose the set of directions for a world by what its views hide.
+
+    Of some leaves that are drawn at random, those with the most triangles are looked into. Leaves that the source fails
+    to give are passed over. The same world and grid have the same choice.
+
+    Parameters
+    ----------
+    source
+        The world.
+    grid
+        Cells of the part of it that is built.
+    below
+        Whether viewers look up from below as well.
+    """
+    hidden: Counter[int] = Counter()
+    seen = cells = 0
+    with progress.bar("directions") as report:
+        for done, place in enumerate(_densest(source, grid, lambda found: report(found, LOOKED + CELLS))):
+            report(LOOKED + done, LOOKED + CELLS)
+            part = _queried(source, grid, place)
+            if part is not None:
+                pixels, holes = _counted(part, grid, place, COUNTS, SIZE, viewers(below=below))
+                hidden.update(holes)
+                seen, cells = seen + pixels, cells + (pixels > 0)
+    shares = _shares(seen, hidden, COUNTS) if seen else {}
+    return Choice(smallest(shares) if shares else DEFAULT, shares, cells)
+
+
+def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> list[Place]:
+    """Of the first `LOOKED` leaves in which something is, those with the most triangles."""
+    counts: dict[Place, int] = {}
+    for place in leaves(source, grid):
+        report(len(counts))
+        part = _queried(source, grid, place)
+        if part is not None:
+            counts[place] = part.triangle_count
+        if len(counts) == LOOKED:
+            break
+    densest = sorted(counts, key=lambda place: -counts[place])[:CELLS]
+    before = np.cumsum([0, *(counts[place] for place in densest)])[:-1]
+    return [place for number, place in enumerate(densest) if number < FEWEST or before[number] < ENOUGH]
+
+
+def _queried(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
+    """What a source has in a leaf; None for nothing, and where it fails."""
+    try:
+        part = source.query(grid.box(0, place))
+    except Exception:  # a source is anybody's code; the build names the leaves that it fails to give
+        return None
+    return part if part.triangle_count else None
+
+
+def smallest(shares: Mapping[int, float]) -> int:
+    """The smallest set that is good enough, or than which no larger one is better by `GAIN`."""
+    return next(
+        count
+        for count in sorted(shares)
+        if shares[count] <= BOUND or all(shares[count] - shares[other] < GAIN for other in shares if other > count)
+    )
+
+
+def disocclusion(
+    part: Scene, grid: Grid, place: Place, sets: Sequence[int] = COUNTS, size: int = SIZE, *, below: bool = False
+) -> dict[int, float]:
+    """Return the share of a leaf's visible surface that the views of each set hide, 0 for a leaf that shows nothing.
+
+    Parameters
+    ----------
+    part
+        What the source has in the leaf. What moves is left out, as in its views.
+    grid, place
+        The leaf.
+    sets
+        Numbers of directions.
+    size
+        Width and height of the views, pixels; a multiple of 4.
+    below
+        Whether viewers look up from below as well.
+    """
+    return _shares(*_counted(part, grid, place, sets, size, viewers(below=below)), sets)
+
+
+def _shares(seen: int, hidden: Mapping[int, int], sets: Sequence[int]) -> dict[int, float]:
+    return {count: hidden[count] / max(seen, 1) for count in sets}
+
+
+def viewers(count: int = VIEWERS, *, below: bool = False) -> NDArray[np.float64]:
+    """Unit vectors towards viewers (count, 3), evenly over the upper half of the sphere, or over all of it.
+
+    A Fibonacci lattice: heights are the middles of equal steps, so the lowest viewers are 1° above the horizon.
+    """
+    number = np.arange(count)
+    height = (number + 0.5) / count
+    height = 2 * height - 1 if below else height
+    azimuth, radius = np.pi * (3 - np.sqrt(5)) * number, np.sqrt(1 - height**2)
+    return np.column_stack([radius * np.cos(azimuth), height, radius * np.sin(azimuth)])
+
+
+def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> list[int]:
+    """Numbers of the unit vectors that a client takes for a viewer; of equally near ones the first."""
+    order = np.argsort(-np.round(directions @ viewer, 9), kind="stable")
+    return [int(number) for number in order[:DRAWN]]
+
+
+def _counted(
+    part: Scene, grid: Grid, place: Place, sets: Sequence[int], size: int, looks: NDArray[np.float64]
+) -> tuple[int, Counter[int]]:
+    """The number of all viewers' pixels that show a leaf, and of those that are holes with each set."""
+    hidden: Counter[int] = Counter()
+    if moving := part.poses:
+        part = part.subset(objects=[name for name in part.object_names if name not in moving])
+    if not part.triangle_count:
+        return 0, hidden
+    views = _Views(part, grid, place, max(sets), size)
+    seen = 0
+    for viewer, points in zip(looks, _visible(part, grid.box(0, place), looks), strict=True):
+        seen += len(points)
+        taken = {count: nearest(views.toward[:count], viewer) for count in sets}
+        shown = {number: views.show(number, points) for number in set().union(*taken.values())}
+        for count, three in taken.items():
+            hidden[count] += int(np.count_nonzero(~np.any([shown[number] for number in three], axis=0)))
+    return seen, hidden
+
+
+def _visible(part: Scene, box: NDArray[np.float64], looks: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """The points (N, 3) of a cell that each viewer sees along parallel rays, `RAYS` of them along a side."""
+    margin = _MARGIN * float(np.finfo(np.float32).eps) * np.abs(box - part.origin).max()
+    rays = [_rays(box + np.array([[-margin], [margin]]), viewer) for viewer in looks]
+    counts = [len(starts) for starts, _ in rays]
+    starts = np.concatenate([starts for starts, _ in rays])
+    toward = np.repeat(looks, counts, axis=0)
+    hits = cast_rays(part, starts, -toward)
+    inside = hits.t_hit <= np.concatenate([lengths for _, lengths in rays])
+    points = starts - np.where(inside, hits.t_hit, np.nan).astype(np.float64)[:, None] * toward
+    ends = np.cumsum(counts)[:-1]
+    return [ours[kept] for ours, kept in zip(np.split(points, ends), np.split(inside, ends), strict=True)]
+
+
+def _rays(box: NDArray[np.float64], viewer: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Where a viewer's rays enter a cubic box (N, 3), and their lengths in it (N,)."""
+    right = np.cross([0.0, 1.0, 0.0], viewer)
+    right /= np.linalg.norm(right)
+    up, center, side = np.cross(viewer, right), box.mean(axis=0), float(box[1, 0] - box[0, 0])
+    across, upwards = (_middles(float(np.abs(axis).sum()) * RAYS) * (side / RAYS) for axis in (right, up))
+    front = (center + side * viewer + upwards[:, None, None] * up + across[:, None] * right).reshape(-1, 3)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        low, high = (front - box[0]) / viewer, (front - box[1]) / viewer
+    enter, leave = np.fmin(low, high).max(axis=1), np.fmax(low, high).min(axis=1)
+    meets = enter < leave
+    return front[meets] - enter[meets, None] * viewer, (leave - enter)[meets]
+
+
+def _middles(extent: float) -> NDArray[np.float64]:
+    """Middles of pixels that cover an extent, in pixels from its middle."""
+    count = int(np.ceil(extent))
+    return np.arange(count, dtype=np.float64) - (count - 1) / 2
+
+
+class _Views:
+    """The views of a leaf from the first directions of all."""
+
+    def __init__(self, part: Scene, grid: Grid, place: Place, count: int, size: int) -> None:
+        directions, cell = directions_of(count), (grid.corner(0, place), grid.cell)
+        views = _core.OrthoViews.of_cell(part._core, cell, directions, (size, *_FORMAT))
+        frames = [_core.orthoview_axes(direction) for direction in directions]
+        self._axes = np.array([axes for axes, _ in frames])
+        self._extents = np.array([extents for _, extents in frames]) * grid.cell
+        self._center, self._size = grid.box(0, place).mean(axis=0), size
+        codes = views.depths()[..., 0]
+        metres = (codes - 0.5) * (self._extents[:, 2] / views.steps)[:, None, None]
+        # A frame of pixels that show nothing, so that each pixel has eight neighbours.
+        self._depths = np.pad(np.where(codes > 0, metres, np.inf), ((0, 0), (1, 1), (1, 1)), constant_values=np.inf)
+        self.toward = self._axes[:, 2]
+
+    def show(self, number: int, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Whether a view shows points (N, 3), in their pixel or one beside it."""
+        (right, up, toward), (width, height, depth) = self._axes[number], self._extents[number]
+        offset, size = points - self._center, self._size
+        column = np.clip(np.floor((offset @ right / width + 0.5) * size), 0, size - 1).astype(np.int64)
+        row = np.clip(np.floor((0.5 - offset @ up / height) * size), 0, size - 1).astype(np.int64)
+        behind = depth / 2 - offset @ toward
+        first, depths = row * (size + 2) + column, self._depths[number].reshape(-1)
+        beside = (first + down * (size + 2) + across for down in range(3) for across in range(3))
+        error = np.min([np.abs(depths[at] - behind) for at in beside], axis=0, initial=np.inf)
+        shown: NDArray[np.bool_] = error <= _REACH * max(width, height) / size
+        return shown
