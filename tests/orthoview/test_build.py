@@ -274,6 +274,7 @@ def test_bad_input_is_named(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_p
         assert not (tmp_path / "new.zarr").exists()
 
     wrong("directions: expected one of", directions=7)
+    wrong("directions: expected one of", directions="all")
     wrong("size: ", size=30)
     wrong("cell: ", cell=0.0)
     wrong("cell: .*leaves", cell=1e-9)
@@ -387,3 +388,27 @@ def test_colours_as_webp(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path
         nf.orthoview.build(Interrupted(world), other_path, **settings)
     nf.orthoview.build(world, other_path, **settings)
     assert contents(other_path) == contents(path)
+
+
+def test_a_build_that_goes_on_keeps_the_directions_that_were_chosen(world: nf.Scene, tmp_path: Path) -> None:
+    path = tmp_path / "world.zarr"
+
+    class Interrupted(Counted):
+        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+            if (path / "zarr.json").exists():
+                raise KeyboardInterrupt
+            return super().query(aabb, detail)
+
+    settings: dict[str, Any] = {"cell": 40.0, "size": SIZE, "directions": "auto"}
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(Interrupted(world), path, **settings)
+    begun = nf.orthoview.open(path)
+    chosen = len(begun.directions)
+    assert chosen in (5, 9, 13, 26)
+    # Another world would have led to another set.
+    ground = nf.Scene.from_arrays(
+        np.array([[0, 0, 0], [1, 0, 0], [0, 0, 1]], np.float32) * 90 + world.bounds[0], np.array([[0, 2, 1]], np.uint32)
+    )
+    alone = nf.orthoview.build(ground, tmp_path / "ground.zarr", **settings)
+    assert len(alone.directions) == 5 != chosen
+    assert len(nf.orthoview.build(ground, path, **settings, aabb=world.bounds).directions) == chosen

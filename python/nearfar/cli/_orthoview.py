@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import typer
 
@@ -42,7 +42,9 @@ def build(
     cell: Annotated[float, option("--cell", "METRES", "Side of the leaves' cubic cells.")],
     box: Annotated[str | None, BOX] = None,
     size: Annotated[int, option("--size", "PIXELS", "Width and height of a view, a multiple of 4.")] = 512,
-    directions: Annotated[int, option("--directions", "5|9|13|26", "Number of sides that cells are seen from.")] = 9,
+    directions: Annotated[
+        str, option("--directions", "5|9|13|26|auto", "Number of sides that cells are seen from; auto measures.")
+    ] = "9",
     depth_bits: Annotated[int, option("--depth-bits", "BITS", "Bits of a depth, 8 to 16.")] = 12,
     normal_bits: Annotated[int, option("--normal-bits", "16|24", "Bits of a normal.")] = 16,
     color: Annotated[str, option("--color", "zstd|webp", "How colours are compressed.")] = "zstd",
@@ -75,7 +77,7 @@ def build(
             cell=cell,
             aabb=aabb,
             size=size,
-            directions=directions,
+            directions=read_directions(directions),
             depth_bits=depth_bits,
             normal_bits=normal_bits,
             color=color,
@@ -149,6 +151,17 @@ def export(
     with clock.step("export"):
         compacted = tree.compact(output)
     _show(compacted, as_json, source=store, seconds=clock.seconds)
+
+
+def read_directions(text: str) -> int | Literal["auto"]:
+    """A number of directions, or the word that lets it be chosen."""
+    if text == "auto":
+        return "auto"
+    try:
+        return int(text)
+    except ValueError:
+        got = check.shortened(text)
+        raise ValueError(f"--directions: expected 5, 9, 13, 26 or auto, got {got}") from None
 
 
 def open_world(text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None) -> nf.SceneSource:

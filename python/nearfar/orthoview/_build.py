@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, SupportsFloat, SupportsIndex
+from typing import Any, Literal, SupportsFloat, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,7 +14,9 @@ from nearfar._base import check, locks, progress
 from nearfar._base.cluster import client_of
 from nearfar._source.protocol import SceneSource, source_of
 from nearfar.orthoview import _on_cluster, _store
-from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._directions import COUNTS, directions_of
+from nearfar.orthoview._disocclusion import chosen
+from nearfar.orthoview._files import Local
 from nearfar.orthoview._grid import Grid
 from nearfar.orthoview._layout import FOLDER, Layout, check_zarr
 from nearfar.orthoview._leaves import Leaves
@@ -32,7 +34,7 @@ def build(
     cell: SupportsFloat,
     aabb: ArrayLike | None = None,
     size: SupportsIndex = 512,
-    directions: SupportsIndex = 9,
+    directions: SupportsIndex | Literal["auto"] = 9,
     depth_bits: SupportsIndex = 12,
     normal_bits: SupportsIndex = 16,
     color: str = "zstd",
@@ -61,7 +63,8 @@ def build(
         Width and height of a view, pixels; a multiple of 4, at most 4096.
     directions
         5 views of each cell (from four sides and above), 9 (and from between them), 13 (and from the upper corners) or
-        26 (from everywhere).
+        26 (from everywhere). "auto" takes the smallest set that hides little of some leaves from viewers above, which
+        takes seconds; a build that goes on keeps the set that it began with.
     depth_bits
         Bits of a depth, 8 to 16. They number the steps of a cell's depth, 4,092 for 12 bits, and surfaces are taken to
         lie in the middle of theirs.
@@ -110,21 +113,23 @@ def build(
     Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.
     """
     world, target = source_of("source", source), check.path("path", path)
-    layout = Layout(
-        Grid.over(_bounds(world, None if aabb is None else check.box("aabb", aabb)), check.positive("cell", cell)),
-        directions_of(directions),
+    grid = Grid.over(_bounds(world, None if aabb is None else check.box("aabb", aabb)), check.positive("cell", cell))
+    numbers = (
         check.integer("size", size, 4, 4096),
         check.integer("depth_bits", depth_bits, 8, 16),
         check.integer("normal_bits", normal_bits, 16, 24),
-        SUBTREE,
+    )
+    coding = (
         check.choice("color", color, ("zstd", "webp")),
         None if quality is None else check.integer("quality", quality, 0, 100),
         check.flag("geometry", geometry),
     )
-    if layout.quality is not None and layout.color == "zstd":
+    if quality is not None and color == "zstd":
         raise ValueError("quality: expected None with color='zstd', which is lossless")
-    _core.orthoview_steps(layout.format)  # refuses sizes and bits that the limits above let through
+    _core.orthoview_steps(numbers)  # refuses sizes and bits that the limits above let through
     check_zarr()
+    count = _count(directions, world, grid, target)
+    layout = Layout(grid, directions_of(count), *numbers, SUBTREE, *coding)
     _store.begin(target, layout)
     with locks.alone(target / FOLDER / "lock", f"another build writes into {target}"):
         outcome = _built(world, target, layout, cluster)
@@ -142,6 +147,17 @@ def _built(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> O
         progress.bar("orthoviews") as report,
     ):
         return Leaves(source, target, layout, elsewhere).run(report)
+
+
+def _count(directions: SupportsIndex | str, source: SceneSource, grid: Grid, target: Path) -> SupportsIndex:
+    """The number of directions; for "auto" that of a store that was begun, or else the one to choose."""
+    if not isinstance(directions, str):
+        return directions
+    if directions != "auto":
+        raise ValueError(f"directions: expected one of {COUNTS} or 'auto', got {check.shortened(directions)}")
+    if (target / _store.DOCUMENT).is_file():
+        return len(_store.read(Local(target))["layout"]["directions"])
+    return chosen(source, grid).count
 
 
 def _bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArray[np.float64]:
