@@ -51,6 +51,7 @@ def build(
     quality: Annotated[
         int | None, option("--quality", "0-100", "Quality of WebP; by default files are lossless.")
     ] = None,
+    layers: Annotated[int, option("--layers", "1|2", "2 keeps hidden surfaces behind the first ones, too.")] = 1,
     geometry: Annotated[
         bool, typer.Option("--geometry/--no-geometry", help="Also write the triangles of leaves, as 3D Tiles.")
     ] = True,
@@ -83,6 +84,7 @@ def build(
             color=color,
             quality=quality,
             geometry=geometry,
+            layers=layers,
             cluster=client,
         )
     _show(tree, as_json, source=world, seconds=clock.seconds)

@@ -40,6 +40,7 @@ def build(
     color: str = "zstd",
     quality: SupportsIndex | None = None,
     geometry: bool = True,
+    layers: SupportsIndex = 1,
     cluster: Any = None,
 ) -> OrthoTree:
     """Build the tree of orthographic depth images of a world.
@@ -77,6 +78,9 @@ def build(
     geometry
         Also write the triangles of leaves, what stands and what moves, as a tileset of 3D Tiles in the store's folder
         "geometry": what is near is shown by triangles.
+    layers
+        2 also keeps the next surface behind the first one, more than 2 pixels farther away, for views in which that
+        shows more than 1 % of their pixels that no view of the cell shows.
     cluster
         "local" spreads subtrees over one process for each core of this machine, a `distributed.Client` over its
         workers, which must see `path` as it is here. The source is pickled into the store for them, so a folder of
@@ -123,6 +127,7 @@ def build(
         check.choice("color", color, ("zstd", "webp")),
         None if quality is None else check.integer("quality", quality, 0, 100),
         check.flag("geometry", geometry),
+        check.integer("layers", layers, 1, 2),
     )
     if quality is not None and color == "zstd":
         raise ValueError("quality: expected None with color='zstd', which is lossless")

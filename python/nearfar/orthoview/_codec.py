@@ -13,7 +13,7 @@ from nearfar import _core
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _webp
 from nearfar.orthoview._directions import Direction
-from nearfar.orthoview._layout import CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
+from nearfar.orthoview._layout import BEHIND, CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
 
 CONNECTED = (4.0, 0.5, 0.7)
 """Bounds of connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a normal
@@ -23,8 +23,27 @@ Encoded = dict[tuple[int, str], bytes]
 """Compressed chunks of a cell, by the number of the direction and the channel; none for views that show nothing."""
 
 
+HIDDEN = 0.01
+"""Share of a view's pixels that its second layer must show, and no first layer of any view, to be kept."""
+
+
+def kept(views: _core.OrthoViews, layout: Layout) -> _core.OrthoViews:
+    """Leave out second layers that show little that is hidden else."""
+    if layout.layers == 1:
+        return views
+    return views.keep_behind([share > HIDDEN for share in views.unseen()])
+
+
 def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
-    """Compress the views of a cell."""
+    """Compress the views of a cell, of both layers."""
+    first, second = _encoded(views, layout), views.behind()
+    if second is None:
+        return first
+    behind = _encoded(second, layout)
+    return first | {(number, BEHIND + channel): chunk for (number, channel), chunk in behind.items()}
+
+
+def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     from numcodecs.zstd import Zstd
 
     from nearfar._base import side_by_side  # its threads bring the module `logging`
@@ -50,7 +69,7 @@ def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
 
 def settled(views: _core.OrthoViews, chunks: Encoded, layout: Layout) -> _core.OrthoViews:
     """The views as readers of their chunks see them. Parents are composed of these, as in a build that goes on."""
-    return views if layout.quality is None else decoded(chunks, layout)[0]
+    return views if layout.quality is None else both(chunks, layout)
 
 
 def _summed(data: bytes) -> bytes:
@@ -69,10 +88,17 @@ def _unsummed(chunk: bytes) -> bytes:
     return data
 
 
+def both(chunks: Mapping[tuple[int, str], bytes], layout: Layout) -> _core.OrthoViews:
+    """Views of a cell from their chunks, of both layers."""
+    first = decoded(chunks, layout)[0]
+    behind = {(n, name.removeprefix(BEHIND)): chunk for (n, name), chunk in chunks.items() if name.startswith(BEHIND)}
+    return _core.OrthoViews.with_behind(first, decoded(behind, layout)[0]) if behind else first
+
+
 def decoded(
     chunks: Mapping[tuple[int, str], bytes], layout: Layout, numbers: Sequence[int] | None = None
 ) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
-    """Views of a cell from their chunks, and the connections (D, size, size, 1) of their pixels.
+    """Views of a cell's first layer from their chunks, and the connections (D, size, size, 1) of their pixels.
 
     Parameters
     ----------

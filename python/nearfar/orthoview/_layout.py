@@ -21,6 +21,9 @@ from nearfar.orthoview._grid import Grid, Place
 
 CHANNELS = ("color", "depth", "normal")
 
+BEHIND = "behind_"
+"""Prefix of the second layer's channels."""
+
 Key = tuple[int, Place, str]
 """Level, place and array of a chunk."""
 
@@ -66,11 +69,18 @@ class Layout:
     """Of WebP, 0 to 100; None for lossless files."""
     geometry: bool = False
     """Whether the store has the geometry of leaves, too."""
+    layers: int = 1
+    """1, or 2: surfaces behind the first ones, too, where no view shows them."""
 
     @property
     def format(self) -> tuple[int, int, int]:
         """The format of views, as the core takes it."""
         return self.size, self.depth_bits, self.normal_bits
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Channels of all layers."""
+        return CHANNELS + tuple(BEHIND + channel for channel in CHANNELS if self.layers == 2)
 
     @property
     def lossless(self) -> Layout:
@@ -113,18 +123,18 @@ class Layout:
     def keys(self, level: int, place: Place, numbers: Iterable[int] | None = None) -> dict[tuple[int, str], Key]:
         """Keys of a cell's chunks by the number of the direction, of all by default, and the channel."""
         wanted = range(len(self.directions)) if numbers is None else numbers
-        pairs = [(number, channel) for number in wanted for channel in CHANNELS]
+        pairs = [(number, channel) for number in wanted for channel in self.channels]
         return {pair: (level, place, self.array(level, *pair)) for pair in pairs}
 
     def dtype(self, channel: str) -> np.dtype[Any]:
         """Type of a channel's values."""
-        if channel == "depth":
+        if channel.removeprefix(BEHIND) == "depth":
             return np.dtype("<u2" if self.depth_bits + CONNECTION_BITS <= 16 else "<u4")
         return np.dtype("u1")
 
     def values(self, channel: str) -> int:
         """Number of a pixel's values."""
-        return {"color": 3, "depth": 1, "normal": self.normal_bits // 8}[channel]
+        return {"color": 3, "depth": 1, "normal": self.normal_bits // 8}[channel.removeprefix(BEHIND)]
 
     @property
     def steps(self) -> int:
@@ -139,7 +149,7 @@ class Layout:
         for level in range(self.grid.levels):
             side, counts = self.shard_side(level), self.grid.counts_at(level)
             for direction in range(len(self.directions)):
-                for channel in CHANNELS:
+                for channel in self.channels:
                     picture = (self.size, self.size, self.values(channel))
                     group.create_array(
                         self.array(level, direction, channel),
@@ -156,7 +166,7 @@ class Layout:
         """Codecs of a channel's chunks, as zarr takes them."""
         from zarr.codecs import Crc32cCodec, ZstdCodec
 
-        if channel != "color" or self.color == "zstd":
+        if channel.removeprefix(BEHIND) != "color" or self.color == "zstd":
             return {"compressors": [ZstdCodec(**COMPRESSION)]}
         from nearfar.orthoview._webp_codec import WebpCodec
 
@@ -178,6 +188,7 @@ class Layout:
             "color": self.color,
             "quality": self.quality,
             "geometry": self.geometry,
+            "layers": self.layers,
         }
 
     @classmethod

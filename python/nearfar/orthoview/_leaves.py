@@ -10,7 +10,7 @@ from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._scene.scene import Scene
 from nearfar._source.protocol import SceneSource, may_touch
-from nearfar.orthoview import _store
+from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._geometry_store import GeometryStore
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Layout
@@ -114,5 +114,6 @@ def drawn(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None
     if not scene.triangle_count:
         return None
     grid = layout.grid
-    views = _core.OrthoViews.of_cell(scene._core, (grid.corner(0, place), grid.cell), layout.directions, layout.format)
-    return None if all(views.empty()) else views
+    cell, behind = (grid.corner(0, place), grid.cell), layout.layers == 2
+    views = _core.OrthoViews.of_cell(scene._core, cell, layout.directions, layout.format, behind=behind)
+    return None if all(views.empty()) else _codec.kept(views, layout)

@@ -123,7 +123,7 @@ class _InTurn:
         if self._next is None or self._next.place != place:
             return None
         sent, self._next = self._next, None
-        views = _codec.decoded(sent.chunks, self._layout.lossless)[0] if sent.chunks else None
+        views = _codec.both(sent.chunks, self._layout.lossless) if sent.chunks else None
         return Outcome(views, sent.is_complete, sent.failed, sent.counts)
 
 

@@ -180,12 +180,15 @@ class Subtree:
             views, is_whole = self._views(level - 1, child)
             is_complete &= is_whole
             if views is not None and is_complete:
-                parent = parent or _core.OrthoParent(self._layout.directions, self._layout.format)
+                parent = parent or self._parent()
                 parent.add(octant, views)
         if parent is None or not is_complete:
             return None, is_complete
         self._outcome.counts["composed"] += 1
-        return parent.finish(), True
+        return _codec.kept(parent.finish(), self._layout), True
+
+    def _parent(self) -> _core.OrthoParent:
+        return _core.OrthoParent(self._layout.directions, self._layout.format, behind=self._layout.layers == 2)
 
     def _write(self, level: int, place: Place, views: Views) -> Views:
         """Write the views of a cell; returns them as readers see them."""
@@ -223,7 +226,7 @@ class Subtree:
         """Views of a cell from those of its chunks that are there."""
         shown = {pair: chunk for pair, chunk in chunks.items() if chunk}
         self._outcome.counts["reloaded"] += len(shown)
-        return _codec.decoded(shown, self._layout)[0] if shown else None
+        return _codec.both(shown, self._layout) if shown else None
 
     def _named(self) -> Described:
         """Give all shards their index and their names; their sizes and SHA-256 by their paths.
@@ -266,9 +269,9 @@ class Subtree:
             with formats.guarded(self._store, "orthoviews"):
                 views = self._decoded(dict(zip(keys, chunks.read(list(keys.values())), strict=True)))
             if views is not None:
-                parent = parent or _core.OrthoParent(self._layout.directions, self._layout.format)
+                parent = parent or self._parent()
                 parent.add(octant, views)
-        self._outcome.views = parent.finish() if parent else None
+        self._outcome.views = _codec.kept(parent.finish(), self._layout) if parent else None
         return self._outcome
 
     def _check(self, shards: dict[str, Any]) -> None:

@@ -18,7 +18,7 @@ from nearfar.orthoview._directions import Direction
 from nearfar.orthoview._files import Local, files_at
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import Layout, check_zarr
+from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout, check_zarr
 from nearfar.orthoview._view import OrthoView
 
 
@@ -94,6 +94,11 @@ class OrthoTree:
         return self._layout.directions
 
     @property
+    def layers(self) -> int:
+        """Number of layers of surfaces, 1 or 2."""
+        return self._layout.layers
+
+    @property
     def is_complete(self) -> bool:
         """Whether all cells are there."""
         return self._is_complete
@@ -129,7 +134,9 @@ class OrthoTree:
         number = check.integer("level", level, 0, self.levels - 1)
         return self._layout.grid.box(number, self._place(number, place))
 
-    def view(self, level: SupportsIndex, place: tuple[int, int, int], direction: SupportsIndex) -> OrthoView | None:
+    def view(
+        self, level: SupportsIndex, place: tuple[int, int, int], direction: SupportsIndex, layer: SupportsIndex = 0
+    ) -> OrthoView | None:
         """Read a view.
 
         Parameters
@@ -138,6 +145,8 @@ class OrthoTree:
             The cell.
         direction
             Number of the direction in `directions`.
+        layer
+            0 for the nearest surfaces, 1 for those behind them.
 
         Returns
         -------
@@ -155,14 +164,15 @@ class OrthoTree:
         """
         number = check.integer("level", level, 0, self.levels - 1)
         at, seen = self._place(number, place), check.integer("direction", direction, 0, len(self.directions) - 1)
-        keys = self._layout.keys(number, at, (seen,))
+        prefix = BEHIND if check.integer("layer", layer, 0, self.layers - 1) else ""
+        keys = {(seen, name): (number, at, self._layout.array(number, seen, prefix + name)) for name in CHANNELS}
         with formats.guarded(self.path, "orthoviews"):
             found = zip(keys, self._chunks.read(list(keys.values())), strict=True)
             shown = {pair: chunk for pair, chunk in found if chunk}
             if shown:
                 views, bits = _codec.decoded(shown, self._layout, (seen,))
                 return self._view(views, bits, number, at, self.directions[seen])
-        if reason := self._missing(number, at):
+        if not prefix and (reason := self._missing(number, at)):
             raise ValueError(f"place: the cell {at} of level {number} is missing: {reason}")
         return None
 

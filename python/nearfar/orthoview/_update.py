@@ -101,7 +101,7 @@ class Changed(Leaves):
             with formats.guarded(self.folder, "orthoviews"):
                 found = dict(zip(keys, self._chunks.read(list(keys.values())), strict=True))
                 shown = {pair: chunk for pair, chunk in found.items() if chunk}
-                views = _codec.decoded(shown, self.layout)[0] if shown else None
+                views = _codec.both(shown, self.layout) if shown else None
             return Outcome(views, counts=Counter(reloaded=len(shown)))
         if any(self._chunks.lengths(list(keys.values()))) or (level == 0 and self._had_geometry(place)):
             return None
