@@ -411,3 +411,52 @@ def test_a_build_that_goes_on_keeps_the_directions_that_were_chosen(tmp_path: Pa
     assert len(nf.orthoview.build(Bounded(city), path, directions="auto", **settings).directions) == 5
     fresh = nf.orthoview.build(Bounded(city), tmp_path / "fresh.zarr", directions="auto", **settings)
     assert len(fresh.directions) > 5
+
+
+def test_second_layers_are_kept_where_they_show_what_is_hidden(world: nf.Scene, tmp_path: Path) -> None:
+    settings: dict[str, Any] = {"cell": 20.0, "size": SIZE, "directions": 5, "geometry": False}
+    one = nf.orthoview.build(world, tmp_path / "one.zarr", **settings)
+    two = nf.orthoview.build(world, tmp_path / "two.zarr", **settings, layers=2)
+    assert (one.layers, two.layers) == (1, 2)
+    kept = without = 0
+    for level in range(two.levels):
+        for place in places(two.cells(level)):
+            for direction in range(5):
+                first, same, behind = (
+                    two.view(level, place, direction),
+                    one.view(level, place, direction),
+                    two.view(level, place, direction, layer=1),
+                )
+                assert (first is None) == (same is None)
+                if first is None or same is None:
+                    assert behind is None
+                    continue
+                np.testing.assert_array_equal(first.depth, same.depth)
+                np.testing.assert_array_equal(first.color, same.color)
+                if behind is None:
+                    without += 1
+                    continue
+                kept += 1
+                shown = np.isfinite(behind.depth)
+                assert shown.any()
+                # A pixel of a layer is made of four, of which some may show the first layer only.
+                assert (behind.depth[shown] > first.depth[shown] - 1e-3).mean() > 0.99
+    assert kept > 2
+    assert without > 100
+    with pytest.raises(ValueError, match="layer: "):
+        one.view(0, (0, 0, 0), 0, layer=1)
+
+    class Interrupted(Counted):
+        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+            if self.queries == 60:
+                raise KeyboardInterrupt
+            return super().query(aabb, detail)
+
+    path = tmp_path / "again.zarr"
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(Interrupted(world), path, **settings, layers=2)
+    resumed = nf.orthoview.build(world, path, **settings, layers=2)
+    assert contents(path) == contents(Path(two.path))
+    part = np.array([world.bounds[0], world.bounds.mean(axis=0)])
+    updated = resumed.update(part, world).compact(tmp_path / "compact.zarr")
+    assert contents(Path(updated.path)) == contents(Path(two.path))

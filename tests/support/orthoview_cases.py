@@ -12,7 +12,7 @@ import nearfar as nf
 from nearfar import _core
 from nearfar._scene.srgb import to_linear
 from tests.support import orthoview_oracle as oracle
-from tests.support.orthoview_oracle import DIRECTIONS
+from tests.support.orthoview_oracle import DIRECTIONS, Picture
 
 SIZE, SIDE = 32, 20.0
 CORNER = np.array([40.0, -3.0, -60.0])
@@ -38,6 +38,36 @@ def boxes(count: int = 40, side: float = SIDE) -> tuple[nf.Scene, NDArray[np.flo
 
 
 def leaf(
-    scene: nf.Scene, corner: Any = CORNER, side: float = SIDE, directions: Any = None, way: str | None = None
+    scene: nf.Scene,
+    corner: Any = CORNER,
+    side: float = SIDE,
+    directions: Any = None,
+    way: str | None = None,
+    behind: bool = False,
 ) -> _core.OrthoViews:
-    return _core.OrthoViews.of_cell(scene._core, (tuple(corner), side), directions or DIRECTIONS, FORMAT, way=way)
+    return _core.OrthoViews.of_cell(
+        scene._core, (tuple(corner), side), directions or DIRECTIONS, FORMAT, way=way, behind=behind
+    )
+
+
+def picture(views: _core.OrthoViews, number: int) -> Picture:
+    """A view of the core: depth as the number of its step, from 0."""
+    depths = views.depths()[number, ..., 0].astype(np.float64)
+    return Picture(
+        np.where(depths > 0, depths - 1, np.inf),
+        to_linear(views.colors()[number] / 255),
+        oracle.decoded(views.normals()[number], 12),
+    )
+
+
+def check_alike(got: Picture, right: Picture, *, share: float) -> None:
+    """Depth in the step of its surface, colour within half a code, and normals within the codes' cells."""
+    is_there = np.isfinite(right.depth)
+    apart = is_there != np.isfinite(got.depth)
+    both = is_there & ~apart
+    steps = np.abs(got.depth - np.minimum(np.floor(right.depth), STEPS - 1))[both]
+    colors = np.abs(got.color - right.color)[both].max(axis=1)
+    angles = np.degrees(np.arccos(np.clip((got.normal * right.normal).sum(axis=2)[both], -1, 1)))
+    # Rays through edges, and depths at the border between two steps, fall on either side in float32.
+    wrong = apart.sum() + ((steps > 0) | (colors > 0.006) | (angles > 0.1)).sum()
+    assert wrong <= share * is_there.sum(), (apart.sum(), steps.max(), colors.max(), angles.max())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 from pathlib import Path
 from typing import Any, Literal, SupportsFloat, SupportsIndex
 
@@ -123,18 +124,19 @@ def build(
         check.integer("depth_bits", depth_bits, 8, 16),
         check.integer("normal_bits", normal_bits, 16, 24),
     )
-    coding = (
-        check.choice("color", color, ("zstd", "webp")),
-        None if quality is None else check.integer("quality", quality, 0, 100),
-        check.flag("geometry", geometry),
-        check.integer("layers", layers, 1, 2),
+    begin = partial(
+        Layout,
+        color=check.choice("color", color, ("zstd", "webp")),
+        quality=None if quality is None else check.integer("quality", quality, 0, 100),
+        geometry=check.flag("geometry", geometry),
+        layers=check.integer("layers", layers, 1, 2),
     )
     if quality is not None and color == "zstd":
         raise ValueError("quality: expected None with color='zstd', which is lossless")
     _core.orthoview_steps(numbers)  # refuses sizes and bits that the limits above let through
     check_zarr()
     count = _count(directions, world, grid, target)
-    layout = Layout(grid, directions_of(count), *numbers, SUBTREE, *coding)
+    layout = begin(grid, directions_of(count), *numbers, SUBTREE)
     _store.begin(target, layout)
     with locks.alone(target / FOLDER / "lock", f"another build writes into {target}"):
         outcome = _built(world, target, layout, cluster)

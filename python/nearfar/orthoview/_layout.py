@@ -197,7 +197,8 @@ class Layout:
         (x, y, z), (columns, layers, rows) = described["origin"], described["counts"]
         grid = Grid((x, y, z), described["cell"], (columns, layers, rows))
         directions = tuple((d[0], d[1], d[2]) for d in described["directions"])
-        numbers = (
-            described[key] for key in ("size", "depth_bits", "normal_bits", "subtree", "color", "quality", "geometry")
+        rest = (
+            *("size", "depth_bits", "normal_bits", "subtree"),
+            *("color", "quality", "geometry", "layers"),
         )
-        return cls(grid, directions, *numbers)
+        return cls(grid, directions, **{name: described[name] for name in rest})

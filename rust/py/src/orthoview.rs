@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use nearfar_core::base::Error;
-use nearfar_core::orthoview::{Bounds, Cell, Direction, Format, Parent, Texel, View, Views, Way, connected, surfels};
+use nearfar_core::orthoview::{
+    Bounds, Cell, Direction, Format, Parent, Texel, View, Views, Way, connected, surfels, unseen,
+};
 use numpy::{Element, IntoPyArray, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -52,23 +54,25 @@ impl OrthoViews {
 
 #[pymethods]
 impl OrthoViews {
-    /// Draws the views of a cubic cell, given by its least corner and its side.
+    /// Draws the views of a cubic cell, given by its least corner and its side, with a second layer if `behind` is true.
     #[staticmethod]
-    #[pyo3(signature = (scene, cell, directions, view_format, *, way=None, report=None))]
+    #[pyo3(signature = (scene, cell, directions, view_format, *, way=None, behind=false, report=None))]
     fn of_cell(
-        py: Python<'_>,
-        scene: &Scene,
+        scene: &Bound<'_, Scene>,
         cell: ([f64; 3], f64),
         directions: Vec<[i8; 3]>,
         view_format: FormatNumbers,
         way: Option<&str>,
+        behind: bool,
         report: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
         let ways = [("triangles", Way::Triangles), ("rays", Way::Rays)];
         let way = way.map(|name| choice("way", name, &ways)).transpose().map_err(to_python)?;
         let cell = Cell::new(DVec3::from_array(cell.0), cell.1).map_err(to_python)?;
         let (directions, format) = (directions_of(directions)?, format_of(view_format)?);
-        run::long(py, report, |progress| Views::of_cell(&scene.0, &cell, &directions, &format, way, progress)).map(Self)
+        let (py, scene) = (scene.py(), &scene.get().0);
+        let draw = |progress: &_| Views::of_cell(scene, &cell, &directions, &format, way, behind, progress);
+        run::long(py, report, draw).map(Self)
     }
 
     /// Views from the arrays that `colors`, `depths` and `normals` return.
@@ -89,6 +93,28 @@ impl OrthoViews {
         let pixels = colors.iter().zip(depths.as_slice()?).zip(normals);
         let texels = pixels.map(|((&color, &depth), &normal)| Texel { color, depth, normal }).collect();
         Views::new(directions, format, texels).map(Self).map_err(to_python)
+    }
+
+    /// Views with a second layer, each as `from_arrays` makes them.
+    #[staticmethod]
+    fn with_behind(first: &Self, second: &Self) -> PyResult<Self> {
+        first.0.with_behind(&second.0).map(Self).map_err(to_python)
+    }
+
+    /// The second layer; None if it shows nothing.
+    fn behind(&self) -> Option<Self> {
+        self.0.behind().map(Self)
+    }
+
+    /// The same views, with the second layer of those directions only for which `keep` is true.
+    fn keep_behind(&self, keep: Vec<bool>) -> PyResult<Self> {
+        self.0.keep_behind(&keep).map(Self).map_err(to_python)
+    }
+
+    /// For each direction the number of the second layer's pixels that no view of the first one shows, divided by the
+    /// number of the first layer's pixels that show something.
+    fn unseen(&self, py: Python<'_>) -> PyResult<Vec<f32>> {
+        run::short(py, || Ok(unseen(&self.0)))
     }
 
     /// sRGB, (D, size, size, 3).
@@ -138,8 +164,9 @@ pub(crate) struct OrthoParent(Parent);
 #[pymethods]
 impl OrthoParent {
     #[new]
-    fn new(directions: Vec<[i8; 3]>, view_format: FormatNumbers) -> PyResult<Self> {
-        Ok(Self(Parent::new(directions_of(directions)?, format_of(view_format)?)))
+    #[pyo3(signature = (directions, view_format, *, behind=false))]
+    fn new(directions: Vec<[i8; 3]>, view_format: FormatNumbers, behind: bool) -> PyResult<Self> {
+        Ok(Self(Parent::new(directions_of(directions)?, format_of(view_format)?, behind)))
     }
 
     /// Draws a child at 0 or 1 along each axis.

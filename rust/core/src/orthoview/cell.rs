@@ -29,13 +29,19 @@ impl Cell {
         Ok(Self { corner, side })
     }
 
-    /// The least and the greatest corner within which surfaces of a scene are seen, world positions. Surfaces on the
-    /// cell's sides are: kernels round positions relative to the scene's origin to float32, and distances as well.
-    pub fn seen(&self, origin: DVec3) -> (DVec3, DVec3) {
+    /// Metres by which a scene's surfaces in the cell may be off: kernels round positions relative to its origin to
+    /// float32, and distances as well.
+    pub fn margin(&self, origin: DVec3) -> f64 {
         let far = self.corner + self.side;
         let reach = (self.corner - origin).abs().max((far - origin).abs()).max_element();
-        let margin = MARGIN * f64::from(f32::EPSILON) * reach;
-        (self.corner - margin, far + margin)
+        MARGIN * f64::from(f32::EPSILON) * reach
+    }
+
+    /// The least and the greatest corner within which surfaces of a scene are seen, world positions. Surfaces on the
+    /// cell's sides are.
+    pub fn seen(&self, origin: DVec3) -> (DVec3, DVec3) {
+        let margin = self.margin(origin);
+        (self.corner - margin, self.corner + self.side + margin)
     }
 
     /// `seen` as half-spaces (n, d), n·x + d ≥ 0.
@@ -100,5 +106,41 @@ impl Sight {
         let x = (right / self.extents.x + 0.5) * pixels;
         let y = (0.5 - up / self.extents.y) * pixels;
         DVec3::new(x, y, self.extents.z / 2.0 - toward)
+    }
+
+    /// The world point of a pixel's centre at a number of metres behind the front.
+    #[inline]
+    pub fn middle(&self, pixel: usize, depth: f64) -> DVec3 {
+        let (column, row) = (pixel % self.pixels, pixel / self.pixels);
+        self.point(DVec3::new(column as f64 + 0.5, row as f64 + 0.5, depth))
+    }
+
+    /// The world point of pixels to the right and downwards, and metres behind the front.
+    #[inline]
+    fn point(&self, place: DVec3) -> DVec3 {
+        let ([right, up, toward], pixels) = (self.axes, self.pixels as f64);
+        let across = (place.x / pixels - 0.5) * self.extents.x;
+        let above = (0.5 - place.y / pixels) * self.extents.y;
+        self.center + right * across + up * above + toward * (self.extents.z / 2.0 - place.z)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::orthoview::Direction;
+
+    #[test]
+    fn points_lie_where_their_places_say() {
+        let cell = Cell::new(DVec3::new(40.0, -3.0, 7.0), 20.0).unwrap();
+        let sight = Sight::new(&cell, Direction::new([1, 1, 0]).unwrap().frame(), 64);
+        let camera = sight.camera().unwrap();
+        for place in [DVec3::ZERO, DVec3::new(3.25, 60.0, 11.0), DVec3::new(32.0, 32.0, sight.extents.z / 2.0)] {
+            let (start, direction) = camera.rays().at(place.x, place.y);
+            let right = camera.position + start + direction * place.z;
+            assert!((sight.point(place) - right).length() < 1e-12, "{place}");
+            assert!((sight.place(right) - place).length() < 1e-12, "{place}");
+        }
+        assert!((sight.point(DVec3::new(32.0, 32.0, sight.extents.z / 2.0)) - cell.corner - 10.0).length() < 1e-12);
     }
 }

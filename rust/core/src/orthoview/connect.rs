@@ -37,7 +37,7 @@ const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 3), (2, 3), (0, 3), (1, 
 /// For each pixel of each view four bits: whether it is connected with its neighbour to the right, below, below to the
 /// right, and below to the left.
 pub fn connected(views: &Views, bounds: &Bounds) -> Vec<u8> {
-    let each = views.directions.par_iter().zip(&views.views);
+    let each = views.directions.par_iter().zip(views.views());
     let bits: Vec<Vec<u8>> = each
         .map(|(direction, view)| closed(&pairs(view, direction.frame(), &views.format, bounds), views.format.size))
         .collect();

@@ -5,11 +5,12 @@ use rayon::prelude::*;
 use super::cell::{Cell, Sight};
 use super::direction::Direction;
 use super::format::Format;
-use super::raster;
+use super::lines::Lines;
 use super::reduce::{Sample, reach, reduced_view};
+use super::second::Start;
+use super::surfaces::{Drawing, Surfaces};
 use super::view::{View, Views};
 use crate::base::{Progress, Result};
-use crate::render::{Channels, Facet, Pixels, truth};
 use crate::scene::Scene;
 
 /// How the surfaces of a leaf are found.
@@ -25,87 +26,70 @@ pub enum Way {
 /// benchmark `orthoview.views`.
 const TRIANGLES_A_PIXEL: f64 = 0.5;
 
-const CHANNELS: Channels = Channels {
-    color: false,
-    coverage: false,
-    range: true,
-    object_id: false,
-    face_id: false,
-    position: false,
-    normal: true,
-    albedo: true,
-    shading_normal: false,
-};
-
 impl Views {
-    /// The views of a cell of a scene. Surfaces beyond its sides are not seen, nor is what moves. Without a `way` the
-    /// faster one is taken.
+    /// The views of a cell of a scene, with those of what lies behind if `behind` is true. Surfaces beyond its sides are
+    /// not seen, nor is what moves. Without a `way` the faster one is taken.
     pub fn of_cell(
         scene: &Scene,
         cell: &Cell,
         directions: &[Direction],
         format: &Format,
         way: Option<Way>,
+        behind: bool,
         progress: &Progress,
     ) -> Result<Self> {
         let scene = &scene.posed(Vec::new());
         let most = TRIANGLES_A_PIXEL * (4 * format.pixels()) as f64;
         let faster = if scene.triangle_count() as f64 <= most { Way::Triangles } else { Way::Rays };
-        let view = |direction: &Direction| {
-            let sight = Sight::new(cell, direction.frame(), 2 * format.size);
+        if behind {
+            scene.build(progress)?;
+        }
+        let layers = |&direction: &Direction| {
+            let sight = &Sight::new(cell, direction.frame(), 2 * format.size);
+            let lines = behind.then(|| Lines::new(scene, cell, sight, direction, directions)).transpose()?;
+            let drawing = Drawing { scene, cell, sight, step: step(sight, format) as f32, progress };
             match way.unwrap_or(faster) {
-                Way::Triangles => by_triangles(scene, cell, &sight, format, progress),
-                Way::Rays => by_rays(scene, cell, &sight, format, progress),
+                Way::Triangles => layers(|start| drawing.by_triangles(start), lines.as_ref(), &drawing, format),
+                Way::Rays => layers(|start| drawing.by_rays(start), lines.as_ref(), &drawing, format),
             }
         };
-        let views = directions.par_iter().map(view).collect::<Result<_>>()?;
-        Ok(Self { directions: directions.to_vec(), format: *format, views })
+        let layers: Vec<(View, Option<View>)> = directions.par_iter().map(layers).collect::<Result<_>>()?;
+        let (views, second): (_, Vec<_>) = layers.into_iter().unzip();
+        Ok(Self::drawn(directions, format, views, second.into_iter().collect()))
     }
 }
 
-fn by_rays(scene: &Scene, cell: &Cell, sight: &Sight, format: &Format, progress: &Progress) -> Result<View> {
-    let picture =
-        truth::render(scene, &sight.camera()?, CHANNELS, 1, cell.limits(scene.origin)?, Pixels::default(), progress)?;
-    let step = (sight.extents.z / f64::from(format.steps)) as f32;
-    let sample = |at: usize| {
-        let range = picture.range[at];
-        range.is_finite().then(|| Sample {
-            depth: range / step,
-            color: picture.albedo[at].into(),
-            normal: picture.normal[at].into(),
-        })
+/// A view and, if there are lines to see it along, that of what lies behind.
+fn layers<S: Surfaces>(
+    draw: impl Fn(Option<&Start>) -> Result<S>,
+    lines: Option<&Lines<'_>>,
+    drawing: &Drawing<'_>,
+    format: &Format,
+) -> Result<(View, Option<View>)> {
+    let Drawing { sight, progress, .. } = *drawing;
+    let first = draw(None)?;
+    let view = coded(|| first.sampler(), sight, format);
+    let Some(lines) = lines else { return Ok((view, None)) };
+    let gap = f64::from(reach(sight.pixel(), step(sight, format))) * step(sight, format);
+    let start = Start::behind((0..4 * format.pixels()).map(|at| first.range(at)), gap as f32);
+    drop(first);
+    let second = draw(Some(&start))?;
+    let sampler = || {
+        let mut sample = second.sampler();
+        move |at| sample(at).filter(|sample| progress.check().is_ok() && lines.see(at, sample, drawing.step))
     };
-    Ok(coded(|| sample, sight, format))
+    let behind = coded(sampler, sight, format);
+    progress.check()?;
+    Ok((view, Some(behind)))
 }
 
-fn by_triangles(scene: &Scene, cell: &Cell, sight: &Sight, format: &Format, progress: &Progress) -> Result<View> {
-    let hits = raster::first_hits(scene, cell, sight, progress)?;
-    let direction = sight.direction().as_vec3();
-    let width = sight.camera()?.rays().footprint(0.0, 0.0, 1.0).width;
-    let step = (sight.extents.z / f64::from(format.steps)) as f32;
-    let sampler = || {
-        // Neighbouring pixels usually show the same face.
-        let mut last: Option<Facet> = None;
-        let (hits, step) = (&hits, step);
-        move |at: usize| {
-            let hit = hits[at];
-            if hit.is_miss() {
-                return None;
-            }
-            let facet = match last {
-                Some(facet) if facet.holds(&hit) => facet,
-                _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
-            };
-            let shown = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, CHANNELS);
-            Some(Sample { depth: hit.t / step, color: shown.albedo.into(), normal: shown.normal.into() })
-        }
-    };
-    Ok(coded(sampler, sight, format))
+/// Length of a step of a picture's depth, metres.
+fn step(sight: &Sight, format: &Format) -> f64 {
+    sight.extents.z / f64::from(format.steps)
 }
 
 fn coded<S: FnMut(usize) -> Option<Sample>>(samplers: impl Fn() -> S + Sync, sight: &Sight, format: &Format) -> View {
-    let step = sight.extents.z / f64::from(format.steps);
     // A depth at the end of the range, or rounded beyond it, belongs to the last step.
     let depth = |sample: &Sample| (sample.depth as u32).saturating_add(1).min(format.steps);
-    reduced_view(samplers, reach(sight.pixel(), step), depth, format)
+    reduced_view(samplers, reach(sight.pixel(), step(sight, format)), depth, format)
 }

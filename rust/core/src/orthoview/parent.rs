@@ -26,13 +26,16 @@ pub struct Parent {
     format: Format,
     /// For each direction the picture at twice the size of a view.
     pictures: Vec<Vec<Shown>>,
+    /// For a second layer the children and their places. Which of their pixels lie more than a gap behind the first ones
+    /// is known only when all are drawn.
+    children: Option<Vec<(IVec3, Views)>>,
 }
 
 impl Parent {
-    /// A parent without children.
-    pub fn new(directions: Vec<Direction>, format: Format) -> Self {
-        let pictures = directions.iter().map(|_| vec![Shown::default(); 4 * format.pixels()]).collect();
-        Self { directions, format, pictures }
+    /// A parent without children, which has a second layer if `behind` is true.
+    pub fn new(directions: Vec<Direction>, format: Format, behind: bool) -> Self {
+        let pictures = directions.iter().map(|_| blank(&format)).collect();
+        Self { directions, format, pictures, children: behind.then(Vec::new) }
     }
 
     /// Draws a child, whose place is 0 or 1 along each axis. Of equal depths that of the child drawn first stays, so
@@ -45,10 +48,13 @@ impl Parent {
             return Err(Error::value("child", "the directions and the format of its parent", "others"));
         }
         let (octant, format) = (IVec3::from_array(octant.map(i32::from)), self.format);
-        let children = self.directions.par_iter().zip(&child.views);
+        let children = self.directions.par_iter().zip(child.views());
         children.zip(&mut self.pictures).for_each(|((&direction, view), picture)| {
-            draw(view, direction, octant, &format, picture);
+            draw(view, direction, octant, &format, picture, |_, _| true);
         });
+        if let Some(children) = &mut self.children {
+            children.push((octant, child.clone()));
+        }
         Ok(())
     }
 
@@ -56,30 +62,67 @@ impl Parent {
     pub fn finish(&self) -> Views {
         let pictures = self.directions.par_iter().zip(&self.pictures);
         let views = pictures.map(|(&direction, picture)| finished(picture, direction, &self.format)).collect();
-        Views { directions: self.directions.clone(), format: self.format, views }
+        let behind = self.children.as_ref().map(|children| {
+            let numbers = (0..self.directions.len()).into_par_iter();
+            numbers.map(|number| self.finished_behind(children, number)).collect()
+        });
+        Views::drawn(&self.directions, &self.format, views, behind)
+    }
+
+    /// The view of what lies behind, in one direction.
+    fn finished_behind(&self, children: &[(IVec3, Views)], number: usize) -> View {
+        let (direction, first) = (self.directions[number], &self.pictures[number]);
+        let reach = reach_of(direction, &self.format);
+        let is_behind = |at: usize, step: u32| step as f32 > first[at].step as f32 + reach;
+        let mut picture = blank(&self.format);
+        for (octant, child) in children {
+            for view in child.layers(number) {
+                draw(view, direction, *octant, &self.format, &mut picture, is_behind);
+            }
+        }
+        finished(&picture, direction, &self.format)
     }
 }
 
-/// Draws a child's view into its parent's picture.
-fn draw(view: &View, direction: Direction, octant: IVec3, format: &Format, picture: &mut [Shown]) {
+/// A picture that shows nothing.
+fn blank(format: &Format) -> Vec<Shown> {
+    vec![Shown::default(); 4 * format.pixels()]
+}
+
+/// Draws a child's view into its parent's picture: the pixels that `counts`, given the picture's pixel and the step of the
+/// parent's depth, says.
+fn draw(
+    view: &View,
+    direction: Direction,
+    octant: IVec3,
+    format: &Format,
+    picture: &mut [Shown],
+    counts: impl Fn(usize, u32) -> bool,
+) {
     let (frame, size) = (direction.frame(), format.size);
     let ((column, row), before) = (frame.place(octant, size), frame.steps_before(octant, format.steps));
-    for (texels, shown) in view.texels.chunks_exact(size).zip(picture.chunks_exact_mut(2 * size).skip(row)) {
-        for (texel, shown) in texels.iter().zip(&mut shown[column..]).filter(|(texel, _)| texel.depth > 0) {
+    let rows = view.texels.chunks_exact(size).zip(picture.chunks_exact_mut(2 * size).skip(row));
+    for ((texels, shown), row) in rows.zip(row..) {
+        let pixels = texels.iter().zip(&mut shown[column..]).zip(2 * size * row + column..);
+        for ((texel, shown), at) in pixels.filter(|((texel, _), _)| texel.depth > 0) {
             let step = before + u32::from(texel.depth);
-            if shown.step == 0 || step < shown.step {
+            if (shown.step == 0 || step < shown.step) && counts(at, step) {
                 *shown = Shown { texel: *texel, step };
             }
         }
     }
 }
 
+/// The reach of a parent's picture, in its children's steps.
+fn reach_of(direction: Direction, format: &Format) -> f32 {
+    let extents = direction.frame().extents();
+    let pixel = extents.x.max(extents.y) / format.size as f64;
+    reach(pixel, extents.z / f64::from(format.steps))
+}
+
 /// Reduces a parent's picture. The parent's steps are twice as long as its children's; each surface lies in the step
 /// that holds its child's step, so the error of depths never exceeds half a step, on whatever level.
 fn finished(picture: &[Shown], direction: Direction, format: &Format) -> View {
-    let extents = direction.frame().extents();
-    let pixel = extents.x.max(extents.y) / format.size as f64;
-    let reach = reach(pixel, extents.z / f64::from(format.steps));
     let linear = linear_from_srgb();
     let sample = |at: usize| {
         let Shown { texel, step } = picture[at];
@@ -89,5 +132,39 @@ fn finished(picture: &[Shown], direction: Direction, format: &Format) -> View {
             normal: normals::decoded(texel.normal, format.normal_bits),
         })
     };
-    reduced_view(|| sample, reach, |sample| (sample.depth as u32).div_ceil(2), format)
+    reduced_view(|| sample, reach_of(direction, format), |sample| (sample.depth as u32).div_ceil(2), format)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_nearer_child_pushes_the_first_surface_back_and_what_is_within_the_gap_is_lost_to_neither_order() {
+        let format = Format::new(4, 12, 16).unwrap();
+        let directions = vec![Direction::new([0, 0, 1]).unwrap()];
+        let child = |depth: u16| {
+            let texels = vec![Texel { depth, color: [depth as u8; 3], ..Texel::default() }; format.pixels()];
+            Views::new(directions.clone(), format, texels).unwrap()
+        };
+        let gap = reach_of(directions[0], &format) as u16;
+        assert_eq!(u32::from(gap), format.steps);
+        // The far child's surfaces, of both its layers, lie before and behind the end of the gap behind the near one's.
+        let near = child(5);
+        let far = child(3).with_behind(&child(8)).unwrap();
+        for order in [[1, 0], [0, 1]] {
+            let mut parent = Parent::new(directions.clone(), format, true);
+            for z in order {
+                parent.add([0, 0, z], if z == 1 { &near } else { &far }).unwrap();
+            }
+            let views = parent.finish();
+            let (first, behind) = (&views.views()[0].texels, &views.behind().unwrap().views()[0].texels.clone());
+            // A child of 4 × 4 pixels fills the lower left quarter.
+            let shown = |texels: &[Texel]| texels.iter().map(|texel| texel.depth).collect::<Vec<_>>();
+            let quarter =
+                |depth: u16| (0..16).map(|at| if at / 4 > 1 && at % 4 < 2 { depth } else { 0 }).collect::<Vec<_>>();
+            assert_eq!(shown(first), quarter(3));
+            assert_eq!(shown(behind), quarter((format.steps as u16 + 8) / 2));
+        }
+    }
 }

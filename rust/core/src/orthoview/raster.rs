@@ -11,15 +11,26 @@ use crate::trace::Hit;
 /// Number of triangles between two looks whether the caller has cancelled.
 const TRIANGLES_PER_CHECK: u32 = 1 << 12;
 
-/// The first hit of each pixel's ray within the cell, with the distance from the front of the view's range.
-pub fn first_hits(scene: &Scene, cell: &Cell, sight: &Sight, progress: &Progress) -> Result<Vec<Hit>> {
+/// The first hit of each pixel's ray within the cell, with the distance from the front of the view's range. Hits are
+/// left out on faces, by the numbers of instance and face, that `shows` refuses, and at distances that `counts` refuses
+/// for a pixel.
+pub fn first_hits(
+    scene: &Scene,
+    cell: &Cell,
+    sight: &Sight,
+    shows: impl Fn(u32, u32) -> bool,
+    counts: impl Fn(usize, f32) -> bool,
+    progress: &Progress,
+) -> Result<Vec<Hit>> {
     let mut raster = Raster::new(scene, cell, sight);
     for (number, instance) in (0..).zip(scene.instances()) {
         for face in 0..instance.mesh.faces.len() as u32 {
             if face % TRIANGLES_PER_CHECK == 0 {
                 progress.check()?;
             }
-            raster.draw(number, instance, face);
+            if shows(number, face) {
+                raster.draw(number, instance, face, &counts);
+            }
         }
     }
     Ok(raster.hits)
@@ -51,7 +62,7 @@ impl<'a> Raster<'a> {
         Self { scene, sight, low, high, has_cutouts: scene.has_cutouts(), hits }
     }
 
-    fn draw(&mut self, number: u32, instance: &Instance, face: u32) {
+    fn draw(&mut self, number: u32, instance: &Instance, face: u32, counts: &impl Fn(usize, f32) -> bool) {
         let corners = instance.corners(face).map(|corner| corner.as_dvec3());
         let least = corners[0].min(corners[1]).min(corners[2]);
         let greatest = corners[0].max(corners[1]).max(corners[2]);
@@ -78,7 +89,7 @@ impl<'a> Raster<'a> {
                 let depth = (0..3).map(|n| share[n] * triangle.depths[n]).sum::<f64>() as f32;
                 let pixel = row * self.sight.pixels + column;
                 // Of equal depths that of the lower number stays: it was drawn first.
-                if depth >= self.hits[pixel].t {
+                if depth >= self.hits[pixel].t || !counts(pixel, depth) {
                     continue;
                 }
                 let point = || (0..3).map(|n| corners[n] * share[n]).sum::<DVec3>();

@@ -1,5 +1,7 @@
 //! The views of a cell and their pixels.
 
+use std::sync::Arc;
+
 use super::direction::Direction;
 use super::format::Format;
 use super::normals;
@@ -31,23 +33,41 @@ pub struct View {
 }
 
 impl View {
+    /// A view that shows nothing.
+    pub(super) fn empty(format: &Format) -> Self {
+        Self { texels: vec![Texel::default(); format.pixels()] }
+    }
+
     /// Whether no pixel shows a surface.
     pub fn is_empty(&self) -> bool {
         self.texels.iter().all(|texel| texel.depth == 0)
     }
 }
 
-/// The views of one cell, one for each of a tree's directions.
+/// The views of one cell, one for each of a tree's directions. Copies share the pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Views {
     /// The directions.
     pub directions: Vec<Direction>,
     /// The format of all views.
     pub format: Format,
-    pub(super) views: Vec<View>,
+    views: Arc<[View]>,
+    /// For each direction a view of what lies behind; `None` if all show nothing.
+    behind: Option<Arc<[View]>>,
 }
 
 impl Views {
+    /// Views that were drawn in a format, and those of what lies behind.
+    pub(super) fn drawn(
+        directions: &[Direction],
+        format: &Format,
+        views: Vec<View>,
+        behind: Option<Vec<View>>,
+    ) -> Self {
+        let behind = behind.and_then(|views| shown(views.into()));
+        Self { directions: directions.to_vec(), format: *format, views: views.into(), behind }
+    }
+
     /// Views from all pixels in turn; fails for another number of them, and for codes that the format does not have.
     pub fn new(directions: Vec<Direction>, format: Format, texels: Vec<Texel>) -> Result<Self> {
         let pixels = format.pixels();
@@ -66,11 +86,46 @@ impl Views {
             ));
         }
         let views = texels.chunks_exact(pixels).map(|texels| View { texels: texels.to_vec() }).collect();
-        Ok(Self { directions, format, views })
+        Ok(Self { directions, format, views, behind: None })
     }
 
     /// The views, in the order of the directions.
     pub fn views(&self) -> &[View] {
         &self.views
     }
+
+    /// The views from one direction, by its number: that of the first layer, and of the second one if there is one.
+    pub(super) fn layers(&self, number: usize) -> impl Iterator<Item = &View> {
+        [Some(&self.views), self.behind.as_ref()].into_iter().flatten().map(move |views| &views[number])
+    }
+
+    /// The second layer: views of the nearest surfaces more than a gap behind those of these views. `None` if there is
+    /// nothing in it.
+    pub fn behind(&self) -> Option<Self> {
+        let views = self.behind.clone()?;
+        Some(Self { directions: self.directions.clone(), format: self.format, views, behind: None })
+    }
+
+    /// The same views with another second layer, which must have their directions and their format.
+    pub fn with_behind(&self, behind: &Self) -> Result<Self> {
+        if (&behind.directions, behind.format) != (&self.directions, self.format) {
+            return Err(Error::value("behind", "the directions and the format of the views before it", "others"));
+        }
+        Ok(Self { behind: shown(behind.views.clone()), ..self.clone() })
+    }
+
+    /// The same views, with the second layer of those directions only for which `keep` is true.
+    pub fn keep_behind(&self, keep: &[bool]) -> Result<Self> {
+        if keep.len() != self.directions.len() {
+            return Err(Error::value("keep", format!("{} values", self.directions.len()), keep.len()));
+        }
+        let one = |(view, keep): (&View, &bool)| if *keep { view.clone() } else { View::empty(&self.format) };
+        let behind = self.behind.as_ref().and_then(|views| shown(views.iter().zip(keep).map(one).collect()));
+        Ok(Self { behind, ..self.clone() })
+    }
+}
+
+/// A second layer; `None` for one that shows nothing.
+fn shown(views: Arc<[View]>) -> Option<Arc<[View]>> {
+    (!views.iter().all(View::is_empty)).then_some(views)
 }

@@ -20,4 +20,4 @@ pub use mask::MaskPyramid;
 pub use sides::{Luma, Sides};
 pub use surface::{Facet, Surface};
 pub use temporal::Moving;
-pub use tiles::{Picture, Pixels, RenderView, draw};
+pub use tiles::{Picture, Pixels, RenderView, Spots, draw};

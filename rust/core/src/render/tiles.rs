@@ -49,6 +49,12 @@ impl Spots<'_> {
         (self.tile.first_column / TILE, self.tile.first_row / TILE)
     }
 
+    /// Index in the image of the n-th ray's pixel.
+    #[inline]
+    pub fn index(&self, n: usize) -> usize {
+        self.tile.index(n)
+    }
+
     /// Position of the n-th ray in the tile, as fractions of the full tile's width and height.
     #[inline]
     pub(super) fn within(&self, n: usize) -> [f32; 2] {

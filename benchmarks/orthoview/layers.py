@@ -1,0 +1,259 @@
+"""The second layer of views: what it takes, and how many pixels of other views it fills."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.timing import best, machine, table
+from nearfar import _core
+from nearfar._base import data
+from nearfar.orthoview import _codec
+from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._grid import OCTANTS, Grid
+from nearfar.orthoview._layout import CHANNELS, Layout
+
+SIZE = 256
+DIRECTIONS = directions_of(9)
+LAYOUT = Layout(Grid((0.0, 0.0, 0.0), 1.0, (1, 1, 1)), DIRECTIONS, SIZE, 12, 16, 3)
+MORE = directions_of(13)
+"""Directions to which those of a second layer are compared; the first are the same."""
+AXES = [_core.orthoview_axes(direction) for direction in MORE]
+TOKYO = "city/tokyo23/tokyo_core_lod1.glb"
+BOUNDS = (0.0, 0.002, 0.005, 0.01, 0.02, 0.05)
+VIEWERS = 8
+DRAWN = 3
+"""Views that a client draws of a cell."""
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+Children = list[tuple[tuple[int, int, int], _core.OrthoViews]]
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A leaf, or a cell that is composed of leaves."""
+
+    name: str
+    scene: nf.Scene
+    corner: Floats
+    side: float
+    levels: int = 0
+    """Levels of cells below."""
+
+    def part(self) -> nf.Scene:
+        """Query what touches the cell."""
+        return self.scene.query(np.array([self.corner, self.corner + self.side]))
+
+    def children(self) -> Iterator[tuple[tuple[int, int, int], Cell]]:
+        """Give the cells of half the side, with their places."""
+        half = self.side / 2
+        for octant in OCTANTS:
+            yield octant, Cell("", self.scene, self.corner + np.array(octant) * half, half, self.levels - 1)
+
+
+@dataclass(frozen=True)
+class Gain:
+    """What was found of a cell; bytes and shares are by direction."""
+
+    unseen: Floats
+    first_bytes: Floats
+    second_bytes: Floats
+    hidden: float
+    """Share of viewers' pixels that no view's first layer shows."""
+    left: float
+    """Share that second layers do not show either."""
+    hidden_with_more: float
+    """Share that no view's first layer shows if there are more directions."""
+    filled: Floats
+    """Share that each direction's second layer shows."""
+
+
+def main() -> None:
+    print(machine(), "\n")
+    rows, gains = [], []
+    for cell in cells():
+        times = f"{time_ratio(cell):.1f}"
+        found = gain(cell)
+        gains.append(found)
+        first, second = found.first_bytes.sum(), found.second_bytes.sum()
+        kilobytes = [f"{number / len(DIRECTIONS) / 1e3:.1f}" for number in (first, second)]
+        shares = [
+            f"{share * 100:.2f}" for share in (found.hidden, found.left, found.hidden_with_more, found.unseen.mean())
+        ]
+        rows.append([cell.name, times, *kilobytes, *shares])
+    header = [
+        "cell",
+        "times as long",
+        "kB a view",
+        "kB a second layer",
+        "hidden, %",
+        "left, %",
+        "13 directions, %",
+        "unseen, %",
+    ]
+    print(table(f"Nine views of {SIZE}² pixels", header, rows))
+    header = ["kept where unseen exceeds", "directions, %", "bytes, % of first layers'", "of what is filled, %"]
+    print(table("Second layers that are kept", header, [of_bound(bound, gains) for bound in BOUNDS]))
+
+
+def cells() -> Iterator[Cell]:
+    city = nf.datasets.city(blocks=4)
+    for x, z in ((-40, -40), (-40, -80), (40, 40)):
+        yield Cell(f"city, 40 m at {x}, {z}", city, np.array([x, -2.1, z]), 40.0)
+    yield Cell("city, 160 m", city, np.array([-160, -2.1, -160]), 160.0)
+    yield Cell("city, 80 m of leaves of 40 m", city, np.array([-80, -2.1, -80]), 80.0, 1)
+    forest = nf.datasets.forest()
+    yield Cell("forest, 20 m", forest, np.array([0.0, -10.0, 0.0]), 20.0)
+    yield Cell("forest, 40 m of leaves of 20 m", forest, np.array([0.0, -10.0, 0.0]), 40.0, 1)
+    yield Cell("forest, 80 m", forest, np.array([-40.0, -14.0, -40.0]), 80.0)
+    path = data.find(TOKYO)
+    if path is not None:
+        tokyo = nf.Scene.load(path)
+        (x, _, z), y = tokyo.bounds.mean(axis=0), np.floor(tokyo.bounds[0, 1])
+        for east, south in ((-250, -250), (250, -250)):
+            yield Cell(f"Tokyo, 500 m at {east}, {south}", tokyo, np.array([x + east, y, z + south]), 500.0)
+        yield Cell("Tokyo, 2000 m", tokyo, np.array([x - 1000, y, z - 1000]), 2000.0)
+        yield Cell("Tokyo, 1000 m of leaves of 500 m", tokyo, np.array([x - 500, y, z - 500]), 1000.0, 1)
+
+
+def drawn(cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
+    if cell.levels:
+        children = [(octant, drawn(child, behind=behind, count=count)) for octant, child in cell.children()]
+        return composed(children, behind=behind, count=count)
+    return leaf(cell.part()._core, cell, behind=behind, count=count)
+
+
+def leaf(scene: _core.Scene, cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
+    place = (cell.corner.tolist(), cell.side)
+    return _core.OrthoViews.of_cell(scene, place, MORE[:count], LAYOUT.format, behind=behind)
+
+
+def composed(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
+    parent = _core.OrthoParent(MORE[:count], LAYOUT.format, behind=behind)
+    for octant, views in children:
+        parent.add(octant, views)
+    return parent.finish()
+
+
+def time_ratio(cell: Cell) -> float:
+    """How many times as long it takes to draw a leaf, or to compose a cell, with second layers."""
+    make = fresh_parent if cell.levels else fresh_leaf
+    alone, layered = (best(make(cell, behind=behind), repeat=1).wall for behind in (False, True))
+    return layered / alone
+
+
+def fresh_parent(cell: Cell, *, behind: bool) -> Callable[[], object]:
+    """Composes a cell of its children, which are drawn."""
+    children = [(octant, drawn(child, behind=behind)) for octant, child in cell.children()]
+    return lambda: composed(children, behind=behind)
+
+
+def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
+    """Draws a scene without search trees, as each leaf of a build is, twice."""
+    part = cell.part()
+    scenes = [part.subset(triangles=np.ones(part.triangle_count, bool))._core for _ in range(2)]
+    return lambda: leaf(scenes.pop(), cell, behind=behind)
+
+
+def gain(cell: Cell) -> Gain:
+    views = drawn(cell, behind=True)
+    second = views.behind()
+    firsts = drawn(cell, behind=False, count=len(MORE)).depths()[..., 0]
+    seconds = np.zeros_like(firsts) if second is None else second.depths()[..., 0]
+    rng, part, filled = np.random.default_rng(1), cell.part(), np.zeros(len(DIRECTIONS))
+    total, hidden, left, with_more = 0, 0, 0, 0
+    for _ in range(VIEWERS):
+        toward = rng.normal(size=3)
+        toward[1] = abs(toward[1])
+        toward /= np.linalg.norm(toward)
+        points = seen(part, cell, toward)
+        lost = lost_of(points, firsts, nearest(toward, len(DIRECTIONS)), cell)
+        found = {n: shows(seconds[n], n, lost, cell) for n in nearest(toward, len(DIRECTIONS))}
+        for n, shown in found.items():
+            filled[n] += shown.sum()
+        total, hidden, left = total + len(points), hidden + len(lost), left + (~np.any([*found.values()], axis=0)).sum()
+        with_more += len(lost_of(points, firsts, nearest(toward, len(MORE)), cell))
+    return Gain(
+        np.array(views.unseen()),
+        bytes_of(views),
+        bytes_of(second),
+        hidden / total,
+        left / total,
+        with_more / total,
+        filled / total,
+    )
+
+
+def nearest(toward: Floats, count: int) -> list[int]:
+    """Give the numbers of the directions that a client draws, of the first `count` ones."""
+    cosines = [np.dot(axes[2], toward) for axes, _ in AXES[:count]]
+    numbers: list[int] = np.argsort(cosines)[::-1][:DRAWN].tolist()
+    return numbers
+
+
+def lost_of(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int], cell: Cell) -> Floats:
+    """Give the points that none of some views shows."""
+    lost: Floats = points[~np.any([shows(firsts[n], n, points, cell) for n in drawn_ones], axis=0)]
+    return lost
+
+
+def bytes_of(views: _core.OrthoViews | None) -> Floats:
+    """Bytes of each direction's chunks."""
+    chunks = {} if views is None else _codec.encoded(views, LAYOUT)
+    sizes = [sum(len(chunks.get((n, channel), b"")) for channel in CHANNELS) for n in range(len(DIRECTIONS))]
+    return np.array(sizes, np.float64)
+
+
+def seen(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
+    """The points, one a pixel, of a cell's surfaces that face a viewer, who sees nothing else."""
+    right = np.cross([0, 1, 0], toward)
+    right /= np.linalg.norm(right)
+    up = np.cross(toward, right)
+    place = (np.arange(SIZE) + 0.5) / SIZE - 0.5
+    width, height = (np.abs(axis).sum() * cell.side for axis in (right, up))
+    across, above = np.meshgrid(place * width, place * height)
+    center = cell.corner + cell.side / 2 + 2 * cell.side * toward
+    starts = (center + across[..., None] * right + above[..., None] * up).reshape(-1, 3)
+    # Within the cell: past the last of the planes that rays enter by, before the first of those that they leave by.
+    sides = [(cell.corner + far * cell.side - starts) / -toward for far in (0.0, 1.0)]
+    enter, leave = np.minimum(*sides).max(axis=1), np.maximum(*sides).min(axis=1)
+    is_inside = enter < leave
+    entries = starts[is_inside] - enter[is_inside, None] * toward
+    hits = nf.cast_rays(scene, entries, np.broadcast_to(-toward, entries.shape))
+    a, b, c = np.moveaxis(scene.triangles()[hits.triangle_index].astype(np.float64), 1, 0)
+    is_seen = (hits.t_hit <= (leave - enter)[is_inside]) & (np.cross(b - a, c - a) @ toward > 0)
+    points: Floats = entries[is_seen] - hits.t_hit[is_seen, None] * toward
+    return points
+
+
+def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell) -> Bools:
+    """Whether one of the 3 × 3 pixels about a point's place is as near in depth as one surface may reach."""
+    (right, up, toward), extents = AXES[direction]
+    width, height, depth = np.array(extents) * cell.side
+    offset = points - cell.corner - cell.side / 2
+    column = np.clip(((offset @ right / width + 0.5) * SIZE).astype(int), 0, SIZE - 1)
+    row = np.clip(((0.5 - offset @ up / height) * SIZE).astype(int), 0, SIZE - 1)
+    metres = np.where(codes > 0, (codes - 0.5) * depth / LAYOUT.steps, np.inf)
+    padded = np.pad(metres, 1, constant_values=np.inf)
+    reach, away = 2 * max(width, height) / SIZE, depth / 2 - offset @ toward
+    nine = [np.abs(padded[row + n // 3, column + n % 3] - away) <= reach for n in range(9)]
+    shown: Bools = np.any(nine, axis=0)
+    return shown
+
+
+def of_bound(bound: float, gains: list[Gain]) -> list[str]:
+    kept = np.array([found.unseen > bound for found in gains])
+    first, second, filled = (
+        np.array([getattr(found, name) for found in gains]) for name in ("first_bytes", "second_bytes", "filled")
+    )
+    numbers = (kept.mean(), second[kept].sum() / first.sum(), filled[kept].sum() / filled.sum())
+    return [f"{bound:g}", *(f"{number * 100:.0f}" for number in numbers)]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,115 @@
+//! Second surfaces: for each pixel the nearest one more than a gap behind the first that faces the viewer. The insides of
+//! closed surfaces, which nobody sees, do not face one.
+
+use glam::DVec3;
+
+use super::cell::Sight;
+use crate::camera::Footprint;
+use crate::render::truth::Truth;
+use crate::render::{Channels, Picture, Sample, Spots};
+use crate::scene::Scene;
+use crate::trace::{Hit, HitFilter, Ray};
+
+/// Where the search for each pixel's second surface starts.
+pub struct Start {
+    /// Least distance from the front of the range, metres; infinite for pixels without a first surface.
+    least: Vec<f32>,
+    /// Whether a pixel has a first surface.
+    mask: Vec<bool>,
+}
+
+impl Start {
+    /// Starts more than a gap behind the first surfaces, at these distances; metres.
+    pub fn behind(first: impl Iterator<Item = f32>, gap: f32) -> Self {
+        let least: Vec<f32> = first.map(|range| (range + gap).next_up()).collect();
+        let mask = least.iter().map(|least| least.is_finite()).collect();
+        Self { least, mask }
+    }
+
+    /// Whether a distance is far enough for a pixel.
+    #[inline]
+    pub fn holds(&self, pixel: usize, distance: f32) -> bool {
+        distance >= self.least[pixel]
+    }
+
+    /// Whether each pixel has a first surface.
+    pub fn mask(&self) -> &[bool] {
+        &self.mask
+    }
+}
+
+/// The faces whose corners run counter-clockwise for the viewer.
+pub struct Fronts<'a> {
+    scene: &'a Scene,
+    toward: DVec3,
+}
+
+impl<'a> Fronts<'a> {
+    /// The faces of a scene that face a view.
+    pub fn new(scene: &'a Scene, sight: &Sight) -> Self {
+        Self { scene, toward: -sight.direction() }
+    }
+
+    /// Whether a face is one of them.
+    #[inline]
+    pub fn holds(&self, instance: u32, face: u32) -> bool {
+        let [a, b, c] = self.scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
+        (b - a).cross(c - a).dot(self.toward) > 0.0
+    }
+}
+
+impl HitFilter for Fronts<'_> {
+    const ACCEPTS_ALL: bool = true;
+
+    #[inline]
+    fn shows(&self, instance: u32, face: u32) -> bool {
+        self.holds(instance, face)
+    }
+
+    #[inline(always)]
+    fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
+        true
+    }
+}
+
+/// A picture along rays that start behind the first surfaces.
+pub struct StartingLate<'a, F> {
+    truth: Truth<'a, F>,
+    start: &'a Start,
+}
+
+impl<'a, F: HitFilter> StartingLate<'a, F> {
+    /// The surfaces of a scene that a filter accepts; the scene must have been built.
+    pub fn new(scene: &'a Scene, filter: F, start: &'a Start) -> Self {
+        Self { truth: Truth { scene, filter }, start }
+    }
+}
+
+impl<F: HitFilter> Picture for StartingLate<'_, F> {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
+        for (n, ray) in rays.iter_mut().enumerate() {
+            ray.t_min = ray.t_min.max(self.start.least[spots.index(n)]);
+        }
+        self.truth.trace(rays, hits, spots);
+    }
+
+    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
+        self.truth.add_colors(rays, hits, footprint, sums);
+    }
+
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
+        self.truth.sample(ray, hit, footprint, wanted)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn second_surfaces_lie_more_than_a_gap_behind_first_ones() {
+        let start = Start::behind([2.0, f32::INFINITY].into_iter(), 0.5);
+        assert_eq!(start.mask(), [true, false]);
+        assert!(!start.holds(0, 2.5) && start.holds(0, 2.5f32.next_up()) && !start.holds(1, f32::MAX));
+    }
+}

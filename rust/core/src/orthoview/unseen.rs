@@ -1,0 +1,115 @@
+//! What a second layer shows and the first one does not, from whichever direction.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::cell::{Cell, Sight};
+use super::format::Format;
+use super::reduce::reach;
+use super::view::{Texel, View, Views};
+
+/// For each direction the number of the second layer's pixels that no view of the first layer shows, from whichever
+/// direction, divided by the number of the first layer's pixels that show something.
+///
+/// A view shows a point if one of the 3 × 3 pixels about its place lies as near in depth as one surface may reach.
+pub fn unseen(views: &Views) -> Vec<f32> {
+    let Some(behind) = views.behind() else { return vec![0.0; views.directions.len()] };
+    // Shares do not depend on the cell.
+    let cell = Cell { corner: DVec3::ZERO, side: 1.0 };
+    let sights = views.directions.iter().map(|direction| Sight::new(&cell, direction.frame(), views.format.size));
+    let firsts: Vec<First> =
+        sights.zip(views.views()).map(|(sight, view)| First::new(sight, view, &views.format)).collect();
+    let share = |(first, behind): (&First<'_>, &View)| {
+        let is_unseen = |&at: &usize| {
+            let texel = &behind.texels[at];
+            let point = first.point(at, texel);
+            texel.depth > 0 && !firsts.iter().any(|first| first.shows(point))
+        };
+        let hidden = (0..behind.texels.len()).into_par_iter().filter(is_unseen).count();
+        let shown = first.view.texels.iter().filter(|texel| texel.depth > 0).count();
+        hidden as f32 / shown.max(1) as f32
+    };
+    firsts.par_iter().zip(behind.views()).map(share).collect()
+}
+
+/// A view of the first layer.
+struct First<'a> {
+    sight: Sight,
+    view: &'a View,
+    /// Length of a step, in sides of the cell.
+    step: f64,
+    /// Steps by which the depths of one surface may differ.
+    reach: f64,
+}
+
+impl<'a> First<'a> {
+    fn new(sight: Sight, view: &'a View, format: &Format) -> Self {
+        let step = sight.extents.z / f64::from(format.steps);
+        // The reach of the picture at twice the size, of which the view was made.
+        Self { sight, view, step, reach: f64::from(reach(sight.pixel() / 2.0, step)) }
+    }
+
+    /// The point of a pixel that lies in the middle of its step.
+    fn point(&self, at: usize, texel: &Texel) -> DVec3 {
+        self.sight.middle(at, (f64::from(texel.depth) - 0.5) * self.step)
+    }
+
+    fn shows(&self, point: DVec3) -> bool {
+        let place = self.sight.place(point);
+        let (size, code) = (self.sight.pixels as i64, place.z / self.step + 0.5);
+        let about = |value: f64| {
+            let pixel = (value as i64).min(size - 1);
+            (pixel - 1).max(0)..(pixel + 2).min(size)
+        };
+        let columns = about(place.x);
+        about(place.y).any(|row| {
+            let row = &self.view.texels[(row * size) as usize..][..size as usize];
+            let near = |texel: &Texel| texel.depth > 0 && (f64::from(texel.depth) - code).abs() <= self.reach;
+            row[columns.start as usize..columns.end as usize].iter().any(near)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::orthoview::Direction;
+
+    const SIZE: usize = 8;
+
+    /// Views of equal depths, one for each direction; 0 for nothing.
+    fn views(directions: &[[i8; 3]], depths: &[u16]) -> Views {
+        let directions: Vec<Direction> = directions.iter().map(|&numbers| Direction::new(numbers).unwrap()).collect();
+        let texels = depths.iter().flat_map(|&depth| vec![Texel { depth, ..Texel::default() }; SIZE * SIZE]);
+        Views::new(directions, Format::new(SIZE, 12, 16).unwrap(), texels.collect()).unwrap()
+    }
+
+    #[test]
+    fn what_lies_behind_is_seen_from_the_other_side_alone() {
+        let (down, up) = ([0, 1, 0], [0, -1, 0]);
+        let steps = views(&[], &[]).format.steps as u16;
+        // A floor of 1,500 steps below the top, under a roof 10 steps below it.
+        let from = |below: u16| views(&[down, up], &[10, below]).with_behind(&views(&[down, up], &[1500, 0])).unwrap();
+        assert_eq!(unseen(&from(0)), [1.0, 0.0]);
+        assert_eq!(unseen(&from(steps + 1 - 1500)), [0.0, 0.0]);
+        // A surface reaches two pixels of eight in depth.
+        let reach = steps / 4;
+        assert_eq!(unseen(&from(steps + 1 - 1500 + reach)), [0.0, 0.0]);
+        assert_eq!(unseen(&from(steps + 2 - 1500 + reach)), [1.0, 0.0]);
+    }
+
+    #[test]
+    fn shares_are_of_the_pixels_that_show_something() {
+        let mut first = views(&[[0, 0, 1]], &[0]).views()[0].texels.clone();
+        first[..4].fill(Texel { depth: 3, ..Texel::default() });
+        let mut second = vec![Texel::default(); SIZE * SIZE];
+        second[0].depth = 3000;
+        let of = |texels: Vec<Texel>| {
+            let bare = views(&[[0, 0, 1]], &[0]);
+            Views::new(bare.directions, bare.format, texels).unwrap()
+        };
+        let both = of(first).with_behind(&of(second)).unwrap();
+        assert_eq!(unseen(&both), [0.25]);
+        assert_eq!(unseen(&both.keep_behind(&[false]).unwrap()), [0.0]);
+    }
+}
