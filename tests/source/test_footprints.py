@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -142,3 +143,11 @@ def test_the_whole_of_tokyo_takes_the_memory_of_a_cell(tmp_path: Path) -> None:
     assert count == 29_824_563
     # As arrays the whole has 1.2 GB. A cell's vertices, faces and tests of centroids take some 300 bytes a triangle.
     assert growth < 1_000 * largest < 300e6
+
+
+def test_footprints_can_be_pickled_for_other_processes(town: Path) -> None:
+    source = opened(town)
+    again, box = pickle.loads(pickle.dumps(source)), [[-np.inf] * 3, [np.inf] * 3]
+    found = source.query(box).triangles()
+    assert len(found) > GRID * GRID
+    np.testing.assert_array_equal(again.query(box).triangles(), found)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -81,3 +82,27 @@ def test_what_folders_of_tiles_do_not_take_is_refused(tmp_path: Path, given: dic
     nf.write_tiles(soup(), tmp_path / "tiles", cell=8)
     with pytest.raises(ValueError, match=f"^{next(iter(given))}: expected none"):
         nf.open_source(tmp_path / "tiles", **given)
+
+
+def assert_same_in_another_process(source: nf.SceneSource) -> None:
+    """A source answers alike after it was pickled, as it is for the workers of a cluster, and after it was used."""
+    box = np.array([[-np.inf] * 3, [np.inf] * 3]) if np.isfinite(source.bounds).all() else np.array([[0] * 3, [90] * 3])
+    expected = source.query(box)
+    again = pickle.loads(pickle.dumps(source))
+    np.testing.assert_array_equal(again.bounds, source.bounds)
+    assert expected.triangle_count > 0
+    np.testing.assert_array_equal(again.query(box).triangles(), expected.triangles())
+
+
+def test_sources_can_be_pickled(tmp_path: Path) -> None:
+    scene = soup()
+    nf.write_tiles(scene, tmp_path / "tiles", cell=30.0)
+    write(tmp_path, {"t.glb": gltf([MATERIALS[0]]), "t.json": tileset(tile(0.0, "t.glb"))})
+    for source in (
+        scene,
+        nf.open_source(tmp_path / "tiles"),
+        nf.open_source(tmp_path / "t.json"),
+        nf.datasets.asteroids(count=5, polygons=48),
+        nf.datasets.world(1),
+    ):
+        assert_same_in_another_process(source)

@@ -6,7 +6,7 @@ import os
 from collections import OrderedDict
 from pathlib import Path
 from threading import Lock
-from typing import SupportsFloat
+from typing import Any, SupportsFloat
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,6 +37,10 @@ class TileFolder:
         self._names = None if nameless is None else Names(nameless)
         self._kept: OrderedDict[str, Scene] = OrderedDict()
         self._lock = Lock()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the place: another process reads the tiles itself."""
+        return TileFolder, (self._folder.absolute(), self._most)
 
     @property
     def bounds(self) -> NDArray[np.float64]:

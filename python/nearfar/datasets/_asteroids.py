@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from typing import SupportsFloat
+from typing import Any, SupportsFloat
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,6 +37,10 @@ class Asteroids:
         self._seed = check.integer("seed", seed, 0, 2**63 - 1)
         self._squares = rocks.squares(self._polygons)
         self._scenes = functools.lru_cache(maxsize=4)(self._made)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the numbers that make all bodies."""
+        return Asteroids, (self._count, self._polygons, self._seed)
 
     def __repr__(self) -> str:
         return f"nearfar.datasets.asteroids(count={self._count}, polygons={self._polygons}, seed={self._seed})"

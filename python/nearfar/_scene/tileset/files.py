@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 from urllib.parse import unquote, urljoin, urlsplit
 
 from nearfar._base import cache, check, files, remote
@@ -106,6 +106,10 @@ class Remote:
         self._folder = posixpath.dirname(urlsplit(url).path)
         self._origin = _origin(url)
         self._lock = threading.Lock()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the URL: another process opens it itself."""
+        return Remote, (self.top,)
 
     def resolve(self, base: str, uri: str) -> str:
         """URL of the file that the one called `base` refers to."""

@@ -6,7 +6,7 @@ import os
 import threading
 from collections import OrderedDict
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -44,6 +44,10 @@ class Kept:
         self._lock = threading.Lock()
         self.failed: dict[Key, str] = {}
         """Reasons that follow a file's name."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle none of the contents: another process reads them itself."""
+        return Kept, (self._most,)
 
     def find(self, key: Key) -> TileContent | None:
         """The content of a file; None if it was not read or is gone."""
