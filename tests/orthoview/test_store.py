@@ -17,6 +17,7 @@ import pytest
 from numpy.typing import ArrayLike
 
 import nearfar as nf
+from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._shard import ShardWriter
 from tests.support import need, valid
 from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, contents, places, world_of
@@ -275,3 +276,97 @@ def test_a_shard_that_is_gone_is_named_when_a_build_goes_on(copied: Path, world:
     shutil.rmtree(copied / "2" / "py" / "color")
     with pytest.raises(nf.FormatError, match="damaged orthoviews: the shard is gone"):
         nf.orthoview.build(world, copied, cell=CELL, size=SIZE, directions=5)
+
+
+def test_shards_that_are_lost_are_noticed(copied: Path, tmp_path: Path) -> None:
+    """An update and a copy look up what there was; readers of a generation know what it has."""
+    first = nf.orthoview.open(copied)
+    updated = first.update(box_about([1]), world_of(range(9)))
+    overlay = copied / "nearfar" / "generations" / "1"
+    lost = largest(overlay / "0")
+    content = lost.read_bytes()
+    lost.unlink()
+    _, name, _, _, *shard = lost.relative_to(overlay).parts[:7]
+    x, y, z = (8 * int(number) for number in shard)
+    again = nf.orthoview.open(copied)
+    direction = again._layout.names.index(name)
+    with pytest.raises(nf.FormatError, match="the shard is gone"):
+        again.view(0, (x, y, z), direction)
+    lost.write_bytes(content)
+    shutil.rmtree(copied / "0" / "py")
+    with pytest.raises(nf.FormatError, match="the shard is gone"):
+        updated.compact(tmp_path / "compact.zarr")
+    with pytest.raises(nf.FormatError, match="the shard is gone"):
+        updated.update(box_about([2]), world_of(range(9)))
+    assert not (tmp_path / "compact.zarr").exists()
+
+
+@pytest.mark.parametrize("path", ["geometry/images/../../../x.webp", "0/py/color/c/0/../0/0/0/0", "/tmp/x"])
+def test_records_cannot_lead_elsewhere(copied: Path, tmp_path: Path, path: str) -> None:
+    records = copied / "nearfar" / "records.json"
+    document = json.loads(records.read_text())
+    document["geometry"][path] = [1, "0" * 64]
+    records.write_text(json.dumps(document))
+    tree = nf.orthoview.open(copied)
+    for call in (tree.verify, lambda: tree.compact(tmp_path / "compact.zarr")):
+        with pytest.raises(nf.FormatError, match="is none of a store"):
+            call()
+    assert not (tmp_path / "compact.zarr").exists()
+
+
+def test_copies_replace_nothing(tree: nf.orthoview.OrthoTree, copied: Path, tmp_path: Path) -> None:
+    with pytest.raises(FileExistsError, match="holds a Zarr store"):
+        tree.compact(copied)
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "mine").touch()
+    with pytest.raises(FileExistsError, match="holds other files"):
+        tree.compact(tmp_path / "other")
+    (tmp_path / "empty").mkdir()
+    compacted = tree.compact(tmp_path / "empty")
+    assert contents(Path(compacted.path)) == contents(Path(tree.path))
+    shard = largest(Path(tree.path) / "0")
+    assert (Path(compacted.path) / shard.relative_to(tree.path)).samefile(shard)
+
+
+def test_a_store_that_came_up_meanwhile_is_not_replaced(
+    world: nf.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two builds begin at once: the later one finds the store of the other."""
+    path, create = tmp_path / "world.zarr", Layout.create
+    settings: dict[str, Any] = {"cell": 40.0, "size": SIZE, "directions": 5}
+
+    def slow(self: Layout, folder: Path, attributes: dict[str, Any]) -> None:
+        create(self, folder, attributes)
+        monkeypatch.setattr(Layout, "create", create)
+        nf.orthoview.build(world, path, **settings)
+
+    monkeypatch.setattr(Layout, "create", slow)
+    source = Counted(world)
+    assert nf.orthoview.build(source, path, **settings).is_complete
+    assert source.queries == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("counts", [1.5, 1, 1]),
+        ("counts", [0, 0, 0]),
+        ("origin", [None, 0, 0]),
+        ("cell", "1"),
+        ("cell", -1),
+        ("directions", [[1, 2, 3]]),
+        ("layers", 7),
+        ("color", "jpg"),
+        ("size", 30),
+        ("names", []),
+        ("subtree", None),
+    ],
+)
+def test_layouts_that_cannot_be_are_refused(copied: Path, world: nf.Scene, name: str, value: Any) -> None:
+    document = json.loads((copied / "zarr.json").read_text())
+    document["attributes"]["nearfar"]["layout"][name] = value
+    (copied / "zarr.json").write_text(json.dumps(document))
+    with pytest.raises(nf.FormatError, match=r"zarr\.json"):
+        nf.orthoview.open(copied)
+    with pytest.raises(nf.FormatError, match=r"zarr\.json"):
+        nf.orthoview.build(world, copied, cell=CELL, size=SIZE, directions="auto")

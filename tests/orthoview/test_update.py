@@ -194,3 +194,24 @@ def test_bad_calls_are_named(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> No
     tree.update(box_about(ADDED), world_of([*BEFORE, *ADDED]))
     with pytest.raises(ValueError, match="was updated since it was built"):
         built(world_of(BEFORE), Path(tree.path))
+
+
+def test_geometry_without_pixels_comes_and_goes(tmp_path: Path) -> None:
+    """A triangle too small for any pixel, in a part of the world that has nothing else."""
+    corners = np.array([[1, 1, 1], [6, 1, 1], [1, 1, 6]], np.float32)
+    small = np.array([[0, 0, 0], [1e-3, 0, 0], [0, 0, 1e-3]], np.float32) + 333.0
+    faces = np.arange(6, dtype=np.uint32).reshape(2, 3)
+    ends = np.concatenate([corners, corners + 630])
+    without = nf.Scene.from_arrays(ends, faces)
+    having = nf.Scene.from_arrays(np.concatenate([ends, small]), np.arange(9, dtype=np.uint32).reshape(3, 3))
+    place = (33, 33, 33)
+    box = np.array([[330.0] * 3, [339.0] * 3])
+    bare, full = built(without, tmp_path / "bare.zarr"), built(having, tmp_path / "full.zarr")
+    assert full.leaf_glb(place) is not None
+    assert all(full.view(0, place, direction) is None for direction in range(5))
+    gone = full.update(box, without)
+    assert gone.leaf_glb(place) is None
+    assert contents(Path(gone.compact(tmp_path / "gone.zarr").path)) == contents(Path(bare.path))
+    come = bare.update(box, having)
+    assert come.leaf_glb(place) == full.leaf_glb(place)
+    assert contents(Path(come.compact(tmp_path / "come.zarr").path)) == contents(Path(full.path))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
@@ -57,7 +57,7 @@ def client_of(cluster: object) -> Iterator[Any]:
 
 def in_order(
     function: Callable[[Item, progress.Report], Result], items: Iterable[Item], client: Any, *, ahead: int | None = None
-) -> Iterator[Result]:
+) -> Generator[Result, None, None]:
     """Call a function for each item on a cluster, and yield the results in the order of the items.
 
     Parameters
@@ -80,6 +80,7 @@ def in_order(
     rest = iter(items)
     try:
         while True:
+            _check_running(client)
             most = float("inf") if ahead is None else ahead * max(1, sum(client.ncores().values()))
             while len(waiting) < most and (item := next(rest, _END)) is not _END:
                 # Items go to workers by themselves: within a call they would pass through the scheduler.
@@ -95,6 +96,11 @@ def in_order(
 
 
 _END = object()
+
+
+def _check_running(client: Any) -> None:
+    if client.status != "running":
+        raise ConnectionError(f"cluster: the scheduler is lost: the client is {client.status}")
 
 
 def _result(future: Any, client: Any) -> Any:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, locks, progress
+from nearfar._base import check, formats, locks, progress
 from nearfar._base.cluster import client_of
 from nearfar._source.protocol import SceneSource, source_of
 from nearfar.orthoview import _on_cluster, _store
@@ -163,7 +163,9 @@ def _count(directions: SupportsIndex | str, source: SceneSource, grid: Grid, tar
     if directions != "auto":
         raise ValueError(f"directions: expected one of {COUNTS} or 'auto', got {check.shortened(directions)}")
     if (target / _store.DOCUMENT).is_file():
-        return len(_store.read(Local(target))["layout"]["directions"])
+        attributes = _store.read(Local(target))
+        with formats.guarded(target / _store.DOCUMENT):
+            return len(Layout.from_described(attributes["layout"]).directions)
     return chosen(source, grid).count
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Iterable, Sequence, Set as AbstractSet
+from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _shard
 from nearfar.orthoview._files import Files
 from nearfar.orthoview._layout import Key, Layout
@@ -23,10 +24,20 @@ class Generation:
 
     folder: str
     """Below the store, with a slash at its end; empty for the store itself."""
-    shards: AbstractSet[str] | None
+    shards: Container[str] | None
     """Paths of its shards below the folder; None where that is not known, so that they are looked for."""
-    geometry: AbstractSet[str] | None
+    geometry: Container[str] | None
     """Paths of its files of geometry, likewise."""
+
+
+@dataclass(frozen=True)
+class In:
+    """Paths that a function knows."""
+
+    has: Callable[[str], bool]
+
+    def __contains__(self, path: object) -> bool:
+        return isinstance(path, str) and self.has(path)
 
 
 @dataclass(frozen=True)
@@ -78,8 +89,15 @@ class Chunks:
         """Read a file of geometry; None for one that is not there, or no more."""
         for generation in self._generations:
             if generation.geometry is None or name in generation.geometry:
-                return self._files.whole(generation.folder + name) or None
+                content = self._files.whole(generation.folder + name)
+                if content is None and generation.geometry is not None:
+                    raise UnusableError(f"{generation.folder}{name}: the file is gone")
+                return content or None
         return None
+
+    def has_geometry(self, name: str) -> bool:
+        """Whether any generation has a file of geometry."""
+        return any(generation.geometry is None or name in generation.geometry for generation in self._generations)
 
     def lengths(self, keys: Sequence[Key]) -> list[int]:
         """Lengths of chunks, bytes; 0 for those that are not there."""
@@ -92,6 +110,8 @@ class Chunks:
             self._load({name: self._layout.shard_side(key[0]) for key, name in missing.items() if name})
             for key, name in missing.items():
                 index = self._indexes[name] if name else None
+                if name and index is None and generation.shards is not None:
+                    raise UnusableError(f"{name}: the shard is gone")
                 if name is None or index is None:
                     continue
                 first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])

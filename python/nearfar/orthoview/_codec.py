@@ -121,20 +121,22 @@ def decoded(
                 if channel == "color" and layout.color == "webp":
                     whole[at] = _webp.decode(_unsummed(chunks[number, channel]), layout.size)
                     continue
-                found = _decompressed(compressor, chunks[number, channel])
-                whole[at] = np.frombuffer(found, layout.dtype(channel)).reshape(shape)
+                _decompress(compressor, chunks[number, channel], whole[at])
         arrays[channel] = whole
     arrays["color"][arrays["depth"][..., 0] == 0] = 0  # lossy colours cover what is not seen, too
     directions = tuple(layout.directions[number] for number in numbers)
     return _from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, directions)
 
 
-def _decompressed(compressor: Any, chunk: bytes) -> bytes:
-    """Content of a chunk; UnusableError if its checksum tells that it was altered."""
+def _decompress(compressor: Any, chunk: bytes, target: NDArray[Any]) -> None:
+    """Write the content of a chunk, whose size is known; UnusableError if it was altered."""
+    content = bytearray(target.nbytes)
     try:
-        return bytes(compressor.decode(chunk))
-    except RuntimeError as error:
+        # Into memory of the right size: a damaged chunk may state any.
+        found = compressor.decode(chunk, content)
+    except (RuntimeError, ValueError) as error:
         raise UnusableError(f"a chunk: {error}") from None
+    target[:] = np.frombuffer(found, target.dtype).reshape(target.shape)
 
 
 def _from_stored(

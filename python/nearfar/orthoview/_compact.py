@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import shutil
 from collections import defaultdict
@@ -24,7 +25,7 @@ from nearfar.orthoview._subtree import Described, Held, described, record_of, wr
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
     """Write the newest generation of a complete store as a new one; `OrthoTree.compact` tells more."""
     layout, newest = Layout.from_described(attributes["layout"]), int(attributes["generation"])
-    with files.atomic_folder(target, marker=_store.DOCUMENT) as folder, progress.bar("compacting") as report:
+    with _store.new_folder(target) as folder, progress.bar("compacting") as report:
         _store.create(folder, layout)
         (folder / FOLDER).mkdir()
         copy = _Copy(store, layout, newest, folder)
@@ -46,8 +47,9 @@ Subtree = tuple[int, Place]
 class _Copy:
     def __init__(self, store: Files, layout: Layout, newest: int, folder: Path) -> None:
         self._store, self._layout, self._folder = store, layout, folder
-        self._chunks = Chunks(store, layout, _store.generations(store, newest))
+        self._chunks = Chunks(store, layout, _store.recorded_generations(store, layout, newest))
         self._records = list(_store.recorded(store, newest))
+        self._known = {path: known for recorded in self._records for path, known in recorded.shards.items()}
         self._geometry = self._newest_geometry()
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
@@ -59,16 +61,21 @@ class _Copy:
             if not recorded.folder and recorded.name and not recorded.shards:  # nothing is in it
                 tier, *place = map(int, recorded.name.split("_"))
                 found.setdefault((tier, (place[0], place[1], place[2])), {})
+        for path in self._geometry:
+            if path.endswith(".glb"):
+                x, y, z = (int(number) >> self._layout.subtree for number in path[:-4].split("/")[-3:])
+                found.setdefault((0, (x, y, z)), {})
         return dict(sorted(found.items()))
 
     def _newest_geometry(self) -> dict[str, str]:
         """Files of geometry below the store, by the names that they have in the copy."""
         found: dict[str, str] = {}
         for recorded in self._records:
-            for path, (size, _) in recorded.geometry.items():
+            for path, (size, digest) in recorded.geometry.items():
                 found.pop(path, None)
                 if size:
                     found[path] = recorded.folder + path
+                    self._known[recorded.folder + path] = size, digest
         return found
 
     def _subtree_of(self, path: str) -> Subtree:
@@ -142,4 +149,6 @@ class _Copy:
         content = self._store.whole(source)
         if content is None:
             raise FormatError(f"{self._store.place}/{source}: expected a file that the store refers to, found none")
+        if (len(content), hashlib.sha256(content).hexdigest()) != self._known[source]:
+            raise FormatError(f"{self._store.place}/{source}: damaged: its size or its SHA-256 is not the recorded one")
         files.write(target, content)

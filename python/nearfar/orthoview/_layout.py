@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 
 from nearfar import _core
+from nearfar._base import check
 from nearfar.orthoview._directions import Direction
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import MOST_CELLS, Grid, Place
 
 CHANNELS = ("color", "depth", "normal")
 
@@ -193,12 +194,27 @@ class Layout:
 
     @classmethod
     def from_described(cls, described: dict[str, Any]) -> Layout:
-        """The layout that `described` returned."""
-        (x, y, z), (columns, layers, rows) = described["origin"], described["counts"]
-        grid = Grid((x, y, z), described["cell"], (columns, layers, rows))
-        directions = tuple((d[0], d[1], d[2]) for d in described["directions"])
-        rest = (
-            *("size", "depth_bits", "normal_bits", "subtree"),
-            *("color", "quality", "geometry", "layers"),
+        """The layout that `described` returned; KeyError, TypeError or ValueError for what it cannot have returned."""
+        x, y, z = (check.number("origin", value) for value in described["origin"])
+        columns, layers, rows = (check.integer("counts", value, 1, MOST_CELLS) for value in described["counts"])
+        grid = Grid((x, y, z), check.positive("cell", described["cell"]), (columns, layers, rows))
+        directions = tuple((int(x), int(y), int(z)) for x, y, z in described["directions"])
+        quality = described["quality"]
+        layout = cls(
+            grid,
+            directions,
+            check.integer("size", described["size"], 4, 4096),
+            check.integer("depth_bits", described["depth_bits"], 8, 16),
+            check.integer("normal_bits", described["normal_bits"], 16, 24),
+            check.integer("subtree", described["subtree"], 1, 8),
+            color=check.choice("color", described["color"], ("zstd", "webp")),
+            quality=None if quality is None else check.integer("quality", quality, 0, 100),
+            geometry=check.flag("geometry", described["geometry"]),
+            layers=check.integer("layers", described["layers"], 1, 2),
         )
-        return cls(grid, directions, **{name: described[name] for name in rest})
+        for direction in directions:
+            _core.orthoview_axes(direction)
+        _core.orthoview_steps(layout.format)
+        if described != layout.described():
+            raise ValueError("its layout does not fit together")
+        return layout

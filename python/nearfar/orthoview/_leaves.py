@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+import shutil
 from collections import Counter
 from collections.abc import Callable, Set as AbstractSet
 from pathlib import Path
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import check, locks, progress
 from nearfar._scene.scene import Scene
 from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._geometry_store import GeometryStore
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._subtree import Outcome, Subtree
 
 MOST_FAILED = 1000
 """Leaves that a source may fail to give before the build ends."""
+
+LOCKS = "locks"
+"""Folder with a lock for each subtree of leaves that is under work."""
 
 Elsewhere = Callable[[Place], Outcome | None]
 """Returns the outcome of a subtree of leaves that another process built; None for one that none did."""
@@ -49,12 +53,19 @@ class Leaves:
     def run(self, report: progress.Report) -> Outcome:
         """Build the whole tree."""
         self._report = report
-        return Subtree(self.layout, self.folder, self.layout.tiers - 1, (0, 0, 0), self).run()
+        outcome = Subtree(self.layout, self.folder, self.layout.tiers - 1, (0, 0, 0), self).run()
+        shutil.rmtree(self.folder / FOLDER / LOCKS, ignore_errors=True)
+        return outcome
 
     def run_one(self, place: Place, report: progress.Report) -> Outcome:
         """Build one subtree of leaves."""
         self._report = report
-        return Subtree(self.layout, self.folder, 0, place, self).run()
+        return self._subtree(place)
+
+    def _subtree(self, place: Place) -> Outcome:
+        """Build a subtree of leaves. A worker that was taken for lost may be at it still: wait for its end."""
+        with locks.alone(self.folder / FOLDER / LOCKS / _store.name_of(place), None):
+            return Subtree(self.layout, self.folder, 0, place, self).run()
 
     def base(self, tier: int, place: Place) -> Outcome:
         """A leaf of the first tier; the whole subtree below a cell of the others."""
@@ -65,6 +76,8 @@ class Leaves:
             self.pass_over(self.layout.subtree, place)
             self._count_failures(outcome)
             return outcome
+        if tier == 1:
+            return self._subtree(place)
         return Subtree(self.layout, self.folder, tier - 1, place, self).run()
 
     def _leaf(self, place: Place) -> Outcome:

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import pickle
-import shutil
 from collections import Counter
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
-from nearfar._base import check, cluster, files, locks, progress
+from nearfar._base import check, cluster, files, progress
 from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import Place
@@ -22,9 +21,6 @@ from nearfar.orthoview._subtree import Outcome, record_of
 
 AHEAD = 8
 """Subtrees for each thread of a cluster that may be done before their parents take them."""
-
-_LOCKS = "locks"
-"""Folder with a lock for each subtree."""
 
 
 @dataclass(frozen=True)
@@ -65,9 +61,8 @@ def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> 
         _keep(source, pickled)
         job = _Job(folder.absolute(), layout, pickled, pickled.stat().st_mtime_ns)
         places = _places(source, folder, layout, layout.tiers - 1, (0, 0, 0))
-        results = cluster.in_order(partial(_built, job), places, client, ahead=AHEAD)
-        yield _InTurn(results, layout)
-        shutil.rmtree(folder / FOLDER / _LOCKS, ignore_errors=True)
+        with closing(cluster.in_order(partial(_built, job), places, client, ahead=AHEAD)) as results:
+            yield _InTurn(results, layout)
     finally:
         pickled.unlink(missing_ok=True)
 
@@ -128,11 +123,8 @@ class _InTurn:
 
 
 def _built(job: _Job, place: Place, report: progress.Report) -> _Sent:
-    """Build a subtree in a worker. One that was taken for lost may be at it still: the lock waits for its end."""
-    name = "_".join(map(str, place))
-    with locks.alone(job.folder / FOLDER / _LOCKS / name, None):
-        leaves = Leaves(_source(job.source, job.changed), job.folder, job.layout)
-        outcome = leaves.run_one(place, report)
+    """Build a subtree in a worker."""
+    outcome = Leaves(_source(job.source, job.changed), job.folder, job.layout).run_one(place, report)
     chunks = _codec.encoded(outcome.views, job.layout.lossless) if outcome.views is not None else {}
     counts = outcome.counts + Counter(sent=len(chunks))
     return _Sent(place, chunks, outcome.is_complete, outcome.failed, counts)

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
+import os
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,16 +19,26 @@ from numpy.typing import NDArray
 
 from nearfar._base import files, formats
 from nearfar._base.errors import FormatError
-from nearfar.orthoview._chunks import Generation
+from nearfar.orthoview._chunks import Generation, In
 from nearfar.orthoview._files import Files, Local, missing
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, OTHERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
-from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, described
+from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, described, record_of
 
 KIND, VERSION = "orthoview", 1
 
 DOCUMENT = "zarr.json"
+
+_NO_FILE = "nearfar/none"
+"""Name of a file that no folder has."""
+
+_SHARD = re.compile(r"[0-9]+/[a-z_]+/[a-z_]+/c/[0-9]+/[0-9]+/[0-9]+/0/0/0")
+_GEOMETRY_FILE = re.compile(
+    r"geometry/((content|moving)(/[0-9]+){4}[.]glb|images/[0-9a-f]+[.]webp|subtrees/[0-9.]+[.]subtree"
+    r"|(tileset|moving)[.]json)"
+)
+"""Paths that records may have: copies of stores are written to them."""
 
 _KEY = "nearfar"
 """Name of the group's attribute."""
@@ -71,15 +85,34 @@ def begin(path: Path, layout: Layout) -> None:
         A folder that holds other files.
     """
     if not (path / DOCUMENT).is_file():
-        with files.atomic_folder(path, marker=DOCUMENT) as temporary:
-            create(temporary, layout)
-        return
+        try:
+            with new_folder(path) as temporary:
+                create(temporary, layout)
+            return
+        except FileExistsError:
+            if not (path / DOCUMENT).is_file():  # else another build has made it meanwhile
+                raise
     attributes, wanted = read(Local(path)), layout.described()
+    with formats.guarded(path / DOCUMENT):
+        Layout.from_described(attributes["layout"])
     if attributes["layout"] != wanted:
         different = [key for key in wanted if attributes["layout"].get(key) != wanted[key]]
         raise ValueError(f"path: {path} was begun with other values of {', '.join(different)}")
     if attributes["generation"]:
         raise ValueError(f"path: {path} was updated since it was built, expected a new folder")
+
+
+@contextmanager
+def new_folder(path: Path) -> Iterator[Path]:
+    """Write a new store completely or not at all; a folder that has anything in it is never replaced."""
+    try:
+        with files.atomic_folder(path, marker=_NO_FILE) as temporary:
+            yield temporary
+    except FileExistsError:
+        message = f"holds other files, expected a new or empty folder for a store of orthoviews (no {DOCUMENT} in it)"
+        if (path / DOCUMENT).exists():
+            message = "holds a Zarr store, expected a new or empty folder"
+        raise FileExistsError(errno.EEXIST, message, os.fspath(path)) from None
 
 
 def create(folder: Path, layout: Layout) -> None:
@@ -184,24 +217,39 @@ def generations(store: Files, newest: int) -> list[Generation]:
     return [*known, Generation("", None, None)]
 
 
+def recorded_generations(store: Files, layout: Layout, newest: int) -> list[Generation]:
+    """The same, where what the first generation has is looked up in its records, so that lost files are noticed."""
+    listed = Listed(store, layout)
+    *overlays, _ = generations(store, newest)
+    return [*overlays, Generation("", In(listed.has_shard), In(listed.has_geometry))]
+
+
 def _generation(store: Files, number: int) -> Recorded:
     folder = overlay(number)
     document = _json(store, folder + _GENERATION_FILE, _GENERATION, _GENERATION_VERSION)
-    return _recorded(folder, str(number), document)
+    with formats.guarded(f"{store.place}/{folder}{_GENERATION_FILE}"):
+        return _recorded(folder, str(number), document)
 
 
 def _recorded(folder: str, name: str, document: Mapping[str, Any]) -> Recorded:
-    shards, geometry = (_listed(document[key]) for key in ("shards", "geometry"))
+    shards, geometry = _listed(document["shards"], _SHARD), _listed(document["geometry"], _GEOMETRY_FILE)
     return Recorded(folder, name, shards, geometry, document["held"])
 
 
 def recorded(store: Files, newest: int) -> Iterator[Recorded]:
     """The records of a complete store: of all subtrees of the first generation, then of the others."""
     records = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
-    for name, digest in records["records"].items():
+    with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
+        digests = dict(records["records"])
+    for name, digest in digests.items():
         path = f"{FOLDER}/{DONE}/{name}"
-        yield _recorded("", name.removesuffix(".json"), _json(store, path, RECORD, RECORD_VERSION, digest))
-    yield Recorded("", "", {}, _listed(records["geometry"]), {})
+        document = _json(store, path, RECORD, RECORD_VERSION, digest)
+        with formats.guarded(f"{store.place}/{path}"):
+            found = _recorded("", name.removesuffix(".json"), document)
+        yield found
+    with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
+        others = _listed(records["geometry"], _GEOMETRY_FILE)
+    yield Recorded("", "", {}, others, {})
     for number in range(1, newest + 1):
         yield _generation(store, number)
 
@@ -216,5 +264,41 @@ def _json(store: Files, name: str, kind: str, version: int, digest: str | None =
         return formats.check(formats.from_json(content), kind, version, place)
 
 
-def _listed(listed: Mapping[str, Any]) -> Described:
-    return {str(path): (int(size), str(digest)) for path, (size, digest) in listed.items()}
+def _listed(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
+    """Sizes and hashes by paths, of which none leads elsewhere."""
+    wrong = next((path for path in listed if not pattern.fullmatch(path)), None)
+    if wrong is not None:
+        raise ValueError(f"the path {wrong!r} is none of a store")
+    return {path: (int(size), str(digest)) for path, (size, digest) in listed.items()}
+
+
+class Listed:
+    """What the records of the first generation list; the record of a subtree is read when it is asked for."""
+
+    def __init__(self, store: Files, layout: Layout) -> None:
+        self._store, self._layout = store, layout
+        self._records: dict[str, Recorded | None] = {}
+
+    def _record(self, tier: int, place: Place) -> Recorded | None:
+        name = record_of(Path(), tier, place).as_posix()
+        if name not in self._records:
+            found = None
+            if self._store.whole(name) is not None:
+                document = _json(self._store, name, RECORD, RECORD_VERSION)
+                with formats.guarded(f"{self._store.place}/{name}"):
+                    found = _recorded("", name, document)
+            self._records[name] = found
+        return self._records[name]
+
+    def has_shard(self, path: str) -> bool:
+        """Whether a shard was written."""
+        level, _, _, _, x, y, z, *_ = path.split("/")
+        record = self._record(int(level) // self._layout.subtree, (int(x), int(y), int(z)))
+        return record is not None and path in record.shards
+
+    def has_geometry(self, path: str) -> bool:
+        """Whether a file of a leaf's geometry was written."""
+        side = 1 << self._layout.subtree
+        x, y, z = (int(number) // side for number in path.removesuffix(".glb").split("/")[-3:])
+        record = self._record(0, (x, y, z))
+        return record is not None and path in record.geometry

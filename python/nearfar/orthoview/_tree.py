@@ -172,7 +172,7 @@ class OrthoTree:
             if shown:
                 views, bits = _codec.decoded(shown, self._layout, (seen,))
                 return self._view(views, bits, number, at, self.directions[seen])
-        if not prefix and (reason := self._missing(number, at)):
+        if (not prefix or self.view(level, place, direction) is None) and (reason := self._missing(number, at)):
             raise ValueError(f"place: the cell {at} of level {number} is missing: {reason}")
         return None
 
@@ -222,13 +222,19 @@ class OrthoTree:
         Raises
         ------
         ValueError
-            Numbers out of range, a tree without geometry.
+            Numbers out of range, a tree without geometry, a leaf that is missing because the build did not end or its
+            source failed.
         OSError
             A file that cannot be read.
         """
         if not self._layout.geometry:
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
-        return self._chunks.geometry(names(self._layout.grid, self._place(0, place))[check.flag("moving", moving)])
+        at = self._place(0, place)
+        with formats.guarded(self.path, "orthoviews"):
+            content = self._chunks.geometry(names(self._layout.grid, at)[check.flag("moving", moving)])
+        if content is None and (reason := self._missing(0, at)):
+            raise ValueError(f"place: the leaf {at} is missing: {reason}")
+        return content
 
     def preview(
         self, level: SupportsIndex | None = None, place: tuple[int, int, int] | None = None
@@ -298,7 +304,7 @@ class OrthoTree:
         Parameters
         ----------
         path
-            New folder, or one with a store, which is replaced.
+            New or empty folder.
 
         Raises
         ------
@@ -390,7 +396,5 @@ def open(path: str | os.PathLike[str]) -> OrthoTree:  # noqa: A001 - the name of
         A store of another kind, or of a newer version.
     ValueError
         A URL that fsspec cannot open.
-    ImportError
-        The package zarr is missing.
     """
     return OrthoTree(path)

@@ -21,7 +21,7 @@ from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Place, depth_first
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._leaves import Leaves
 from nearfar.orthoview._subtree import Outcome
@@ -39,7 +39,9 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
         newest = int(attributes["generation"])
         folder = path / _store.overlay(newest + 1)
         shutil.rmtree(folder, ignore_errors=True)  # of an update that ended early
-        changed = Changed(source, folder, layout, Chunks(store, layout, _store.generations(store, newest)), aabb)
+        changed = Changed(
+            source, folder, layout, Chunks(store, layout, _store.recorded_generations(store, layout, newest)), aabb
+        )
         with progress.bar("orthoviews") as report:
             outcome = changed.run(report)
         held = Counter(attributes["held"])
@@ -86,7 +88,7 @@ class Changed(Leaves):
             return
         for name in names(self.layout.grid, place):
             path = self.folder / name
-            if not path.exists() and self._chunks.geometry(name) is not None:
+            if not path.exists() and self._chunks.has_geometry(name):
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.touch()
 
@@ -103,15 +105,19 @@ class Changed(Leaves):
                 shown = {pair: chunk for pair, chunk in found.items() if chunk}
                 views = _codec.both(shown, self.layout) if shown else None
             return Outcome(views, counts=Counter(reloaded=len(shown)))
-        if any(self._chunks.lengths(list(keys.values()))) or (level == 0 and self._had_geometry(place)):
+        with formats.guarded(self.folder, "orthoviews"):
+            had_views = any(self._chunks.lengths(list(keys.values())))
+        if had_views or self._had_geometry(level, place):
             return None
         return super().known(level, place)
 
-    def _had_geometry(self, place: Place) -> bool:
-        """Whether a leaf has geometry in the store: some triangles are too small for a pixel."""
-        return self.layout.geometry and any(
-            self._chunks.geometry(name) is not None for name in names(self.layout.grid, place)
-        )
+    def _had_geometry(self, level: int, place: Place) -> bool:
+        """Whether leaves of a cell may have geometry in the store: some triangles are too small for a pixel."""
+        if not self.layout.geometry or level >= self.layout.subtree:
+            return self.layout.geometry
+        first = [number << level for number in place]
+        leaves = (tuple(a + b for a, b in zip(first, within, strict=True)) for within in depth_first(1 << level))
+        return any(self._chunks.has_geometry(name) for x, y, z in leaves for name in names(self.layout.grid, (x, y, z)))
 
     def before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
         """Chunks of a cell in the store."""
