@@ -11,9 +11,20 @@ import typer
 
 import nearfar as nf
 from nearfar.cli._app import app, run
+from tests.support import need
 from tests.support.hostile_values import FOREIGN, LONGEST
 
-COMMANDS: dict[str, Any] = getattr(typer.main.get_command(app), "commands")  # noqa: B009
+
+def commands(group: Any, before: str = "") -> dict[str, Any]:
+    """Commands by their words, such as "orthoview build"."""
+    found: dict[str, Any] = {}
+    for name, command in group.commands.items():
+        is_group = hasattr(command, "commands")
+        found |= commands(command, f"{before}{name} ") if is_group else {before + name: command}
+    return found
+
+
+COMMANDS = commands(typer.main.get_command(app))
 
 PLACE = ("--center", "0,1.7,0", "--r1", "3", "--r2", "8")
 SMALL = ("--samples", "1", "--face-size", "8", "--backend", "cpu", "--size", "16x12")
@@ -34,6 +45,11 @@ VALID = {
     "view": ("seen", "--write"),
     "serve": ("seen", "--check", "--port", "0", "--log", "off"),
     "stereo": ("-i", "ball.glb", "-o", "stereo", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
+    "orthoview build": ("-i", "ball.glb", "-o", "tree.zarr", "--cell", "8", "--size", "8", "--directions", "5"),
+    "orthoview info": ("seen.zarr", "--preview", "views.png"),
+    "orthoview update": ("seen.zarr", "-i", "ball.glb", "--box", "-2,-2,2,2"),
+    "orthoview verify": ("seen.zarr",),
+    "orthoview export": ("seen.zarr", "-o", "plain.zarr"),
 }  # fmt: skip
 """Arguments with which each command works on a small scene."""
 
@@ -54,6 +70,8 @@ def _folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         trimesh.Scene([ball, far]).export("ball.glb")
         settings: dict[str, Any] = {"center": (0.0, 1.7, 0.0), "radii": [3.0, 8.0], "samples": 1, "face_size": 64}
         nf.stream.export(nf.Scene.load("ball.glb"), "seen", **settings)
+        need("zarr")
+        nf.orthoview.build(nf.Scene.load("ball.glb"), "seen.zarr", cell=8.0, size=8, directions=5)
         yield
 
 
@@ -92,7 +110,7 @@ def flaw(status: int, printed: str, option: str) -> str | None:
 def test_every_command_has_a_valid_call(capsys: pytest.CaptureFixture[str]) -> None:
     assert VALID.keys() == COMMANDS.keys()
     for name, arguments in VALID.items():
-        assert run([name, *arguments]) == 0, capsys.readouterr().err
+        assert run([*name.split(), *arguments]) == 0, capsys.readouterr().err
 
 
 @pytest.mark.parametrize(("name", "option"), options())
@@ -100,7 +118,7 @@ def test_unusable_values_are_named_in_one_line(name: str, option: str, capsys: p
     names = next(list(p.opts) for p in COMMANDS[name].params if option in p.opts)
     flaws = []
     for value in ("", "-1", "9" * 5000) if option in FILES else VALUES:
-        status = run([name, *without(VALID[name], names), option, value])
+        status = run([*name.split(), *without(VALID[name], names), option, value])
         printed = capsys.readouterr().err
         if (found := flaw(status, printed, option)) is not None:
             flaws.append(f"{value[:20]!r}: {found}: {printed[:200]!a}")

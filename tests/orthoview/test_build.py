@@ -62,6 +62,7 @@ def test_each_view_is_written_once_and_none_is_read(world: nf.Scene, tree: nf.or
     assert not list((Path(tree.path) / "nearfar" / "journal").glob("*"))
 
 
+@pytest.mark.slow
 def test_empty_parts_are_passed_over(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     """Where nothing touches a cell above leaves, none of its leaves is asked for."""
     source = Counted(world)
@@ -229,6 +230,7 @@ def test_a_kill_leaves_a_store_that_can_be_completed(
     assert not list((path / "nearfar" / "journal").glob("*"))
 
 
+@pytest.mark.slow
 def test_what_the_system_lost_is_drawn_again(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     """After a power cut a shard may be shorter than its journal says, and a line of the journal may be none."""
     path = tmp_path / "world.zarr"
@@ -361,6 +363,7 @@ def test_the_size_of_views_is_that_of_a_display() -> None:
         nf.orthoview.size_for(1000, cell=40.0, distance=50.0, fov=4.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quality", [None, 80])
 def test_colours_as_webp(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, quality: int | None) -> None:
     """Lossless ones are equal. Of lossy ones parents are composed, so a build that goes on writes the same bytes."""
@@ -390,6 +393,7 @@ def test_colours_as_webp(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path
     assert contents(other_path) == contents(path)
 
 
+@pytest.mark.slow
 def test_a_build_that_goes_on_keeps_the_directions_that_were_chosen(tmp_path: Path) -> None:
     class Bounded(Counted):
         bounds = np.array([[-60.0, -9.0, -60.0], [59.0, 100.0, 59.0]])
@@ -413,6 +417,7 @@ def test_a_build_that_goes_on_keeps_the_directions_that_were_chosen(tmp_path: Pa
     assert len(fresh.directions) > 5
 
 
+@pytest.mark.slow
 def test_second_layers_are_kept_where_they_show_what_is_hidden(world: nf.Scene, tmp_path: Path) -> None:
     settings: dict[str, Any] = {"cell": 20.0, "size": SIZE, "directions": 5, "geometry": False}
     one = nf.orthoview.build(world, tmp_path / "one.zarr", **settings)

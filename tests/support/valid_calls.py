@@ -95,6 +95,11 @@ def _orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.orthoview.OrthoTree": {"path": valid.store},
         "nearfar.orthoview.OrthoTree.box": {"level": 0, "place": (0, 0, 0)},
         "nearfar.orthoview.OrthoTree.cells": {"level": 0},
+        "nearfar.orthoview.OrthoTree.compact": {"path": valid.folder / "compact.zarr"},
+        "nearfar.orthoview.OrthoTree.leaf_glb": {"place": (0, 0, 0)},
+        "nearfar.orthoview.OrthoTree.preview": {},
+        "nearfar.orthoview.OrthoTree.update": {"aabb": [[0, 0, 0], [1, 1, 1]], "source": valid.scene},
+        "nearfar.orthoview.OrthoTree.verify": {},
         "nearfar.orthoview.OrthoTree.view": {"level": 0, "place": (0, 0, 0), "direction": 4},
         "nearfar.orthoview.build": {
             "source": valid.scene, "path": valid.folder / "new.zarr", "cell": 8.0, "size": 8, "directions": 5,

@@ -56,6 +56,14 @@ def may_touch(source: SceneSource, box: NDArray[np.float64]) -> bool:
     return touches is None or bool(touches(box))
 
 
+def bounds_of(source: SceneSource) -> NDArray[np.float64]:
+    """The box (2, 3) of a source; ValueError or TypeError for one that has none."""
+    bounds: NDArray[np.float64] = check.array("source.bounds", source.bounds, dtype=np.float64)
+    if bounds.shape != (2, 3):
+        raise ValueError(f"source: expected bounds (2, 3), got {bounds.shape}")
+    return bounds
+
+
 def source_of(name: str, value: object) -> SceneSource:
     """Return a source; TypeError for anything else."""
     if not isinstance(value, SceneSource):

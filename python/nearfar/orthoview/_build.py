@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, formats, locks, progress
 from nearfar._base.cluster import client_of
-from nearfar._source.protocol import SceneSource, source_of
+from nearfar._source.protocol import SceneSource, bounds_of, source_of
 from nearfar.orthoview import _on_cluster, _store
 from nearfar.orthoview._directions import COUNTS, directions_of
 from nearfar.orthoview._disocclusion import chosen
@@ -171,9 +171,7 @@ def _count(directions: SupportsIndex | str, source: SceneSource, grid: Grid, tar
 
 def _bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArray[np.float64]:
     """The part of a source's box that lies in another one, which must be finite and not empty."""
-    bounds: NDArray[np.float64] = check.array("source.bounds", source.bounds, dtype=np.float64)
-    if bounds.shape != (2, 3):
-        raise ValueError(f"source: expected bounds (2, 3), got {bounds.shape}")
+    bounds = bounds_of(source)
     if box is not None:
         bounds = np.array([np.maximum(bounds[0], box[0]), np.minimum(bounds[1], box[1])])
     if not np.isfinite(bounds).all() or (bounds[0] > bounds[1]).any():

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import formats, locks, progress
 from nearfar._scene.scene import Scene
-from nearfar._source.protocol import SceneSource, may_touch
+from nearfar._source.protocol import SceneSource, bounds_of, may_touch
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Local
@@ -57,7 +57,8 @@ def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource)
     """Raise a ValueError where the source has something in the box, but beyond the tree."""
     grid = layout.grid
     low, high = np.array(grid.origin), np.array(grid.origin) + np.array(grid.counts) * grid.cell
-    part = np.array([np.maximum(aabb[0], source.bounds[0]), np.minimum(aabb[1], source.bounds[1])])
+    bounds = bounds_of(source)
+    part = np.array([np.maximum(aabb[0], bounds[0]), np.minimum(aabb[1], bounds[1])])
     margin = 1e-9 * grid.cell
     for axis in range(3):
         below, above = part.copy(), part.copy()
