@@ -55,7 +55,7 @@ def spread(
     settings = {"NEARFAR_NUM_THREADS": "1", "NEARFAR_PROGRESS": "0"}
     with (
         tempfile.TemporaryDirectory() as folder,
-        LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None, env=settings) as cluster,
+        LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=":0", env=settings) as cluster,
         Client(cluster) as client,
     ):
         started = time.perf_counter()

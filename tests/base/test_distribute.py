@@ -36,7 +36,7 @@ def test_a_cluster_gives_the_same() -> None:
     from distributed import Client, LocalCluster
 
     with (
-        LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster,
+        LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=":0") as cluster,
         Client(cluster) as client,
     ):
         assert distribute(SQUARED, (0, 3, 2), label="squaring", client=client) == [1, 10, 5]

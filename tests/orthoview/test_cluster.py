@@ -28,7 +28,7 @@ def workers(count: int) -> Iterator[Any]:
 
     settings = {"NEARFAR_NUM_THREADS": "1"}
     with (
-        LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, env=settings) as cluster,
+        LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=":0", env=settings) as cluster,
         Client(cluster) as client,
     ):
         yield client

@@ -49,7 +49,7 @@ def client_of(cluster: object) -> Iterator[Any]:
     settings = {"NEARFAR_NUM_THREADS": "1", "NEARFAR_PROGRESS": "0"}
     count = os.cpu_count() or 1
     with (
-        LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, env=settings) as workers,
+        LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=":0", env=settings) as workers,
         Client(workers) as client,
     ):
         yield client
