@@ -52,7 +52,7 @@ class Stored:
 
 @dataclass(frozen=True)
 class Loss:
-    """What a format costs and loses."""
+    """Costs and losses of a format."""
 
     kilobytes: dict[str, float]
     rms: tuple[float, float]

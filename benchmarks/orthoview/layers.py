@@ -58,7 +58,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Gain:
-    """What was found of a cell; bytes and shares are by direction."""
+    """Findings about a cell; bytes and shares are by direction."""
 
     unseen: Floats
     first_bytes: Floats

@@ -30,7 +30,7 @@ SIDES = (125.0, 250.0, 500.0, 1000.0)
 
 @dataclass(frozen=True)
 class Leaf:
-    """What a leaf takes."""
+    """Bytes of a leaf."""
 
     name: str
     side: float

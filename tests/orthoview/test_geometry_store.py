@@ -70,7 +70,7 @@ def test_parts_of_the_tileset_are_those_of_the_world(case: Case) -> None:
         least = rng.uniform(low, high)
         box = np.array([least, least + rng.uniform(0, 0.3) * (high - low)])
         grown = opened.query(box + slack * np.array([[-1], [1]]))
-        # What touches the box is found, and nothing that does not touch a box that is a little larger.
+        # All that touches the box is found, and nothing that does not touch a box that is a little larger.
         nearest(world_triangles(case.world.query(box)), world_triangles(grown), slack)
         larger = case.world.query(box + 3 * slack * np.array([[-1], [1]]))
         nearest(world_triangles(grown), world_triangles(larger), slack)
@@ -196,7 +196,7 @@ def test_subtrees_say_what_is_there(levels: int, tmp_path: Path) -> None:
 
 # damage ---------------------------------------------------------------------------------------------------------------
 def damaged(folder: Path, change: Any) -> str:
-    """What the error says after a change to the first file of the geometry."""
+    """The error's message after a change to the first file of the geometry."""
     world, cell = boxes(3, 2.0)[0], 0.7
     grid = Grid.over(world.bounds, cell)
     stored(world, grid, folder)

@@ -301,7 +301,7 @@ def test_shards_that_are_lost_are_noticed(copied: Path, tmp_path: Path) -> None:
     assert not (tmp_path / "compact.zarr").exists()
 
 
-@pytest.mark.parametrize("path", ["geometry/images/../../../x.webp", "0/py/color/c/0/../0/0/0/0", "/tmp/x"])
+@pytest.mark.parametrize("path", ["geometry/images/../../../x.webp", "0/py/color/c/0/../0/0/0/0", "/elsewhere/x"])
 def test_records_cannot_lead_elsewhere(copied: Path, tmp_path: Path, path: str) -> None:
     records = copied / "nearfar" / "records.json"
     document = json.loads(records.read_text())

@@ -160,7 +160,7 @@ def test_an_update_that_fails_changes_nothing(trees: Trees, tree: nf.orthoview.O
         tree.update(box_about(REMOVED | ADDED), Counted(world_of(AFTER), {9}))
     assert (Path(tree.path) / "zarr.json").read_bytes() == document
     assert_same(nf.orthoview.open(tree.path), trees["before"])
-    # What it left behind does not count.
+    # Files that it left behind do not count.
     assert_same(tree.update(box_about(REMOVED | ADDED), world_of(AFTER)), trees["after"])
 
 

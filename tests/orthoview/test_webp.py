@@ -213,7 +213,7 @@ def add_package(folder: Path, name: str, points: dict[str, str]) -> None:
 
 
 def read_by_others(folder: Path, store: Path) -> list[str]:
-    """What a program prints that knows zarr alone, with our package and those of a folder installed."""
+    """Output of a program that knows zarr alone, with our package and those of a folder installed."""
     with (CHECKOUT / "pyproject.toml").open("rb") as file:
         add_package(folder, "ours", tomllib.load(file)["project"]["entry-points"]["zarr.codecs"])
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), str(CHECKOUT / "python")])}

@@ -124,7 +124,7 @@ def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> 
 
 
 def _queried(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
-    """What a source has in a leaf; None for nothing, and where it fails."""
+    """The scene of a leaf; None where the source has nothing, and where it fails."""
     try:
         part = source.query(grid.box(0, place))
     except Exception:  # a source is anybody's code; the build names the leaves that it fails to give

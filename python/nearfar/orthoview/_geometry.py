@@ -33,7 +33,7 @@ _WIDEST = 16383
 """Greatest side of a WebP picture; larger textures are halved."""
 
 _LEAST_STEP = 2.0**-40
-"""What the exporter takes at least, metres."""
+"""Least step that the exporter takes, metres."""
 
 _MIDDLE = 1024
 """Steps of which the middles of leaves are multiples: a metre where the step is the greatest."""

@@ -48,7 +48,7 @@ _CHUNK = 20
 
 
 class Facts(NamedTuple):
-    """What a GLB says of itself."""
+    """Facts that a GLB states about itself."""
 
     bytes: int
     triangles: int

@@ -1,4 +1,4 @@
-"""What a tree holds, and where its store keeps it.
+"""Contents of a tree, and their places in its store.
 
 A store is a group of Zarr v3. Level L, direction D and channel C have the array ``L/D/C`` of X × Y × Z cells, one chunk
 of size × size pixels each. A shard holds those of a subtree, which one piece of work writes: of 2ᵐ leaves along each

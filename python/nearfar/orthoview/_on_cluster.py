@@ -25,7 +25,7 @@ AHEAD = 8
 
 @dataclass(frozen=True)
 class _Job:
-    """What workers are told."""
+    """The task of a worker."""
 
     folder: Path
     """The store, which all of them see at this path."""

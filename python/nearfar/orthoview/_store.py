@@ -273,7 +273,7 @@ def _listed(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
 
 
 class Listed:
-    """What the records of the first generation list; the record of a subtree is read when it is asked for."""
+    """Files of the first generation by its records; a subtree's record is read when it is asked for."""
 
     def __init__(self, store: Files, layout: Layout) -> None:
         self._store, self._layout = store, layout

@@ -35,7 +35,7 @@ RECORD, VERSION = "orthoview_subtree", 1
 
 @dataclass
 class Outcome:
-    """What became of a cell or a subtree."""
+    """Result of the work on a cell or a subtree."""
 
     views: Views = None
     is_complete: bool = True
@@ -43,7 +43,7 @@ class Outcome:
     failed: dict[str, str] = field(default_factory=dict)
     """Why cells could not be drawn, by their names."""
     counts: Counter[str] = field(default_factory=Counter)
-    """What was done: leaves drawn and found empty, cells composed, chunks reloaded."""
+    """Counts of work: leaves drawn and found empty, cells composed, chunks reloaded."""
 
 
 def record_of(store: Path, tier: int, place: Place) -> Path:
@@ -85,7 +85,7 @@ def write_record(path: Path, shards: Described, geometry: Described, held: Held)
 
 
 class Below(Protocol):
-    """What a subtree knows of the world and of the subtrees below it."""
+    """The world and the subtrees below, as a subtree sees them."""
 
     def base(self, tier: int, place: Place) -> Outcome:
         """Return the outcome of a cell of a tier's lowest level: a leaf that is drawn, or a subtree below."""

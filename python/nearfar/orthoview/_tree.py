@@ -118,7 +118,7 @@ class OrthoTree:
 
     @property
     def done(self) -> dict[str, int]:
-        """What the build or the update that ended last did.
+        """Counts of the work of the build or the update that ended last.
 
         Leaves "drawn" and found "empty", cells "composed", chunks "reloaded" from the store, and "sent" by the workers
         of a cluster.

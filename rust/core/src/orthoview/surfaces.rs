@@ -21,7 +21,7 @@ const CHANNELS: Channels = Channels {
     shading_normal: false,
 };
 
-/// What is drawn.
+/// The scene, the cell and the picture that are drawn.
 pub struct Drawing<'a> {
     pub scene: &'a Scene,
     pub cell: &'a Cell,
@@ -31,7 +31,7 @@ pub struct Drawing<'a> {
     pub progress: &'a Progress,
 }
 
-/// What the pixels of a picture show.
+/// Hits of a picture's pixels.
 pub trait Surfaces: Sync {
     /// Distance of a pixel's surface from the front of the range, metres; infinite where there is none.
     fn range(&self, at: usize) -> f32;

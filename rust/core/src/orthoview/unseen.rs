@@ -1,4 +1,4 @@
-//! What a second layer shows and the first one does not, from whichever direction.
+//! Pixels of a second layer that no first layer shows, from whichever direction.
 
 use glam::DVec3;
 use rayon::prelude::*;
