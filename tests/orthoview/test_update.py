@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import itertools
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -161,6 +163,36 @@ def test_an_update_that_fails_changes_nothing(trees: Trees, tree: nf.orthoview.O
     assert (Path(tree.path) / "zarr.json").read_bytes() == document
     assert_same(nf.orthoview.open(tree.path), trees["before"])
     # Files that it left behind do not count.
+    assert_same(tree.update(box_about(REMOVED | ADDED), world_of(AFTER)), trees["after"])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("moment", ["a query", "the pointer"])
+def test_an_update_that_is_killed_changes_nothing(trees: Trees, tree: nf.orthoview.OrthoTree, moment: str) -> None:
+    """Within a query, and just before the one document changes."""
+    need("linux")
+    fatal = {
+        "a query": "source.query = lambda box: die() if source.queries == 9 else query(box)",
+        "the pointer": "_store.change = lambda *_, **__: die()",
+    }
+    code = f"""
+import os, signal
+import numpy as np
+import nearfar as nf
+from nearfar.orthoview import _store
+from tests.support.orthoview_stores import Counted, box_about, world_of
+def die():
+    os.kill(os.getpid(), signal.SIGKILL)
+source = Counted(world_of({AFTER!r}))
+query = source.query
+{fatal[moment]}
+nf.orthoview.open({tree.path!r}).update(box_about({REMOVED | ADDED!r}), source)
+"""
+    root = Path(__file__).resolve().parents[2]
+    process = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True, check=False)
+    assert process.returncode == -9, process.stderr[-2000:]
+    assert nf.orthoview.open(tree.path).generation == 0
+    assert_same(nf.orthoview.open(tree.path), trees["before"])
     assert_same(tree.update(box_about(REMOVED | ADDED), world_of(AFTER)), trees["after"])
 
 
