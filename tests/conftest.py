@@ -7,7 +7,7 @@ import os
 import pytest
 from hypothesis import HealthCheck, settings
 
-from tests.support import PARTS, required
+from tests.support import PARTS, marks, required
 
 # No deadline, because other work on the machine would decide the result. The thorough profile is for `make stress`.
 settings.register_profile("fast", deadline=None, max_examples=50, suppress_health_check=[HealthCheck.too_slow])
@@ -22,6 +22,12 @@ def pytest_configure(config: pytest.Config) -> None:
     unknown = required() - PARTS.keys()
     if unknown:
         raise pytest.UsageError(f"NEARFAR_REQUIRE: expected names from {sorted(PARTS)}, got {sorted(unknown)}")
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Tell `need` which marks the test has."""
+    marks.clear()
+    marks.update(mark.name for mark in item.iter_markers())
 
 
 @pytest.fixture(autouse=True)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from tests.attack.case import from_json
 from tests.attack.kinds import all_kinds
 from tests.attack.runner import Runner
@@ -12,6 +14,7 @@ from tests.support import need
 CASES = sorted((Path(__file__).parent / "cases").glob("*.json"))
 
 
+@pytest.mark.slow
 def test_nothing_is_found_again() -> None:
     need("linux")
     found = {}

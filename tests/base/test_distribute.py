@@ -23,6 +23,7 @@ from tests.support.distribute_cases import environment, squared
 SQUARED = functools.partial(squared, offset=1)
 
 
+@pytest.mark.slow
 def test_results_come_in_the_order_of_the_items() -> None:
     expected = [1, 10, 5, 2, 26]
     for workers in (None, 1, 2):
@@ -121,6 +122,7 @@ def started(folder: Path, code: str) -> subprocess.Popen[str]:
     return subprocess.Popen([sys.executable, script, folder], env=environment, stderr=subprocess.PIPE, text=True)
 
 
+@pytest.mark.slow
 def test_a_script_without_a_guard_is_told_of_it(tmp_path: Path) -> None:
     program = started(tmp_path, UNGUARDED)
     message = program.communicate(timeout=120)[1]

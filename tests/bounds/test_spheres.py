@@ -77,6 +77,7 @@ def outside(points: Array, center: Array, radius: float) -> float:
 coordinate = st.one_of(st.integers(-3, 3).map(float), st.floats(-1e3, 1e3, allow_subnormal=False))
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(coordinate, coordinate, coordinate), min_size=1, max_size=7), st.sampled_from([1e-8, 1, 1e8]))
 def test_few_points_have_the_least_sphere_in_exact_arithmetic(rows: list[tuple[float, ...]], scale: float) -> None:
     points = np.array(rows) * scale

@@ -130,6 +130,7 @@ print(caught)
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ADAPTERS)
 @pytest.mark.parametrize("what", ["image", "scene"])
 def test_without_memory_there_is_an_error_and_the_next_frame_is_right(name: str, what: str) -> None:
@@ -187,6 +188,7 @@ def test_a_forked_child_is_refused_and_ends(name: str, tmp_path: Path) -> None:
     assert process.stderr.startswith("rendering on the CPU: graphics drivers do not survive a fork")
 
 
+@pytest.mark.slow
 def test_a_spawned_child_draws() -> None:
     need("vulkan")
     code = """

@@ -70,6 +70,7 @@ def by_pyrender(shape: Shape, view: nf.Camera, materials: list[Material]) -> lis
     return pictures
 
 
+@pytest.mark.slow
 def test_finishes_are_those_of_pyrender() -> None:
     need("pyrender")
     shape, view = _appearance.knot(), camera()

@@ -20,6 +20,7 @@ from tests.support.orthoview_stores import CELL, FORMAT, SIZE, Counted, Telling,
 need("zarr")
 
 
+@pytest.mark.slow
 def test_zarr_reads_the_views_of_all_cells(world: nf.Scene, tree: nf.orthoview.OrthoTree) -> None:
     import zarr
 
@@ -145,6 +146,7 @@ def test_a_second_build_draws_nothing(world: nf.Scene, tree: nf.orthoview.OrthoT
     assert contents(Path(tree.path)) == before
 
 
+@pytest.mark.slow
 def test_cells_that_a_source_does_not_give_are_named_and_come_later(
     world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path
 ) -> None:

@@ -255,6 +255,7 @@ def test_leaves_of_silent_sources_are_drawn_evenly() -> None:
     assert list(leaves(world, few)) == list(leaves(world, few)) != sorted(leaves(world, few))
 
 
+@pytest.mark.slow
 def test_choices_are_the_same_each_time() -> None:
     scene, _ = boxes(30, 80.0)
     grid = Grid.over(scene.bounds, 60.0)

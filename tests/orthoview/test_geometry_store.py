@@ -238,6 +238,7 @@ def test_files_beside_the_grid_are_refused(tmp_path: Path) -> None:
 
 
 # other programs -------------------------------------------------------------------------------------------------------
+@pytest.mark.slow
 def test_the_validator_of_gltf_finds_nothing_wrong(case: Case) -> None:
     need("node")
     files = sorted(case.folder.rglob("*.glb"))[:60]
@@ -248,6 +249,7 @@ def test_the_validator_of_gltf_finds_nothing_wrong(case: Case) -> None:
         assert not found, f"{path}: {found[:3]}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["boxes", "balls"])
 def test_3d_tiles_renderer_finds_all_contents(name: str, tmp_path: Path) -> None:
     need("node")

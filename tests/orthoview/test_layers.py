@@ -194,6 +194,7 @@ def test_a_child_that_another_one_hides_is_behind_it() -> None:
         assert not depths[~right].any()
 
 
+@pytest.mark.slow
 def test_the_unseen_share_is_that_of_points_that_no_view_shows() -> None:
     scene, _ = boxes(120)
     views = leaf(scene, directions=NINE, behind=True)

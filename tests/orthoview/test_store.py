@@ -25,6 +25,7 @@ from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, conte
 need("zarr")
 
 
+@pytest.mark.slow
 def test_damaged_shards_are_named(copied: Path) -> None:
     files = [file for file in (copied / "0" / "py" / "color").rglob("0") if file.is_file()]
     shard = max(files, key=lambda file: file.stat().st_size)
@@ -201,6 +202,7 @@ def test_a_store_behind_a_web_server_is_read_in_part(copied: Path, url: str, pla
     assert remote.verify() == local.verify()
 
 
+@pytest.mark.slow
 def test_a_store_behind_a_web_server_is_not_written(copied: Path, url: str, tmp_path: Path) -> None:
     remote = nf.orthoview.open(f"{url}/copy.zarr")
     with pytest.raises(ValueError, match="path: expected a local folder to update, got 'http"):
@@ -225,6 +227,7 @@ def test_object_stores_are_read(copied: Path) -> None:
         memory.rm("/bucket", recursive=True)
 
 
+@pytest.mark.slow
 def test_a_full_disk_ends_the_build_and_costs_nothing(
     world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -250,6 +253,7 @@ def test_a_full_disk_ends_the_build_and_costs_nothing(
     assert contents(path) == contents(Path(tree.path))
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_the_build_and_costs_nothing(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     class Interrupted(Counted):
         def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
@@ -314,6 +318,7 @@ def test_records_cannot_lead_elsewhere(copied: Path, tmp_path: Path, path: str) 
     assert not (tmp_path / "compact.zarr").exists()
 
 
+@pytest.mark.slow
 def test_copies_replace_nothing(tree: nf.orthoview.OrthoTree, copied: Path, tmp_path: Path) -> None:
     with pytest.raises(FileExistsError, match="holds a Zarr store"):
         tree.compact(copied)

@@ -18,6 +18,8 @@ from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, conte
 
 need("zarr")
 
+pytestmark = pytest.mark.slow
+
 BEFORE = range(30)
 REMOVED, ADDED = {7, 8}, {101}
 AFTER = [number for number in (*BEFORE, *ADDED) if number not in REMOVED]
@@ -166,7 +168,6 @@ def test_an_update_that_fails_changes_nothing(trees: Trees, tree: nf.orthoview.O
     assert_same(tree.update(box_about(REMOVED | ADDED), world_of(AFTER)), trees["after"])
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("moment", ["a query", "the pointer"])
 def test_an_update_that_is_killed_changes_nothing(trees: Trees, tree: nf.orthoview.OrthoTree, moment: str) -> None:
     """Within a query, and just before the one document changes."""

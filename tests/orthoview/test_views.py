@@ -58,6 +58,7 @@ SCENES: dict[str, tuple[Callable[[], nf.Scene], float]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
 def test_both_ways_show_the_same_of_textures_instances_and_holes(name: str) -> None:
     """But for rays through edges, and for surfaces in one place, of which rounding decides which is first."""

@@ -165,6 +165,7 @@ def test_nothing_near_leaves_the_map(scene: nf.Scene) -> None:
         assert (frame.require("object_id") == scene.object_names.index("tower")).sum() > 50
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
 def test_users_outside_the_cylinder_look_in(scene: nf.Scene, kind: str) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, morph=kind, channels=RANGE)

@@ -42,6 +42,7 @@ def parts(city: nf.Scene) -> list[Part]:
     return made(OnDemand(city, **SETTINGS))
 
 
+@pytest.mark.slow
 def test_the_whole_is_what_an_export_writes(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
     still = city.subset(objects=[name for name in city.object_names if name not in city.poses])
     found = written(tmp_path / "found", made(OnDemand(still, **SETTINGS)))
@@ -51,6 +52,7 @@ def test_the_whole_is_what_an_export_writes(city: nf.Scene, parts: list[Part], t
     found.verify()
 
 
+@pytest.mark.slow
 def test_dynamic_objects_are_those_of_an_export(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
     assert city.poses
     found = written(tmp_path / "found", parts)

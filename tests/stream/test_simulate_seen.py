@@ -68,6 +68,7 @@ def test_vis0_shows_nothing_until_the_end_and_vis1_ever_more(bundle: nf.stream.B
         assert whole[kind][-1] == parts[kind][-1] > 0.8
 
 
+@pytest.mark.slow
 def test_growth_is_even_where_switches_jump(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
     smooth, hard = (simulate(bundle, scene, strategy) for strategy in ("clovr", "clovrd"))
     least = [line.pictures["continuity"][line.pictures["time"] > line.picture + 0.02].min() for line in (smooth, hard)]

@@ -87,6 +87,7 @@ def bundles(street: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> tuple
     return whole, nf.stream.export(street, folder / "split", split_px=SPLIT_PX, **SETTINGS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ring", [1, 2, 3])
 def test_moved_corners_show_what_moved_points_show(
     bundles: tuple[nf.stream.Bundle, nf.stream.Bundle], ring: int

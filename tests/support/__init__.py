@@ -118,6 +118,13 @@ PARTS: dict[str, Callable[[], str]] = {
 """Parts that a system may lack, each with a function that returns why it is missing, or "" if it is present."""
 
 
+OF_SLOW_TESTS = {"browser", "exporters", "node"}
+"""Parts that `make test` does not install; what needs them is run by `make test-slow`."""
+
+marks: set[str] = set()
+"""Names of the marks of the test that runs, of which conftest.py tells."""
+
+
 @functools.cache
 def missing(part: str) -> str:
     """Return why a part is missing, or "" if it is present. Each part is checked once."""
@@ -132,6 +139,8 @@ def required() -> set[str]:
 
 def need(part: str) -> None:
     """Skip the test, module or fixture if a part is missing; fail it if `NEARFAR_REQUIRE` names the part."""
+    if part in OF_SLOW_TESTS and marks.isdisjoint({"slow", "stress"}):
+        pytest.fail(f"tests that need {part} are slow: expected the mark", pytrace=False)
     reason = missing(part)
     if reason and part in required():
         pytest.fail(f"NEARFAR_REQUIRE names {part}, but {reason}", pytrace=False)
