@@ -18,6 +18,7 @@ from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
 from nearfar.orthoview._grid import Place, depth_first
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
 from nearfar.orthoview._subtree import Described, Held, described, record_of, write_record
 
@@ -84,7 +85,7 @@ class _Copy:
 
     def write(self, subtree: Subtree, shards: dict[str, tuple[int, str] | None]) -> None:
         """Write the shards of a subtree, and its record."""
-        held = Held()
+        held, presence = Held(), Presence(self._layout, subtree[0])
         written: dict[str, tuple[int, str]] = {}
         for path, known in sorted(shards.items()):
             level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:3])
@@ -93,13 +94,14 @@ class _Copy:
             with formats.guarded(self._store.place, "orthoviews"):
                 for place, length in zip(places, self._chunks.lengths(keys), strict=True):
                     held.add(level, place, length)
+                    presence.add(level, place, array, length)
                 if known is None:
                     known = self._merged(path, level, keys)
                 else:
                     self._copy(path, path)
             if known is not None:
                 written[path] = known
-        write_record(record_of(self._folder, *subtree), written, self._leaves(subtree), held)
+        write_record(record_of(self._folder, *subtree), written, self._leaves(subtree), held, presence)
 
     def _leaves(self, subtree: Subtree) -> Described:
         """Copy the geometry of a subtree's leaves; sizes and hashes."""

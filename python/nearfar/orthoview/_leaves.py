@@ -42,6 +42,8 @@ class Leaves:
         Gives subtrees of leaves that are built by other processes.
     """
 
+    unchanged = 0
+
     def __init__(
         self, source: SceneSource, folder: Path, layout: Layout, elsewhere: Elsewhere = lambda _place: None
     ) -> None:

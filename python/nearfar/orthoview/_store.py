@@ -8,7 +8,7 @@ import json
 import os
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,6 +24,7 @@ from nearfar.orthoview._files import Files, Local, missing
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, OTHERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._presence import Masks, masks_of, newest_of
 from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, described, record_of
 
 KIND, VERSION = "orthoview", 1
@@ -199,14 +200,16 @@ def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Map
     folder = path / overlay(number)
     shards: Described = {}
     geometry: Described = {}
+    views: dict[str, list[str]] = {}
     for record in _records(folder):
         document = formats.read_json(record, RECORD, RECORD_VERSION)
+        views[record.stem] = document["views"]
         shards |= document["shards"]
         geometry |= document["geometry"]
     images = sorted((folder / GEOMETRY / IMAGES).glob("*"))
     geometry |= {file.relative_to(folder).as_posix(): described(file) for file in images}
     box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
-    own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held)}
+    own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "views": views}
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | own)
 
 
@@ -252,6 +255,28 @@ def recorded(store: Files, newest: int) -> Iterator[Recorded]:
     yield Recorded("", "", {}, others, {})
     for number in range(1, newest + 1):
         yield _generation(store, number)
+
+
+def views_of(store: Files, layout: Layout, newest: int) -> Callable[[int, Place], Masks]:
+    """A function that reads which cells of a subtree, given by its tier and its place, show something."""
+    overlays = []
+    for number in range(newest, 0, -1):
+        file = overlay(number) + _GENERATION_FILE
+        overlays.append((file, _json(store, file, _GENERATION, _GENERATION_VERSION)["views"]))
+
+    def read(tier: int, place: Place) -> Masks:
+        record = record_of(Path(), tier, place)
+        known = [(file, views[record.stem]) for file, views in overlays if record.stem in views]
+        if store.whole(record.as_posix()) is not None:
+            document = _json(store, record.as_posix(), RECORD, RECORD_VERSION)
+            known.append((record.as_posix(), document["views"]))
+        generations = []
+        for file, views in known:
+            with formats.guarded(f"{store.place}/{file}"):
+                generations.append(masks_of(views, layout, tier))
+        return newest_of(generations, layout, tier)
+
+    return read
 
 
 def _json(store: Files, name: str, kind: str, version: int, digest: str | None = None) -> dict[str, Any]:

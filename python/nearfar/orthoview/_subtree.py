@@ -19,6 +19,7 @@ from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._journal import Journal
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter, holds
 
 Views = _core.OrthoViews | None
@@ -77,15 +78,18 @@ def described(path: Path) -> tuple[int, str]:
     return len(content), hashlib.sha256(content).hexdigest()
 
 
-def write_record(path: Path, shards: Described, geometry: Described, held: Held) -> None:
+def write_record(path: Path, shards: Described, geometry: Described, held: Held, presence: Presence) -> None:
     """Write the record of a complete subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    own = {"shards": shards, "geometry": geometry, "held": held.counts()}
+    own = {"shards": shards, "geometry": geometry, "held": held.counts(), "views": presence.described()}
     formats.write_json(path, formats.header(RECORD, VERSION) | own)
 
 
 class Below(Protocol):
     """The world and the subtrees below, as a subtree sees them."""
+
+    unchanged: int
+    """What is noted of cells that are not computed: 0 where they show nothing, or `AS_BEFORE`."""
 
     def base(self, tier: int, place: Place) -> Outcome:
         """Return the outcome of a cell of a tier's lowest level: a leaf that is drawn, or a subtree below."""
@@ -243,11 +247,12 @@ class Subtree:
 
     def _note(self, shards: Described) -> None:
         """Write the record of a complete subtree."""
-        held = Held()
+        held, presence = Held(), Presence(self._layout, self._tier, self._below.unchanged)
         for (level, place), chunks in self._journal.cells.items():
-            for _, length in chunks.values():
+            for array, (_, length) in chunks.items():
                 held.add(level, place, length)
-        write_record(self._record, shards, self._geometry(), held)
+                presence.add(level, place, array, length)
+        write_record(self._record, shards, self._geometry(), held, presence)
         self._journal.remove()
 
     def _geometry(self) -> Described:
