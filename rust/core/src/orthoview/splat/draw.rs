@@ -6,7 +6,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::lanes::{Constants, Lanes};
-use super::projector::{Projector, Rect, Seen};
+use super::projector::{Projector, Rect, Seen, Sight};
 use super::resolve::Resolver;
 use super::screen::Screen;
 use super::splats::{BoxOfBlocks, Extent, Splats};
@@ -66,6 +66,7 @@ pub(super) struct Prepared<'a> {
     pub splats: &'a Splats,
     /// Number of its first splat among those of all views.
     pub first: u32,
+    sight: Sight,
     constants: Constants,
 }
 
@@ -107,12 +108,14 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
     let prepared: Vec<Prepared<'_>> = views
         .iter()
         .map(|&splats| {
-            let view = Prepared { splats, first, constants: Constants::new(splats, &projector) };
+            let sight = Sight::new(splats, &projector);
+            let constants = Constants::new(splats, &projector, &sight);
+            let view = Prepared { splats, first, sight, constants };
             first += splats.count() as u32;
             view
         })
         .collect();
-    let parts = parts_of(&prepared, &projector, &whole);
+    let parts = parts_of(&prepared, &whole);
     let projected = AtomicU64::new(0);
     let resolver = Resolver::new(picture, &sampled, &projector, &prepared);
     let mut frame = Frame::new(picture.channels, (picture.camera.width * picture.camera.height) as usize)?;
@@ -147,10 +150,10 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
 }
 
 /// The boxes of all views that the picture may show, the nearest ones first.
-fn parts_of<'a>(prepared: &'a [Prepared<'a>], projector: &Projector, whole: &Rect) -> Vec<Part<'a>> {
+fn parts_of<'a>(prepared: &'a [Prepared<'a>], whole: &Rect) -> Vec<Part<'a>> {
     let of_view = |view: &'a Prepared<'a>| {
         view.splats.boxes.iter().filter_map(move |contents| {
-            let seen = projector.seen(view.splats, &contents.extent, whole)?;
+            let seen = view.sight.seen(&contents.extent, whole)?;
             (!seen.rect.is_empty()).then_some(Part { view, contents, seen, is_drawn: AtomicBool::new(false) })
         })
     };
@@ -171,13 +174,13 @@ fn draw_tile(screen: &mut Screen, parts: &[Part<'_>], projector: &Projector, lim
         let (view, splats) = (part.view, part.view.splats);
         let [from, to] = part.contents.blocks.map(|block| block as usize);
         for block in &splats.blocks[from..to] {
-            if rect != part.seen.rect && !reaches(projector, splats, &block.extent, &screen.rect) {
+            if rect != part.seen.rect && !reaches(&view.sight, &block.extent, &screen.rect) {
                 continue;
             }
-            let corner = block.corner.map(f64::from);
-            let start = projector.at(splats.place(corner[0] + 0.5, corner[1] + 0.5, -0.5));
+            let [column, row] = block.corner.map(f64::from);
+            let start = view.sight.at([column + 0.5, row + 0.5, -0.5]);
             let count = lanes.gather(splats, block);
-            lanes.project(start.map(|value| value as f32), &view.constants, &screen.rect);
+            lanes.project(count, start.map(|value| value as f32), &view.constants, &screen.rect);
             if !limits.is_none() {
                 lanes.limit(count, splats, block, projector, limits);
             }
@@ -188,6 +191,6 @@ fn draw_tile(screen: &mut Screen, parts: &[Part<'_>], projector: &Projector, lim
     projected
 }
 
-fn reaches(projector: &Projector, splats: &Splats, extent: &Extent, rect: &Rect) -> bool {
-    projector.seen(splats, extent, rect).is_some_and(|seen| !seen.rect.is_empty())
+fn reaches(sight: &Sight, extent: &Extent, rect: &Rect) -> bool {
+    sight.seen(extent, rect).is_some_and(|seen| !seen.rect.is_empty())
 }

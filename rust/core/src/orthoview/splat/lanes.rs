@@ -1,6 +1,6 @@
 //! The splats of a block in the picture: places, ellipses and nearness, for all of them at once.
 
-use super::projector::{Projector, Rect};
+use super::projector::{Projector, Rect, Sight};
 use super::splats::{BLOCK, BORDER, Block, LEAST_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::simd::vectorized;
 use crate::render::Limits;
@@ -8,7 +8,11 @@ use crate::render::Limits;
 /// Number of splats of a block.
 pub(super) const LANES: usize = BLOCK * BLOCK;
 
-type Lane = [f32; LANES];
+/// Number of splats that are projected at once.
+pub(super) const GROUP: usize = 16;
+
+/// A number of each splat.
+type Lane<T = f32> = [[T; GROUP]; LANES / GROUP];
 
 /// What is the same for all splats of a view.
 #[derive(Clone, Copy, Debug)]
@@ -26,17 +30,17 @@ pub(super) struct Constants {
 }
 
 impl Constants {
-    pub fn new(splats: &Splats, projector: &Projector) -> Self {
+    pub fn new(splats: &Splats, projector: &Projector, sight: &Sight) -> Self {
         let pitch = splats.pitch();
         let [right, up, toward] = splats.frame.axes();
         let radius = splats.ball() / f64::from(SQUARED_RADIUS).sqrt();
         let single = |values: [f64; 3]| values.map(|value| value as f32);
         Self {
-            steps: splats.steps().map(|step| single(projector.along(step))),
+            steps: sight.steps.map(single),
             gradients: projector.rows.map(|row| single((row * radius).to_array())),
             axes: [right * (pitch.x / pitch.z), up * (pitch.y / pitch.z), toward].map(|axis| single(axis.to_array())),
             scale: 2.0 / ((1u32 << splats.format.normal_bits) - 2) as f32,
-            least_distance: projector.least_distance(splats) as f32,
+            least_distance: sight.least as f32,
             is_parallel: projector.is_parallel,
         }
     }
@@ -53,10 +57,10 @@ pub(super) struct Lanes {
     pub nearness: Lane,
     pub slope: [Lane; 2],
     /// Columns and rows of the pixel of the middle.
-    pub middle: [[i32; LANES]; 2],
+    pub middle: [Lane<i32>; 2],
     /// First and last columns and rows of the pixels that may show it; the first is above the last where it is not shown.
-    pub first: [[i32; LANES]; 2],
-    pub last: [[i32; LANES]; 2],
+    pub first: [Lane<i32>; 2],
+    pub last: [Lane<i32>; 2],
     column: Lane,
     row: Lane,
     depth: Lane,
@@ -67,7 +71,7 @@ pub(super) struct Lanes {
 
 impl Lanes {
     pub fn new() -> Self {
-        let (zero, none) = ([0.0; LANES], [[0; LANES]; 2]);
+        let (zero, none) = ([[0.0; GROUP]; LANES / GROUP], [[[0; GROUP]; LANES / GROUP]; 2]);
         Self {
             place: [zero; 2],
             inverse: [zero; 4],
@@ -96,12 +100,13 @@ impl Lanes {
         };
         for texel in texels {
             let bit = shown.trailing_zeros();
-            self.column[count] = (bit % BLOCK as u32) as f32;
-            self.row[count] = (bit / BLOCK as u32) as f32;
-            self.depth[count] = f32::from(texel.depth());
+            let (group, n) = (count / GROUP, count % GROUP);
+            self.column[group][n] = (bit % BLOCK as u32) as f32;
+            self.row[group][n] = (bit / BLOCK as u32) as f32;
+            self.depth[group][n] = f32::from(texel.depth());
             let [one, other] = texel.normal();
-            (self.normal[0][count], self.normal[1][count]) = (f32::from(one), f32::from(other));
-            self.surfel[count] = radius(bit);
+            (self.normal[0][group][n], self.normal[1][group][n]) = (f32::from(one), f32::from(other));
+            self.surfel[group][n] = radius(bit);
             shown &= shown - 1;
             count += 1;
         }
@@ -110,30 +115,34 @@ impl Lanes {
 
     /// Leaves out the splats that were gathered and projected whose middles are not seen within limits.
     pub fn limit(&mut self, count: usize, splats: &Splats, block: &Block, projector: &Projector, limits: &Limits) {
-        for n in 0..count {
-            let pixel = [self.column[n], self.row[n]].map(f64::from);
-            let [left, top] = block.corner.map(f64::from);
-            let place = splats.place(left + pixel[0] + 0.5, top + pixel[1] + 0.5, f64::from(self.depth[n]) - 0.5);
+        let [left, top] = block.corner.map(f64::from);
+        for (group, n) in (0..count).map(|n| (n / GROUP, n % GROUP)) {
+            let pixel = [self.column[group][n], self.row[group][n]].map(f64::from);
+            let depth = f64::from(self.depth[group][n]) - 0.5;
+            let place = splats.place(left + pixel[0] + 0.5, top + pixel[1] + 0.5, depth);
             if !projector.is_seen(place, limits) {
-                (self.first[0][n], self.last[0][n]) = (1, 0);
+                (self.first[0][group][n], self.last[0][group][n]) = (1, 0);
             }
         }
     }
 
     /// Projects the splats that were gathered to a part of the screen; `start` has the projector's functions at the middle
     /// of the block's first pixel, half a step before the front.
-    pub fn project(&mut self, start: [f32; 3], constants: &Constants, rect: &Rect) {
+    pub fn project(&mut self, count: usize, start: [f32; 3], constants: &Constants, rect: &Rect) {
+        let groups = count.div_ceil(GROUP);
         if constants.is_parallel {
-            project_parallel(self, start, constants, rect);
+            project_parallel(self, groups, start, constants, rect);
         } else {
-            project_perspective(self, start, constants, rect);
+            project_perspective(self, groups, start, constants, rect);
         }
     }
 }
 
 vectorized! {
-    fn project_perspective(lanes: &mut Lanes, start: [f32; 3], constants: &Constants, rect: &Rect) = project_all::<false>;
-    fn project_parallel(lanes: &mut Lanes, start: [f32; 3], constants: &Constants, rect: &Rect) = project_all::<true>;
+    fn project_perspective(lanes: &mut Lanes, groups: usize, start: [f32; 3], constants: &Constants, rect: &Rect)
+        = project_all::<false>;
+    fn project_parallel(lanes: &mut Lanes, groups: usize, start: [f32; 3], constants: &Constants, rect: &Rect)
+        = project_all::<true>;
 }
 
 // Closures would not be compiled for the vectors of `vectorized!`.
@@ -181,28 +190,48 @@ fn pixels(place: f32, half: f32, low: f32, high: f32) -> (i32, i32, i32) {
 }
 
 #[inline(always)]
-fn project_all<const PARALLEL: bool>(lanes: &mut Lanes, start: [f32; 3], constants: &Constants, rect: &Rect) {
+fn project_all<const PARALLEL: bool>(
+    lanes: &mut Lanes,
+    groups: usize,
+    start: [f32; 3],
+    constants: &Constants,
+    rect: &Rect,
+) {
+    for group in 0..groups {
+        project_group::<PARALLEL>(lanes, group, start, constants, rect);
+    }
+}
+
+#[inline(always)]
+fn project_group<const PARALLEL: bool>(
+    lanes: &mut Lanes,
+    group: usize,
+    start: [f32; 3],
+    constants: &Constants,
+    rect: &Rect,
+) {
     let (steps, gradients) = (&constants.steps, &constants.gradients);
     let [right, up, toward] = &constants.axes;
     let (left, top) = (rect.low[0] as f32, rect.low[1] as f32);
     let (rightmost, bottom) = (rect.high[0] as f32 - 1.0, rect.high[1] as f32 - 1.0);
     let radius = SQUARED_RADIUS.sqrt();
-    for n in 0..LANES {
-        let (column, row, depth) = (lanes.column[n], lanes.row[n], lanes.depth[n]);
+    for n in 0..GROUP {
+        let (column, row, depth) = (lanes.column[group][n], lanes.row[group][n], lanes.depth[group][n]);
         let w = at(start[2], steps, 2, column, row, depth);
         let over = if PARALLEL { 1.0 } else { 1.0 / w };
         let x = at(start[0], steps, 0, column, row, depth) * over;
         let y = at(start[1], steps, 1, column, row, depth) * over;
 
         // The normal, not normalised, and the depth steps by which its plane falls for each pixel.
-        let (a, b) = (lanes.normal[0][n] * constants.scale - 1.0, lanes.normal[1][n] * constants.scale - 1.0);
+        let (a, b) =
+            (lanes.normal[0][group][n] * constants.scale - 1.0, lanes.normal[1][group][n] * constants.scale - 1.0);
         let c = 1.0 - a.abs() - b.abs();
         let fold = (-c).max(0.0);
         let (a, b) = (a - fold.copysign(a), b - fold.copysign(b));
         let length = (a * a + b * b + c * c).sqrt();
         let facing = 1.0 / dot(toward, a, b, c).max(LEAST_COSINE * length);
         let (by_column, by_row) = (dot(right, a, b, c) * facing, -dot(up, a, b, c) * facing);
-        let factor = lanes.surfel[n];
+        let factor = lanes.surfel[group][n];
         let is_surfel = factor > 0.0;
         let (u0, v0) = (steps[0][0] + by_column * steps[2][0], steps[1][0] + by_row * steps[2][0]);
         let (u1, v1) = (steps[0][1] + by_column * steps[2][1], steps[1][1] + by_row * steps[2][1]);
@@ -223,21 +252,26 @@ fn project_all<const PARALLEL: bool>(lanes: &mut Lanes, start: [f32; 3], constan
         let i01 = if is_surfel { -vx * edge } else { 0.0 };
         let i10 = if is_surfel { -uy * edge } else { 0.0 };
         let i11 = if is_surfel { ux * edge } else { 1.0 / ball_y };
-        (lanes.inverse[0][n], lanes.inverse[1][n], lanes.inverse[2][n], lanes.inverse[3][n]) = (i00, i01, i10, i11);
+        (
+            lanes.inverse[0][group][n],
+            lanes.inverse[1][group][n],
+            lanes.inverse[2][group][n],
+            lanes.inverse[3][group][n],
+        ) = (i00, i01, i10, i11);
         let is_sloped = is_surfel && !is_flat;
-        lanes.slope[0][n] = if is_sloped { u_near * i00 + v_near * i10 } else { 0.0 };
-        lanes.slope[1][n] = if is_sloped { u_near * i01 + v_near * i11 } else { 0.0 };
-        lanes.nearness[n] = if PARALLEL { -w } else { over };
-        (lanes.place[0][n], lanes.place[1][n]) = (x, y);
+        lanes.slope[0][group][n] = if is_sloped { u_near * i00 + v_near * i10 } else { 0.0 };
+        lanes.slope[1][group][n] = if is_sloped { u_near * i01 + v_near * i11 } else { 0.0 };
+        lanes.nearness[group][n] = if PARALLEL { -w } else { over };
+        (lanes.place[0][group][n], lanes.place[1][group][n]) = (x, y);
 
         let half_x = radius * if is_surfel { (ux * ux + vx * vx).sqrt() } else { ball_x };
         let half_y = radius * if is_surfel { (uy * uy + vy * vy).sqrt() } else { ball_y };
         let is_shown = PARALLEL || w >= constants.least_distance;
         let (first, last, middle) = pixels(x, half_x, left, rightmost);
-        lanes.first[0][n] = if is_shown { first } else { 1 };
-        lanes.last[0][n] = if is_shown { last } else { 0 };
-        lanes.middle[0][n] = middle;
+        lanes.first[0][group][n] = if is_shown { first } else { 1 };
+        lanes.last[0][group][n] = if is_shown { last } else { 0 };
+        lanes.middle[0][group][n] = middle;
         let (first, last, middle) = pixels(y, half_y, top, bottom);
-        (lanes.first[1][n], lanes.last[1][n], lanes.middle[1][n]) = (first, last, middle);
+        (lanes.first[1][group][n], lanes.last[1][group][n], lanes.middle[1][group][n]) = (first, last, middle);
     }
 }

@@ -77,47 +77,6 @@ impl Projector {
         self.rows.map(|row| row.dot(vector))
     }
 
-    /// Least W of splats that are shown; −∞ for parallel rays.
-    pub fn least_distance(&self, splats: &Splats) -> f64 {
-        if self.is_parallel { f64::NEG_INFINITY } else { LEAST_DISTANCE * splats.pitch().truncate().max_element() }
-    }
-
-    /// The part of a picture that may show a part of a view; `None` if it lies behind the camera.
-    pub fn seen(&self, splats: &Splats, extent: &Extent, whole: &Rect) -> Option<Seen> {
-        let margin = splats.margin();
-        let low: [f64; 3] = std::array::from_fn(|axis| f64::from(extent.low[axis]) - margin[axis]);
-        let high: [f64; 3] = std::array::from_fn(|axis| f64::from(extent.high[axis]) + margin[axis]);
-        let start = self.at(splats.place(low[0], low[1], low[2]));
-        let steps = splats.steps().map(|step| self.along(step));
-        let corner = |n: usize| -> [f64; 3] {
-            let parts: [f64; 3] =
-                std::array::from_fn(|axis| if n >> axis & 1 == 1 { high[axis] - low[axis] } else { 0.0 });
-            std::array::from_fn(|of| start[of] + (0..3).map(|axis| parts[axis] * steps[axis][of]).sum::<f64>())
-        };
-        let corners: [[f64; 3]; 8] = std::array::from_fn(corner);
-        let (nearest, farthest) =
-            corners.iter().fold((f64::MAX, f64::MIN), |(low, high), corner| (low.min(corner[2]), high.max(corner[2])));
-        let least = self.least_distance(splats);
-        if farthest < least {
-            return None;
-        }
-        if nearest < least && !self.is_parallel {
-            return Some(Seen { rect: *whole, nearness: f32::INFINITY });
-        }
-        let mut rect = Rect { low: [i32::MAX; 2], high: [i32::MIN; 2] };
-        for corner in &corners {
-            let divisor = if self.is_parallel { 1.0 } else { corner[2] };
-            for axis in 0..2 {
-                let place = corner[axis] / divisor;
-                rect.low[axis] = rect.low[axis].min((place - 1.0).floor() as i32);
-                rect.high[axis] = rect.high[axis].max((place + 1.0).ceil() as i32);
-            }
-        }
-        // Rounded upwards, so that no splat is nearer.
-        let nearness = (self.nearness(nearest) as f32).next_up();
-        Some(Seen { rect: rect.overlap(whole), nearness })
-    }
-
     /// Whether something at a world position is seen within limits.
     pub fn is_seen(&self, place: DVec3, limits: &Limits) -> bool {
         let range = if self.is_parallel { self.at(place)[2] } else { place.distance(self.eye) } as f32;
@@ -133,6 +92,78 @@ impl Projector {
     /// The distance W of a nearness.
     pub fn distance(&self, nearness: f64) -> f64 {
         if self.is_parallel { -nearness } else { 1.0 / nearness }
+    }
+}
+
+/// A view before a camera: the projector's functions at its pixels and depth steps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sight {
+    /// At the corner of the first pixel, at the front.
+    start: [f64; 3],
+    /// Changes by a column, a row and a depth step.
+    pub steps: [[f64; 3]; 3],
+    /// Columns, rows and depth steps by which splats reach beyond their pixels.
+    margin: [f64; 3],
+    /// Least W of splats that are shown; −∞ for parallel rays.
+    pub least: f64,
+    is_parallel: bool,
+}
+
+impl Sight {
+    pub fn new(splats: &Splats, projector: &Projector) -> Self {
+        let is_parallel = projector.is_parallel;
+        let least = LEAST_DISTANCE * splats.pitch().truncate().max_element();
+        Self {
+            start: projector.at(splats.place(0.0, 0.0, 0.0)),
+            steps: splats.steps().map(|step| projector.along(step)),
+            margin: splats.margin(),
+            least: if is_parallel { f64::NEG_INFINITY } else { least },
+            is_parallel,
+        }
+    }
+
+    /// The functions at a column, a row and a number of depth steps.
+    pub fn at(&self, [column, row, depth]: [f64; 3]) -> [f64; 3] {
+        let [of_column, of_row, of_depth] = &self.steps;
+        [
+            self.start[0] + column * of_column[0] + row * of_row[0] + depth * of_depth[0],
+            self.start[1] + column * of_column[1] + row * of_row[1] + depth * of_depth[1],
+            self.start[2] + column * of_column[2] + row * of_row[2] + depth * of_depth[2],
+        ]
+    }
+
+    /// The part of a picture that may show a part of the view; `None` if it lies behind the camera.
+    pub fn seen(&self, extent: &Extent, whole: &Rect) -> Option<Seen> {
+        let mut low = [0.0; 3];
+        let mut high = [0.0; 3];
+        for axis in 0..3 {
+            low[axis] = f64::from(extent.low[axis]) - self.margin[axis];
+            high[axis] = f64::from(extent.high[axis]) + self.margin[axis];
+        }
+        let (mut nearest, mut farthest) = (f64::MAX, f64::MIN);
+        let (mut least, mut most) = ([f64::MAX; 2], [f64::MIN; 2]);
+        for n in 0..8 {
+            let pick = |axis: usize| if n >> axis & 1 == 1 { high[axis] } else { low[axis] };
+            let [x, y, w] = self.at([pick(0), pick(1), pick(2)]);
+            (nearest, farthest) = (nearest.min(w), farthest.max(w));
+            let over = if self.is_parallel { 1.0 } else { 1.0 / w };
+            (least[0], most[0]) = (least[0].min(x * over), most[0].max(x * over));
+            (least[1], most[1]) = (least[1].min(y * over), most[1].max(y * over));
+        }
+        if farthest < self.least {
+            return None;
+        }
+        if nearest < self.least {
+            return Some(Seen { rect: *whole, nearness: f32::INFINITY });
+        }
+        // A pixel more on each side, for that of a splat's middle.
+        let rect = Rect {
+            low: [(least[0] - 1.0) as i32, (least[1] - 1.0) as i32],
+            high: [(most[0] + 2.0) as i32, (most[1] + 2.0) as i32],
+        };
+        let nearness = if self.is_parallel { -nearest } else { 1.0 / nearest };
+        // Rounded upwards, so that no splat is nearer.
+        Some(Seen { rect: rect.overlap(whole), nearness: (nearness as f32).next_up() })
     }
 }
 

@@ -1,6 +1,6 @@
 //! A tile of the screen, and the nearest splat at each of its samples.
 
-use super::lanes::Lanes;
+use super::lanes::{GROUP, Lanes};
 use super::projector::{Rect, ordered};
 use super::splats::SQUARED_RADIUS;
 use crate::base::simd::vectorized;
@@ -87,18 +87,18 @@ vectorized! {
 
 #[inline(always)]
 fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
-    for n in 0..count {
-        let [left, top] = [lanes.first[0][n], lanes.first[1][n]];
-        let [right, bottom] = [lanes.last[0][n], lanes.last[1][n]];
+    for (number, (group, n)) in (first..).zip((0..count).map(|n| (n / GROUP, n % GROUP))) {
+        let [left, top] = [lanes.first[0][group][n], lanes.first[1][group][n]];
+        let [right, bottom] = [lanes.last[0][group][n], lanes.last[1][group][n]];
         if left > right || top > bottom {
             continue;
         }
-        let [a, b] = [lanes.inverse[0][n], lanes.inverse[1][n]];
-        let [c, d] = [lanes.inverse[2][n], lanes.inverse[3][n]];
-        let [x, y] = [lanes.place[0][n], lanes.place[1][n]];
-        let [middle_column, middle_row] = [lanes.middle[0][n], lanes.middle[1][n]];
-        let (nearness, slope) = (lanes.nearness[n], [lanes.slope[0][n], lanes.slope[1][n]]);
-        let number = u64::from(!(first + n as u32));
+        let [a, b] = [lanes.inverse[0][group][n], lanes.inverse[1][group][n]];
+        let [c, d] = [lanes.inverse[2][group][n], lanes.inverse[3][group][n]];
+        let [x, y] = [lanes.place[0][group][n], lanes.place[1][group][n]];
+        let [middle_column, middle_row] = [lanes.middle[0][group][n], lanes.middle[1][group][n]];
+        let (nearness, slope) = (lanes.nearness[group][n], [lanes.slope[0][group][n], lanes.slope[1][group][n]]);
+        let number = u64::from(!number);
         for row in top..=bottom {
             let down = row as f32 + 0.5 - y;
             let (p_start, q_start, start) = (b * down, d * down, nearness + slope[1] * down);
