@@ -6,10 +6,12 @@
 
 mod draw;
 mod lanes;
+mod picture;
 mod projector;
 mod resolve;
 mod screen;
 mod splats;
 
-pub use draw::{Counts, Picture, draw};
+pub use draw::draw;
+pub use picture::{Counts, Picture};
 pub use splats::Splats;

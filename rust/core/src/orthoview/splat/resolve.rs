@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::draw::{Picture, Prepared};
+use super::picture::{Picture, Prepared};
 use super::projector::{Projector, Rect, unordered};
 use super::screen::{Key, OTHER, Screen};
 use super::splats::{Packed, Splats};

@@ -107,7 +107,7 @@ fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
             let mut from = left;
             while from <= right {
                 let slot = screen.slot(from, row);
-                let keys: &mut [Key; STRIDE] = (&mut screen.keys[slot..slot + STRIDE]).try_into().expect("as long");
+                let Some(keys) = screen.keys[slot..].first_chunk_mut::<STRIDE>() else { break };
                 let across = from as f32 + 0.5 - x;
                 for (i, key) in keys.iter_mut().enumerate() {
                     let along = across + i as f32;
