@@ -6,14 +6,13 @@ import base64
 import json
 import shutil
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import trimesh
-from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.orthoview import _store
@@ -38,11 +37,20 @@ def built(scene: nf.Scene, path: Path) -> Tree:
     return nf.orthoview.build(scene, path, cell=CELL, size=SIZE, directions=5)
 
 
-def flat(subtrees: set[Place]) -> nf.Scene:
-    """Four boxes in the middle of each of some subtrees, 80 m wide, and two that span the world."""
-    parts = [trimesh.creation.box((1, 1, 1)).apply_translation((end, 0.5, end)) for end in (0.5, SIDE - 0.5)]
+def ends(side: float) -> list[trimesh.Trimesh]:
+    """Two small boxes that span a world."""
+    return [trimesh.creation.box((1, 1, 1)).apply_translation((end, 0.5, end)) for end in (0.5, side - 0.5)]
+
+
+AMID = ((37, 37), (45, 37), (37, 45), (44, 52))
+"""Places of four boxes in the middle of a subtree."""
+
+
+def flat(subtrees: set[Place], side: float = SIDE, shifts: Iterable[tuple[int, int]] = AMID) -> nf.Scene:
+    """A world with boxes at some places in each of some subtrees, which are 80 m wide."""
+    parts = ends(side)
     for x, _, z in sorted(subtrees):
-        for dx, dz in ((37, 37), (45, 37), (37, 45), (44, 52)):
+        for dx, dz in shifts:
             turn = trimesh.transformations.rotation_matrix(dx + dz, (0, 1, 0))
             box = trimesh.creation.box((3, 4 + dx / 20, 5)).apply_transform(turn)
             parts.append(box.apply_translation((80 * x + dx, 4, 80 * z + dz)))
@@ -56,9 +64,16 @@ def wide(tmp_path_factory: pytest.TempPathFactory) -> Tree:
     return tree
 
 
-@pytest.fixture
-def copied(wide: Tree, tmp_path: Path) -> Path:
-    return Path(shutil.copytree(wide.path, tmp_path / "copy.zarr"))
+@pytest.fixture(scope="module")
+def updated(wide: Tree, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    """A copy of the same, after an update."""
+    copy = shutil.copytree(wide.path, tmp_path_factory.mktemp("updated") / "copy.zarr")
+    return nf.orthoview.open(copy).update([[20, 0, 20], [60, 9, 60]], flat(INHABITED - {(0, 0, 0)}))
+
+
+def bare(tree: Tree, path: Path) -> Path:
+    """Copy a store's documents without its shards and its geometry."""
+    return Path(shutil.copytree(tree.path, path, ignore=shutil.ignore_patterns("[pn][xyz]", "geometry")))
 
 
 def reader(tree: Tree) -> Callable[[int, Place], Masks]:
@@ -101,32 +116,34 @@ def test_records_tell_which_views_show_something(wide: Tree) -> None:
     assert len(found) == wide.held["cells"]
 
 
-def test_they_tell_it_after_updates_and_of_copies(wide: Tree, copied: Path, tmp_path: Path) -> None:
-    """Something comes where nothing was; then all goes from another subtree, and it comes back."""
-    tree, generations = nf.orthoview.open(copied), []
-    for here in (INHABITED | {(1, 0, 2)}, (INHABITED | {(1, 0, 2)}) - {(1, 0, 0)}, INHABITED | {(1, 0, 2)}):
-        # A tree that is open goes on with what it was.
+def test_they_tell_it_after_updates_and_of_copies(tmp_path: Path) -> None:
+    """Something comes to a subtree where nothing was; then all goes from another one."""
+    first = {(0, 0, 0), (1, 0, 0), (1, 0, 1)}
+    second = first | {(0, 0, 1)}
+    third = second - {(1, 0, 0)}
+    tree = built(flat(first, 90.0, [(4, 4)]), tmp_path / "world.zarr")
+    assert tree.cells(0) == (9, 1, 9)
+    for here, box in ((second, [[1, 0, 81], [7, 9, 87]]), (third, [[81, 0, 1], [87, 9, 7]])):
         before = bits(tree)
-        updated = tree.update([[80.0, -1.0, 0.0], [159.0, 20.0, SIDE]], flat(here))
-        assert bits(tree) == before
-        tree = updated
+        changed = tree.update(box, flat(here, 90.0, [(4, 4)]))
+        assert bits(tree) == before  # a tree that is open goes on with what it was
+        tree = changed
         found = bits(tree)
         assert found == seen(tree)
         assert {place for level, place in found if level == 3} == here
-        generations.append(found)
-        assert bits(tree.compact(tmp_path / f"compact{tree.generation}.zarr")) == found
-    assert generations[0] == generations[2] != generations[1]
-    assert bits(nf.orthoview.open(wide.path)) == bits(wide) != generations[0]
+        assert len(found) == tree.held["cells"]
+    compacted = tree.compact(tmp_path / "compact.zarr")
+    assert compacted.generation == 0
+    assert bits(compacted) == found
 
 
 def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
     """A wall that is turned: other views show nothing now."""
 
     def wall(x: float, z: float) -> nf.Scene:
-        parts = [trimesh.creation.box((1, 1, 1)).apply_translation((end, 0.5, end)) for end in (0.5, 39.5)]
         corners = np.array([[15, 1, 15], [15 + x, 1, 15 + z], [15 + x, 4, 15 + z], [15, 4, 15]], float)
-        parts.append(trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], process=False))
-        return nf.Scene.from_trimesh(trimesh.util.concatenate(parts))
+        standing = trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], process=False)
+        return nf.Scene.from_trimesh(trimesh.util.concatenate([*ends(40.0), standing]))
 
     tree = built(wall(3, 0), tmp_path / "wall.zarr")
     turned = tree.update([[11, 0, 11], [19, 9, 19]], wall(0, 3))
@@ -192,41 +209,49 @@ def damage(file: Path, change: Callable[[dict[str, Any]], Any]) -> None:
 CAMERA = nf.Camera.look_at((50, 10, 50), (40, 4, 40), fov=nf.Fov.symmetric(90), size=(64, 64))
 
 
+def test_cuts_look_at_no_shards(wide: Tree, updated: Tree, tmp_path: Path) -> None:
+    lengths = []
+    for tree in (wide, updated):
+        opened = nf.orthoview.open(bare(tree, tmp_path / f"{tree.generation}.zarr"))
+        assert not (Path(opened.path) / "0" / "py").exists()
+        found, right = opened.cut(CAMERA, around=True), tree.cut(CAMERA, around=True)
+        assert found.keys() == right.keys()
+        assert found.leaf_places() == right.leaf_places()
+        lengths.append(len(found) + len(found.leaves))
+    assert lengths[0] > lengths[1] > 0
+
+
 @pytest.mark.parametrize("name", DAMAGED)
-def test_damaged_records_are_named(copied: Path, name: str) -> None:
-    damage(copied / "nearfar" / "done" / "0_0_0_0.json", lambda document: document.update(views=DAMAGED[name]))
+def test_damaged_records_are_named(wide: Tree, tmp_path: Path, name: str) -> None:
+    store = bare(wide, tmp_path / "bare.zarr")
+    damage(store / "nearfar" / "done" / "0_0_0_0.json", lambda document: document.update(views=DAMAGED[name]))
     with pytest.raises(nf.FormatError, match=r"nearfar/done/0_0_0_0\.json: damaged"):
-        nf.orthoview.open(copied).cut(CAMERA)
+        nf.orthoview.open(store).cut(CAMERA)
 
 
-def test_records_without_views_are_named(copied: Path) -> None:
-    """As a build of an older nearfar wrote them."""
-    file = copied / "nearfar" / "done" / "0_0_0_0.json"
+def test_records_without_views_are_named(wide: Tree, tmp_path: Path) -> None:
+    """As builds wrote them before there were cuts."""
+    store = bare(wide, tmp_path / "bare.zarr")
+    file = store / "nearfar" / "done" / "0_0_0_0.json"
     assert valid(json.loads(file.read_text()), "orthoview_subtree")
     damage(file, lambda document: document.pop("views"))
     assert not valid(json.loads(file.read_text()), "orthoview_subtree")
     with pytest.raises(nf.FormatError, match=r"nearfar/done/0_0_0_0\.json: damaged: 'views' is missing"):
-        nf.orthoview.open(copied).cut(CAMERA)
+        nf.orthoview.open(store).cut(CAMERA)
 
 
-@pytest.mark.parametrize("name", [*DAMAGED, "all a list", "all a number", "all null", "missing"])
-def test_damaged_generations_are_named(copied: Path, name: str) -> None:
-    tree = nf.orthoview.open(copied).update([[0, 0, 0], [60, 9, 60]], flat(INHABITED - {(1, 0, 0)}))
-    file = copied / "nearfar" / "generations" / "1" / "generation.json"
+WRONG: dict[str, Any] = {f"views {name}": {"0_0_0_0": views} for name, views in DAMAGED.items()}
+WRONG |= {"a list": [], "a number": 3, "null": None, "a text": "0_0_0_0"}
+
+
+@pytest.mark.parametrize("name", [*WRONG, "missing"])
+def test_damaged_generations_are_named(updated: Tree, tmp_path: Path, name: str) -> None:
+    store = bare(updated, tmp_path / "bare.zarr")
+    file = store / "nearfar" / "generations" / "1" / "generation.json"
     assert valid(json.loads(file.read_text()), "orthoview_generation")
-    values = {"all a list": [], "all a number": 3, "all null": None}
-
-    def change(document: dict[str, Any]) -> None:
-        if name == "missing":
-            del document["views"]
-        elif name in values:
-            document["views"] = values[name]
-        else:
-            document["views"]["0_0_0_0"] = DAMAGED[name]
-
-    damage(file, change)
+    damage(file, lambda document: document.update(views=WRONG[name]) if name in WRONG else document.pop("views"))
     with pytest.raises(nf.FormatError, match=r"nearfar/generations/1/generation\.json: damaged"):
-        nf.orthoview.open(tree.path).cut(CAMERA)
+        nf.orthoview.open(store).cut(CAMERA)
 
 
 # lazy reading -------------------------------------------------------------------------------------------------------

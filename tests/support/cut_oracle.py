@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -29,6 +29,10 @@ FACES = {
 
 DOUBT = 1e-7
 """Metres within which roundings decide."""
+
+
+class DoubtfulError(Exception):
+    """Roundings decide about the result."""
 
 
 @dataclass
@@ -114,3 +118,13 @@ def is_sampled(camera: nf.Camera, points: NDArray[np.float64]) -> bool:
     """Whether one of some points is in the picture."""
     x, y, _ = camera.project(points).T  # NaN behind the camera
     return bool(((x >= 0) & (x <= camera.width) & (y >= 0) & (y <= camera.height)).any())
+
+
+def nearest_directions(toward: ArrayLike, directions: Sequence[Place], views: int, mask: int) -> list[int]:
+    """Numbers of the directions nearest to one, by angle, of those in a mask, filled up with −1."""
+    unit = np.asarray(toward) / np.linalg.norm(toward)
+    angles = [math.acos(np.clip(np.dot(unit, one) / np.linalg.norm(one), -1, 1)) for one in directions]
+    if min(np.diff(sorted(angles))) < DOUBT:
+        raise DoubtfulError
+    numbers = [number for number in np.argsort(angles).tolist()[:views] if mask >> number & 1]
+    return numbers + [-1] * (views - len(numbers))
