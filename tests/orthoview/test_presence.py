@@ -153,10 +153,10 @@ def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
 
 
 def test_all_may_go(tmp_path: Path) -> None:
-    tree = built(world_of(range(6)), tmp_path / "world.zarr")
+    tree = nf.orthoview.build(world_of(range(6)), tmp_path / "world.zarr", cell=20.0, size=SIZE, directions=5)
     emptied = tree.update(box_about(range(6)), world_of([]))
     assert bits(emptied) == seen(emptied)
-    assert {place for level, place in bits(emptied) if level == 0} == {(0, 0, 0), (7, 7, 7)}
+    assert {place for level, place in bits(emptied) if level == 0} == {(0, 0, 0), (3, 3, 3)}
     assert len(bits(tree)) > len(bits(emptied))
 
 
