@@ -116,25 +116,42 @@ def test_records_tell_which_views_show_something(wide: Tree) -> None:
     assert len(found) == wide.held["cells"]
 
 
-def test_they_tell_it_after_updates_and_of_copies(tmp_path: Path) -> None:
-    """Something comes to a subtree where nothing was; then all goes from another one."""
-    first = {(0, 0, 0), (1, 0, 0), (1, 0, 1)}
-    second = first | {(0, 0, 1)}
-    third = second - {(1, 0, 0)}
-    tree = built(flat(first, 90.0, [(4, 4)]), tmp_path / "world.zarr")
+def test_records_of_two_layers_tell_it(tmp_path: Path) -> None:
+    scene = flat({(0, 0, 0), (1, 0, 1)}, 90.0, [(4, 4)])
+    tree = nf.orthoview.build(scene, tmp_path / "world.zarr", cell=CELL, size=SIZE, directions=5, layers=2)
+    assert bits(tree) == seen(tree)
+    assert {place for level, place in bits(tree) if level == 0} == {(0, 0, 0), (8, 0, 8)}
+
+
+FIRST = {(0, 0, 0), (1, 0, 0), (1, 0, 1)}
+SECOND = FIRST | {(0, 0, 1)}
+THIRD = SECOND - {(1, 0, 0)}
+"""Subtrees of a small world in which something is: it comes where nothing was, then all goes from another one."""
+
+
+@pytest.fixture(scope="module")
+def changed(tmp_path_factory: pytest.TempPathFactory) -> list[Tree]:
+    """Three generations of a store, each opened when it was the newest."""
+    first, second, third = (flat(here, 90.0, [(4, 4)]) for here in (FIRST, SECOND, THIRD))
+    tree = built(first, tmp_path_factory.mktemp("changed") / "world.zarr")
     assert tree.cells(0) == (9, 1, 9)
-    for here, box in ((second, [[1, 0, 81], [7, 9, 87]]), (third, [[81, 0, 1], [87, 9, 7]])):
-        before = bits(tree)
-        changed = tree.update(box, flat(here, 90.0, [(4, 4)]))
-        assert bits(tree) == before  # a tree that is open goes on with what it was
-        tree = changed
+    once = tree.update([[1, 0, 81], [7, 9, 87]], second)
+    return [tree, once, once.update([[81, 0, 1], [87, 9, 7]], third)]
+
+
+def test_records_tell_it_of_each_generation(changed: list[Tree]) -> None:
+    """Trees that are open go on with what they were."""
+    for tree, here in zip(changed, (FIRST, SECOND, THIRD), strict=True):
         found = bits(tree)
         assert found == seen(tree)
         assert {place for level, place in found if level == 3} == here
         assert len(found) == tree.held["cells"]
-    compacted = tree.compact(tmp_path / "compact.zarr")
+
+
+def test_records_of_copies_tell_it(changed: list[Tree], tmp_path: Path) -> None:
+    compacted = changed[-1].compact(tmp_path / "compact.zarr")
     assert compacted.generation == 0
-    assert bits(compacted) == found
+    assert bits(compacted) == seen(compacted) == bits(changed[-1])
 
 
 def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
