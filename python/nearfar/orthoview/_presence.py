@@ -68,14 +68,16 @@ def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
 
 
 def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
-    size = 4 * int(np.prod(shape))
+    size, stream = 4 * int(np.prod(shape)), zlib.decompressobj()
     try:
         # No more than is expected: a damaged text may state any length.
-        content = zlib.decompressobj().decompress(base64.b64decode(text, validate=True), size + 1)
+        content = stream.decompress(base64.b64decode(text, validate=True), size + 1)
     except (ValueError, zlib.error) as error:
         raise UnusableError(f"views: {error}") from None
     if len(content) != size:
         raise UnusableError(f"views: expected {size} bytes, got {len(content)}")
+    if not stream.eof or stream.unused_data:  # zlib compares its checksum at the end
+        raise UnusableError("views: expected the end of the compressed bytes after their content")
     return np.frombuffer(content, "<u4").reshape(shape).astype(np.uint32)
 
 

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import files, formats
+from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
 from nearfar.orthoview._chunks import Generation, In
 from nearfar.orthoview._files import Files, Local, missing
@@ -262,18 +262,19 @@ def views_of(store: Files, layout: Layout, newest: int) -> Callable[[int, Place]
     overlays = []
     for number in range(newest, 0, -1):
         file = overlay(number) + _GENERATION_FILE
-        overlays.append((file, _json(store, file, _GENERATION, _GENERATION_VERSION)["views"]))
+        document = _json(store, file, _GENERATION, _GENERATION_VERSION)
+        with formats.guarded(f"{store.place}/{file}"):
+            overlays.append((file, check.mapping("views", document["views"], "those of subtrees by their names")))
 
     def read(tier: int, place: Place) -> Masks:
         record = record_of(Path(), tier, place)
-        known = [(file, views[record.stem]) for file, views in overlays if record.stem in views]
+        known = [(file, {"views": views[record.stem]}) for file, views in overlays if record.stem in views]
         if store.whole(record.as_posix()) is not None:
-            document = _json(store, record.as_posix(), RECORD, RECORD_VERSION)
-            known.append((record.as_posix(), document["views"]))
+            known.append((record.as_posix(), _json(store, record.as_posix(), RECORD, RECORD_VERSION)))
         generations = []
-        for file, views in known:
+        for file, document in known:
             with formats.guarded(f"{store.place}/{file}"):
-                generations.append(masks_of(views, layout, tier))
+                generations.append(masks_of(document["views"], layout, tier))
         return newest_of(generations, layout, tier)
 
     return read
