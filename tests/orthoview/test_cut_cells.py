@@ -62,15 +62,15 @@ def test_directions_are_the_nearest_to_the_viewer_by_angle(
     assert directions_in(one_cell(mask), camera, directions, views) == right
 
 
-def test_views_that_show_nothing_are_left_out_and_none_takes_their_place() -> None:
+def test_next_ones_take_the_place_of_views_that_show_nothing() -> None:
     directions = directions_of(5)  # +z, +x, −z, −x, +y
     camera = nf.Camera((5.0, 9.0, 2.0), fov=NARROW, size=(8, 8))  # nearest to +y, then +x, +z, −z, −x
     for mask, right in {
         0b11111: [4, 1, 0],
-        0b01111: [1, 0, -1],
-        0b11101: [4, 0, -1],
+        0b01111: [1, 0, 2],
+        0b11101: [4, 0, 2],
         0b00001: [0, -1, -1],
-        0b01100: [-1, -1, -1],
+        0b01100: [2, 3, -1],
     }.items():
         assert directions_in(one_cell(mask), camera, directions, 3) == right
 

@@ -126,5 +126,5 @@ def nearest_directions(toward: ArrayLike, directions: Sequence[Place], views: in
     angles = [math.acos(np.clip(np.dot(unit, one) / np.linalg.norm(one), -1, 1)) for one in directions]
     if min(np.diff(sorted(angles))) < DOUBT:
         raise DoubtfulError
-    numbers = [number for number in np.argsort(angles).tolist()[:views] if mask >> number & 1]
+    numbers = [number for number in np.argsort(angles).tolist() if mask >> number & 1][:views]
     return numbers + [-1] * (views - len(numbers))

@@ -42,7 +42,7 @@ class OrthoCut:
     place: NDArray[np.int64]
     """Its place (N, 3)."""
     directions: NDArray[np.int8]
-    """Numbers of the directions it is drawn from (N, views), the nearest one first; −1 for views that show nothing."""
+    """Numbers of the directions it is drawn from (N, views), the nearest one first; −1 where fewer show anything."""
     distance: NDArray[np.float64]
     """Distance of its nearest point from the viewer (N,), metres."""
     in_picture: NDArray[np.bool_]

@@ -78,10 +78,11 @@ class ShownTree(StoredTree, Renderable):
         camera
             The view.
         views
-            Number of views of a cell, 1 to 8: those whose directions are nearest to the viewer's.
+            Number of views of a cell, 1 to 8: of those that show something the ones whose directions are nearest to the
+            viewer's.
         error_px
-            Greatest width of a view's pixels, in pixels of the picture. 2 suits thin clients: the cells are half as
-            many levels.
+            Greatest width of a view's pixels, in pixels of the picture. 2 suits thin clients: cells
+            are drawn from half as far.
         geometry
             Whether leaves that are nearer than their views are fine enough for are drawn as geometry, where the tree
             has it; else their views are drawn at any distance.

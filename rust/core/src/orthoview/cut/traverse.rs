@@ -163,7 +163,7 @@ impl Traversal<'_> {
         let toward = self.toward.unwrap_or(self.view.camera.position - center).normalize_or(DVec3::Y);
         let mut left: Vec<(f64, u8)> = self.units.iter().map(|unit| unit.dot(toward)).zip(0..).collect();
         left.sort_by(|one, other| other.0.total_cmp(&one.0).then(one.1.cmp(&other.1)));
-        for &(_, number) in left.iter().take(self.view.views).filter(|(_, number)| mask >> number & 1 == 1) {
+        for &(_, number) in left.iter().filter(|(_, number)| mask >> number & 1 == 1).take(self.view.views) {
             drawn.directions[drawn.count] = number;
             drawn.count += 1;
         }
