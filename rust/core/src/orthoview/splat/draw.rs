@@ -13,9 +13,12 @@ use super::splats::{BoxOfBlocks, Extent, Splats};
 use crate::base::{Progress, Result};
 use crate::render::{Frame, Limits};
 
-/// Width and height of a tile of the screen, pixels. Its keys fit in the first level of the cache for one sample a pixel,
-/// and in the second one for 16.
-const TILE: i32 = 64;
+/// Greatest width and height of a tile of the screen, samples. Its keys take 512 kB, which the second level of the cache
+/// holds; smaller tiles project more splats that several of them show.
+const TILE: i32 = 256;
+
+/// Greatest width and height of a tile, pixels: several threads have work in a small picture, too.
+const MOST_PIXELS: i32 = 128;
 
 /// A box of a view in the picture.
 struct Part<'a> {
@@ -37,11 +40,7 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
     let resolver = Resolver::new(picture, &sampled, &projector, &prepared);
     let mut frame = Frame::new(picture.channels, picture.pixel_count())?;
     let (columns, rows) = (picture.camera.width as i32, picture.camera.height as i32);
-    let tiles: Vec<Rect> = (0..rows)
-        .step_by(TILE as usize)
-        .flat_map(|y| (0..columns).step_by(TILE as usize).map(move |x| (x, y)))
-        .map(|(x, y)| Rect { low: [x, y], high: [(x + TILE).min(columns), (y + TILE).min(rows)] })
-        .collect();
+    let tiles = tiles_of(columns, rows, (TILE / picture.grid as i32).min(MOST_PIXELS));
     progress.expect(tiles.len() as u64);
     let one = |tile: &Rect| {
         let scaled = |corner: [i32; 2]| corner.map(|at| at * picture.grid as i32);
@@ -64,6 +63,13 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
         projected: projected.into_inner(),
     };
     Ok((frame, counts))
+}
+
+/// Tiles of a picture, of at most `side` pixels along each axis.
+fn tiles_of(columns: i32, rows: i32, side: i32) -> Vec<Rect> {
+    let corners =
+        (0..rows).step_by(side as usize).flat_map(|y| (0..columns).step_by(side as usize).map(move |x| (x, y)));
+    corners.map(|(x, y)| Rect { low: [x, y], high: [(x + side).min(columns), (y + side).min(rows)] }).collect()
 }
 
 /// The boxes of all views that the picture may show, the nearest ones first.
