@@ -77,7 +77,8 @@ def test_colour_is_the_mean_of_finer_samples(grid: int, name: str) -> None:
 
     def mean(image: NDArray[Any]) -> NDArray[Any]:
         split = image.astype(np.float64).reshape(height, grid, width, grid, -1)
-        return split.mean(axis=(1, 3)).reshape(height, width, *image.shape[2:])
+        means: NDArray[Any] = split.mean(axis=(1, 3)).reshape(height, width, *image.shape[2:])
+        return means
 
     np.testing.assert_allclose(got["color"], mean(fine["color"]), atol=1e-6)
     np.testing.assert_allclose(got["coverage"], mean(fine["coverage"]), atol=1e-6)

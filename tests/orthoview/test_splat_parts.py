@@ -124,13 +124,14 @@ def test_of_one_depth_splats_count_before_geometry() -> None:
 
 def limits_of(name: str) -> dict[str, Any]:
     low, high = CORNER + 0.2 * SIDE, CORNER + 0.8 * SIDE
-    return {
+    limits: dict[str, dict[str, Any]] = {
         "t_min": {"t_min": 45.0},
         "t_max": {"t_max": 50.0},
         "both": {"t_min": 44.0, "t_max": 49.0},
         "box": {"clip": nf.Clip(box=[low, high])},
         "planes": {"clip": nf.Clip(planes=[[1, 2, 3, -float(np.dot([1, 2, 3], MIDDLE))]])},
-    }[name]
+    }
+    return limits[name]
 
 
 @pytest.mark.parametrize("camera", ["perspective", "parallel"])
@@ -169,7 +170,9 @@ def test_nothing_is_sky() -> None:
     camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
     none = drawn([], camera, ("coverage", "range"))
     assert np.isinf(none["range"]).all()
-    away = nf.Camera.look_at(MIDDLE + (0, 0, 60), MIDDLE + (0, 0, 90), fov=camera.fov, size=camera.size)
+    away = nf.Camera.look_at(
+        MIDDLE + np.array([0, 0, 60]), MIDDLE + np.array([0, 0, 90]), fov=camera.fov, size=camera.size
+    )
     behind = drawn(splats, away, ("coverage", "range"))
     assert (behind["coverage"] == 0).all()
     assert behind["stats"]["splats_in_picture"] == 0 < behind["stats"]["splats"]

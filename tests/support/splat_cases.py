@@ -53,17 +53,21 @@ def drawn(
 def facing(direction: Triple, fov: nf.Fov | nf.Orthographic, size: tuple[int, int] = (40, 32)) -> nf.Camera:
     """A camera that sees the cell from about a direction."""
     toward = np.array(direction) / np.linalg.norm(direction)
-    eye = MIDDLE + 2.4 * SIDE * toward + (1.3, 2.1, -1.7)
+    eye = MIDDLE + 2.4 * SIDE * toward + np.array([1.3, 2.1, -1.7])
     return nf.Camera.look_at(eye, MIDDLE, fov=fov, size=size, up=(0.1, 0.9, 0.3))
 
 
 CAMERAS = {
     "perspective": facing((1, 1, 1), WIDE, (64, 48)),
-    "close": nf.Camera.look_at(MIDDLE + (9, 3, 8), MIDDLE, fov=nf.Fov(-1, 1, -1, 1), size=(48, 48)),
-    "inside": nf.Camera.look_at(MIDDLE + (1, 3, 2), MIDDLE - (9, 1, 8), fov=nf.Fov(-1, 1, -1, 1), size=(48, 48)),
+    "close": nf.Camera.look_at(MIDDLE + np.array([9, 3, 8]), MIDDLE, fov=nf.Fov(-1, 1, -1, 1), size=(48, 48)),
+    "inside": nf.Camera.look_at(
+        MIDDLE + np.array([1, 3, 2]), MIDDLE - (9, 1, 8), fov=nf.Fov(-1, 1, -1, 1), size=(48, 48)
+    ),
     "asymmetric": facing((1, 1, -1), nf.Fov(-0.2, 0.6, -0.5, 0.3), (70, 33)),
     "parallel": facing((1, 1, 1), nf.Orthographic(-14, 12, -11, 15), (52, 52)),
-    "along an axis": nf.Camera(tuple(MIDDLE + (0.3, 0.2, 30)), fov=nf.Orthographic(-11, 11, -11, 11), size=(41, 41)),
+    "along an axis": nf.Camera(
+        tuple(MIDDLE + np.array([0.3, 0.2, 30])), fov=nf.Orthographic(-11, 11, -11, 11), size=(41, 41)
+    ),
 }
 CAMERAS |= {
     f"cube face {face}": nf.Camera(

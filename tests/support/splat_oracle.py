@@ -1,8 +1,8 @@
 """Splats by the definition: one after another, in float64 where the core uses float32.
 
 A sample's right answer may hang on float32: whether the edge of an ellipse includes it, and which of two splats at one
-depth is nearer. So the oracle does not give an answer, but all that rounding allows: a sample is right if it shows one of
-these, and most samples have but one.
+depth is nearer. So the oracle does not give an answer, but all that rounding allows: a sample is right if it shows one
+of these, and most samples have but one.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ OFF = 2e-4
 
 @dataclass(frozen=True)
 class Lens:
-    """A camera as linear functions: pixels to the right and down, times the distance unless rays are parallel, and it."""
+    """A camera as linear functions: pixels to the right and down (times the distance, for perspective), and distance."""
 
     eye: Array
     rows: Array
