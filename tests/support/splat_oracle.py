@@ -36,7 +36,7 @@ OFF = 2e-4
 
 @dataclass(frozen=True)
 class Lens:
-    """A camera as linear functions: pixels to the right and down (times the distance, for perspective), and distance."""
+    """A camera as linear functions: pixels to the right and down (times the distance, for perspective) and distance."""
 
     eye: Array
     rows: Array
