@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from dataclasses import replace
+from http.server import ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -101,10 +102,15 @@ def test_a_near_viewer_sees_geometry(shown: Tree, scene: nf.Scene) -> None:
     assert (there != np.isfinite(truth.require("range"))).mean() < 0.001
     both = there & np.isfinite(truth.require("range"))
     assert (np.abs(frame.require("range")[both] - truth.require("range")[both]) < 0.01).mean() > 0.995
-    assert psnr(frame, truth) > 45
+    assert (frame.to_image() == truth.to_image()).mean() > 0.99
     leaves = shown._viewer.near.scene(shown.cut(camera, error_px=0.1).leaf_places())
     assert leaves is not None
-    assert_same(frame, nf.render(leaves, camera, channels=CHANNELS))
+    right = nf.render(leaves, camera, channels=CHANNELS)
+    for name, image in images_of(frame).items():
+        if name == "color":  # the kernel adds the sky up by itself
+            np.testing.assert_allclose(image, right.require(name), atol=1e-6)
+        else:
+            np.testing.assert_array_equal(image, right.require(name))
 
 
 def test_geometry_and_views_meet(shown: Tree) -> None:
@@ -262,9 +268,11 @@ def test_without_a_cache_the_last_views_are_kept(shown: Tree) -> None:
     assert tree._viewer.views.reads > reads
 
 
-def test_a_tree_behind_a_web_server_looks_the_same(shown: Tree) -> None:
+def test_a_tree_behind_a_web_server_looks_the_same(shown: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     need("fsspec")
     need("aiohttp")
+    # Parts are asked for at once. A queue of five connections, the default, makes the others wait for a second.
+    monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
     camera = camera_at(shown, 90)
     local = shown.render(camera, channels=CHANNELS)
     assert local.stats["leaves"] > 0
@@ -282,26 +290,28 @@ def test_bad_calls_are_named(shown: Tree) -> None:
     for samples in (8, 81, 2):
         with pytest.raises(ValueError, match=f"samples: expected 1, 4, 9 … 64 for orthoviews, got {samples}"):
             shown.render(camera, samples=samples)
-    for call, kind, message in (
+    wrong: Any = shown
+    calls: list[tuple[Any, Any, str]] = [
         (lambda: shown.render(camera, samples=0), ValueError, "samples"),
         (lambda: shown.render(camera, channels=["depth"]), ValueError, "channels"),
-        (lambda: shown.render(camera, channels=3), TypeError, "channels"),
-        (lambda: shown.render("camera"), TypeError, "camera"),
-        (lambda: shown.cut("camera"), TypeError, "camera"),
+        (lambda: wrong.render(camera, channels=3), TypeError, "channels"),
+        (lambda: wrong.render("camera"), TypeError, "camera"),
+        (lambda: wrong.cut("camera"), TypeError, "camera"),
         (lambda: shown.render(camera, views=0), ValueError, "views"),
         (lambda: shown.render(camera, views=9), ValueError, "views"),
-        (lambda: shown.render(camera, views=2.5), TypeError, "views"),
+        (lambda: wrong.render(camera, views=2.5), TypeError, "views"),
         (lambda: shown.render(camera, error_px=0), ValueError, "error_px"),
         (lambda: shown.render(camera, error_px=np.nan), ValueError, "error_px"),
-        (lambda: shown.render(camera, geometry=1), TypeError, "geometry"),
+        (lambda: wrong.render(camera, geometry=1), TypeError, "geometry"),
         (lambda: shown.render(camera, t_min=5, t_max=4), ValueError, "t_max"),
-        (lambda: shown.render(camera, clip=3), TypeError, "clip"),
-        (lambda: shown.trace(camera), TypeError, "shot"),
+        (lambda: wrong.render(camera, clip=3), TypeError, "clip"),
+        (lambda: wrong.trace(camera), TypeError, "shot"),
         (lambda: nf.orthoview.open(shown.path, cache_bytes=-1), ValueError, "cache_bytes"),
         (lambda: nf.render(shown, camera, backend="gpu"), ValueError, "backend: expected 'cpu' for OrthoTree"),
         (lambda: nf.render(shown, camera, at={"car": np.eye(4)}), (ValueError, TypeError), "at"),
-    ):
-        with pytest.raises(kind, match=message):  # type: ignore[call-overload]
+    ]
+    for call, kind, message in calls:
+        with pytest.raises(kind, match=message):
             call()
 
 
@@ -310,15 +320,9 @@ def test_damaged_stores_are_named(shown: Tree, tmp_path: Path) -> None:
     shutil.copytree(shown.path, path)
     near, far = camera_at(shown, 40), camera_at(shown, 200)
     nf.orthoview.open(path).render(near)
-    file = next((path / "geometry" / "content").rglob("*.glb"))
     for glb in (path / "geometry" / "content").rglob("*.glb"):
         glb.write_bytes(glb.read_bytes()[:-9])
     with pytest.raises(nf.FormatError, match=r"copy\.zarr.*\.glb"):
-        nf.orthoview.open(path).render(near)
-    file.unlink()
-    for glb in (path / "geometry" / "content").rglob("*.glb"):
-        glb.unlink()
-    with pytest.raises((nf.FormatError, OSError), match=r"copy\.zarr.*\.glb: the file is gone"):
         nf.orthoview.open(path).render(near)
     tree = nf.orthoview.open(path)
     level = int(tree.cut(far).level[0])
@@ -343,11 +347,18 @@ def test_all_that_renders_takes_trees(shown: Tree) -> None:
     hmd = nf.hmd.QUEST_2
     eyes = nf.render_eyes(shown, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
     assert_same(eyes.left, nf.render(shown, eyes.left.camera))
-    rig = nf.stereo.HybridRig.of(hmd, mono_plane=100.0, size=(48, 48))
-    hybrid = rig.render(shown, camera.position, camera.orientation)
-    there = [np.isfinite(one.left.require("range")).mean() for one in (eyes, hybrid)]
-    assert 0.1 < there[0]
-    assert abs(there[0] - there[1]) < 0.05
+
+
+def test_hybrid_pictures_take_trees(shown: Tree) -> None:
+    """Parts before the plane are drawn for each eye, others once; with a plane beyond the world all for each eye."""
+    camera, hmd = camera_at(shown, 90), nf.hmd.QUEST_2
+    eyes = nf.render_eyes(shown, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
+    there = np.isfinite(eyes.left.require("range"))
+    for plane in (60.0, 100.0, 1000.0):
+        rig = nf.stereo.HybridRig.of(hmd, mono_plane=plane, size=(48, 48))
+        hybrid = rig.render(shown, camera.position, camera.orientation)
+        assert (there != np.isfinite(hybrid.left.require("range"))).mean() < 0.02
+        assert psnr(hybrid.left, eyes.left) > 30
 
 
 def test_nothing_moves_in_a_tree(shown: Tree) -> None:
