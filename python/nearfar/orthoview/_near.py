@@ -79,7 +79,8 @@ class Near:
         self.read_bytes += len(data)
         budget = Budget()
         label = f"{self._place}/{name}"
-        content = read_gltf(label, data, "glb", _Images(self), Materials(budget), budget)
+        with formats.guarded(label):
+            content = read_gltf(label, data, "glb", _Images(self), Materials(budget), budget)
         return Scene._from_assembled(assemble(content, up="y", on_invalid="raise", origin=self.origin))
 
     def image(self, name: str) -> bytes:
