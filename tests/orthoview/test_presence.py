@@ -15,7 +15,7 @@ import pytest
 import trimesh
 
 import nearfar as nf
-from nearfar.orthoview import _store
+from nearfar.orthoview import _guests, _store
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._presence import Masks
@@ -77,7 +77,12 @@ def bare(tree: Tree, path: Path) -> Path:
 
 
 def reader(tree: Tree) -> Callable[[int, Place], Masks]:
-    return _store.views_of(tree._files, tree._layout, tree.generation)
+    read = of_subtrees(tree)
+    return lambda tier, place: read(tier, place).masks
+
+
+def of_subtrees(tree: Tree) -> Callable[[int, Place], _store.Cells]:
+    return _store.cells_of(tree._files, tree._layout, tree.generation)
 
 
 def subtrees(tree: Tree) -> list[tuple[int, Place]]:
@@ -257,7 +262,11 @@ def test_records_without_views_are_named(wide: Tree, tmp_path: Path) -> None:
         nf.orthoview.open(store).cut(CAMERA)
 
 
-WRONG: dict[str, Any] = {f"views {name}": {"0_0_0_0": views} for name, views in DAMAGED.items()}
+NO_GUESTS = _guests.described({})
+WRONG: dict[str, Any] = {
+    f"views {name}": {"0_0_0_0": {"views": views, "guests": NO_GUESTS}} for name, views in DAMAGED.items()
+}
+WRONG |= {"nothing of a subtree": {"0_0_0_0": None}, "guests": {"0_0_0_0": {"views": [], "guests": "AAAA"}}}
 WRONG |= {"a list": [], "a number": 3, "null": None, "a text": "0_0_0_0"}
 
 
@@ -266,7 +275,7 @@ def test_damaged_generations_are_named(updated: Tree, tmp_path: Path, name: str)
     store = bare(updated, tmp_path / "bare.zarr")
     file = store / "nearfar" / "generations" / "1" / "generation.json"
     assert valid(json.loads(file.read_text()), "orthoview_generation")
-    damage(file, lambda document: document.update(views=WRONG[name]) if name in WRONG else document.pop("views"))
+    damage(file, lambda document: document.update(cells=WRONG[name]) if name in WRONG else document.pop("cells"))
     with pytest.raises(nf.FormatError, match=r"nearfar/generations/1/generation\.json: damaged"):
         nf.orthoview.open(store).cut(CAMERA)
 
@@ -276,10 +285,10 @@ class Noted:
     """Reads a tree's records, and notes which."""
 
     def __init__(self, tree: Tree) -> None:
-        self._read = reader(tree)
+        self._read = of_subtrees(tree)
         self.subtrees: list[tuple[int, Place]] = []
 
-    def __call__(self, tier: int, place: Place) -> Masks:
+    def __call__(self, tier: int, place: Place) -> _store.Cells:
         self.subtrees.append((tier, place))
         return self._read(tier, place)
 
@@ -323,7 +332,7 @@ def test_subtrees_outside_of_the_picture_are_not_read(wide: Tree) -> None:
 
 def test_cells_above_stand_for_those_that_are_not_known(wide: Tree) -> None:
     camera = looking((40, 10, 40), (120, 0, 121))
-    cutter = Cutter(wide._layout, reader(wide))
+    cutter = Cutter(wide._layout, of_subtrees(wide))
     nothing = cutter.cut(camera, Settings(), around=True)
     assert (len(nothing), len(nothing.leaves), nothing.unknown) == (0, 0, [(1, (0, 0, 0))])
     cutter.learn(1, (0, 0, 0))

@@ -162,7 +162,8 @@ def splats_of(
 def samples_of(splat: Splat, lens: Lens, size: tuple[int, int]) -> Iterator[tuple[tuple[int, int], list[Seen]]]:
     """Rows and columns of the samples that may show a splat, and how it may be seen there."""
     distance = lens.rows[2] @ (splat.point - lens.eye) + lens.shift[2]
-    if not lens.is_parallel and distance < splat.least:
+    reach = np.sqrt(SQUARED_RADIUS) * splat.factor * np.hypot(lens.rows[2] @ splat.u, lens.rows[2] @ splat.v)
+    if not lens.is_parallel and distance - reach < splat.least:
         return
     place, near = lens.at(splat.point)[:2], lens.nearness(distance)
     slopes = np.zeros(2)
@@ -214,17 +215,25 @@ def possible(splats: Sequence[Splat], camera: nf.Camera) -> dict[tuple[int, int]
     return {sample: [one for one in found if one.high >= best[sample]] for sample, found in at.items()}
 
 
+def facing(normal: Array, ray: Array, found: Array) -> Array:
+    """A normal on the viewer's side; on either side, whichever was found, where it is across the ray up to rounding."""
+    cosine = float(normal @ ray)
+    if abs(cosine) < 1e-5:
+        cosine = -float(normal @ found)
+    return -normal if cosine > 0 else normal
+
+
 def check(images: dict[str, Any], splats: Sequence[Splat], camera: nf.Camera, *, most_doubt: float = 0.06) -> float:
     """Compare range, albedo and normal at each sample; returns the share of samples that show a splat.
 
     `most_doubt` bounds the share of these for which rounding allows several answers.
     """
-    lens, right = Lens.of(camera), possible(splats, camera)
+    lens, right, rays = Lens.of(camera), possible(splats, camera), camera.rays()[1]
     width, height = camera.size
     lengths = np.ones((height, width))
     if not lens.is_parallel:
         # |d| for rays along which w grows by 1.
-        lengths = 1 / (camera.rays()[1] @ lens.rows[2])
+        lengths = 1 / (rays @ lens.rows[2])
     shown = doubtful = 0
     for row, column in itertools.product(range(height), range(width)):
         found, distance = right.get((row, column), []), float(images["range"][row, column]) / lengths[row, column]
@@ -240,7 +249,7 @@ def check(images: dict[str, Any], splats: Sequence[Splat], camera: nf.Camera, *,
             for one in found
             if one.low <= near <= one.high
             and np.abs(one.splat.albedo - albedo).max() < 1e-6
-            and np.abs(one.splat.normal - normal).max() < 1e-6
+            and np.abs(facing(one.splat.normal, rays[row, column], normal) - normal).max() < 1e-6
         ]
         assert fitting, f"another splat at {row, column}: {near}, expected one of {found}"
         shown += 1

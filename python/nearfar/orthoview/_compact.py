@@ -52,6 +52,7 @@ class _Copy:
         self._records = list(_store.recorded(store, newest))
         self._known = {path: known for recorded in self._records for path, known in recorded.shards.items()}
         self._geometry = self._newest_geometry()
+        self._cells = _store.cells_of(store, layout, newest)
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
         """Shards of all subtrees by their paths, with the size and the hash of those that are as they were."""
@@ -101,7 +102,14 @@ class _Copy:
                     self._copy(path, path)
             if known is not None:
                 written[path] = known
-        write_record(record_of(self._folder, *subtree), written, self._leaves(subtree), held, presence)
+        write_record(
+            record_of(self._folder, *subtree),
+            written,
+            self._leaves(subtree),
+            held,
+            presence,
+            self._cells(*subtree).guests,
+        )
 
     def _leaves(self, subtree: Subtree) -> Described:
         """Copy the geometry of a subtree's leaves; sizes and hashes."""

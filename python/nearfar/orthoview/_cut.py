@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,8 +14,9 @@ from nearfar import _core
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._directions import widest
 from nearfar.orthoview._grid import Place
+from nearfar.orthoview._guests import Guests
 from nearfar.orthoview._layout import Layout
-from nearfar.orthoview._presence import Masks
+from nearfar.orthoview._store import Cells
 
 MOST_VIEWS = 8
 """Greatest number of views of a cell."""
@@ -88,12 +89,13 @@ class Cutter:
     layout
         Of the tree.
     read
-        Reads which cells of a subtree, given by its tier and its place, show something.
+        Reads the cells of a subtree, given by its tier and its place.
     """
 
-    def __init__(self, layout: Layout, read: Callable[[int, Place], Masks]) -> None:
+    def __init__(self, layout: Layout, read: Callable[[int, Place], Cells]) -> None:
         grid = layout.grid
         self._layout, self._read = layout, read
+        self._guests: Guests = {}
         self._pitch = grid.cell * widest(layout.directions) / layout.size
         self._cells = _core.OrthoCells(grid.origin, grid.cell, grid.levels, layout.subtree)
 
@@ -102,9 +104,16 @@ class Cutter:
         """Number of subtrees that were read."""
         return self._cells.known
 
+    def with_guests(self, leaves: Sequence[Place]) -> list[Place]:
+        """Leaves whose geometry has all triangles in some leaves: they themselves and their guests."""
+        several = [leaf for place in leaves for leaf in (place, *self._guests.get(place, []))]
+        return list(dict.fromkeys(several))
+
     def learn(self, tier: int, place: Place) -> None:
         """Read a subtree."""
-        self._cells.add(tier, place, [mask.reshape(-1) for mask in self._read(tier, place)])
+        cells = self._read(tier, place)
+        self._cells.add(tier, place, [mask.reshape(-1) for mask in cells.masks])
+        self._guests |= cells.guests
 
     def cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
         """The cut with the subtrees that are known."""

@@ -13,7 +13,7 @@ from nearfar._base.errors import UnusableError
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Layout
 
-AS_BEFORE = np.uint32(1 << 31)
+AS_BEFORE = 1 << 31
 """Stands for a cell that is as in the generations before."""
 
 Masks = list[NDArray[np.uint32]]
@@ -81,12 +81,12 @@ def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
     return np.frombuffer(content, "<u4").reshape(shape).astype(np.uint32)
 
 
-def newest_of(generations: Sequence[Masks], layout: Layout, tier: int) -> Masks:
-    """Masks of the newest of some generations, which is the first one, that tells of a cell; 0 where none does."""
+def newest_of(generations: Sequence[Masks], layout: Layout, tier: int, unknown: int = 0) -> Masks:
+    """Masks of the newest of some generations, which is the first one, that tells of a cell."""
     found = [np.full(shape, AS_BEFORE, np.uint32) for shape in shapes(layout, tier)]
     for masks in generations:
         for mask, own in zip(found, masks, strict=True):
             np.copyto(mask, own, where=mask == AS_BEFORE)
     for mask in found:
-        mask[mask == AS_BEFORE] = 0
+        mask[mask == AS_BEFORE] = unknown
     return found

@@ -58,7 +58,7 @@ class ShownTree(StoredTree, Renderable):
     def _viewer(self) -> Viewer:
         if not self.is_complete:
             raise ValueError(f"path: {self.path} is not complete, build it again")
-        cutter = Cutter(self._layout, _store.views_of(self._files, self._layout, self.generation))
+        cutter = Cutter(self._layout, _store.cells_of(self._files, self._layout, self.generation))
         views = Views(self.path, self._chunks, self._layout, self._cache_bytes)
         return Viewer(cutter, views, Near(self.path, self._chunks, self._layout.grid, self.bounds))
 

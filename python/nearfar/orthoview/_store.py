@@ -23,8 +23,9 @@ from nearfar.orthoview._chunks import Generation, In
 from nearfar.orthoview._files import Files, Local, missing
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, OTHERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
+from nearfar.orthoview._guests import Guests, guests_of
 from nearfar.orthoview._layout import FOLDER, Layout
-from nearfar.orthoview._presence import Masks, masks_of, newest_of
+from nearfar.orthoview._presence import AS_BEFORE, Masks, masks_of, newest_of
 from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, described, record_of
 
 KIND, VERSION = "orthoview", 1
@@ -200,16 +201,16 @@ def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Map
     folder = path / overlay(number)
     shards: Described = {}
     geometry: Described = {}
-    views: dict[str, list[str]] = {}
+    cells: dict[str, dict[str, Any]] = {}
     for record in _records(folder):
         document = formats.read_json(record, RECORD, RECORD_VERSION)
-        views[record.stem] = document["views"]
+        cells[record.stem] = {key: document[key] for key in ("views", "guests")}
         shards |= document["shards"]
         geometry |= document["geometry"]
     images = sorted((folder / GEOMETRY / IMAGES).glob("*"))
     geometry |= {file.relative_to(folder).as_posix(): described(file) for file in images}
     box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
-    own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "views": views}
+    own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "cells": cells}
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | own)
 
 
@@ -257,25 +258,38 @@ def recorded(store: Files, newest: int) -> Iterator[Recorded]:
         yield _generation(store, number)
 
 
-def views_of(store: Files, layout: Layout, newest: int) -> Callable[[int, Place], Masks]:
-    """A function that reads which cells of a subtree, given by its tier and its place, show something."""
+@dataclass(frozen=True)
+class Cells:
+    """The cells of a subtree, as its records tell."""
+
+    masks: Masks
+    guests: Guests
+    """Of leaves."""
+
+
+def cells_of(store: Files, layout: Layout, newest: int) -> Callable[[int, Place], Cells]:
+    """A function that reads the cells of a subtree, given by its tier and its place."""
     overlays = []
     for number in range(newest, 0, -1):
         file = overlay(number) + _GENERATION_FILE
         document = _json(store, file, _GENERATION, _GENERATION_VERSION)
         with formats.guarded(f"{store.place}/{file}"):
-            overlays.append((file, check.mapping("views", document["views"], "those of subtrees by their names")))
+            overlays.append((file, check.mapping("cells", document["cells"], "those of subtrees by their names")))
 
-    def read(tier: int, place: Place) -> Masks:
+    def read(tier: int, place: Place) -> Cells:
         record = record_of(Path(), tier, place)
-        known = [(file, {"views": views[record.stem]}) for file, views in overlays if record.stem in views]
+        known = [(file, cells[record.stem]) for file, cells in overlays if record.stem in cells]
         if store.whole(record.as_posix()) is not None:
             known.append((record.as_posix(), _json(store, record.as_posix(), RECORD, RECORD_VERSION)))
-        generations = []
+        generations: list[Masks] = []
+        guests: Guests = {}
         for file, document in known:
             with formats.guarded(f"{store.place}/{file}"):
+                own = guests_of(document["guests"])
+                as_before = newest_of(generations, layout, tier, AS_BEFORE)[0] == AS_BEFORE
+                guests |= {leaf: own[leaf] for leaf in own if as_before[layout.shard_of(0, leaf)[1]]}
                 generations.append(masks_of(document["views"], layout, tier))
-        return newest_of(generations, layout, tier)
+        return Cells(newest_of(generations, layout, tier), guests)
 
     return read
 

@@ -12,11 +12,12 @@ from typing import Any, Protocol
 from nearfar import _core
 from nearfar._base import formats
 from nearfar._base.errors import FormatError
-from nearfar.orthoview import _codec
+from nearfar.orthoview import _codec, _guests
 from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
+from nearfar.orthoview._guests import Guests
 from nearfar.orthoview._journal import Journal
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._presence import Presence
@@ -43,6 +44,8 @@ class Outcome:
     """False if a cell below could not be drawn."""
     failed: dict[str, str] = field(default_factory=dict)
     """Why cells could not be drawn, by their names."""
+    guests: list[Place] = field(default_factory=list)
+    """Guests of a leaf."""
     counts: Counter[str] = field(default_factory=Counter)
     """Counts of work: leaves drawn and found empty, cells composed, chunks reloaded."""
 
@@ -78,10 +81,13 @@ def described(path: Path) -> tuple[int, str]:
     return len(content), hashlib.sha256(content).hexdigest()
 
 
-def write_record(path: Path, shards: Described, geometry: Described, held: Held, presence: Presence) -> None:
+def write_record(
+    path: Path, shards: Described, geometry: Described, held: Held, presence: Presence, guests: Guests
+) -> None:
     """Write the record of a complete subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
     own = {"shards": shards, "geometry": geometry, "held": held.counts(), "views": presence.described()}
+    own["guests"] = _guests.described(guests)
     formats.write_json(path, formats.header(RECORD, VERSION) | own)
 
 
@@ -170,11 +176,11 @@ class Subtree:
             below = self._below.base(self._tier, place)
             self._outcome.failed |= below.failed
             self._outcome.counts += below.counts
-            views, is_complete = below.views, below.is_complete
+            views, is_complete, guests = below.views, below.is_complete, below.guests
         else:
-            views, is_complete = self._composed(level, place)
+            (views, is_complete), guests = self._composed(level, place), []
         if is_complete:
-            views = self._write(level, place, views)
+            views = self._write(level, place, views, guests)
         return views, is_complete
 
     def _composed(self, level: int, place: Place) -> tuple[Views, bool]:
@@ -194,8 +200,8 @@ class Subtree:
     def _parent(self) -> _core.OrthoParent:
         return _core.OrthoParent(self._layout.directions, self._layout.format, behind=self._layout.layers == 2)
 
-    def _write(self, level: int, place: Place, views: Views) -> Views:
-        """Write the views of a cell; returns them as readers see them."""
+    def _write(self, level: int, place: Place, views: Views, guests: list[Place]) -> Views:
+        """Write the views of a cell, and note its guests; returns the views as readers see them."""
         shard, within = self._layout.shard_of(level, place)
         encoded = _codec.encoded(views, self._layout) if views else {}
         gone = dict.fromkeys(self._below.before(level, place) - encoded.keys(), b"")
@@ -203,7 +209,7 @@ class Subtree:
         for (direction, channel), chunk in (encoded | gone).items():
             array = self._layout.array(level, direction, channel)
             chunks[array] = self._writer(array, level, shard).append(within, chunk)
-        self._journal.add(level, place, chunks)
+        self._journal.add(level, place, chunks, guests)
         return _codec.settled(views, encoded, self._layout) if views else None
 
     def _writer(self, array: str, level: int, shard: Place) -> ShardWriter:
@@ -252,7 +258,7 @@ class Subtree:
             for array, (_, length) in chunks.items():
                 held.add(level, place, length)
                 presence.add(level, place, array, length)
-        write_record(self._record, shards, self._geometry(), held, presence)
+        write_record(self._record, shards, self._geometry(), held, presence, self._journal.guests)
         self._journal.remove()
 
     def _geometry(self) -> Described:

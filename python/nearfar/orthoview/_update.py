@@ -75,7 +75,7 @@ def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource)
 class Changed(Leaves):
     """The leaves that a change touches; all other cells are as they are in the store."""
 
-    unchanged = int(AS_BEFORE)
+    unchanged = AS_BEFORE
 
     def __init__(
         self, source: SceneSource, folder: Path, layout: Layout, chunks: Chunks, aabb: NDArray[np.float64]

@@ -89,7 +89,7 @@ class Viewer:
 
     def _geometry(self, camera: Camera, shot: Shot, grid: int, cut: OrthoCut) -> dict[str, Any] | None:
         """Images of the leaves that are drawn as geometry, with a pixel for each sample."""
-        scene = self.near.scene(cut.leaf_places())
+        scene = self.near.scene(self.cutter.with_guests(cut.leaf_places()))
         if scene is None:
             return None
         width, height = camera.size

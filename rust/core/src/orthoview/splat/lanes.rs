@@ -266,7 +266,9 @@ fn project_group<const PARALLEL: bool>(
 
         let half_x = radius * if is_surfel { (ux * ux + vx * vx).sqrt() } else { ball_x };
         let half_y = radius * if is_surfel { (uy * uy + vy * vy).sqrt() } else { ball_y };
-        let is_shown = PARALLEL || w >= constants.least_distance;
+        // Near the eye the derivative at the middle would sweep ellipses across the picture.
+        let depth = radius * factor * (u2 * u2 + v2 * v2).sqrt();
+        let is_shown = PARALLEL || w - depth >= constants.least_distance;
         let (first, last, middle) = pixels(x, half_x, left, rightmost);
         lanes.first[0][group][n] = if is_shown { first } else { 1 };
         lanes.last[0][group][n] = if is_shown { last } else { 0 };

@@ -32,6 +32,12 @@ struct Last {
     view: usize,
 }
 
+/// The normal on the viewer's side: views see the insides of what a cell's side cuts open, whose outsides belong to the next
+/// cell.
+fn facing(normal: Vec3, direction: Vec3) -> Vec3 {
+    if normal.dot(direction) > 0.0 { -normal } else { normal }
+}
+
 impl<'a> Resolver<'a> {
     pub fn new(
         picture: &'a Picture<'a>,
@@ -117,7 +123,8 @@ impl<'a> Resolver<'a> {
         if number != last.number {
             let view = self.view(number, last.view);
             let (splats, texel) = self.splat(number, view);
-            let (albedo, light) = (self.albedo(texel), irradiance(splats.normal(texel)));
+            let normal = facing(splats.normal(texel), self.direction(x, y).as_vec3());
+            let (albedo, light) = (self.albedo(texel), irradiance(normal));
             *last = Last { number, color: std::array::from_fn(|i| albedo[i] * light[i]), view };
         }
         (last.color, 1.0)
@@ -137,7 +144,7 @@ impl<'a> Resolver<'a> {
         let distance = self.projector.distance(f64::from(unordered(key.order())));
         let (start, direction) = self.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let place = self.camera.position + start + direction * distance - self.picture.origin;
-        let normal = splats.normal(texel).to_array();
+        let normal = facing(splats.normal(texel), direction.as_vec3()).to_array();
         Sample {
             range: (direction.length() * distance) as f32,
             position: place.as_vec3().to_array(),
