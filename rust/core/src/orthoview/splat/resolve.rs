@@ -23,19 +23,21 @@ pub(super) struct Resolver<'a> {
     directions: [Vec3; 3],
 }
 
-/// The colour of the splat that was looked up last: neighbouring samples often show the same.
+/// The splat that was looked up last: neighbouring samples often show the same.
 #[derive(Clone, Copy)]
 struct Last {
     number: u32,
-    color: [f32; 3],
+    normal: Vec3,
+    /// Its colours on the side of the normal and on the other one.
+    colors: [[f32; 3]; 2],
     /// Number of its view.
     view: usize,
 }
 
-/// The normal on the viewer's side: views see the insides of what a cell's side cuts open, whose outsides belong to the next
-/// cell.
-fn facing(normal: Vec3, direction: Vec3) -> Vec3 {
-    if normal.dot(direction) > 0.0 { -normal } else { normal }
+/// Whether a normal is turned away from the viewer along a ray: views see the insides of what a cell's side cuts open, whose
+/// outsides belong to the next cell.
+fn faces_away(normal: Vec3, direction: Vec3) -> bool {
+    normal.dot(direction) > 0.0
 }
 
 impl<'a> Resolver<'a> {
@@ -70,17 +72,18 @@ impl<'a> Resolver<'a> {
         self.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5).1
     }
 
-    /// The unit direction of the ray through the middle of a sample.
-    fn unit(&self, x: i32, y: i32) -> Vec3 {
+    /// The same in float32.
+    #[inline]
+    fn along(&self, x: i32, y: i32) -> Vec3 {
         let [start, right, down] = self.directions;
-        (start + right * (x as f32 + 0.5) + down * (y as f32 + 0.5)).normalize()
+        start + right * (x as f32 + 0.5) + down * (y as f32 + 0.5)
     }
 
     /// The images of a tile of pixels.
     pub fn resolve(&self, screen: &Screen, tile: &Rect) -> Frame {
         let (mut frame, wanted) = (Frame::default(), self.picture.channels);
         let (grid, mask) = (self.picture.grid as i32, self.picture.pixels.mask);
-        let mut last = Last { number: OTHER, color: [0.0; 3], view: 0 };
+        let mut last = Last { number: OTHER, normal: Vec3::ZERO, colors: [[0.0; 3]; 2], view: 0 };
         for (y, x) in (tile.low[1]..tile.high[1]).flat_map(|y| (tile.low[0]..tile.high[0]).map(move |x| (y, x))) {
             if mask.is_some_and(|mask| !mask[(y * self.picture.camera.width as i32 + x) as usize]) {
                 frame.push(wanted, [0.0; 3], 0.0, &Sample::default());
@@ -117,17 +120,17 @@ impl<'a> Resolver<'a> {
                     (before.color.get(self.index(x, y)).copied().unwrap_or_default(), 1.0)
                 }
                 _ if self.picture.pixels.bare => ([0.0; 3], 0.0),
-                _ => (background(self.unit(x, y)), 0.0),
+                _ => (background(self.along(x, y).normalize()), 0.0),
             };
         }
         if number != last.number {
             let view = self.view(number, last.view);
             let (splats, texel) = self.splat(number, view);
-            let normal = facing(splats.normal(texel), self.direction(x, y).as_vec3());
-            let (albedo, light) = (self.albedo(texel), irradiance(normal));
-            *last = Last { number, color: std::array::from_fn(|i| albedo[i] * light[i]), view };
+            let (albedo, normal) = (self.albedo(texel), splats.normal(texel));
+            let lit = |light: [f32; 3]| std::array::from_fn(|i| albedo[i] * light[i]);
+            *last = Last { number, normal, colors: [lit(irradiance(normal)), lit(irradiance(-normal))], view };
         }
-        (last.color, 1.0)
+        (last.colors[usize::from(faces_away(last.normal, self.along(x, y)))], 1.0)
     }
 
     /// The channels of the middle of a pixel.
@@ -144,7 +147,8 @@ impl<'a> Resolver<'a> {
         let distance = self.projector.distance(f64::from(unordered(key.order())));
         let (start, direction) = self.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let place = self.camera.position + start + direction * distance - self.picture.origin;
-        let normal = facing(splats.normal(texel), direction.as_vec3()).to_array();
+        let normal = splats.normal(texel);
+        let normal = if faces_away(normal, self.along(x, y)) { -normal } else { normal }.to_array();
         Sample {
             range: (direction.length() * distance) as f32,
             position: place.as_vec3().to_array(),
