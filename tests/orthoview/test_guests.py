@@ -24,7 +24,7 @@ Guests = dict[Place, set[Place]]
 
 def of_tree(tree: nf.orthoview.OrthoTree) -> Guests:
     """Guests of all leaves that have some, as the records of a tree tell."""
-    read = _store.cells_of(tree._files, tree._layout, tree.generation)
+    read = _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
     counts = np.array(tree.cells(0))
     shards = [(x, y, z) for x, y, z in np.ndindex(*(-(-counts // 8)).tolist())]
     return {leaf: set(own) for shard in shards for leaf, own in read(0, shard).guests.items()}

@@ -82,7 +82,7 @@ def reader(tree: Tree) -> Callable[[int, Place], Masks]:
 
 
 def of_subtrees(tree: Tree) -> Callable[[int, Place], _store.Cells]:
-    return _store.cells_of(tree._files, tree._layout, tree.generation)
+    return _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
 
 
 def subtrees(tree: Tree) -> list[tuple[int, Place]]:

@@ -48,11 +48,12 @@ Subtree = tuple[int, Place]
 class _Copy:
     def __init__(self, store: Files, layout: Layout, newest: int, folder: Path) -> None:
         self._store, self._layout, self._folder = store, layout, folder
-        self._chunks = Chunks(store, layout, _store.recorded_generations(store, layout, newest))
+        listed = _store.Listed(store, layout)
+        self._chunks = Chunks(store, layout, _store.recorded_generations(store, layout, newest, listed))
         self._records = list(_store.recorded(store, newest))
         self._known = {path: known for recorded in self._records for path, known in recorded.shards.items()}
         self._geometry = self._newest_geometry()
-        self._cells = _store.cells_of(store, layout, newest)
+        self._cells = _store.cells_of(store, layout, newest, listed)
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
         """Shards of all subtrees by their paths, with the size and the hash of those that are as they were."""

@@ -21,6 +21,7 @@ from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
 from nearfar.orthoview import _store
+from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._cut import MOST_VIEWS, Cutter, OrthoCut, Settings
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._stored import StoredTree
@@ -58,9 +59,12 @@ class ShownTree(StoredTree, Renderable):
     def _viewer(self) -> Viewer:
         if not self.is_complete:
             raise ValueError(f"path: {self.path} is not complete, build it again")
-        cutter = Cutter(self._layout, _store.cells_of(self._files, self._layout, self.generation))
-        views = Views(self.path, self._chunks, self._layout, self._cache_bytes)
-        return Viewer(cutter, views, Near(self.path, self._chunks, self._layout.grid, self.bounds))
+        files, layout, newest = self._files, self._layout, self.generation
+        listed = _store.Listed(files, layout)
+        chunks = Chunks(files, layout, _store.recorded_generations(files, layout, newest, listed))
+        cutter = Cutter(layout, _store.cells_of(files, layout, newest, listed))
+        views = Views(self.path, chunks, layout, self._cache_bytes)
+        return Viewer(cutter, views, Near(self.path, chunks, layout.grid, self.bounds))
 
     def cut(
         self,
@@ -146,8 +150,8 @@ class ShownTree(StoredTree, Renderable):
         -------
         Frame
             The bytes are the same for any number of threads. `stats` counts the `cells` and `views` of the cut, its
-            `leaves` of geometry, all `splats` of the views, those of parts `in_picture`, and those `seen`, which are
-            not hidden.
+            `leaves` of geometry, all `splats` of the views, `splats_in_picture` of parts that reach into it,
+            `splats_seen` of those that are not hidden, and `splats_projected`, once for each tile of the screen.
 
         Raises
         ------

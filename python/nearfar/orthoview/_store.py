@@ -63,6 +63,8 @@ class Recorded:
     shards: Described
     geometry: Described
     held: dict[str, int]
+    cells: Any = None
+    """What it says of cells, which `cells_of` reads."""
 
 
 def name_of(place: Place) -> str:
@@ -221,9 +223,9 @@ def generations(store: Files, newest: int) -> list[Generation]:
     return [*known, Generation("", None, None)]
 
 
-def recorded_generations(store: Files, layout: Layout, newest: int) -> list[Generation]:
+def recorded_generations(store: Files, layout: Layout, newest: int, listed: Listed | None = None) -> list[Generation]:
     """The same, where what the first generation has is looked up in its records, so that lost files are noticed."""
-    listed = Listed(store, layout)
+    listed = listed or Listed(store, layout)
     *overlays, _ = generations(store, newest)
     return [*overlays, Generation("", In(listed.has_shard), In(listed.has_geometry))]
 
@@ -237,7 +239,8 @@ def _generation(store: Files, number: int) -> Recorded:
 
 def _recorded(folder: str, name: str, document: Mapping[str, Any]) -> Recorded:
     shards, geometry = _listed(document["shards"], _SHARD), _listed(document["geometry"], _GEOMETRY_FILE)
-    return Recorded(folder, name, shards, geometry, document["held"])
+    cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
+    return Recorded(folder, name, shards, geometry, document["held"], cells)
 
 
 def recorded(store: Files, newest: int) -> Iterator[Recorded]:
@@ -267,28 +270,26 @@ class Cells:
     """Of leaves."""
 
 
-def cells_of(store: Files, layout: Layout, newest: int) -> Callable[[int, Place], Cells]:
+def cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Callable[[int, Place], Cells]:
     """A function that reads the cells of a subtree, given by its tier and its place."""
     overlays = []
-    for number in range(newest, 0, -1):
-        file = overlay(number) + _GENERATION_FILE
-        document = _json(store, file, _GENERATION, _GENERATION_VERSION)
-        with formats.guarded(f"{store.place}/{file}"):
-            overlays.append((file, check.mapping("cells", document["cells"], "those of subtrees by their names")))
+    for found in (_generation(store, number) for number in range(newest, 0, -1)):
+        with formats.guarded(f"{store.place}/{found.folder}{_GENERATION_FILE}"):
+            overlays.append((found.folder + _GENERATION_FILE, check.mapping("cells", found.cells, "cells by subtrees")))
 
     def read(tier: int, place: Place) -> Cells:
-        record = record_of(Path(), tier, place)
-        known = [(file, cells[record.stem]) for file, cells in overlays if record.stem in cells]
-        if store.whole(record.as_posix()) is not None:
-            known.append((record.as_posix(), _json(store, record.as_posix(), RECORD, RECORD_VERSION)))
+        name = record_of(Path(), tier, place)
+        known = [(file, cells[name.stem]) for file, cells in overlays if name.stem in cells]
+        if (record := listed.record(tier, place)) is not None:
+            known.append((name.as_posix(), record.cells))
         generations: list[Masks] = []
         guests: Guests = {}
-        for file, document in known:
+        for file, cells in known:
             with formats.guarded(f"{store.place}/{file}"):
-                own = guests_of(document["guests"])
+                own = guests_of(cells["guests"])
                 as_before = newest_of(generations, layout, tier, AS_BEFORE)[0] == AS_BEFORE
                 guests |= {leaf: own[leaf] for leaf in own if as_before[layout.shard_of(0, leaf)[1]]}
-                generations.append(masks_of(document["views"], layout, tier))
+                generations.append(masks_of(cells["views"], layout, tier))
         return Cells(newest_of(generations, layout, tier), guests)
 
     return read
@@ -319,7 +320,8 @@ class Listed:
         self._store, self._layout = store, layout
         self._records: dict[str, Recorded | None] = {}
 
-    def _record(self, tier: int, place: Place) -> Recorded | None:
+    def record(self, tier: int, place: Place) -> Recorded | None:
+        """The record of a subtree; None for one in which nothing is."""
         name = record_of(Path(), tier, place).as_posix()
         if name not in self._records:
             found = None
@@ -333,12 +335,14 @@ class Listed:
     def has_shard(self, path: str) -> bool:
         """Whether a shard was written."""
         level, _, _, _, x, y, z, *_ = path.split("/")
-        record = self._record(int(level) // self._layout.subtree, (int(x), int(y), int(z)))
+        record = self.record(int(level) // self._layout.subtree, (int(x), int(y), int(z)))
         return record is not None and path in record.shards
 
     def has_geometry(self, path: str) -> bool:
-        """Whether a file of a leaf's geometry was written."""
+        """Whether a file of a leaf's geometry was written; of textures what leaves refer to."""
+        if path.startswith(f"{GEOMETRY}/{IMAGES}/"):
+            return True
         side = 1 << self._layout.subtree
         x, y, z = (int(number) // side for number in path.removesuffix(".glb").split("/")[-3:])
-        record = self._record(0, (x, y, z))
+        record = self.record(0, (x, y, z))
         return record is not None and path in record.geometry
