@@ -29,7 +29,7 @@ VIEWS = (2, 3, 5)
 ERRORS = (0.5, 1.0, 2.0, 4.0)
 DIRECTIONS = 9
 """Of tables that do not vary them."""
-PARTS = {"Tokyo": 750.0, "forest": 80.0}
+PARTS = {"Tokyo": 500.0, "forest": 40.0}
 """Sides of the parts whose second layers are measured: these take longer to build."""
 HEADER = [
     "PSNR, dB",
@@ -92,7 +92,9 @@ def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
         for place, cameras in places(world):
             shown = truths(world, cameras, tree)
             for error in ERRORS:
-                quality = mean([compared(truth, opened(Path(tree.path), DIRECTIONS), Setting(error_px=error)) for truth in shown])
+                quality = mean(
+                    [compared(truth, opened(Path(tree.path), DIRECTIONS), Setting(error_px=error)) for truth in shown]
+                )
                 lines.setdefault(place, []).append(quality)
                 rows.append([place, f"{error:g}", *amounts(quality), *cells(quality)])
                 print(rows[-1], file=sys.stderr, flush=True)
@@ -157,7 +159,9 @@ def wide(worlds: list[World], trees: Path, out: Path | None) -> None:
     world = worlds[0]
     tree = opened(world.build(trees), DIRECTIONS)
     at = world.box[0] + world.side * np.array([(0.5, 0.28, -0.22), (0.5, 0.0, 0.5)])
-    camera = nf.Camera.look_at(at[0], at[1], fov=nf.Fov.symmetric(60, _sheets.WIDE[0] / _sheets.WIDE[1]), size=_sheets.WIDE)
+    camera = nf.Camera.look_at(
+        at[0], at[1], fov=nf.Fov.symmetric(60, _sheets.WIDE[0] / _sheets.WIDE[1]), size=_sheets.WIDE
+    )
     truth = Truth(world, camera, tree.bounds)
     _sheets.save_halves(truth.color.to_image(), Setting().render(tree, camera).to_image(), out / "orthoview_tokyo.png")
 
