@@ -95,6 +95,9 @@ def compared(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Qu
     """Draw a tree, and compare the picture with the truth."""
     viewer = tree._viewer
     viewer.views._kept.clear()
+    viewer.views.bytes = 0
+    viewer.near._leaves.clear()
+    viewer.near._last = (), None
     before = viewer.views.read_bytes, viewer.near.read_bytes
     frame = setting.render(tree, truth.camera, samples=1)
     views, geometry = viewer.views.read_bytes - before[0], viewer.near.read_bytes - before[1]

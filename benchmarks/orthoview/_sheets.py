@@ -12,21 +12,23 @@ from PIL import Image
 
 from benchmarks.orthoview._quality import Quality, Truth
 
-SMALL = (320, 240)
+SMALL = (292, 219)
 """Pixels of the sheet's pictures."""
 WIDE = (1200, 500)
 GAIN = 3
 """Factor of errors that are shown."""
 MARGIN, TITLE = 4, 22
+MEGABYTES = (0.5, 1, 2, 5, 10, 20, 50)
 
 Picture = NDArray[np.uint8]
 
 
 def save_sheet(rows: Sequence[Sequence[Any]], titles: Sequence[str], path: Path) -> None:
-    """Save rows of a truth and frames, with the errors below the frames."""
+    """Save rows of a name, a truth and frames, with the errors below the frames."""
     truth: Truth
-    lines = []
-    for truth, frames in rows:
+    lines, names = [], []
+    for name, truth, frames in rows:
+        names += ["", name]
         reference = truth.color.to_image()
         pictures = [frame.to_image() for frame in frames]
         errors = [error(reference, picture) for picture in pictures]
@@ -35,8 +37,13 @@ def save_sheet(rows: Sequence[Sequence[Any]], titles: Sequence[str], path: Path)
     whole = Image.new("RGB", (int(step[0]) * len(lines[0]), int(step[1]) * len(lines) + TITLE), "white")
     for n, title in enumerate(["truth", *titles]):
         write(whole, title, (int(step[0]) * n + SMALL[0] // 2, TITLE // 2))
-    write(whole, f"difference × {GAIN}:", (SMALL[0] // 2, TITLE + int(step[1]) + SMALL[1] // 2))
-    for y, line in enumerate(lines):
+    for y, (line, name) in enumerate(zip(lines, names, strict=True)):
+        if name:
+            write(
+                whole,
+                f"{name}\nabove; differences,\n{GAIN} times as great",
+                (SMALL[0] // 2, TITLE + int(step[1]) * y + 90),
+            )
         for x, picture in enumerate(line):
             if x or y % 2 == 0:
                 whole.paste(Image.fromarray(picture), (int(step[0]) * x, TITLE + int(step[1]) * y))
@@ -85,10 +92,12 @@ def plot_errors(lines: Mapping[str, Sequence[Quality]], errors: Sequence[float],
     figure, axis = plt.subplots(figsize=(7, 4.2), layout="constrained")
     for name, found in lines.items():
         read = [quality.read / 1e6 for quality in found]
-        axis.semilogx(read, [quality.ssim for quality in found], "o-", label=name)
+        axis.plot(read, [quality.ssim for quality in found], "o-", label=name)
         for at, quality, error_px in zip(read, found, errors, strict=True):
             axis.annotate(f"{error_px:g}", (at, quality.ssim), textcoords="offset points", xytext=(4, -10), fontsize=8)
-    axis.set(xlabel="MB read for one picture; numbers: error_px", ylabel="SSIM")
+    axis.set(xscale="log", xlabel="MB read for one picture; numbers: error_px", ylabel="SSIM")
+    axis.set_xticks(MEGABYTES, [f"{value:g}" for value in MEGABYTES])
+    axis.minorticks_off()
     axis.grid(alpha=0.3)
     axis.legend()
     figure.savefig(path, dpi=90)

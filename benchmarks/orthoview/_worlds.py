@@ -57,9 +57,9 @@ class World:
 
     def from_air(self) -> list[nf.Camera]:
         """Across the square from beside it, and down on it from a corner."""
-        at = self.box[0] + self.side * np.array(
-            [(0.5, 0.25, -0.15), (0.55, 0.0, 0.6), (0.0, 0.45, 0.0), (0.5, 0.0, 0.5)]
-        )
+        at = self.side * np.array([(0.5, 0.25, -0.15), (0.55, 0.0, 0.6), (0.0, 0.45, 0.0), (0.5, 0.0, 0.5)])
+        at[::2, 1] = np.maximum(at[::2, 1], 0.6 * self.height)
+        at += self.box[0]
         return [self.camera(at[0], at[1]), self.camera(at[2], at[3])]
 
     def from_ground(self, count: int = 2) -> list[nf.Camera]:

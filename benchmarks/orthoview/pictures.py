@@ -1,6 +1,6 @@
 """Pictures of trees beside ray-traced truth: what they lose, by directions, views, error, geometry and layers.
 
-    python -m benchmarks.orthoview.pictures sets errors geometry layers sheet wide --tiles FOLDER --out FOLDER
+    python -m benchmarks.orthoview.pictures sets cuts errors geometry layers sheet wide --tiles FOLDER --out FOLDER
 
 Trees of 26 directions are built once and kept in --trees; those of fewer directions are their first views. Each table
 takes the mean of two places on the ground and of two in the air. Without --tiles Tokyo is a small part in one file.
@@ -23,6 +23,7 @@ from benchmarks.harness.timing import machine, table
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import Quality, Setting, Truth, compared, mean
 from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, opened, tokyo
+from nearfar.orthoview._directions import directions_of, widest
 
 SETS = (5, 9, 13, 26)
 VIEWS = (2, 3, 5)
@@ -84,6 +85,23 @@ def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
     print(table("Directions and views", ["place", "directions", "views", *HEADER, "leaves"], rows))
 
 
+def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
+    """Directions with equal cuts: sets whose widest view is wider are allowed as much more of an error."""
+    del out
+    rows = []
+    for world in worlds:
+        path = world.build(trees)
+        for place, cameras in places(world):
+            for count in SETS:
+                tree = opened(path, count)
+                setting = Setting(error_px=widest(tree.directions) / widest(directions_of(DIRECTIONS)), geometry=False)
+                quality = mean([compared(truth, tree, setting) for truth in truths(world, cameras, tree)])
+                rows.append([place, str(count), *amounts(quality), *cells(quality)])
+                print(rows[-1], file=sys.stderr, flush=True)
+    header = ["place", "directions", "MB read", "of geometry", "thousand splats", *HEADER]
+    print(table("Directions with equal cuts, 3 views, no geometry", header, rows))
+
+
 def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
     """The error allowed."""
     rows, lines = [], {}
@@ -92,9 +110,7 @@ def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
         for place, cameras in places(world):
             shown = truths(world, cameras, tree)
             for error in ERRORS:
-                quality = mean(
-                    [compared(truth, opened(Path(tree.path), DIRECTIONS), Setting(error_px=error)) for truth in shown]
-                )
+                quality = mean([compared(truth, tree, Setting(error_px=error)) for truth in shown])
                 lines.setdefault(place, []).append(quality)
                 rows.append([place, f"{error:g}", *amounts(quality), *cells(quality)])
                 print(rows[-1], file=sys.stderr, flush=True)
@@ -145,10 +161,10 @@ def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
     rows: list[list[Any]] = []
     for world in worlds:
         tree = opened(world.build(trees), DIRECTIONS)
-        for _, cameras in places(world):
+        for name, cameras in places(world):
             camera = replace(cameras[0], size=_sheets.SMALL)
             truth = Truth(world, camera, tree.bounds)
-            rows.append([truth, [Setting(views).render(tree, camera) for views in VIEWS]])
+            rows.append([name, truth, [Setting(views).render(tree, camera) for views in VIEWS]])
     _sheets.save_sheet(rows, [f"{views} of {DIRECTIONS} views" for views in VIEWS], out / "orthoview_pictures.png")
 
 
@@ -186,6 +202,7 @@ def cells(quality: Quality) -> list[str]:
 
 TABLES = {
     "sets": by_sets,
+    "cuts": by_cuts,
     "errors": by_errors,
     "geometry": by_geometry,
     "layers": by_layers,
