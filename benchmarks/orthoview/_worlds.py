@@ -98,7 +98,7 @@ class World:
         return path
 
 
-def opened(path: Path, directions: int, layers: int = 1) -> nf.OrthoTree:
+def opened(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
     """A tree as if it had been built with fewer directions or layers: views do not depend on others."""
     tree = nf.orthoview.open(path)
     tree._layout = replace(tree._layout, directions=directions_of(directions), layers=layers)

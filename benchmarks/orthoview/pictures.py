@@ -104,7 +104,8 @@ def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
     """The error allowed."""
-    rows, lines = [], {}
+    rows: list[list[str]] = []
+    lines: dict[str, list[Quality]] = {}
     for world in worlds:
         tree = opened(world.build(trees), DIRECTIONS)
         for place, cameras in places(world):
