@@ -106,9 +106,9 @@ def opened(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTr
 
 
 def tokyo(tiles: str | None) -> World:
-    """1.5 km about Shimbashi and Shiodome, with ground below the houses, which the data do not have."""
+    """1.5 km about Shimbashi, or of the core without tiles, with ground below the houses, which the data do not have."""
     source: nf.SceneSource = nf.open_source(tiles) if tiles else tokyo_core()
-    side = 1500.0 if tiles else 500.0
+    x, z = (-1750.0, 1000.0) if tiles else (-1500.0, 0.0)
 
     def part(box: Floats) -> nf.Scene:
         houses, ground = source.query(box).triangles().reshape(-1, 3), _ground(box)
@@ -117,7 +117,7 @@ def tokyo(tiles: str | None) -> World:
         numbers = np.repeat([0, 1], [len(houses) // 3, len(ground) // 3])
         return nf.Scene.from_arrays(corners, faces, numbers, object_names=("houses", GROUND[0]))
 
-    return World("Tokyo", part, (-1750.0, -1.0, 1000.0), side, 350.0, 125.0)
+    return World("Tokyo", part, (x, -1.0, z), 1500.0, 350.0, 125.0)
 
 
 def _ground(box: Floats, step: float = 125.0, y: float = -0.5) -> Floats:

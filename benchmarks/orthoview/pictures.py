@@ -3,7 +3,8 @@
     python -m benchmarks.orthoview.pictures sets cuts errors geometry layers sheet wide --tiles FOLDER --out FOLDER
 
 Trees of 26 directions are built once and kept in --trees; those of fewer directions are their first views. Each table
-takes the mean of two places on the ground and of two in the air. Without --tiles Tokyo is a small part in one file.
+takes the mean of two places on the ground and of two in the air. Without --tiles Tokyo is another part, of
+the core, which is in one file.
 """
 
 from __future__ import annotations
