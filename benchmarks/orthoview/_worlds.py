@@ -106,7 +106,7 @@ def opened(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTr
 
 
 def tokyo(tiles: str | None) -> World:
-    """1.5 km about Shimbashi, or of the core without tiles, with ground below the houses, which the data do not have."""
+    """1.5 km about Shimbashi, without tiles of the core; with ground below the houses, which the data lack."""
     source: nf.SceneSource = nf.open_source(tiles) if tiles else tokyo_core()
     x, z = (-1750.0, 1000.0) if tiles else (-1500.0, 0.0)
 
