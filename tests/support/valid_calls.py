@@ -62,6 +62,7 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.lod.Selection": lambda: _selection(valid),
         "nearfar.lod.Selector": nf.lod.Selector,
         "nearfar.lod.Switches": lambda: nf.lod.switches(model, view=valid.camera),
+        "nearfar.orthoview.OrthoCut": lambda: _cut(valid),
         "nearfar.orthoview.OrthoTree": lambda: nf.orthoview.open(valid.store),
         "nearfar.stream.Bundle": lambda: valid.bundle,
         "nearfar.stream.Growth": lambda: nf.stream.Growth((2.0, 4.0)),
@@ -90,12 +91,22 @@ def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
     return {name: arguments for make in makers for name, arguments in make(valid).items()}
 
 
+def _cut(valid: Valid) -> nf.orthoview.OrthoCut:
+    return nf.orthoview.open(valid.store).cut(valid.camera)
+
+
 def _orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
     return {
         "nearfar.orthoview.OrthoTree": {"path": valid.store},
         "nearfar.orthoview.OrthoTree.box": {"level": 0, "place": (0, 0, 0)},
         "nearfar.orthoview.OrthoTree.cells": {"level": 0},
         "nearfar.orthoview.OrthoTree.compact": {"path": valid.folder / "compact.zarr"},
+        "nearfar.orthoview.OrthoTree.cut": {"camera": valid.camera},
+        "nearfar.orthoview.OrthoTree.render": {"camera": valid.camera},
+        "nearfar.orthoview.OrthoTree.trace": {"shot": valid.shot},
+        "nearfar.orthoview.OrthoCut": fields(_cut(valid)),
+        "nearfar.orthoview.OrthoCut.keys": {},
+        "nearfar.orthoview.OrthoCut.leaf_places": {},
         "nearfar.orthoview.OrthoTree.leaf_glb": {"place": (0, 0, 0)},
         "nearfar.orthoview.OrthoTree.preview": {},
         "nearfar.orthoview.OrthoTree.update": {"aabb": [[0, 0, 0], [1, 1, 1]], "source": valid.scene},

@@ -36,11 +36,14 @@ from nearfar._core.lod import (
     select_levels as select_levels,
 )
 from nearfar._core.orthoview import (
+    OrthoCells as OrthoCells,
     OrthoParent as OrthoParent,
+    OrthoSplats as OrthoSplats,
     OrthoViews as OrthoViews,
     orthoview_axes as orthoview_axes,
     orthoview_steps as orthoview_steps,
     orthoview_surfels as orthoview_surfels,
+    splat_orthoviews as splat_orthoviews,
 )
 from nearfar._core.serve import (
     Server as Server,

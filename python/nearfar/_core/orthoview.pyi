@@ -1,12 +1,12 @@
 """Orthoviews, which `nearfar._core` exports; there is no such module at run time."""
 
-from collections.abc import Sequence
-from typing import final
+from collections.abc import Mapping, Sequence
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._core import Scene, _Report
+from nearfar._core import Camera, Scene, _Report
 
 _Direction = tuple[int, int, int]
 _Format = tuple[int, int, int]
@@ -56,3 +56,44 @@ class OrthoParent:
 def orthoview_axes(direction: _Direction) -> tuple[list[list[float]], list[float]]: ...
 def orthoview_steps(view_format: _Format) -> int: ...
 def orthoview_surfels(bits: _U8) -> NDArray[np.bool_]: ...
+
+# splats -------------------------------------------------------------------------------------------------------------
+@final
+class OrthoSplats:
+    def __new__(
+        cls, views: OrthoViews, number: int, connected: _U8, cell: tuple[Sequence[float], float]
+    ) -> OrthoSplats: ...
+    @property
+    def count(self) -> int: ...
+    @property
+    def bytes(self) -> int: ...
+
+def splat_orthoviews(
+    views: Sequence[OrthoSplats],
+    camera: Camera,
+    settings: Mapping[str, Any],
+    *,
+    origin: tuple[float, float, float],
+    grid: int,
+    before: dict[str, Any] | None = None,
+    report: _Report | None = None,
+) -> dict[str, Any]: ...
+
+# cuts ---------------------------------------------------------------------------------------------------------------
+@final
+class OrthoCells:
+    def __new__(cls, origin: Sequence[float], side: float, levels: int, subtree: int) -> OrthoCells: ...
+    def add(self, tier: int, place: Sequence[int], levels: Sequence[NDArray[np.uint32]]) -> None: ...
+    @property
+    def known(self) -> int: ...
+    def cut(
+        self,
+        camera: Camera,
+        *,
+        pitch: float,
+        error: float,
+        directions: Sequence[_Direction],
+        views: int,
+        geometry: bool,
+        around: bool,
+    ) -> tuple[dict[str, Any], float, list[tuple[int, list[int]]]]: ...

@@ -18,6 +18,7 @@ from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
 from nearfar.orthoview._grid import Place, depth_first
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
 from nearfar.orthoview._subtree import Described, Held, described, record_of, write_record
 
@@ -47,10 +48,12 @@ Subtree = tuple[int, Place]
 class _Copy:
     def __init__(self, store: Files, layout: Layout, newest: int, folder: Path) -> None:
         self._store, self._layout, self._folder = store, layout, folder
-        self._chunks = Chunks(store, layout, _store.recorded_generations(store, layout, newest))
+        listed = _store.Listed(store, layout)
+        self._chunks = Chunks(store, layout, _store.recorded_generations(store, layout, newest, listed))
         self._records = list(_store.recorded(store, newest))
         self._known = {path: known for recorded in self._records for path, known in recorded.shards.items()}
         self._geometry = self._newest_geometry()
+        self._cells = _store.cells_of(store, layout, newest, listed)
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
         """Shards of all subtrees by their paths, with the size and the hash of those that are as they were."""
@@ -84,7 +87,7 @@ class _Copy:
 
     def write(self, subtree: Subtree, shards: dict[str, tuple[int, str] | None]) -> None:
         """Write the shards of a subtree, and its record."""
-        held = Held()
+        held, presence = Held(), Presence(self._layout, subtree[0])
         written: dict[str, tuple[int, str]] = {}
         for path, known in sorted(shards.items()):
             level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:3])
@@ -93,13 +96,21 @@ class _Copy:
             with formats.guarded(self._store.place, "orthoviews"):
                 for place, length in zip(places, self._chunks.lengths(keys), strict=True):
                     held.add(level, place, length)
+                    presence.add(level, place, array, length)
                 if known is None:
                     known = self._merged(path, level, keys)
                 else:
                     self._copy(path, path)
             if known is not None:
                 written[path] = known
-        write_record(record_of(self._folder, *subtree), written, self._leaves(subtree), held)
+        write_record(
+            record_of(self._folder, *subtree),
+            written,
+            self._leaves(subtree),
+            held,
+            presence,
+            self._cells(*subtree).guests,
+        )
 
     def _leaves(self, subtree: Subtree) -> Described:
         """Copy the geometry of a subtree's leaves; sizes and hashes."""

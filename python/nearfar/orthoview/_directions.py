@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import SupportsIndex
 
+from nearfar import _core
 from nearfar._base import check
 
 Direction = tuple[int, int, int]
@@ -28,3 +30,8 @@ def directions_of(count: SupportsIndex) -> tuple[Direction, ...]:
     if number not in COUNTS:
         raise ValueError(f"directions: expected one of {COUNTS}, got {number}")
     return tuple(_ALL[:number])
+
+
+def widest(directions: Iterable[Direction]) -> float:
+    """Width or height of the widest view of a cell, in sides of it."""
+    return float(max(max(_core.orthoview_axes(direction)[1][:2]) for direction in directions))

@@ -20,6 +20,8 @@ class Journal:
     def __init__(self, path: Path) -> None:
         self._path = path
         self.cells: dict[tuple[int, Place], dict[str, Chunk]] = {}
+        self.guests: dict[Place, list[Place]] = {}
+        """Guests of the leaves that are done and have some."""
         if path.exists():
             self._read()
 
@@ -38,16 +40,21 @@ class Journal:
         x, y, z = entry["place"]
         chunks = {str(array): (int(start), int(length)) for array, (start, length) in entry["chunks"].items()}
         self.cells[entry["level"], (x, y, z)] = chunks
+        if guests := [(u, v, w) for u, v, w in entry.get("guests", [])]:
+            self.guests[x, y, z] = guests
 
-    def add(self, level: int, place: Place, chunks: dict[str, Chunk]) -> None:
-        """Note that a cell is done; its chunks have been handed to the system before."""
+    def add(self, level: int, place: Place, chunks: dict[str, Chunk], guests: list[Place]) -> None:
+        """Note that a cell is done, and its guests; its chunks have been handed to the system before."""
         self._path.parent.mkdir(parents=True, exist_ok=True)
-        line = json.dumps({"level": level, "place": place, "chunks": chunks}, separators=(",", ":")).encode() + b"\n"
+        entry = {"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {})
+        line = json.dumps(entry, separators=(",", ":")).encode() + b"\n"
         with self._path.open("ab", buffering=0) as file:
             rest = memoryview(line)
             while rest:
                 rest = rest[file.write(rest) :]
         self.cells[level, place] = chunks
+        if guests:
+            self.guests[place] = guests
 
     def of_array(self, array: str) -> Iterator[tuple[Place, Chunk]]:
         """Places of an array's cells that have a chunk, with it."""
@@ -67,4 +74,5 @@ class Journal:
     def remove(self) -> None:
         """Forget all cells."""
         self.cells.clear()
+        self.guests.clear()
         self._path.unlink(missing_ok=True)

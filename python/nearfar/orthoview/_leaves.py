@@ -14,6 +14,7 @@ from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._geometry_store import GeometryStore
 from nearfar.orthoview._grid import Place
+from nearfar.orthoview._guests import guests
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._subtree import Outcome, Subtree
 
@@ -41,6 +42,8 @@ class Leaves:
     elsewhere
         Gives subtrees of leaves that are built by other processes.
     """
+
+    unchanged = 0
 
     def __init__(
         self, source: SceneSource, folder: Path, layout: Layout, elsewhere: Elsewhere = lambda _place: None
@@ -86,8 +89,9 @@ class Leaves:
         except Exception as error:  # a source is anybody's code; the rest of the world goes on
             return self.failure(place, error)
         self.write_geometry(part, place)
+        near = guests(part, self.layout.grid, place) if self.layout.geometry else []
         views = drawn(part, self.layout, place)
-        return Outcome(views, counts=Counter(empty=views is None, drawn=views is not None))
+        return Outcome(views, guests=near, counts=Counter(empty=views is None, drawn=views is not None))
 
     def write_geometry(self, part: Scene, place: Place) -> None:
         """Write the geometry of a leaf, if the store has any; before the journal tells that the leaf is done."""

@@ -119,7 +119,7 @@ class _InTurn:
             return None
         sent, self._next = self._next, None
         views = _codec.both(sent.chunks, self._layout.lossless) if sent.chunks else None
-        return Outcome(views, sent.is_complete, sent.failed, sent.counts)
+        return Outcome(views, sent.is_complete, sent.failed, counts=sent.counts)
 
 
 def _built(job: _Job, place: Place, report: progress.Report) -> _Sent:

@@ -31,6 +31,19 @@ def owned(part: Scene, grid: Grid, place: Place) -> NDArray[np.bool_]:
     return whole
 
 
+def owners(part: Scene, grid: Grid) -> NDArray[np.int64]:
+    """The leaf (T, 3) to which each triangle of a query belongs; −1 for those of which nothing is in the tree's box."""
+    anchors = _anchors(part.triangles(), *_sides(grid, (0, 0, 0), grid.counts, part))
+    places = np.empty(anchors.shape, np.int64)
+    for axis, count in enumerate(grid.counts):
+        # The sides of all leaves, rounded as `owned` has them.
+        sides = grid.origin[axis] + np.arange(count + 1) * grid.cell - part.origin[axis]
+        number = np.searchsorted(sides, anchors[:, axis], side="right") - 1
+        places[:, axis] = np.where(anchors[:, axis] == sides[-1], count - 1, number)
+    places[np.isnan(anchors).any(axis=1)] = -1
+    return places
+
+
 def _sides(grid: Grid, first: Place, end: Place, part: Scene) -> tuple[Floats, Floats]:
     """Least and greatest corner of the leaves from `first` to before `end`, relative to the scene's origin."""
     return grid.corner(0, first) - part.origin, grid.corner(0, end) - part.origin

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from typing import SupportsFloat, SupportsIndex
 
-from nearfar import _core
 from nearfar._base import check
-from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._directions import directions_of, widest
 
 _MOST = 4096
 """Greatest size of a view."""
@@ -68,11 +67,11 @@ def size_for(
         raise ValueError(f"fov: expected radians between 0 and π, got {opening:g}")
     if not 0 <= lean < math.pi / 2:
         raise ValueError(f"angle: expected radians from 0 to below π/2, got {lean:g}")
-    widest = max(max(_core.orthoview_axes(direction)[1][:2]) for direction in directions_of(directions))
+    wide = widest(directions_of(directions))
     shown = 2 * away * math.tan(opening / 2) * math.cos(lean)
-    if not width * widest * side <= _MOST * shown:
+    if not width * wide * side <= _MOST * shown:
         wanted = f"expected values for which {_MOST} pixels are enough"
         raise ValueError(
             f"pixels, cell, distance, fov, angle: {wanted}, got {width}, {side:g}, {away:g}, {opening:g}, {lean:g}"
         )
-    return max(4, 4 * math.ceil(width * widest * side / shown / 4 * (1 - _ROUNDING)))
+    return max(4, 4 * math.ceil(width * wide * side / shown / 4 * (1 - _ROUNDING)))

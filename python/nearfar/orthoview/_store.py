@@ -8,7 +8,7 @@ import json
 import os
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,13 +17,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import files, formats
+from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
 from nearfar.orthoview._chunks import Generation, In
 from nearfar.orthoview._files import Files, Local, missing
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, OTHERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
+from nearfar.orthoview._guests import Guests, guests_of
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._presence import AS_BEFORE, Masks, masks_of, newest_of
 from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, described, record_of
 
 KIND, VERSION = "orthoview", 1
@@ -61,6 +63,8 @@ class Recorded:
     shards: Described
     geometry: Described
     held: dict[str, int]
+    cells: Any = None
+    """What it says of cells, which `cells_of` reads."""
 
 
 def name_of(place: Place) -> str:
@@ -199,14 +203,16 @@ def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Map
     folder = path / overlay(number)
     shards: Described = {}
     geometry: Described = {}
+    cells: dict[str, dict[str, Any]] = {}
     for record in _records(folder):
         document = formats.read_json(record, RECORD, RECORD_VERSION)
+        cells[record.stem] = {key: document[key] for key in ("views", "guests")}
         shards |= document["shards"]
         geometry |= document["geometry"]
     images = sorted((folder / GEOMETRY / IMAGES).glob("*"))
     geometry |= {file.relative_to(folder).as_posix(): described(file) for file in images}
     box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
-    own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held)}
+    own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "cells": cells}
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | own)
 
 
@@ -217,9 +223,9 @@ def generations(store: Files, newest: int) -> list[Generation]:
     return [*known, Generation("", None, None)]
 
 
-def recorded_generations(store: Files, layout: Layout, newest: int) -> list[Generation]:
+def recorded_generations(store: Files, layout: Layout, newest: int, listed: Listed | None = None) -> list[Generation]:
     """The same, where what the first generation has is looked up in its records, so that lost files are noticed."""
-    listed = Listed(store, layout)
+    listed = listed or Listed(store, layout)
     *overlays, _ = generations(store, newest)
     return [*overlays, Generation("", In(listed.has_shard), In(listed.has_geometry))]
 
@@ -233,7 +239,8 @@ def _generation(store: Files, number: int) -> Recorded:
 
 def _recorded(folder: str, name: str, document: Mapping[str, Any]) -> Recorded:
     shards, geometry = _listed(document["shards"], _SHARD), _listed(document["geometry"], _GEOMETRY_FILE)
-    return Recorded(folder, name, shards, geometry, document["held"])
+    cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
+    return Recorded(folder, name, shards, geometry, document["held"], cells)
 
 
 def recorded(store: Files, newest: int) -> Iterator[Recorded]:
@@ -252,6 +259,40 @@ def recorded(store: Files, newest: int) -> Iterator[Recorded]:
     yield Recorded("", "", {}, others, {})
     for number in range(1, newest + 1):
         yield _generation(store, number)
+
+
+@dataclass(frozen=True)
+class Cells:
+    """The cells of a subtree, as its records tell."""
+
+    masks: Masks
+    guests: Guests
+    """Of leaves."""
+
+
+def cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Callable[[int, Place], Cells]:
+    """A function that reads the cells of a subtree, given by its tier and its place."""
+    overlays = []
+    for found in (_generation(store, number) for number in range(newest, 0, -1)):
+        with formats.guarded(f"{store.place}/{found.folder}{_GENERATION_FILE}"):
+            overlays.append((found.folder + _GENERATION_FILE, check.mapping("cells", found.cells, "cells by subtrees")))
+
+    def read(tier: int, place: Place) -> Cells:
+        name = record_of(Path(), tier, place)
+        known = [(file, cells[name.stem]) for file, cells in overlays if name.stem in cells]
+        if (record := listed.record(tier, place)) is not None:
+            known.append((name.as_posix(), record.cells))
+        generations: list[Masks] = []
+        guests: Guests = {}
+        for file, cells in known:
+            with formats.guarded(f"{store.place}/{file}"):
+                own = guests_of(cells["guests"])
+                as_before = newest_of(generations, layout, tier, AS_BEFORE)[0] == AS_BEFORE
+                guests |= {leaf: own[leaf] for leaf in own if as_before[layout.shard_of(0, leaf)[1]]}
+                generations.append(masks_of(cells["views"], layout, tier))
+        return Cells(newest_of(generations, layout, tier), guests)
+
+    return read
 
 
 def _json(store: Files, name: str, kind: str, version: int, digest: str | None = None) -> dict[str, Any]:
@@ -279,7 +320,8 @@ class Listed:
         self._store, self._layout = store, layout
         self._records: dict[str, Recorded | None] = {}
 
-    def _record(self, tier: int, place: Place) -> Recorded | None:
+    def record(self, tier: int, place: Place) -> Recorded | None:
+        """The record of a subtree; None for one in which nothing is."""
         name = record_of(Path(), tier, place).as_posix()
         if name not in self._records:
             found = None
@@ -293,12 +335,14 @@ class Listed:
     def has_shard(self, path: str) -> bool:
         """Whether a shard was written."""
         level, _, _, _, x, y, z, *_ = path.split("/")
-        record = self._record(int(level) // self._layout.subtree, (int(x), int(y), int(z)))
+        record = self.record(int(level) // self._layout.subtree, (int(x), int(y), int(z)))
         return record is not None and path in record.shards
 
     def has_geometry(self, path: str) -> bool:
-        """Whether a file of a leaf's geometry was written."""
+        """Whether a file of a leaf's geometry was written; of textures what leaves refer to."""
+        if path.startswith(f"{GEOMETRY}/{IMAGES}/"):
+            return True
         side = 1 << self._layout.subtree
         x, y, z = (int(number) // side for number in path.removesuffix(".glb").split("/")[-3:])
-        record = self._record(0, (x, y, z))
+        record = self.record(0, (x, y, z))
         return record is not None and path in record.geometry

@@ -12,13 +12,15 @@ from typing import Any, Protocol
 from nearfar import _core
 from nearfar._base import formats
 from nearfar._base.errors import FormatError
-from nearfar.orthoview import _codec
+from nearfar.orthoview import _codec, _guests
 from nearfar.orthoview._chunks import Chunks, Generation
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
+from nearfar.orthoview._guests import Guests
 from nearfar.orthoview._journal import Journal
 from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter, holds
 
 Views = _core.OrthoViews | None
@@ -42,6 +44,8 @@ class Outcome:
     """False if a cell below could not be drawn."""
     failed: dict[str, str] = field(default_factory=dict)
     """Why cells could not be drawn, by their names."""
+    guests: list[Place] = field(default_factory=list)
+    """Guests of a leaf."""
     counts: Counter[str] = field(default_factory=Counter)
     """Counts of work: leaves drawn and found empty, cells composed, chunks reloaded."""
 
@@ -77,15 +81,21 @@ def described(path: Path) -> tuple[int, str]:
     return len(content), hashlib.sha256(content).hexdigest()
 
 
-def write_record(path: Path, shards: Described, geometry: Described, held: Held) -> None:
+def write_record(
+    path: Path, shards: Described, geometry: Described, held: Held, presence: Presence, guests: Guests
+) -> None:
     """Write the record of a complete subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    own = {"shards": shards, "geometry": geometry, "held": held.counts()}
+    own = {"shards": shards, "geometry": geometry, "held": held.counts(), "views": presence.described()}
+    own["guests"] = _guests.described(guests)
     formats.write_json(path, formats.header(RECORD, VERSION) | own)
 
 
 class Below(Protocol):
     """The world and the subtrees below, as a subtree sees them."""
+
+    unchanged: int
+    """What is noted of cells that are not computed: 0 where they show nothing, or `AS_BEFORE`."""
 
     def base(self, tier: int, place: Place) -> Outcome:
         """Return the outcome of a cell of a tier's lowest level: a leaf that is drawn, or a subtree below."""
@@ -166,11 +176,11 @@ class Subtree:
             below = self._below.base(self._tier, place)
             self._outcome.failed |= below.failed
             self._outcome.counts += below.counts
-            views, is_complete = below.views, below.is_complete
+            views, is_complete, guests = below.views, below.is_complete, below.guests
         else:
-            views, is_complete = self._composed(level, place)
+            (views, is_complete), guests = self._composed(level, place), []
         if is_complete:
-            views = self._write(level, place, views)
+            views = self._write(level, place, views, guests)
         return views, is_complete
 
     def _composed(self, level: int, place: Place) -> tuple[Views, bool]:
@@ -190,8 +200,8 @@ class Subtree:
     def _parent(self) -> _core.OrthoParent:
         return _core.OrthoParent(self._layout.directions, self._layout.format, behind=self._layout.layers == 2)
 
-    def _write(self, level: int, place: Place, views: Views) -> Views:
-        """Write the views of a cell; returns them as readers see them."""
+    def _write(self, level: int, place: Place, views: Views, guests: list[Place]) -> Views:
+        """Write the views of a cell, and note its guests; returns the views as readers see them."""
         shard, within = self._layout.shard_of(level, place)
         encoded = _codec.encoded(views, self._layout) if views else {}
         gone = dict.fromkeys(self._below.before(level, place) - encoded.keys(), b"")
@@ -199,7 +209,7 @@ class Subtree:
         for (direction, channel), chunk in (encoded | gone).items():
             array = self._layout.array(level, direction, channel)
             chunks[array] = self._writer(array, level, shard).append(within, chunk)
-        self._journal.add(level, place, chunks)
+        self._journal.add(level, place, chunks, guests)
         return _codec.settled(views, encoded, self._layout) if views else None
 
     def _writer(self, array: str, level: int, shard: Place) -> ShardWriter:
@@ -243,11 +253,12 @@ class Subtree:
 
     def _note(self, shards: Described) -> None:
         """Write the record of a complete subtree."""
-        held = Held()
+        held, presence = Held(), Presence(self._layout, self._tier, self._below.unchanged)
         for (level, place), chunks in self._journal.cells.items():
-            for _, length in chunks.values():
+            for array, (_, length) in chunks.items():
                 held.add(level, place, length)
-        write_record(self._record, shards, self._geometry(), held)
+                presence.add(level, place, array, length)
+        write_record(self._record, shards, self._geometry(), held, presence, self._journal.guests)
         self._journal.remove()
 
     def _geometry(self) -> Described:

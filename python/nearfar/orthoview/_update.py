@@ -24,6 +24,7 @@ from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place, depth_first
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._leaves import Leaves
+from nearfar.orthoview._presence import AS_BEFORE
 from nearfar.orthoview._subtree import Outcome
 
 
@@ -73,6 +74,8 @@ def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource)
 
 class Changed(Leaves):
     """The leaves that a change touches; all other cells are as they are in the store."""
+
+    unchanged = AS_BEFORE
 
     def __init__(
         self, source: SceneSource, folder: Path, layout: Layout, chunks: Chunks, aabb: NDArray[np.float64]

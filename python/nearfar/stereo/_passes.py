@@ -109,7 +109,7 @@ class Passes:
         """Draw one picture; its seconds count for the stage, which has the picture's name by default."""
         extra = ["coverage"] if near or self._fills else []
         if faces or (near and self._others):
-            extra.append("face_id")
+            extra += ["face_id", "range"]  # what is no triangle has a range alone
         channels = dict.fromkeys([*self.view.shot.channels, *extra])
         shot = Shot(
             cameras=(camera,),
@@ -129,7 +129,7 @@ class Passes:
                 (images,) = self._pictures(shot)
         if "motion" in self.view.wanted:
             with self._timed("motion"):
-                images["motion"] = self._motion(name, camera, images, images["face_id"] >= 0 if near else mask)
+                images["motion"] = self._motion(name, camera, images, np.isfinite(images["range"]) if near else mask)
         if near:
             self.stats["pixels"][name] = int((images["coverage"] > 0.0).sum())
         return images
@@ -186,7 +186,7 @@ class Passes:
         nearest = core.nearest(side, coverage)
         if self._others:
             # They are sampled at the pixel's centre, where the eye's own surface counts if there is one.
-            far = images["face_id"] < 0
+            far = np.isinf(images["range"])
             for name in self._others:
                 values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest[far]]
                 if name == "range":
@@ -257,7 +257,7 @@ class Passes:
         misses = {"face_id": np.int64(-1), "object_id": np.int32(-1), "range": np.float32(math.inf)}
         dark = {"color": np.float32(0.0), "coverage": np.float32(0.0)}
         empty: Images = {}
-        for name in {*self.view.wanted, "coverage", "face_id"}:
+        for name in {*self.view.wanted, "coverage", "face_id", "range"}:
             value = (misses | dark).get(name, np.float32(math.nan))
             deep = (3,) if name in VECTORS else (2,) if name == "motion" else ()
             empty[name] = np.full((height, width, *deep), value)

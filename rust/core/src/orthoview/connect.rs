@@ -50,10 +50,17 @@ pub fn surfels(bits: &[u8], size: usize) -> Result<Vec<bool>> {
     if size == 0 || !bits.len().is_multiple_of(size * size) {
         return Err(Error::value("bits", format!("views of {size} × {size} pixels"), bits.len()));
     }
-    Ok(bits.par_chunks(size * size).flat_map_iter(|bits| surfels_of_view(bits, size)).collect())
+    let of_view = |bits| neighbours(bits, size).into_iter().map(is_surfel);
+    Ok(bits.par_chunks(size * size).flat_map_iter(of_view).collect())
 }
 
-fn surfels_of_view(bits: &[u8], size: usize) -> Vec<bool> {
+/// Whether a pixel with a number of connected neighbours is a surfel.
+pub(super) fn is_surfel(neighbours: u8) -> bool {
+    neighbours > MOST_OF_BALL
+}
+
+/// Number of neighbours that are connected with each pixel of a view.
+pub(super) fn neighbours(bits: &[u8], size: usize) -> Vec<u8> {
     let mut counts = vec![0u8; bits.len()];
     for (pixel, &own) in bits.iter().enumerate() {
         for (_, step) in (0..).zip(NEIGHBOURS).filter(|(bit, _)| own >> bit & 1 == 1) {
@@ -63,7 +70,7 @@ fn surfels_of_view(bits: &[u8], size: usize) -> Vec<bool> {
             counts[other] += 1;
         }
     }
-    counts.into_iter().map(|count| count > MOST_OF_BALL).collect()
+    counts
 }
 
 /// The pixel some columns and rows away; `None` beyond the border.

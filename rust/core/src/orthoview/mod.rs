@@ -6,6 +6,7 @@
 
 mod cell;
 mod connect;
+pub mod cut;
 mod direction;
 mod format;
 mod leaf;
@@ -15,6 +16,7 @@ mod parent;
 mod raster;
 mod reduce;
 mod second;
+pub mod splat;
 mod surfaces;
 mod unseen;
 mod view;

@@ -89,9 +89,24 @@ macro_rules! images {
                 $(self.$central.extend_from_slice(&other.$central);)+
             }
 
+            /// Copies the images of a part of the picture, `columns` pixels wide, to its place in this one.
+            pub(crate) fn put(&mut self, part: &Self, width: usize, [left, top]: [usize; 2], columns: usize) {
+                $(put_rows(&mut self.$sampled, &part.$sampled, width, [left, top], columns);)+
+                $(put_rows(&mut self.$central, &part.$central, width, [left, top], columns);)+
+            }
+
+            /// The channels of a pixel's middle; those that were not requested have their values for a miss.
+            pub(crate) fn sample(&self, pixel: usize) -> Sample {
+                let mut sample = Sample::default();
+                $(if let Some(value) = self.$central.get(pixel) {
+                    sample.$central = *value;
+                })+
+                sample
+            }
+
             /// Adds a pixel to the ends of the requested images.
             #[inline]
-            pub(super) fn push(&mut self, wanted: Channels, $($sampled: $color,)+ sample: &Sample) {
+            pub(crate) fn push(&mut self, wanted: Channels, $($sampled: $color,)+ sample: &Sample) {
                 $(if wanted.$sampled {
                     self.$sampled.push($sampled);
                 })+
@@ -167,5 +182,11 @@ images! {
 fn set<T>(channel: &mut [T], pixel: usize, value: T) {
     if let Some(slot) = channel.get_mut(pixel) {
         *slot = value;
+    }
+}
+
+fn put_rows<T: Copy>(image: &mut [T], part: &[T], width: usize, [left, top]: [usize; 2], columns: usize) {
+    for (row, pixels) in (top..).zip(part.chunks_exact(columns)) {
+        image[row * width + left..][..columns].copy_from_slice(pixels);
     }
 }

@@ -79,7 +79,7 @@ pub struct Pixels<'a> {
 
 impl Pixels<'_> {
     /// Fails for a mask of another size.
-    fn check(&self, pixels: usize) -> Result<()> {
+    pub(crate) fn check(&self, pixels: usize) -> Result<()> {
         match self.mask {
             Some(mask) if mask.len() != pixels => Err(Error::value("mask", format!("{pixels} pixels"), mask.len())),
             _ => Ok(()),

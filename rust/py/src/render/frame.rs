@@ -76,6 +76,31 @@ pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize
     Ok(images)
 }
 
+/// The frame of some images by their public names, which Python has made contiguous.
+pub fn frame_of(images: &Bound<'_, PyDict>) -> PyResult<Frame> {
+    let mut frame = Frame::default();
+    for (name, target) in [
+        ("color", &mut frame.color),
+        ("position", &mut frame.position),
+        ("normal", &mut frame.normal),
+        ("albedo", &mut frame.albedo),
+        ("shading_normal", &mut frame.shading_normal),
+    ] {
+        *target = taken(images, name)?.as_chunks().0.to_vec();
+    }
+    frame.coverage = taken(images, "coverage")?;
+    frame.range = taken(images, "range")?;
+    frame.object_id = taken(images, "object_id")?;
+    frame.face_id = taken(images, "face_id")?;
+    Ok(frame)
+}
+
+/// The values of an image; none if there is no such image.
+fn taken<T: Element + Copy>(images: &Bound<'_, PyDict>, name: &str) -> PyResult<Vec<T>> {
+    let Some(image) = images.get_item(name)? else { return Ok(vec![]) };
+    Ok(image.extract::<PyReadonlyArrayDyn<'_, T>>()?.as_slice()?.to_vec())
+}
+
 /// Adds the counts of a reduced scene's frame to its images, by their public names.
 pub fn add_counts(images: &Bound<'_, PyDict>, counts: &FrameCounts) -> PyResult<()> {
     let stats = PyDict::new(images.py());

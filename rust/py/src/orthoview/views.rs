@@ -1,4 +1,4 @@
-//! Bindings of `orthoview`.
+//! Bindings of views: of leaves, of parents, and of their connections.
 
 use glam::DVec3;
 use nearfar_core::base::Error;
@@ -20,7 +20,7 @@ fn format_of((size, depth_bits, normal_bits): FormatNumbers) -> PyResult<Format>
     Format::new(size, depth_bits, normal_bits).map_err(to_python)
 }
 
-fn directions_of(directions: Vec<[i8; 3]>) -> PyResult<Vec<Direction>> {
+pub fn directions_of(directions: Vec<[i8; 3]>) -> PyResult<Vec<Direction>> {
     directions.into_iter().map(Direction::new).collect::<Result<_, _>>().map_err(to_python)
 }
 
@@ -37,7 +37,7 @@ fn same_shape(argument: &'static str, shape: [usize; 4], expected: [usize; 4]) -
 
 /// The views of a cell from D directions.
 #[pyclass(frozen, module = "nearfar._core")]
-pub(crate) struct OrthoViews(Views);
+pub(crate) struct OrthoViews(pub Views);
 
 impl OrthoViews {
     /// Values of all pixels, (D, H, W, C).

@@ -1,0 +1,147 @@
+"""Pictures of trees beside the truth, and what differs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.orthoview._worlds import World
+
+SAMPLES = 16
+"""Samples of a pixel where colours are compared."""
+SHARE, METRES = 0.02, 1.0
+"""Two surfaces are the same if their distances differ by less than this share and this many metres."""
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """How a tree is drawn."""
+
+    views: int = 3
+    error_px: float = 1.0
+    geometry: bool = True
+
+    def render(self, tree: nf.orthoview.OrthoTree, camera: nf.Camera, *, samples: int = SAMPLES) -> nf.Frame:
+        return tree.render(
+            camera,
+            views=self.views,
+            error_px=self.error_px,
+            geometry=self.geometry,
+            samples=samples,
+            channels=("color",) if samples > 1 else ("range",),
+        )
+
+
+@dataclass(frozen=True)
+class Truth:
+    """What a camera sees of a world, ray by ray."""
+
+    world: World
+    camera: nf.Camera
+    box: Floats
+    """The tree's box, beyond which nothing is seen."""
+
+    @cached_property
+    def color(self) -> nf.Frame:
+        return self._render(("color",), SAMPLES)
+
+    @cached_property
+    def range(self) -> NDArray[np.float32]:
+        """Metres (H, W) from the camera."""
+        return self._render(("range",), 1).require("range")
+
+    def _render(self, channels: tuple[str, ...], samples: int) -> nf.Frame:
+        clip = nf.Clip(box=self.box)
+        return nf.render(self.world.scene, self.camera, clip=clip, channels=channels, samples=samples)
+
+
+@dataclass(frozen=True)
+class Quality:
+    """Findings about a picture; shares of its pixels, of those that show a surface where not told otherwise."""
+
+    psnr: float
+    ssim: float
+    holes: float
+    """Show nothing."""
+    inner_holes: float
+    """Of those, pixels all of whose eight neighbours should show a surface."""
+    through: float
+    """Show something farther away."""
+    inner_through: float
+    """Of those, pixels that are farther away than all their neighbours should be, too."""
+    before: float
+    """Show something nearer."""
+    false: float
+    """Show something where the sky is; share of the whole picture."""
+    read: float
+    """Bytes that a client reads that has nothing yet."""
+    geometry: float
+    """Those of geometry among them."""
+    splats: float
+    """In the picture."""
+    leaves: float
+    """Drawn as geometry."""
+
+
+def compared(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Quality:
+    """Draw a tree, and compare the picture with the truth."""
+    viewer = tree._viewer
+    viewer.views._kept.clear()
+    viewer.views.bytes = 0
+    viewer.near._leaves.clear()
+    viewer.near._last = (), None
+    before = viewer.views.read_bytes, viewer.near.read_bytes
+    frame = setting.render(tree, truth.camera, samples=1)
+    views, geometry = viewer.views.read_bytes - before[0], viewer.near.read_bytes - before[1]
+    holes, through, nearer, false = differences(truth.range, frame.require("range"))
+    picture, surface = setting.render(tree, truth.camera).to_image(), np.isfinite(truth.range).sum()
+    reference = truth.color.to_image()
+    return Quality(
+        nf.psnr(reference, picture, data_range=255),
+        float(nf.ssim(reference, picture, data_range=255)),
+        holes.sum() / surface,
+        (holes & np.isfinite(farthest(truth.range))).sum() / surface,
+        through.sum() / surface,
+        (through & (frame.require("range") > beyond(farthest(truth.range)))).sum() / surface,
+        nearer.sum() / surface,
+        float(false.mean()),
+        views + geometry,
+        geometry,
+        frame.stats["splats_in_picture"],
+        frame.stats["leaves"],
+    )
+
+
+def differences(truth: NDArray[np.float32], ranges: NDArray[np.float32]) -> tuple[Bools, Bools, Bools, Bools]:
+    """Pixels that are holes, that show what lies behind, what lies before, and something in the sky."""
+    should, is_there = np.isfinite(truth), np.isfinite(ranges)
+    both = should & is_there
+    return should & ~is_there, both & (ranges > beyond(truth)), both & (truth > beyond(ranges)), is_there & ~should
+
+
+def beyond(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Distance from which on a surface is another one."""
+    farther: NDArray[np.float32] = ranges * np.float32(1 + SHARE) + np.float32(METRES)
+    return farther
+
+
+def farthest(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
+    """The greatest distance of a pixel and its eight neighbours."""
+    padded = np.pad(ranges, 1, mode="edge")
+    nine = np.lib.stride_tricks.sliding_window_view(padded, (3, 3))
+    most: NDArray[np.float32] = nine.max(axis=(2, 3))
+    return most
+
+
+def mean(found: Sequence[Quality]) -> Quality:
+    """The mean of several pictures."""
+    names = Quality.__dataclass_fields__
+    return Quality(**{name: float(np.mean([getattr(one, name) for one in found])) for name in names})

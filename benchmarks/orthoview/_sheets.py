@@ -1,0 +1,104 @@
+"""Draws sheets of pictures with their errors, halves beside one another, and quality against bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from benchmarks.orthoview._quality import Quality, Truth
+
+SMALL = (292, 219)
+"""Pixels of the sheet's pictures."""
+WIDE = (1200, 500)
+GAIN = 3
+"""Factor of errors that are shown."""
+MARGIN, TITLE = 4, 22
+MEGABYTES = (0.5, 1, 2, 5, 10, 20, 50)
+
+Picture = NDArray[np.uint8]
+
+
+def save_sheet(rows: Sequence[Sequence[Any]], titles: Sequence[str], path: Path) -> None:
+    """Save rows of a name, a truth and frames, with the errors below the frames."""
+    truth: Truth
+    lines, names = [], []
+    for name, truth, frames in rows:
+        names += ["", name]
+        reference = truth.color.to_image()
+        pictures = [frame.to_image() for frame in frames]
+        errors = [error(reference, picture) for picture in pictures]
+        lines += [[reference, *pictures], [np.full_like(reference, 255), *errors]]
+    step = np.add(SMALL, MARGIN)
+    whole = Image.new("RGB", (int(step[0]) * len(lines[0]), int(step[1]) * len(lines) + TITLE), "white")
+    for n, title in enumerate(["truth", *titles]):
+        write(whole, title, (int(step[0]) * n + SMALL[0] // 2, TITLE // 2))
+    for y, (line, name) in enumerate(zip(lines, names, strict=True)):
+        if name:
+            write(
+                whole,
+                f"{name}\nabove; differences,\n{GAIN} times as great",
+                (SMALL[0] // 2, TITLE + int(step[1]) * y + 90),
+            )
+        for x, picture in enumerate(line):
+            if x or y % 2 == 0:
+                whole.paste(Image.fromarray(picture), (int(step[0]) * x, TITLE + int(step[1]) * y))
+    save(whole, path)
+
+
+def error(reference: Picture, picture: Picture) -> Picture:
+    """The greatest difference of the three colours, black on white."""
+    difference = np.abs(reference.astype(int) - picture).max(axis=-1, keepdims=True)
+    shade: Picture = (255 - np.minimum(GAIN * difference, 255)).astype(np.uint8).repeat(3, axis=-1)
+    return shade
+
+
+def save_halves(left: Picture, right: Picture, path: Path) -> None:
+    """Save the left half of one picture beside the right half of another, with a line between."""
+    middle = left.shape[1] // 2
+    whole = np.concatenate([left[:, :middle], right[:, middle:]], axis=1)
+    whole[:, middle - 1 : middle + 1] = 255
+    picture = Image.fromarray(whole)
+    write(picture, "triangles", (middle - 50, 14))
+    write(picture, "orthoviews", (middle + 54, 14))
+    save(picture, path)
+
+
+def write(picture: Image.Image, text: str, middle: tuple[int, int]) -> None:
+    """Write black text about a point."""
+    from PIL import ImageDraw, ImageFont
+
+    ImageDraw.Draw(picture).text(middle, text, fill="black", anchor="mm", font=ImageFont.load_default(15))
+
+
+def save(picture: Image.Image, path: Path) -> None:
+    """Save with a palette, which pictures of few hues do well with."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    picture.quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
+
+
+def plot_errors(lines: Mapping[str, Sequence[Quality]], errors: Sequence[float], path: Path) -> None:
+    """SSIM against bytes, a point for each error."""
+    import matplotlib as mpl
+
+    mpl.use("agg")
+    from matplotlib import pyplot as plt
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure, axis = plt.subplots(figsize=(7, 4.2), layout="constrained")
+    for name, found in lines.items():
+        read = [quality.read / 1e6 for quality in found]
+        axis.plot(read, [quality.ssim for quality in found], "o-", label=name)
+        for at, quality, error_px in zip(read, found, errors, strict=True):
+            axis.annotate(f"{error_px:g}", (at, quality.ssim), textcoords="offset points", xytext=(4, -10), fontsize=8)
+    axis.set(xscale="log", xlabel="MB read for one picture; numbers: error_px", ylabel="SSIM")
+    axis.set_xticks(MEGABYTES, [f"{value:g}" for value in MEGABYTES])
+    axis.minorticks_off()
+    axis.grid(alpha=0.3)
+    axis.legend()
+    figure.savefig(path, dpi=90)
+    plt.close(figure)

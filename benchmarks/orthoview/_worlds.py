@@ -1,0 +1,135 @@
+"""Worlds of which pictures are taken, their trees, and the places from which they are seen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.orthoview.worlds import tokyo_core
+from nearfar.orthoview._directions import directions_of
+
+SIZE = 256
+"""Pixels of a view."""
+ALL = 26
+"""Directions of the trees that are built; smaller sets are its first ones."""
+FOV = nf.Fov.symmetric(60, 4 / 3)
+PICTURE = (640, 480)
+EYE_HEIGHT = 1.7
+GROUND = ("ground", "land")
+"""Names of objects that one stands on."""
+RING = 48
+"""Horizontal directions in which walkers look about."""
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class World:
+    """A square of a world with corners at multiples of a leaf's side."""
+
+    name: str
+    source: Callable[[Floats], nf.Scene]
+    """Gives what lies in a box."""
+    low: tuple[float, float, float]
+    side: float
+    height: float
+    cell: float
+
+    @cached_property
+    def box(self) -> Floats:
+        """The square (2, 3), which ends with its last leaf."""
+        extent = [self.side - 1e-3, self.height, self.side - 1e-3]
+        return np.array([self.low, np.add(self.low, extent)])
+
+    @cached_property
+    def scene(self) -> nf.Scene:
+        """What lies in the square."""
+        return self.source(self.box)
+
+    def camera(self, eye: Floats, target: Floats) -> nf.Camera:
+        return nf.Camera.look_at(eye, target, fov=FOV, size=PICTURE)
+
+    def from_air(self) -> list[nf.Camera]:
+        """Across the square from beside it, and down on it from a corner."""
+        at = self.side * np.array([(0.5, 0.25, -0.15), (0.55, 0.0, 0.6), (0.0, 0.45, 0.0), (0.5, 0.0, 0.5)])
+        at[::2, 1] = np.maximum(at[::2, 1], 0.6 * self.height)
+        at += self.box[0]
+        return [self.camera(at[0], at[1]), self.camera(at[2], at[3])]
+
+    def from_ground(self, count: int = 2) -> list[nf.Camera]:
+        """Walkers under the sky, a long way from what they look at, and from one another."""
+        axis = np.linspace(0.2, 0.8, 41) * self.side
+        x, z = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2).T
+        start = self.box[0] + np.column_stack([x, np.full(len(x), self.height), z])
+        down = nf.cast_rays(self.scene, start, np.tile([0.0, -1.0, 0.0], (len(x), 1)))
+        names = np.array(self.scene.object_names)
+        is_ground = np.isin(names[np.maximum(down.object_id, 0)], GROUND) & np.isfinite(down.t_hit)
+        eyes = start[is_ground] - (down.t_hit[is_ground] - EYE_HEIGHT)[:, None] * np.array([0.0, 1.0, 0.0])
+        angle = 2 * np.pi * np.arange(RING) / RING
+        ring = np.column_stack([np.cos(angle), np.zeros(RING), np.sin(angle)])
+        hits = nf.cast_rays(self.scene, np.repeat(eyes, RING, axis=0), np.tile(ring, (len(eyes), 1)))
+        free = hits.t_hit.reshape(-1, RING)
+        sights = np.where(np.isfinite(free) & (free.min(axis=1) > 2.0)[:, None], free, 0.0)
+        cameras: list[nf.Camera] = []
+        for n in np.argsort(-sights.max(axis=1)):
+            if all(np.linalg.norm(eyes[n] - camera.position) > self.side / 5 for camera in cameras):
+                cameras.append(self.camera(eyes[n], eyes[n] + ring[sights[n].argmax()]))
+            if len(cameras) == count:
+                break
+        return cameras
+
+    def part(self, side: float) -> World:
+        """A smaller square in the middle."""
+        (x, y, z), margin = self.low, (self.side - side) / 2
+        return replace(self, name=f"{self.name} {side:g} m", low=(x + margin, y, z + margin), side=side)
+
+    def build(self, folder: Path, directions: int = ALL, layers: int = 1) -> Path:
+        """Build its tree, unless the folder has it; returns the tree's place."""
+        path = folder / f"{self.name.replace(' ', '-')}-{directions}-{layers}.zarr"
+        nf.orthoview.build(
+            self.scene, path, cell=self.cell, aabb=self.box, size=SIZE, directions=directions, layers=layers
+        )
+        return path
+
+
+def opened(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
+    """A tree as if it had been built with fewer directions or layers: views do not depend on others."""
+    tree = nf.orthoview.open(path)
+    tree._layout = replace(tree._layout, directions=directions_of(directions), layers=layers)
+    return tree
+
+
+def tokyo(tiles: str | None) -> World:
+    """1.5 km about Shimbashi, without tiles of the core; with ground below the houses, which the data lack."""
+    source: nf.SceneSource = nf.open_source(tiles) if tiles else tokyo_core()
+    x, z = (-1750.0, 1000.0) if tiles else (-1500.0, 0.0)
+
+    def part(box: Floats) -> nf.Scene:
+        houses, ground = source.query(box).triangles().reshape(-1, 3), _ground(box)
+        corners = np.concatenate([houses, ground]).astype(np.float32)
+        faces = np.arange(len(corners), dtype=np.uint32).reshape(-1, 3)
+        numbers = np.repeat([0, 1], [len(houses) // 3, len(ground) // 3])
+        return nf.Scene.from_arrays(corners, faces, numbers, object_names=("houses", GROUND[0]))
+
+    return World("Tokyo", part, (x, -1.0, z), 1500.0, 350.0, 125.0)
+
+
+def _ground(box: Floats, step: float = 125.0, y: float = -0.5) -> Floats:
+    """Corners of triangles half a metre below 0, in squares."""
+    x, z = (np.arange(box[0, axis], box[1, axis], step) for axis in (0, 2))
+    at = np.stack(np.meshgrid(x, z), axis=-1).reshape(-1, 1, 2)
+    offsets = step * np.array([(0, 0), (0, 1), (1, 1), (0, 0), (1, 1), (1, 0)])
+    flat = (at + offsets).reshape(-1, 2)
+    return np.column_stack([flat[:, 0], np.full(len(flat), y), flat[:, 1]])
+
+
+def forest() -> World:
+    """160 m of woods about a trail."""
+    whole = nf.datasets.forest()
+    return World("forest", whole.query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)

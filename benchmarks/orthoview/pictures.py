@@ -1,0 +1,217 @@
+"""Pictures of trees beside ray-traced truth: what they lose, by directions, views, error, geometry and layers.
+
+    python -m benchmarks.orthoview.pictures sets cuts errors geometry layers sheet wide --tiles FOLDER --out FOLDER
+
+Trees of 26 directions are built once and kept in --trees; those of fewer directions are their first views. Each table
+takes the mean of two places on the ground and of two in the air. Without --tiles Tokyo is another part, of
+the core, which is in one file.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.orthoview import _sheets
+from benchmarks.orthoview._quality import Quality, Setting, Truth, compared, mean
+from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, opened, tokyo
+from nearfar.orthoview._directions import directions_of, widest
+
+SETS = (5, 9, 13, 26)
+VIEWS = (2, 3, 5)
+ERRORS = (0.5, 1.0, 2.0, 4.0)
+DIRECTIONS = 9
+"""Of tables that do not vary them."""
+PARTS = {"Tokyo": 500.0, "forest": 40.0}
+"""Sides of the parts whose second layers are measured: these take longer to build."""
+HEADER = [
+    "PSNR, dB",
+    "SSIM",
+    "holes, %",
+    "within surfaces, %",
+    "too far, %",
+    "beyond edges, %",
+    "too near, %",
+    "false, %",
+]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("tables", nargs="*", help=f"of {', '.join(TABLES)}; by default all")
+    parser.add_argument("--worlds", nargs="*", default=list(PARTS), help=f"of {', '.join(PARTS)}")
+    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
+    parser.add_argument("--trees", type=Path, help="folder for the trees; by default one that is removed")
+    parser.add_argument("--out", type=Path, help="folder for plots and pictures")
+    given = parser.parse_args()
+    worlds = [world for world in (tokyo(given.tiles), forest()) if world.name in given.worlds]
+    print(f"{machine()}; pictures of {PICTURE[0]} × {PICTURE[1]} pixels, views of {SIZE}²\n")
+    with tempfile.TemporaryDirectory() as folder:
+        for name in given.tables or TABLES:
+            TABLES[name](worlds, given.trees or Path(folder), given.out)
+
+
+def places(world: World) -> Iterator[tuple[str, list[nf.Camera]]]:
+    """Cameras of a world by where they are."""
+    yield f"{world.name}, ground", world.from_ground()
+    yield f"{world.name}, air", world.from_air()
+
+
+def truths(world: World, cameras: list[nf.Camera], tree: nf.orthoview.OrthoTree) -> list[Truth]:
+    return [Truth(world, camera, tree.bounds) for camera in cameras]
+
+
+def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
+    """Directions and views."""
+    del out
+    rows = []
+    for world in worlds:
+        path = world.build(trees)
+        found = {count: opened(path, count) for count in SETS}
+        for place, cameras in places(world):
+            shown = truths(world, cameras, found[ALL])
+            for count, views in ((count, views) for count in SETS for views in VIEWS):
+                quality = mean([compared(truth, found[count], Setting(views)) for truth in shown])
+                rows.append([place, str(count), str(views), *cells(quality), f"{quality.leaves:.0f}"])
+                print(rows[-1], file=sys.stderr, flush=True)
+    print(table("Directions and views", ["place", "directions", "views", *HEADER, "leaves"], rows))
+
+
+def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
+    """Directions with equal cuts: sets whose widest view is wider are allowed as much more of an error."""
+    del out
+    rows = []
+    for world in worlds:
+        path = world.build(trees)
+        for place, cameras in places(world):
+            for count in SETS:
+                tree = opened(path, count)
+                setting = Setting(error_px=widest(tree.directions) / widest(directions_of(DIRECTIONS)), geometry=False)
+                quality = mean([compared(truth, tree, setting) for truth in truths(world, cameras, tree)])
+                rows.append([place, str(count), *amounts(quality), *cells(quality)])
+                print(rows[-1], file=sys.stderr, flush=True)
+    header = ["place", "directions", "MB read", "of geometry", "thousand splats", *HEADER]
+    print(table("Directions with equal cuts, 3 views, no geometry", header, rows))
+
+
+def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
+    """The error allowed."""
+    rows: list[list[str]] = []
+    lines: dict[str, list[Quality]] = {}
+    for world in worlds:
+        tree = opened(world.build(trees), DIRECTIONS)
+        for place, cameras in places(world):
+            shown = truths(world, cameras, tree)
+            for error in ERRORS:
+                quality = mean([compared(truth, tree, Setting(error_px=error)) for truth in shown])
+                lines.setdefault(place, []).append(quality)
+                rows.append([place, f"{error:g}", *amounts(quality), *cells(quality)])
+                print(rows[-1], file=sys.stderr, flush=True)
+    header = ["place", "error_px", "MB read", "of geometry", "thousand splats", *HEADER]
+    print(table(f"Error, 3 of {DIRECTIONS} views", header, rows))
+    if out is not None:
+        _sheets.plot_errors(lines, ERRORS, out / "orthoview_errors.png")
+
+
+def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
+    """Near leaves as geometry or not."""
+    del out
+    rows = []
+    for world in worlds:
+        tree = opened(world.build(trees), DIRECTIONS)
+        for place, cameras in places(world):
+            for geometry in (True, False):
+                setting = Setting(geometry=geometry)
+                quality = mean([compared(truth, tree, setting) for truth in truths(world, cameras, tree)])
+                rows.append([place, "on" if geometry else "off", *amounts(quality), *cells(quality)])
+                print(rows[-1], file=sys.stderr, flush=True)
+    header = ["place", "geometry", "MB read", "of geometry", "thousand splats", *HEADER]
+    print(table(f"Geometry, 3 of {DIRECTIONS} views", header, rows))
+
+
+def by_layers(worlds: list[World], trees: Path, out: Path | None) -> None:
+    """One layer or two, without geometry."""
+    del out
+    rows = []
+    for world in worlds:
+        part = world.part(PARTS[world.name])
+        path = part.build(trees, DIRECTIONS, layers=2)
+        for place, cameras in places(part):
+            for layers, views in ((layers, views) for views in VIEWS for layers in (1, 2)):
+                tree = opened(path, DIRECTIONS, layers)
+                setting = Setting(views, geometry=False)
+                quality = mean([compared(truth, tree, setting) for truth in truths(part, cameras, tree)])
+                rows.append([place, str(views), str(layers), *amounts(quality), *cells(quality)])
+                print(rows[-1], file=sys.stderr, flush=True)
+    header = ["place", "views", "layers", "MB read", "of geometry", "thousand splats", *HEADER]
+    print(table(f"Layers, {DIRECTIONS} directions, no geometry", header, rows))
+
+
+def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
+    """Truth and 2, 3, 5 views with their errors, from the ground and from the air."""
+    if out is None:
+        return
+    rows: list[list[Any]] = []
+    for world in worlds:
+        tree = opened(world.build(trees), DIRECTIONS)
+        for name, cameras in places(world):
+            camera = replace(cameras[0], size=_sheets.SMALL)
+            truth = Truth(world, camera, tree.bounds)
+            rows.append([name, truth, [Setting(views).render(tree, camera) for views in VIEWS]])
+    _sheets.save_sheet(rows, [f"{views} of {DIRECTIONS} views" for views in VIEWS], out / "orthoview_pictures.png")
+
+
+def wide(worlds: list[World], trees: Path, out: Path | None) -> None:
+    """Tokyo from the air: the truth on the left, orthoviews on the right."""
+    if out is None:
+        return
+    world = worlds[0]
+    tree = opened(world.build(trees), DIRECTIONS)
+    at = world.box[0] + world.side * np.array([(0.5, 0.28, -0.22), (0.5, 0.0, 0.5)])
+    camera = nf.Camera.look_at(
+        at[0], at[1], fov=nf.Fov.symmetric(60, _sheets.WIDE[0] / _sheets.WIDE[1]), size=_sheets.WIDE
+    )
+    truth = Truth(world, camera, tree.bounds)
+    _sheets.save_halves(truth.color.to_image(), Setting().render(tree, camera).to_image(), out / "orthoview_tokyo.png")
+
+
+def amounts(quality: Quality) -> list[str]:
+    """What is read and drawn."""
+    return [f"{quality.read / 1e6:.2f}", f"{quality.geometry / 1e6:.2f}", f"{quality.splats / 1e3:.0f}"]
+
+
+def cells(quality: Quality) -> list[str]:
+    """Cells of a table below `HEADER`."""
+    shares = (
+        quality.holes,
+        quality.inner_holes,
+        quality.through,
+        quality.inner_through,
+        quality.before,
+        quality.false,
+    )
+    return [f"{quality.psnr:.1f}", f"{quality.ssim:.3f}", *(f"{100 * share:.2f}" for share in shares)]
+
+
+TABLES = {
+    "sets": by_sets,
+    "cuts": by_cuts,
+    "errors": by_errors,
+    "geometry": by_geometry,
+    "layers": by_layers,
+    "sheet": sheet,
+    "wide": wide,
+}
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,180 @@
+"""Speed of pictures of a tree: splats a second, their peers, and the cut of a world of a million cells.
+
+    NEARFAR_NUM_THREADS=1 python -m benchmarks.orthoview.splats TREE
+
+Eyes look at the middle of the tree along its diagonal from half its width away. The points alone are what NumPy and
+pyrender draw: a pixel each, without planes, balls or normals.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.timing import Timing, best, machine, table
+from nearfar import _core
+from nearfar._camera.shot import Shot
+
+SIZE = (640, 480)
+FOV = nf.Fov.symmetric(60, SIZE[0] / SIZE[1])
+HEIGHTS = (0.05, 0.25)
+"""Heights of the eyes over the ground, in widths of the tree."""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("tree", type=Path, help="store that nf.orthoview.build wrote")
+    parser.add_argument("--repeat", type=int, default=7)
+    given = parser.parse_args()
+    print(machine() + f", {_core.thread_count()} threads", "\n")
+    tree = nf.orthoview.open(given.tree)
+    print(tree, "\n")
+    for height in HEIGHTS:
+        print(pictures(tree, eye(tree, height), given.repeat, f"Eye at {height:g} widths"))
+    print(cuts(given.repeat))
+
+
+def eye(tree: nf.orthoview.OrthoTree, height: float) -> nf.Camera:
+    """An eye that looks at the middle of a tree."""
+    low, high = tree.bounds
+    middle, width = (low + high) / 2, float((high - low).max())
+    place = middle + width / 2 * np.array([0.7, 0.0, 0.7])
+    return nf.Camera.look_at((place[0], low[1] + height * width, place[2]), middle, fov=FOV, size=SIZE)
+
+
+def pictures(tree: nf.orthoview.OrthoTree, camera: nf.Camera, repeat: int, title: str) -> str:
+    """Splats a second, of all in the views and of those that are projected, and of the peers' points."""
+    cut = tree.cut(camera, geometry=False)
+    splats = tree._viewer.views.get(cut.keys())
+    total = sum(view.count for view in splats)
+    rows = []
+    for name, grid in (("splats", 1), ("splats, 4 × 4 samples", 4)):
+        settings = Shot(cameras=(camera,), channels=("color",)).settings
+
+        def draw(grid: int = grid, settings: dict[str, Any] = settings) -> dict[str, Any]:
+            return _core.splat_orthoviews(splats, camera._core, settings, origin=(0.0, 0.0, 0.0), grid=grid)
+
+        counts = draw()["stats"]
+        rows.append(row(name, best(draw, repeat=repeat), counts["splats_seen"], counts["splats_projected"]))
+    points, colors = points_of(tree, cut.keys())
+    rows.append(row("points, NumPy's minimum.at", best(numpy_points(points, camera), repeat=3), total, total))
+    if (drawn := pyrender_points(points, colors, camera)) is not None:
+        rows.append(row("points, pyrender", best(drawn, repeat=3), total, total))
+    what = f"{title}: {len(cut)} cells, {len(splats)} views, {total / 1e6:.2f} million splats"
+    return table(what, ["way", "ms", "CPU ms", "million seen a second", "million projected a second"], rows)
+
+
+def row(name: str, timing: Timing, seen: int, projected: int) -> list[str]:
+    rates = [f"{count / timing.wall / 1e6:.1f}" for count in (seen, projected)]
+    return [name, f"{timing.wall * 1e3:.1f}", f"{timing.cpu * 1e3:.1f}", *rates]
+
+
+def points_of(tree: nf.orthoview.OrthoTree, keys: list[Any]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+    """All points of views and their colours."""
+    points, colors = [], []
+    for key in keys:
+        view = tree.view(*key)
+        if view is not None:
+            shown = np.isfinite(view.depth)
+            points.append(view.points()[shown])
+            colors.append(view.color[shown])
+    return np.concatenate(points), np.concatenate(colors)
+
+
+def numpy_points(points: NDArray[np.float64], camera: nf.Camera) -> Callable[[], NDArray[np.uint64]]:
+    """The nearest point of each pixel, by keys of depth and number."""
+    width, height = camera.size
+
+    def draw() -> NDArray[np.uint64]:
+        x, y, depth = camera.project(points).T
+        with np.errstate(invalid="ignore"):
+            seen = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        pixel = y[seen].astype(np.int64) * width + x[seen].astype(np.int64)
+        key = depth[seen].astype(np.float32).view(np.uint32).astype(np.uint64) << np.uint64(32)
+        keys = np.full(width * height, np.iinfo(np.uint64).max, np.uint64)
+        np.minimum.at(keys, pixel, key | np.flatnonzero(seen).astype(np.uint64))
+        return keys
+
+    return draw
+
+
+def pyrender_points(
+    points: NDArray[np.float64], colors: NDArray[np.uint8], camera: nf.Camera
+) -> Callable[[], Any] | None:
+    """The same points by OpenGL, which is software where there is no graphics card; None without pyrender."""
+    os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
+    if importlib.util.find_spec("pyrender") is None:
+        return None
+    import pyrender
+
+    scene = pyrender.Scene()
+    scene.add(pyrender.Mesh.from_points(points - points.mean(axis=0), colors=colors))
+    pose = np.eye(4)
+    x, y, z, w = camera.orientation
+    pose[:3, :3] = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    pose[:3, 3] = np.array(camera.position) - points.mean(axis=0)
+    far = float(np.ptp(points, axis=0).max()) * 4
+    scene.add(pyrender.PerspectiveCamera(2 * np.arctan(FOV.up), znear=far / 1e4, zfar=far), pose=pose)
+    renderer = pyrender.OffscreenRenderer(*camera.size)
+    return lambda: renderer.render(scene, flags=pyrender.RenderFlags.FLAT)
+
+
+def cuts(repeat: int) -> str:
+    """Cuts of flat worlds of 10⁴ to 10⁶ leaves, all of which show something."""
+    rows = []
+    for side in (128, 256, 512, 1024):
+        cells = full(side)
+        camera = nf.Camera((side / 2, 1.5, side / 2), fov=FOV, size=SIZE)
+
+        def cut(cells: _core.OrthoCells = cells, camera: nf.Camera = camera) -> Any:
+            return cells.cut(
+                camera._core, pitch=0.0024, error=1.0, directions=DIRECTIONS, views=3, geometry=True, around=True
+            )
+
+        arrays, reach, unknown = cut()
+        assert not unknown
+        timing = best(cut, repeat=repeat)
+        numbers = [f"{side * side:,}", f"{len(arrays['level'])}", f"{len(arrays['leaf_level'])}", f"{reach:.2f}"]
+        rows.append([*numbers, f"{timing.wall * 1e3:.3f}"])
+    return table("Cuts all around", ["leaves", "cells", "leaves as geometry", "reach, leaves", "ms"], rows)
+
+
+DIRECTIONS = [(0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0), (0, 1, 0), (0, 1, 1), (1, 1, 0), (0, 1, -1), (-1, 1, 0)]
+
+
+def full(side: int) -> _core.OrthoCells:
+    """The cells of a flat world."""
+    levels, subtree = side.bit_length(), 3
+    cells = _core.OrthoCells((0.0, 0.0, 0.0), 1.0, levels, subtree)
+    for tier in range(-(-levels // subtree)):
+        lowest = tier * subtree
+        count = -(-side // (1 << (lowest + subtree)))
+        masks = []
+        for level in range(lowest, min(lowest + subtree, levels)):
+            within = 1 << (subtree - level % subtree)
+            mask = np.zeros((within, within, within), np.uint32)
+            shown = min(within, max(side >> level, 1))
+            mask[:shown, 0, :shown] = 511
+            masks.append(mask.reshape(-1))
+        for x in range(count):
+            for z in range(count):
+                cells.add(tier, (x, 0, z), masks)
+    return cells
+
+
+if __name__ == "__main__":
+    main()

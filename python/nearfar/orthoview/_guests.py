@@ -1,0 +1,53 @@
+"""Guests of a leaf: the other leaves to which triangles belong that reach into it.
+
+A triangle is in the file of one leaf. Who draws a leaf as geometry draws its guests, too, or would miss parts of it.
+"""
+
+from __future__ import annotations
+
+import base64
+import zlib
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from nearfar._base.errors import UnusableError
+from nearfar._scene.scene import Scene
+from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._owned import owners
+
+Guests = dict[Place, list[Place]]
+"""Guests by the places of leaves; leaves without any may be left out."""
+
+_MOST = 1 << 26
+"""Greatest number of bytes that a text unpacks to."""
+
+
+def guests(part: Scene, grid: Grid, place: Place) -> list[Place]:
+    """The guests of a leaf, from the query of its box."""
+    if not part.triangle_count:
+        return []
+    found = np.unique(owners(part, grid), axis=0)
+    rows = (tuple(row) for row in found[(found >= 0).all(axis=1)].tolist())
+    return [(x, y, z) for x, y, z in rows if (x, y, z) != place]
+
+
+def described(known: Mapping[Place, Sequence[Place]]) -> str:
+    """Guests as text: base64 of zlib of rows of six int32, a leaf and one of its guests."""
+    rows = np.array([(*leaf, *guest) for leaf in sorted(known) for guest in known[leaf]], "<i4")
+    return base64.b64encode(zlib.compress(rows.tobytes(), 9)).decode()
+
+
+def guests_of(text: str) -> Guests:
+    """The guests that `described` returned; UnusableError for what it cannot have returned."""
+    stream = zlib.decompressobj()
+    try:
+        content = stream.decompress(base64.b64decode(text, validate=True), _MOST)
+    except (ValueError, zlib.error) as error:
+        raise UnusableError(f"guests: {error}") from None
+    if not stream.eof or stream.unused_data or len(content) % 24:
+        raise UnusableError(f"guests: expected rows of 24 bytes, got {len(content)} bytes")
+    found: Guests = {}
+    for a, b, c, x, y, z in np.frombuffer(content, "<i4").reshape(-1, 6).tolist():
+        found.setdefault((a, b, c), []).append((x, y, z))
+    return found

@@ -1,0 +1,110 @@
+"""Leaves near the viewer as geometry: one scene of those that are drawn."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import formats
+from nearfar._base.errors import UnusableError
+from nearfar._scene.arrays import origin_for
+from nearfar._scene.budget import Budget
+from nearfar._scene.content import assemble
+from nearfar._scene.gltf.document import read as read_gltf
+from nearfar._scene.joined import joined
+from nearfar._scene.materials import Materials
+from nearfar._scene.scene import Scene
+from nearfar.orthoview._chunks import Chunks
+from nearfar.orthoview._geometry_store import FOLDER, IMAGES, names
+from nearfar.orthoview._grid import Grid, Place
+
+MOST_LEAVES = 256
+"""Leaves that are kept beside those that are drawn."""
+
+
+class Near:
+    """Reads the geometry of leaves.
+
+    Parameters
+    ----------
+    place
+        Of the store, for messages.
+    chunks
+        Of the store.
+    grid
+        The tree's cells.
+    bounds
+        World box (2, 3) of the tree.
+    """
+
+    def __init__(self, place: str, chunks: Chunks, grid: Grid, bounds: NDArray[np.float64]) -> None:
+        self._place, self._chunks, self._grid = place, chunks, grid
+        self.origin = origin_for(bounds)
+        """World position (3,) that the scenes' positions are relative to, metres."""
+        self._leaves: OrderedDict[Place, Scene | None] = OrderedDict()
+        self._images: dict[str, bytes] = {}
+        self._last: tuple[tuple[Place, ...], Scene | None] = ((), None)
+        self.read_bytes = 0
+        """Bytes of files that were read."""
+
+    def __contains__(self, place: Place) -> bool:
+        """Whether a leaf is kept."""
+        return place in self._leaves
+
+    def scene(self, places: Sequence[Place]) -> Scene | None:
+        """The geometry of leaves in one scene; None where there is none."""
+        wanted = tuple(sorted(places))
+        if wanted != self._last[0]:
+            parts = [part for place in wanted if (part := self._leaf(place)) is not None]
+            self._last = wanted, joined(parts) if parts else None
+        while len(self._leaves) > len(wanted) + MOST_LEAVES:
+            self._leaves.popitem(last=False)
+        return self._last[1]
+
+    def _leaf(self, place: Place) -> Scene | None:
+        if place not in self._leaves:
+            with formats.guarded(self._place, "orthoviews"):
+                parts = [part for name in names(self._grid, place) if (part := self._file(name)) is not None]
+            self._leaves[place] = joined(parts) if parts else None
+        self._leaves.move_to_end(place)
+        return self._leaves[place]
+
+    def _file(self, name: str) -> Scene | None:
+        data = self._chunks.geometry(name)
+        if data is None:
+            return None
+        self.read_bytes += len(data)
+        budget = Budget()
+        label = f"{self._place}/{name}"
+        with formats.guarded(label):
+            content = read_gltf(label, data, "glb", _Images(self), Materials(budget), budget)
+        return Scene._from_assembled(assemble(content, up="y", on_invalid="raise", origin=self.origin))
+
+    def image(self, name: str) -> bytes:
+        """Bytes of a texture."""
+        if name not in self._images:
+            content = self._chunks.geometry(f"{FOLDER}/{IMAGES}/{name}")
+            if content is None:
+                raise UnusableError(f"{FOLDER}/{IMAGES}/{name}: the file is gone")
+            self.read_bytes += len(content)
+            self._images[name] = content
+        return self._images[name]
+
+
+class _Images:
+    """Trimesh's resolver of the textures that the leaves share."""
+
+    parent = FOLDER
+
+    def __init__(self, near: Near) -> None:
+        self._near = near
+
+    def get(self, uri: str) -> bytes:
+        """Bytes of a file beside the leaves' folders."""
+        folder, _, name = uri.rpartition("/")
+        if folder.rpartition("/")[2] != IMAGES:
+            raise UnusableError(f"expected a texture in {IMAGES}, got {uri!r}")
+        return self._near.image(name)

@@ -1,0 +1,92 @@
+"""Which cells of a subtree show something, from which directions: its record tells, so that readers need not look."""
+
+from __future__ import annotations
+
+import base64
+import zlib
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base.errors import UnusableError
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._layout import Layout
+
+AS_BEFORE = 1 << 31
+"""Stands for a cell that is as in the generations before."""
+
+Masks = list[NDArray[np.uint32]]
+"""For each level of a subtree, the lowest one first, (X, Y, Z): bit D says whether direction D shows something."""
+
+
+class Presence:
+    """Takes note of the chunks of a subtree's cells.
+
+    Parameters
+    ----------
+    layout
+        Of the tree.
+    tier
+        Of the subtree.
+    value
+        Of cells of which nothing is noted: 0 where they show nothing, or `AS_BEFORE`.
+    """
+
+    def __init__(self, layout: Layout, tier: int, value: int = 0) -> None:
+        self._layout, self._lowest = layout, tier * layout.subtree
+        self._masks = [np.full(shape, value, np.uint32) for shape in shapes(layout, tier)]
+
+    def add(self, level: int, place: Place, array: str, length: int) -> None:
+        """Note a chunk of a cell, of length 0 if it is not there."""
+        _, within = self._layout.shard_of(level, place)
+        mask = self._masks[level - self._lowest]
+        if mask[within] == AS_BEFORE:
+            mask[within] = 0
+        _, name, channel = array.split("/")
+        if length and channel == "depth":
+            mask[within] |= np.uint32(1 << self._layout.names.index(name))
+
+    def described(self) -> list[str]:
+        """The masks as JSON."""
+        return [base64.b64encode(zlib.compress(mask.astype("<u4").tobytes(), 9)).decode() for mask in self._masks]
+
+
+def shapes(layout: Layout, tier: int) -> list[tuple[int, int, int]]:
+    """Numbers of cells of a subtree's levels, the lowest one first."""
+    lowest = tier * layout.subtree
+    levels = range(lowest, min(lowest + layout.subtree, layout.grid.levels))
+    return [(side, side, side) for side in map(layout.shard_side, levels)]
+
+
+def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
+    """The masks that `Presence.described` returned; UnusableError for what it cannot have returned."""
+    expected = shapes(layout, tier)
+    if len(described) != len(expected):
+        raise UnusableError(f"expected views of {len(expected)} levels, got {len(described)}")
+    return [_mask(text, shape) for text, shape in zip(described, expected, strict=True)]
+
+
+def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
+    size, stream = 4 * int(np.prod(shape)), zlib.decompressobj()
+    try:
+        # No more than is expected: a damaged text may state any length.
+        content = stream.decompress(base64.b64decode(text, validate=True), size + 1)
+    except (ValueError, zlib.error) as error:
+        raise UnusableError(f"views: {error}") from None
+    if len(content) != size:
+        raise UnusableError(f"views: expected {size} bytes, got {len(content)}")
+    if not stream.eof or stream.unused_data:  # zlib compares its checksum at the end
+        raise UnusableError("views: expected the end of the compressed bytes after their content")
+    return np.frombuffer(content, "<u4").reshape(shape).astype(np.uint32)
+
+
+def newest_of(generations: Sequence[Masks], layout: Layout, tier: int, unknown: int = 0) -> Masks:
+    """Masks of the newest of some generations, which is the first one, that tells of a cell."""
+    found = [np.full(shape, AS_BEFORE, np.uint32) for shape in shapes(layout, tier)]
+    for masks in generations:
+        for mask, own in zip(found, masks, strict=True):
+            np.copyto(mask, own, where=mask == AS_BEFORE)
+    for mask in found:
+        mask[mask == AS_BEFORE] = unknown
+    return found

@@ -1,0 +1,188 @@
+"""A tree as something that is rendered."""
+
+from __future__ import annotations
+
+import copy
+import math
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import SupportsFloat, SupportsIndex
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar._camera.camera import Camera
+from nearfar._camera.clip import Clip
+from nearfar._camera.shot import Shot, check_request
+from nearfar._render.frame import Frame
+from nearfar._render.renderable import Images, Renderable, Report
+from nearfar._render.renderer import Renderer
+from nearfar.orthoview import _store
+from nearfar.orthoview._chunks import Chunks
+from nearfar.orthoview._cut import MOST_VIEWS, Cutter, OrthoCut, Settings
+from nearfar.orthoview._near import Near
+from nearfar.orthoview._stored import StoredTree
+from nearfar.orthoview._viewer import Viewer
+from nearfar.orthoview._views import Views
+
+CACHE_BYTES = 1 << 30
+"""Bytes of memory for views by default."""
+
+
+class ShownTree(StoredTree, Renderable):
+    """A tree as `nearfar.render` takes it; `OrthoTree` tells what it raises."""
+
+    def __init__(self, path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> None:
+        super().__init__(path)
+        self._cache_bytes = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
+        self._settings = Settings()
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """World position (3,) in metres that `Frame.position` is relative to."""
+        return self._viewer.origin
+
+    @property
+    def default_channels(self) -> tuple[str, ...]:
+        """Images that are computed by default."""
+        return ("color", "range")
+
+    @property
+    def backends(self) -> tuple[str, ...]:
+        """Backends that can render this source."""
+        return ("cpu",)
+
+    @cached_property
+    def _viewer(self) -> Viewer:
+        if not self.is_complete:
+            raise ValueError(f"path: {self.path} is not complete, build it again")
+        files, layout, newest = self._files, self._layout, self.generation
+        listed = _store.Listed(files, layout)
+        chunks = Chunks(files, layout, _store.recorded_generations(files, layout, newest, listed))
+        cutter = Cutter(layout, _store.cells_of(files, layout, newest, listed))
+        views = Views(self.path, chunks, layout, self._cache_bytes)
+        return Viewer(cutter, views, Near(self.path, chunks, layout.grid, self.bounds))
+
+    def cut(
+        self,
+        camera: Camera,
+        *,
+        views: SupportsIndex = 3,
+        error_px: SupportsFloat = 1.0,
+        geometry: bool = True,
+        around: bool = False,
+    ) -> OrthoCut:
+        """Return the cells that a viewer sees: leaves near it as geometry, others from views, the coarser the farther.
+
+        Parameters
+        ----------
+        camera
+            The view.
+        views
+            Number of views of a cell, 1 to 8: of those that show something the ones whose directions are nearest to the
+            viewer's.
+        error_px
+            Greatest width of a view's pixels, in pixels of the picture. 2 suits thin clients: cells
+            are drawn from half as far.
+        geometry
+            Whether leaves that are nearer than their views are fine enough for are drawn as geometry, where the tree
+            has it; else their views are drawn at any distance.
+        around
+            Whether cells outside of the picture count, too: viewers turn faster than views arrive.
+
+        Returns
+        -------
+        OrthoCut
+            With a reach r of p/(t `error_px`), where p is the width of a leaf's pixel and t that of the picture's at a
+            distance of 1 m, cells of level k are drawn from views if they are no nearer than 2ᵏ r.
+
+        Raises
+        ------
+        ValueError
+            Values out of range; a tree that is not complete.
+        TypeError
+            Something that is no camera.
+        FormatError, OSError
+            A record of the store that is damaged, or that cannot be read.
+
+        References
+        ----------
+        Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.2.
+        """
+        settings = _settings(views, error_px, geometry)
+        own = check.instance("camera", camera, Camera)
+        return self._viewer.cutter.whole(own, settings, around=check.flag("around", around))
+
+    def render(
+        self,
+        camera: Camera,
+        *,
+        views: SupportsIndex = 3,
+        error_px: SupportsFloat = 1.0,
+        geometry: bool = True,
+        t_min: float = 0.0,
+        t_max: float = math.inf,
+        clip: Clip | None = None,
+        samples: int = 1,
+        channels: Iterable[str] | None = None,
+    ) -> Frame:
+        """Draw a picture from any viewpoint: the views of the cut as splats, and the nearest leaves as geometry.
+
+        Parameters
+        ----------
+        camera
+            The view, with any projection.
+        views, error_px, geometry
+            As in `cut`.
+        t_min, t_max, clip
+            As in `nearfar.render`; a splat is drawn if its middle is within them.
+        samples
+            Number of colour samples of each pixel, on a grid: 1, 4, 9 … 64.
+        channels
+            Images to compute, as in `nearfar.render`: splats have "color", "coverage", "range", "position", "normal",
+            "albedo" and "shading_normal"; where they are seen, `object_id` and `face_id` are −1. The default is colour
+            and range.
+
+        Returns
+        -------
+        Frame
+            The bytes are the same for any number of threads. `stats` counts the `cells` and `views` of the cut, its
+            `leaves` of geometry, all `splats` of the views, `splats_in_picture` of parts that reach into it,
+            `splats_seen` of those that are not hidden, and `splats_projected`, once for each tile of the screen.
+
+        Raises
+        ------
+        ValueError
+            Values out of range; a tree that is not complete.
+        TypeError
+            Something that is no camera.
+        FormatError, OSError
+            A part of the store that is damaged, or that cannot be read.
+
+        References
+        ----------
+        Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.
+        """
+        shown = copy.copy(self)
+        shown.__dict__["_viewer"] = self._viewer  # views that it reads are kept for the next picture
+        shown._settings = _settings(views, error_px, geometry)
+        renderer = Renderer(shown, channels, samples, argument="tree")
+        (frame,) = renderer.frames(renderer.shot([camera], None, t_min, t_max, clip), None, None)
+        return frame
+
+    def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
+        """Draw the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
+        check_request(shot, report)
+        return self._viewer.draw(shot, self._settings, report)
+
+
+def _settings(views: SupportsIndex, error_px: SupportsFloat, geometry: bool) -> Settings:
+    return replace(
+        Settings(),
+        views=check.integer("views", views, 1, MOST_VIEWS),
+        error_px=check.positive("error_px", error_px),
+        geometry=check.flag("geometry", geometry),
+    )

@@ -1,0 +1,226 @@
+"""What the store of an open tree holds: its cells, their views, and the geometry of leaves."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, SupportsIndex
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import check, formats
+from nearfar.orthoview import _codec, _store
+from nearfar.orthoview._chunks import Chunks
+from nearfar.orthoview._directions import Direction
+from nearfar.orthoview._files import files_at
+from nearfar.orthoview._geometry_store import names
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout, check_zarr
+from nearfar.orthoview._view import OrthoView
+
+
+class StoredTree:
+    """The store of a tree in a folder or behind a URL; `OrthoTree` tells what it raises."""
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        check_zarr()
+        self._files = files_at(path)
+        self._attributes = _store.read(self._files)
+        with formats.guarded(f"{self.path}/{_store.DOCUMENT}"):
+            self._layout = Layout.from_described(self._attributes["layout"])
+            self._is_complete = bool(self._attributes["complete"])
+            self._failed = {_store.place_of(name): str(reason) for name, reason in self._attributes["failed"].items()}
+            generations = _store.generations(self._files, self.generation)
+        self._chunks = Chunks(self._files, self._layout, generations)
+
+    @property
+    def path(self) -> str:
+        """The folder or the URL."""
+        return self._files.place
+
+    @property
+    def generation(self) -> int:
+        """Number of updates since the tree was built.
+
+        A tree that is open shows the generation that was the newest when it was opened.
+        """
+        return int(self._attributes["generation"])
+
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """World box (2, 3) of all leaves, metres."""
+        grid = self._layout.grid
+        low = np.array(grid.origin)
+        return np.array([low, low + np.array(grid.counts) * grid.cell])
+
+    @property
+    def cell(self) -> float:
+        """Side of the leaves, metres."""
+        return self._layout.grid.cell
+
+    @property
+    def size(self) -> int:
+        """Width and height of a view, pixels."""
+        return self._layout.size
+
+    @property
+    def levels(self) -> int:
+        """Number of levels: 0 has the leaves, the last one cell."""
+        return self._layout.grid.levels
+
+    @property
+    def directions(self) -> tuple[tuple[int, int, int], ...]:
+        """−1, 0 or 1 along each axis: the sides that cells are seen from."""
+        return self._layout.directions
+
+    @property
+    def layers(self) -> int:
+        """Number of layers of surfaces, 1 or 2."""
+        return self._layout.layers
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all cells are there."""
+        return self._is_complete
+
+    @property
+    def failed(self) -> dict[tuple[int, int, int], str]:
+        """Reasons why the source did not give leaves, by their places; the cells above them are missing, too."""
+        return dict(self._failed)
+
+    @property
+    def held(self) -> dict[str, int]:
+        """Number of cells and leaves in which something is, of their chunks, and of the chunks' bytes.
+
+        Those of subtrees that are complete: 8 × 8 × 8 leaves or cells of levels 3, 6 and so on.
+        """
+        return dict(self._attributes["held"])
+
+    @property
+    def done(self) -> dict[str, int]:
+        """Counts of the work of the build or the update that ended last.
+
+        Leaves "drawn" and found "empty", cells "composed", chunks "reloaded" from the store, and "sent" by the workers
+        of a cluster.
+        """
+        return dict(self._attributes["done"])
+
+    def cells(self, level: SupportsIndex) -> tuple[int, int, int]:
+        """Return the number of a level's cells along each axis."""
+        return self._layout.grid.counts_at(check.integer("level", level, 0, self.levels - 1))
+
+    def box(self, level: SupportsIndex, place: tuple[int, int, int]) -> NDArray[np.float64]:
+        """Return the world box (2, 3) of a cell, metres."""
+        number = check.integer("level", level, 0, self.levels - 1)
+        return self._layout.grid.box(number, self._place(number, place))
+
+    def view(
+        self, level: SupportsIndex, place: tuple[int, int, int], direction: SupportsIndex, layer: SupportsIndex = 0
+    ) -> OrthoView | None:
+        """Read a view.
+
+        Parameters
+        ----------
+        level, place
+            The cell.
+        direction
+            Number of the direction in `directions`.
+        layer
+            0 for the nearest surfaces, 1 for those behind them.
+
+        Returns
+        -------
+        OrthoView or None
+            None if it shows nothing.
+
+        Raises
+        ------
+        ValueError
+            Numbers out of range, and a cell that is missing because the build did not end or its source failed.
+        FormatError
+            A shard that is damaged.
+        OSError
+            One that cannot be read.
+        """
+        number = check.integer("level", level, 0, self.levels - 1)
+        at, seen = self._place(number, place), check.integer("direction", direction, 0, len(self.directions) - 1)
+        prefix = BEHIND if check.integer("layer", layer, 0, self.layers - 1) else ""
+        keys = {(seen, name): (number, at, self._layout.array(number, seen, prefix + name)) for name in CHANNELS}
+        with formats.guarded(self.path, "orthoviews"):
+            found = zip(keys, self._chunks.read(list(keys.values())), strict=True)
+            shown = {pair: chunk for pair, chunk in found if chunk}
+            if shown:
+                views, bits = _codec.decoded(shown, self._layout, (seen,))
+                return self._view(views, bits, number, at, self.directions[seen])
+        if (not prefix or self.view(level, place, direction) is None) and (reason := self._missing(number, at)):
+            raise ValueError(f"place: the cell {at} of level {number} is missing: {reason}")
+        return None
+
+    def _missing(self, level: int, place: Place) -> str:
+        """Why a cell that shows nothing may be missing; empty if it does show nothing."""
+        if not self._is_complete and not self._failed:
+            return "the build has not ended"
+        reasons = (why for leaf, why in self._failed.items() if tuple(number >> level for number in leaf) == place)
+        return next(reasons, "")
+
+    def _view(
+        self, views: _core.OrthoViews, bits: NDArray[np.uint8], level: int, place: Place, direction: Direction
+    ) -> OrthoView:
+        axes, extents = _core.orthoview_axes(direction)
+        right, up, toward = (np.array(axis) for axis in axes)
+        lengths = np.array(extents) * self._layout.grid.side(level)
+        codes = views.depths()[0, ..., 0]
+        metres = np.where(codes > 0, (codes - 0.5) * (lengths[2] / self._layout.steps), np.inf).astype(np.float32)
+        surfel = _core.orthoview_surfels(bits)[0, ..., 0]
+        center = self._layout.grid.box(level, place).mean(axis=0)
+        return OrthoView(views.colors()[0], metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
+
+    @property
+    def geometry(self) -> dict[str, Any] | None:
+        """Numbers of leaves, triangles and bytes of the geometry, and the greatest error of a position in metres.
+
+        Those of the build; None for a tree without geometry.
+        """
+        found = self._attributes["geometry"]
+        return None if found is None else dict(found)
+
+    def leaf_glb(self, place: tuple[int, int, int], *, moving: bool = False) -> bytes | None:
+        """Read the triangles that belong to a leaf.
+
+        Parameters
+        ----------
+        place
+            The leaf.
+        moving
+            Those that move, instead of those that stand.
+
+        Returns
+        -------
+        bytes or None
+            A GLB in world metres; None where there are none.
+
+        Raises
+        ------
+        ValueError
+            Numbers out of range, a tree without geometry, a leaf that is missing because the build did not end or its
+            source failed.
+        OSError
+            A file that cannot be read.
+        """
+        if not self._layout.geometry:
+            raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
+        at = self._place(0, place)
+        with formats.guarded(self.path, "orthoviews"):
+            content = self._chunks.geometry(names(self._layout.grid, at)[check.flag("moving", moving)])
+        if content is None and (reason := self._missing(0, at)):
+            raise ValueError(f"place: the leaf {at} is missing: {reason}")
+        return content
+
+    def _place(self, level: int, place: tuple[int, int, int]) -> Place:
+        counts = self._layout.grid.counts_at(level)
+        numbers = check.array("place", place, columns=None, dtype=np.int64)
+        if numbers.shape != (3,):
+            raise ValueError(f"place: expected 3 whole numbers, got shape {numbers.shape}")
+        x, y, z = (check.integer("place", n, 0, count - 1) for n, count in zip(numbers.tolist(), counts, strict=True))
+        return x, y, z

@@ -1,0 +1,100 @@
+"""Pictures of a tree: the cut, its views as splats, and the geometry of the nearest leaves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._camera.camera import Camera
+from nearfar._camera.shot import Shot
+from nearfar._render.renderable import Images
+from nearfar.orthoview._cut import Cutter, OrthoCut, Settings, grid_of
+from nearfar.orthoview._near import Near
+from nearfar.orthoview._views import Views
+
+SAMPLED = ("color", "coverage")
+"""Channels of all samples of a pixel; others describe its middle."""
+
+Report = Callable[[int, int], None] | None
+
+
+class Viewer:
+    """Draws a tree.
+
+    Parameters
+    ----------
+    cutter
+        Cuts it.
+    views
+        Reads its views.
+    near
+        Reads the geometry of its leaves.
+    """
+
+    def __init__(self, cutter: Cutter, views: Views, near: Near) -> None:
+        self.cutter, self.views, self.near = cutter, views, near
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """World position (3,) that positions in pictures are relative to, metres."""
+        return self.near.origin
+
+    def draw(self, shot: Shot, settings: Settings, report: Report = None) -> list[Images]:
+        """The pictures of a shot, one for each camera."""
+        return [self._picture(camera, shot, settings, report) for camera in shot.cameras]
+
+    def _picture(self, camera: Camera, shot: Shot, settings: Settings, report: Report) -> Images:
+        cut = self.cutter.whole(camera, settings)
+        splats = self.views.get(cut.keys())
+        grid = grid_of(shot.samples)
+        sampled = tuple(name for name in shot.channels if name in SAMPLED)
+        middle = tuple(name for name in shot.channels if name not in SAMPLED)
+        passes = [(grid, sampled), (1, middle)] if sampled and middle and grid > 1 else [(grid, shot.channels)]
+        images: Images = {}
+        for samples, channels in passes:
+            # Of an even number of samples none lies in a pixel's middle.
+            samples = samples if set(channels) & set(SAMPLED) else 1
+            drawn = self._pass(camera, shot, channels, samples, cut, splats, report)
+            images |= {"stats": drawn["stats"]} | {name: drawn[name] for name in channels}
+        return images
+
+    def _pass(
+        self,
+        camera: Camera,
+        shot: Shot,
+        channels: tuple[str, ...],
+        grid: int,
+        cut: OrthoCut,
+        splats: list[_core.OrthoSplats],
+        report: Report,
+    ) -> dict[str, Any]:
+        x, y, z = self.origin.tolist()
+        own = replace(shot, cameras=(camera,), channels=channels)
+        images = _core.splat_orthoviews(
+            splats,
+            camera._core,
+            own.settings,
+            origin=(x, y, z),
+            grid=grid,
+            before=self._geometry(camera, own, grid, cut),
+            report=report,
+        )
+        images["stats"] |= {"cells": len(cut), "views": len(cut.keys()), "leaves": len(cut.leaves)}
+        return images
+
+    def _geometry(self, camera: Camera, shot: Shot, grid: int, cut: OrthoCut) -> dict[str, Any] | None:
+        """Images of the leaves that are drawn as geometry, with a pixel for each sample."""
+        scene = self.near.scene(self.cutter.with_guests(cut.leaf_places()))
+        if scene is None:
+            return None
+        width, height = camera.size
+        finer = replace(camera, size=(width * grid, height * grid))
+        mask = None if shot.mask is None else np.repeat(np.repeat(shot.mask, grid, axis=0), grid, axis=1)
+        wanted = tuple(dict.fromkeys((*shot.channels, "range")))
+        (images,) = scene.trace(replace(shot, cameras=(finer,), channels=wanted, samples=1, mask=mask))
+        return dict(images)

@@ -1,0 +1,99 @@
+"""Views of a tree as splats, those that were used last kept in memory."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
+
+from nearfar import _core
+from nearfar._base import formats, side_by_side
+from nearfar.orthoview import _codec
+from nearfar.orthoview._chunks import Chunks
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
+
+ViewKey = tuple[int, Place, int]
+"""Level, place and direction of a view."""
+
+_AT_ONCE = 64
+"""Views whose chunks are asked for at once."""
+
+
+class Views:
+    """Reads views, and keeps those that were used last.
+
+    Parameters
+    ----------
+    place
+        Of the store, for messages.
+    chunks
+        Of the store.
+    layout
+        Of the tree.
+    most
+        Bytes of memory that the views may take which are not in use.
+    """
+
+    def __init__(self, place: str, chunks: Chunks, layout: Layout, most: int) -> None:
+        self._place, self._chunks, self._layout, self._most = place, chunks, layout, most
+        self._kept: OrderedDict[ViewKey, tuple[_core.OrthoSplats, ...]] = OrderedDict()
+        self.bytes = 0
+        """Bytes of memory of the views that are kept."""
+        self.read_bytes = 0
+        """Bytes of chunks that were read."""
+        self.reads = 0
+        """Number of views that were read."""
+
+    def __contains__(self, key: ViewKey) -> bool:
+        """Whether a view is kept."""
+        return key in self._kept
+
+    def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
+        """The splats of views, of both layers, which are read where they are not kept."""
+        missing = [key for key in keys if key not in self._kept]
+        for first in range(0, len(missing), _AT_ONCE):
+            self._read(missing[first : first + _AT_ONCE])
+        for key in keys:
+            self._kept.move_to_end(key)
+        found = [splats for key in keys for splats in self._kept[key]]
+        self._drop(len(keys))
+        return found
+
+    def _read(self, keys: Sequence[ViewKey]) -> None:
+        layers = ("", BEHIND)[: self._layout.layers]
+        chunks = [
+            (level, place, self._layout.array(level, direction, layer + channel))
+            for level, place, direction in keys
+            for layer in layers
+            for channel in CHANNELS
+        ]
+        with formats.guarded(self._place, "orthoviews"):
+            contents = iter(self._chunks.read(chunks))
+            jobs = [partial(self._decoded, key, self._taken(contents, len(layers))) for key in keys]
+            for key, splats in zip(keys, side_by_side.results(jobs), strict=True):
+                self._kept[key] = splats
+                self.bytes += sum(layer.bytes for layer in splats)
+        self.reads += len(keys)
+
+    def _taken(self, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
+        """Chunks by their channels, of the layers of the next view that show something."""
+        taken = [{channel: chunk for channel in CHANNELS if (chunk := next(contents))} for _ in range(layers)]
+        self.read_bytes += sum(len(chunk) for layer in taken for chunk in layer.values())
+        return [layer for layer in taken if layer]
+
+    def _decoded(self, key: ViewKey, layers: Iterable[dict[str, bytes]]) -> tuple[_core.OrthoSplats, ...]:
+        level, place, direction = key
+        grid = self._layout.grid
+        cell, splats = (grid.corner(level, place), grid.side(level)), []
+        for layer in layers:
+            chunks = {(direction, channel): chunk for channel, chunk in layer.items()}
+            views, bits = _codec.decoded(chunks, self._layout, (direction,))
+            splats.append(_core.OrthoSplats(views, 0, bits, cell))
+        return tuple(splats)
+
+    def _drop(self, used: int) -> None:
+        """Drop the views that were used the longest ago, none of those that were used just now."""
+        while self.bytes > self._most and len(self._kept) > used:
+            _, splats = self._kept.popitem(last=False)
+            self.bytes -= sum(layer.bytes for layer in splats)

@@ -1,0 +1,8 @@
+//! Cuts through the octree: which cells a viewer sees at which level, from which directions, and which leaves as geometry.
+
+mod cells;
+mod frustum;
+mod traverse;
+
+pub use cells::{Cells, Grid, Known};
+pub use traverse::{Cut, Drawn, View, cut};

@@ -1,0 +1,172 @@
+//! The traversal from the top: a cell whose pixels are as fine as the picture's is drawn, others give way to their
+//! children.
+
+use glam::{DVec3, UVec3};
+
+use super::cells::{Cells, Known};
+use super::frustum::{Frustum, Side};
+use crate::base::{Error, Result};
+use crate::camera::Camera;
+use crate::orthoview::direction::Direction;
+
+/// A viewer of a tree.
+#[derive(Clone, Debug)]
+pub struct View<'a> {
+    /// The camera.
+    pub camera: &'a Camera,
+    /// Width of the pixels of a leaf's views, metres.
+    pub pitch: f64,
+    /// Greatest width of a view's pixels, in pixels of the picture.
+    pub error: f64,
+    /// The tree's directions.
+    pub directions: &'a [Direction],
+    /// Number of views of a cell.
+    pub views: usize,
+    /// Whether nearer leaves are drawn as geometry.
+    pub geometry: bool,
+    /// Whether cells outside of the picture count, too: a viewer may turn faster than views arrive.
+    pub around: bool,
+}
+
+/// A cell that is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawn {
+    /// Its level.
+    pub level: u32,
+    /// Its place.
+    pub place: UVec3,
+    /// Distance of the nearest point of it, metres.
+    pub distance: f64,
+    /// Whether it reaches into the picture.
+    pub in_picture: bool,
+    /// The numbers of directions, the nearest one first, from the first `count` of which it is drawn.
+    pub directions: [u8; Self::MOST],
+    /// Number of its views.
+    pub count: usize,
+}
+
+impl Drawn {
+    /// Greatest number of views of a cell.
+    pub const MOST: usize = 8;
+}
+
+/// What a viewer sees of a tree, the nearest cells first.
+#[derive(Clone, Debug, Default)]
+pub struct Cut {
+    /// Distance at which a leaf's pixels are as fine as wanted, metres; for parallel rays their width in the picture over
+    /// the wanted one.
+    pub reach: f64,
+    /// The cells that are drawn as views.
+    pub cells: Vec<Drawn>,
+    /// The leaves that are drawn as geometry, which have no views.
+    pub leaves: Vec<Drawn>,
+    /// Subtrees that are not known, in whose place the cells above are drawn.
+    pub unknown: Vec<(u32, UVec3)>,
+}
+
+/// Cuts a tree for a viewer.
+pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
+    if !(1..=Drawn::MOST).contains(&view.views) {
+        return Err(Error::value("views", format!("1 to {}", Drawn::MOST), view.views));
+    }
+    for (name, value) in [("pitch", view.pitch), ("error_px", view.error)] {
+        if !value.is_finite() || value <= 0.0 {
+            return Err(Error::value(name, "a finite number above 0", value));
+        }
+    }
+    if view.directions.len() > 32 {
+        return Err(Error::value("directions", "at most 32", view.directions.len()));
+    }
+    let units = view.directions.iter().map(|direction| direction.frame().axes()[2]).collect();
+    let frustum = Frustum::new(view.camera);
+    let toward = view.camera.is_parallel().then(|| -view.camera.ray(0.0, 0.0).1);
+    let reach = view.pitch / (view.camera.pixel_size() * view.error);
+    let mut traversal = Traversal { cells, view, units, frustum, toward, cut: Cut { reach, ..Cut::default() } };
+    let top = cells.grid.levels - 1;
+    match cells.at(top, UVec3::ZERO) {
+        Known::Not => traversal.cut.unknown.push(cells.subtree_of(top, UVec3::ZERO)),
+        Known::Cell(mask) => traversal.visit(top, UVec3::ZERO, mask, Side::Across),
+    }
+    let mut cut = traversal.cut;
+    cut.cells.sort_by(|one, other| one.distance.total_cmp(&other.distance));
+    cut.leaves.sort_by(|one, other| one.distance.total_cmp(&other.distance));
+    Ok(cut)
+}
+
+struct Traversal<'a> {
+    cells: &'a Cells,
+    view: &'a View<'a>,
+    /// Unit vectors of the directions.
+    units: Vec<DVec3>,
+    frustum: Frustum,
+    /// Towards the viewer, for parallel rays.
+    toward: Option<DVec3>,
+    cut: Cut,
+}
+
+impl Traversal<'_> {
+    fn visit(&mut self, level: u32, place: UVec3, mask: u32, above: Side) {
+        let side = self.cells.grid.side_at(level);
+        let corner = self.cells.grid.corner(level, place);
+        let center = corner + side / 2.0;
+        let lies = if above == Side::Across { self.frustum.side(center, side) } else { above };
+        if mask == 0 || (lies == Side::Outside && !self.view.around) {
+            return;
+        }
+        let eye = self.view.camera.position;
+        let distance = (eye - eye.clamp(corner, corner + side)).length();
+        let drawn = self.drawn(level, place, distance, lies != Side::Outside);
+        if self.is_fine(level, distance) {
+            self.draw(drawn, center, mask);
+        } else if level == 0 {
+            if self.view.geometry {
+                self.cut.leaves.push(drawn);
+            } else {
+                self.draw(drawn, center, mask);
+            }
+        } else {
+            self.refine(drawn, center, mask, lies);
+        }
+    }
+
+    /// Whether a cell's pixels are as fine as the picture's at a distance.
+    fn is_fine(&self, level: u32, distance: f64) -> bool {
+        let coarser = (1u64 << level) as f64;
+        if self.toward.is_some() { self.cut.reach * coarser <= 1.0 } else { distance >= self.cut.reach * coarser }
+    }
+
+    /// Visits the children of a cell, or draws it if they are not known.
+    fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, lies: Side) {
+        let level = drawn.level - 1;
+        let octants = (0..8u32).map(|n| UVec3::new(n >> 2, n >> 1 & 1, n & 1));
+        let children: Vec<(UVec3, Known)> =
+            octants.map(|octant| drawn.place * 2 + octant).map(|place| (place, self.cells.at(level, place))).collect();
+        if children.iter().any(|(_, known)| *known == Known::Not) {
+            // All children of a cell lie in one subtree.
+            self.cut.unknown.push(self.cells.subtree_of(level, children[0].0));
+            self.draw(drawn, center, mask);
+            return;
+        }
+        for (place, known) in children {
+            if let Known::Cell(mask) = known {
+                self.visit(level, place, mask, lies);
+            }
+        }
+    }
+
+    fn drawn(&self, level: u32, place: UVec3, distance: f64, in_picture: bool) -> Drawn {
+        Drawn { level, place, distance, in_picture, directions: [0; Drawn::MOST], count: 0 }
+    }
+
+    /// Draws a cell from the directions nearest to the viewer's, of those from which it shows something.
+    fn draw(&mut self, mut drawn: Drawn, center: DVec3, mask: u32) {
+        let toward = self.toward.unwrap_or(self.view.camera.position - center).normalize_or(DVec3::Y);
+        let mut left: Vec<(f64, u8)> = self.units.iter().map(|unit| unit.dot(toward)).zip(0..).collect();
+        left.sort_by(|one, other| other.0.total_cmp(&one.0).then(one.1.cmp(&other.1)));
+        for &(_, number) in left.iter().filter(|(_, number)| mask >> number & 1 == 1).take(self.view.views) {
+            drawn.directions[drawn.count] = number;
+            drawn.count += 1;
+        }
+        self.cut.cells.push(drawn);
+    }
+}

@@ -1,0 +1,279 @@
+//! The splats of a block in the picture: places, ellipses and nearness, for all of them at once.
+
+use super::projector::{Projector, Rect, Sight};
+use super::splats::{BLOCK, BORDER, Block, LEAST_COSINE, SQUARED_RADIUS, Splats};
+use crate::base::simd::vectorized;
+use crate::render::Limits;
+
+/// Number of splats of a block.
+pub(super) const LANES: usize = BLOCK * BLOCK;
+
+/// Number of splats that are projected at once.
+pub(super) const GROUP: usize = 16;
+
+/// A number of each splat.
+type Lane<T = f32> = [[T; GROUP]; LANES / GROUP];
+
+/// What is the same for all splats of a view.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Constants {
+    /// Changes of the projector's functions by a column, a row and a depth step.
+    steps: [[f32; 3]; 3],
+    /// The projector's gradients, times the radius of a ball over that of an ellipse.
+    gradients: [[f32; 3]; 3],
+    /// The axes of the view; those to the right and upwards in depth steps for each pixel.
+    axes: [[f32; 3]; 3],
+    /// Scale of a normal's numbers to −1 … 1.
+    scale: f32,
+    least_distance: f32,
+    is_parallel: bool,
+}
+
+impl Constants {
+    pub fn new(splats: &Splats, projector: &Projector, sight: &Sight) -> Self {
+        let pitch = splats.pitch();
+        let [right, up, toward] = splats.frame.axes();
+        let radius = splats.ball() / f64::from(SQUARED_RADIUS).sqrt();
+        let single = |values: [f64; 3]| values.map(|value| value as f32);
+        Self {
+            steps: sight.steps.map(single),
+            gradients: projector.rows.map(|row| single((row * radius).to_array())),
+            axes: [right * (pitch.x / pitch.z), up * (pitch.y / pitch.z), toward].map(|axis| single(axis.to_array())),
+            scale: 2.0 / ((1u32 << splats.format.normal_bits) - 2) as f32,
+            least_distance: sight.least as f32,
+            is_parallel: projector.is_parallel,
+        }
+    }
+}
+
+/// The splats of a block in the picture. A point at p from a splat's place belongs to it if |inverse · p|² is at most
+/// `SQUARED_RADIUS`.
+#[derive(Clone, Debug)]
+pub(super) struct Lanes {
+    pub place: [Lane; 2],
+    /// By rows.
+    pub inverse: [Lane; 4],
+    /// At the place, and its changes along both axes.
+    pub nearness: Lane,
+    pub slope: [Lane; 2],
+    /// Columns and rows of the pixel of the middle.
+    pub middle: [Lane<i32>; 2],
+    /// First and last columns and rows of the pixels that may show it; the first is above the last where it is not shown.
+    pub first: [Lane<i32>; 2],
+    pub last: [Lane<i32>; 2],
+    column: Lane,
+    row: Lane,
+    depth: Lane,
+    normal: [Lane; 2],
+    /// Factor of a surfel's radius; 0 for a ball.
+    surfel: Lane,
+}
+
+impl Lanes {
+    pub fn new() -> Self {
+        let (zero, none) = ([[0.0; GROUP]; LANES / GROUP], [[[0; GROUP]; LANES / GROUP]; 2]);
+        Self {
+            place: [zero; 2],
+            inverse: [zero; 4],
+            nearness: zero,
+            slope: [zero; 2],
+            middle: none,
+            first: none,
+            last: none,
+            column: zero,
+            row: zero,
+            depth: zero,
+            normal: [zero; 2],
+            surfel: zero,
+        }
+    }
+
+    /// Takes the splats of a block; returns their number.
+    #[inline]
+    pub fn gather(&mut self, splats: &Splats, block: &Block) -> usize {
+        let (mut shown, mut count) = (block.shown, 0);
+        let texels = &splats.texels[block.first as usize..][..shown.count_ones() as usize];
+        let radius = |bit: u32| match (block.surfels >> bit & 1, block.inner >> bit & 1) {
+            (0, _) => 0.0,
+            (_, 0) => BORDER,
+            _ => 1.0,
+        };
+        for texel in texels {
+            let bit = shown.trailing_zeros();
+            let (group, n) = (count / GROUP, count % GROUP);
+            self.column[group][n] = (bit % BLOCK as u32) as f32;
+            self.row[group][n] = (bit / BLOCK as u32) as f32;
+            self.depth[group][n] = f32::from(texel.depth());
+            let [one, other] = texel.normal();
+            (self.normal[0][group][n], self.normal[1][group][n]) = (f32::from(one), f32::from(other));
+            self.surfel[group][n] = radius(bit);
+            shown &= shown - 1;
+            count += 1;
+        }
+        count
+    }
+
+    /// Leaves out the splats that were gathered and projected whose middles are not seen within limits.
+    pub fn limit(&mut self, count: usize, splats: &Splats, block: &Block, projector: &Projector, limits: &Limits) {
+        let [left, top] = block.corner.map(f64::from);
+        for (group, n) in (0..count).map(|n| (n / GROUP, n % GROUP)) {
+            let pixel = [self.column[group][n], self.row[group][n]].map(f64::from);
+            let depth = f64::from(self.depth[group][n]) - 0.5;
+            let place = splats.place(left + pixel[0] + 0.5, top + pixel[1] + 0.5, depth);
+            if !projector.is_seen(place, limits) {
+                (self.first[0][group][n], self.last[0][group][n]) = (1, 0);
+            }
+        }
+    }
+
+    /// Projects the splats that were gathered to a part of the screen; `start` has the projector's functions at the middle
+    /// of the block's first pixel, half a step before the front.
+    pub fn project(&mut self, count: usize, start: [f32; 3], constants: &Constants, rect: &Rect) {
+        let groups = count.div_ceil(GROUP);
+        if constants.is_parallel {
+            project_parallel(self, groups, start, constants, rect);
+        } else {
+            project_perspective(self, groups, start, constants, rect);
+        }
+    }
+}
+
+vectorized! {
+    fn project_perspective(lanes: &mut Lanes, groups: usize, start: [f32; 3], constants: &Constants, rect: &Rect)
+        = project_all::<false>;
+    fn project_parallel(lanes: &mut Lanes, groups: usize, start: [f32; 3], constants: &Constants, rect: &Rect)
+        = project_all::<true>;
+}
+
+// Closures would not be compiled for the vectors of `vectorized!`.
+
+#[inline(always)]
+fn dot(axis: &[f32; 3], x: f32, y: f32, z: f32) -> f32 {
+    axis[0] * x + axis[1] * y + axis[2] * z
+}
+
+/// A function at a place in the block.
+#[inline(always)]
+fn at(start: f32, steps: &[[f32; 3]; 3], of: usize, column: f32, row: f32, depth: f32) -> f32 {
+    start + column * steps[0][of] + row * steps[1][of] + depth * steps[2][of]
+}
+
+/// The derivative of a place X/W, for a change of X and of W.
+#[inline(always)]
+fn shown<const PARALLEL: bool>(change: f32, of_distance: f32, place: f32, over: f32) -> f32 {
+    if PARALLEL { change } else { (change - place * of_distance) * over }
+}
+
+/// The derivative of nearness, for a change of W.
+#[inline(always)]
+fn nearer<const PARALLEL: bool>(of_distance: f32, over: f32) -> f32 {
+    if PARALLEL { -of_distance } else { -of_distance * over * over }
+}
+
+/// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+#[inline(always)]
+fn disc<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], of: usize, place: f32, over: f32) -> f32 {
+    let (own, distance) = (&gradients[of], &gradients[2]);
+    let x = shown::<PARALLEL>(own[0], distance[0], place, over);
+    let y = shown::<PARALLEL>(own[1], distance[1], place, over);
+    let z = shown::<PARALLEL>(own[2], distance[2], place, over);
+    (x * x + y * y + z * z).sqrt()
+}
+
+/// First and last pixel along an axis whose middles lie within an extent, that of its middle among them, and the latter.
+#[inline(always)]
+fn pixels(place: f32, half: f32, low: f32, high: f32) -> (i32, i32, i32) {
+    let middle = place.floor();
+    let first = (place - half - 0.5).ceil().min(middle).max(low);
+    let last = (place + half - 0.5).floor().max(middle).min(high);
+    (first as i32, last as i32, middle as i32)
+}
+
+#[inline(always)]
+fn project_all<const PARALLEL: bool>(
+    lanes: &mut Lanes,
+    groups: usize,
+    start: [f32; 3],
+    constants: &Constants,
+    rect: &Rect,
+) {
+    for group in 0..groups {
+        project_group::<PARALLEL>(lanes, group, start, constants, rect);
+    }
+}
+
+#[inline(always)]
+fn project_group<const PARALLEL: bool>(
+    lanes: &mut Lanes,
+    group: usize,
+    start: [f32; 3],
+    constants: &Constants,
+    rect: &Rect,
+) {
+    let (steps, gradients) = (&constants.steps, &constants.gradients);
+    let [right, up, toward] = &constants.axes;
+    let (left, top) = (rect.low[0] as f32, rect.low[1] as f32);
+    let (rightmost, bottom) = (rect.high[0] as f32 - 1.0, rect.high[1] as f32 - 1.0);
+    let radius = SQUARED_RADIUS.sqrt();
+    for n in 0..GROUP {
+        let (column, row, depth) = (lanes.column[group][n], lanes.row[group][n], lanes.depth[group][n]);
+        let w = at(start[2], steps, 2, column, row, depth);
+        let over = if PARALLEL { 1.0 } else { 1.0 / w };
+        let x = at(start[0], steps, 0, column, row, depth) * over;
+        let y = at(start[1], steps, 1, column, row, depth) * over;
+
+        // The normal, not normalised, and the depth steps by which its plane falls for each pixel.
+        let (a, b) =
+            (lanes.normal[0][group][n] * constants.scale - 1.0, lanes.normal[1][group][n] * constants.scale - 1.0);
+        let c = 1.0 - a.abs() - b.abs();
+        let fold = (-c).max(0.0);
+        let (a, b) = (a - fold.copysign(a), b - fold.copysign(b));
+        let length = (a * a + b * b + c * c).sqrt();
+        let facing = 1.0 / dot(toward, a, b, c).max(LEAST_COSINE * length);
+        let (by_column, by_row) = (dot(right, a, b, c) * facing, -dot(up, a, b, c) * facing);
+        let factor = lanes.surfel[group][n];
+        let is_surfel = factor > 0.0;
+        let (u0, v0) = (steps[0][0] + by_column * steps[2][0], steps[1][0] + by_row * steps[2][0]);
+        let (u1, v1) = (steps[0][1] + by_column * steps[2][1], steps[1][1] + by_row * steps[2][1]);
+        let (u2, v2) = (steps[0][2] + by_column * steps[2][2], steps[1][2] + by_row * steps[2][2]);
+
+        // The ellipse's axes in the picture.
+        let (ux, vx) = (shown::<PARALLEL>(u0, u2, x, over) * factor, shown::<PARALLEL>(v0, v2, x, over) * factor);
+        let (uy, vy) = (shown::<PARALLEL>(u1, u2, y, over) * factor, shown::<PARALLEL>(v1, v2, y, over) * factor);
+        let (u_near, v_near) = (nearer::<PARALLEL>(u2, over) * factor, nearer::<PARALLEL>(v2, over) * factor);
+        let determinant = ux * vy - vx * uy;
+        let inverse = 1.0 / determinant;
+        let (ball_x, ball_y) = (disc::<PARALLEL>(gradients, 0, x, over), disc::<PARALLEL>(gradients, 1, y, over));
+
+        // A surfel that is seen from its edge is a line: only the pixel of its middle shows it.
+        let is_flat = determinant.abs() <= f32::EPSILON * (ux.abs() + vx.abs()) * (uy.abs() + vy.abs());
+        let edge = if is_flat { f32::MAX } else { inverse };
+        let i00 = if is_surfel { vy * edge } else { 1.0 / ball_x };
+        let i01 = if is_surfel { -vx * edge } else { 0.0 };
+        let i10 = if is_surfel { -uy * edge } else { 0.0 };
+        let i11 = if is_surfel { ux * edge } else { 1.0 / ball_y };
+        (
+            lanes.inverse[0][group][n],
+            lanes.inverse[1][group][n],
+            lanes.inverse[2][group][n],
+            lanes.inverse[3][group][n],
+        ) = (i00, i01, i10, i11);
+        let is_sloped = is_surfel && !is_flat;
+        lanes.slope[0][group][n] = if is_sloped { u_near * i00 + v_near * i10 } else { 0.0 };
+        lanes.slope[1][group][n] = if is_sloped { u_near * i01 + v_near * i11 } else { 0.0 };
+        lanes.nearness[group][n] = if PARALLEL { -w } else { over };
+        (lanes.place[0][group][n], lanes.place[1][group][n]) = (x, y);
+
+        let half_x = radius * if is_surfel { (ux * ux + vx * vx).sqrt() } else { ball_x };
+        let half_y = radius * if is_surfel { (uy * uy + vy * vy).sqrt() } else { ball_y };
+        // Near the eye the derivative at the middle would sweep ellipses across the picture.
+        let depth = radius * factor * (u2 * u2 + v2 * v2).sqrt();
+        let is_shown = PARALLEL || w - depth >= constants.least_distance;
+        let (first, last, middle) = pixels(x, half_x, left, rightmost);
+        lanes.first[0][group][n] = if is_shown { first } else { 1 };
+        lanes.last[0][group][n] = if is_shown { last } else { 0 };
+        lanes.middle[0][group][n] = middle;
+        let (first, last, middle) = pixels(y, half_y, top, bottom);
+        (lanes.first[1][group][n], lanes.last[1][group][n], lanes.middle[1][group][n]) = (first, last, middle);
+    }
+}

@@ -1,0 +1,17 @@
+//! Splatting: pictures of views from any viewpoint.
+//!
+//! A pixel of a view becomes a splat: a piece of a plane (a surfel), shown as an ellipse, or a ball, shown as a disc. The
+//! screen is divided into tiles, each of which belongs to one thread: it draws the views' boxes nearest first, and leaves
+//! out those that lie behind what is drawn. Of all splats at a sample the nearest one counts.
+
+mod draw;
+mod lanes;
+mod picture;
+mod projector;
+mod resolve;
+mod screen;
+mod splats;
+
+pub use draw::draw;
+pub use picture::{Counts, Picture};
+pub use splats::Splats;

@@ -1,0 +1,182 @@
+//! A camera as three linear functions of a point, and a float32 order of what is nearer.
+
+use glam::{DMat3, DVec3};
+
+use super::splats::{Extent, Splats};
+use crate::camera::Camera;
+use crate::render::Limits;
+
+/// Three linear functions (X, Y, W) of points. A perspective camera shows a point at X/W, Y/W, and W is its distance along
+/// the axis; one with parallel rays shows it at X, Y, and W is its distance from the image plane.
+///
+/// *Nearness* orders points along a ray: 1/W or −W, which on a plane are linear in the place in the picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Projector {
+    eye: DVec3,
+    /// The functions' gradients, pixels and metres.
+    pub rows: [DVec3; 3],
+    pub is_parallel: bool,
+}
+
+/// A rectangle of pixels: first columns and rows, and those after the last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Rect {
+    pub low: [i32; 2],
+    pub high: [i32; 2],
+}
+
+impl Rect {
+    pub fn overlap(&self, other: &Self) -> Self {
+        Self {
+            low: [0, 1].map(|axis| self.low[axis].max(other.low[axis])),
+            high: [0, 1].map(|axis| self.high[axis].min(other.high[axis])),
+        }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        (0..2).any(|axis| self.low[axis] >= self.high[axis])
+    }
+}
+
+/// The part of the picture that may show a part of a view, and the nearness of its nearest point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub rect: Rect,
+    pub nearness: f32,
+}
+
+/// Least distance along the axis at which a perspective camera shows splats, in extents of a pixel of their view: nearer
+/// ones would cover the whole picture.
+const LEAST_DISTANCE: f64 = 1.0;
+
+impl Projector {
+    /// The functions of a camera.
+    pub fn new(camera: &Camera) -> Self {
+        let (start, direction) = camera.ray(0.0, 0.0);
+        let (right, down) = (camera.ray(1.0, 0.0), camera.ray(0.0, 1.0));
+        let is_parallel = camera.is_parallel();
+        // A point at (x, y) and a distance w: perspective w (x right + y down + direction), parallel
+        // start + x right + y down + w direction.
+        let (eye, columns) = if is_parallel {
+            (camera.position + start, [right.0 - start, down.0 - start, direction])
+        } else {
+            (camera.position, [right.1 - direction, down.1 - direction, direction])
+        };
+        let [x, y, z] = columns;
+        let inverse = DMat3::from_cols(x, y, z).inverse();
+        Self { eye, rows: [0, 1, 2].map(|n| inverse.row(n)), is_parallel }
+    }
+
+    /// The functions at a world position.
+    pub fn at(&self, place: DVec3) -> [f64; 3] {
+        self.rows.map(|row| row.dot(place - self.eye))
+    }
+
+    /// The functions' changes along a vector.
+    pub fn along(&self, vector: DVec3) -> [f64; 3] {
+        self.rows.map(|row| row.dot(vector))
+    }
+
+    /// Whether something at a world position is seen within limits.
+    pub fn is_seen(&self, place: DVec3, limits: &Limits) -> bool {
+        let range = if self.is_parallel { self.at(place)[2] } else { place.distance(self.eye) } as f32;
+        (limits.segment.t_min..=limits.segment.t_max).contains(&range)
+            && limits.planes().iter().all(|plane| plane.truncate().dot(place) + plane.w >= 0.0)
+    }
+
+    /// The nearness of a distance W.
+    pub fn nearness(&self, distance: f64) -> f64 {
+        if self.is_parallel { -distance } else { 1.0 / distance }
+    }
+
+    /// The distance W of a nearness.
+    pub fn distance(&self, nearness: f64) -> f64 {
+        if self.is_parallel { -nearness } else { 1.0 / nearness }
+    }
+}
+
+/// A view before a camera: the projector's functions at its pixels and depth steps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sight {
+    /// At the corner of the first pixel, at the front.
+    start: [f64; 3],
+    /// Changes by a column, a row and a depth step.
+    pub steps: [[f64; 3]; 3],
+    /// Columns, rows and depth steps by which splats reach beyond their pixels.
+    margin: [f64; 3],
+    /// Least W of splats that are shown; −∞ for parallel rays.
+    pub least: f64,
+    is_parallel: bool,
+}
+
+impl Sight {
+    pub fn new(splats: &Splats, projector: &Projector) -> Self {
+        let is_parallel = projector.is_parallel;
+        let least = LEAST_DISTANCE * splats.pitch().truncate().max_element();
+        Self {
+            start: projector.at(splats.place(0.0, 0.0, 0.0)),
+            steps: splats.steps().map(|step| projector.along(step)),
+            margin: splats.margin(),
+            least: if is_parallel { f64::NEG_INFINITY } else { least },
+            is_parallel,
+        }
+    }
+
+    /// The functions at a column, a row and a number of depth steps.
+    pub fn at(&self, [column, row, depth]: [f64; 3]) -> [f64; 3] {
+        let [of_column, of_row, of_depth] = &self.steps;
+        [
+            self.start[0] + column * of_column[0] + row * of_row[0] + depth * of_depth[0],
+            self.start[1] + column * of_column[1] + row * of_row[1] + depth * of_depth[1],
+            self.start[2] + column * of_column[2] + row * of_row[2] + depth * of_depth[2],
+        ]
+    }
+
+    /// The part of a picture that may show a part of the view; `None` if it lies behind the camera.
+    pub fn seen(&self, extent: &Extent, whole: &Rect) -> Option<Seen> {
+        let mut low = [0.0; 3];
+        let mut high = [0.0; 3];
+        for axis in 0..3 {
+            low[axis] = f64::from(extent.low[axis]) - self.margin[axis];
+            high[axis] = f64::from(extent.high[axis]) + self.margin[axis];
+        }
+        let (mut nearest, mut farthest) = (f64::MAX, f64::MIN);
+        let (mut least, mut most) = ([f64::MAX; 2], [f64::MIN; 2]);
+        for n in 0..8 {
+            let pick = |axis: usize| if n >> axis & 1 == 1 { high[axis] } else { low[axis] };
+            let [x, y, w] = self.at([pick(0), pick(1), pick(2)]);
+            (nearest, farthest) = (nearest.min(w), farthest.max(w));
+            let over = if self.is_parallel { 1.0 } else { 1.0 / w };
+            (least[0], most[0]) = (least[0].min(x * over), most[0].max(x * over));
+            (least[1], most[1]) = (least[1].min(y * over), most[1].max(y * over));
+        }
+        if farthest < self.least {
+            return None;
+        }
+        if nearest < self.least {
+            return Some(Seen { rect: *whole, nearness: f32::INFINITY });
+        }
+        // A pixel more on each side, for that of a splat's middle.
+        let rect = Rect {
+            low: [(least[0] - 1.0) as i32, (least[1] - 1.0) as i32],
+            high: [(most[0] + 2.0) as i32, (most[1] + 2.0) as i32],
+        };
+        let nearness = if self.is_parallel { -nearest } else { 1.0 / nearest };
+        // Rounded upwards, so that no splat is nearer.
+        Some(Seen { rect: rect.overlap(whole), nearness: (nearness as f32).next_up() })
+    }
+}
+
+/// A number that is greater for a greater float, and never 0.
+#[inline(always)]
+pub(super) fn ordered(value: f32) -> u32 {
+    let bits = value.to_bits() as i32;
+    // Of negative numbers all bits turn, of others the sign.
+    (bits ^ ((bits >> 31) | i32::MIN)) as u32
+}
+
+/// The float of `ordered`.
+pub(super) fn unordered(number: u32) -> f32 {
+    let bits = number as i32;
+    f32::from_bits((bits ^ (!(bits >> 31) | i32::MIN)) as u32)
+}

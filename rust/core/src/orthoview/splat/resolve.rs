@@ -1,0 +1,179 @@
+//! The images of a tile of the screen, from the splats at its samples.
+
+use glam::{DVec3, Vec3};
+
+use super::picture::{Picture, Prepared};
+use super::projector::{Projector, Rect, unordered};
+use super::screen::{Key, OTHER, Screen};
+use super::splats::{Packed, Splats};
+use crate::camera::Camera;
+use crate::render::shade::{background, irradiance};
+use crate::render::{Frame, Sample};
+use crate::scene::srgb::linear_from_srgb;
+
+/// Makes images of keys.
+pub(super) struct Resolver<'a> {
+    picture: &'a Picture<'a>,
+    /// The camera of the samples.
+    camera: &'a Camera,
+    projector: &'a Projector,
+    views: &'a [Prepared<'a>],
+    linear: &'static [f32; 256],
+    /// The direction through the picture's corner, and its changes by a sample to the right and down.
+    directions: [Vec3; 3],
+}
+
+/// The splat that was looked up last: neighbouring samples often show the same.
+#[derive(Clone, Copy)]
+struct Last {
+    number: u32,
+    normal: Vec3,
+    /// Its colours on the side of the normal and on the other one.
+    colors: [[f32; 3]; 2],
+    /// Number of its view.
+    view: usize,
+}
+
+/// Whether a normal is turned away from the viewer along a ray: views see the insides of what a cell's side cuts open, whose
+/// outsides belong to the next cell.
+fn faces_away(normal: Vec3, direction: Vec3) -> bool {
+    normal.dot(direction) > 0.0
+}
+
+impl<'a> Resolver<'a> {
+    pub fn new(
+        picture: &'a Picture<'a>,
+        camera: &'a Camera,
+        projector: &'a Projector,
+        views: &'a [Prepared<'a>],
+    ) -> Self {
+        let [start, right, down] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| camera.ray(x, y).1);
+        let directions = [start, right - start, down - start].map(|direction| direction.as_vec3());
+        Self { picture, camera, projector, views, linear: linear_from_srgb(), directions }
+    }
+
+    /// What is seen at a sample without any splat.
+    pub fn before(&self, x: i32, y: i32) -> Key {
+        let Some(before) = self.picture.before else { return Key::default() };
+        let range = before.range[self.index(x, y)];
+        if !range.is_finite() {
+            return Key::default();
+        }
+        let distance = f64::from(range) / self.direction(x, y).length();
+        Key::new(self.projector.nearness(distance) as f32, OTHER)
+    }
+
+    fn index(&self, x: i32, y: i32) -> usize {
+        y as usize * self.camera.width as usize + x as usize
+    }
+
+    /// Of the ray through the middle of a sample, as long as W is 1.
+    fn direction(&self, x: i32, y: i32) -> DVec3 {
+        self.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5).1
+    }
+
+    /// The same in float32.
+    #[inline]
+    fn along(&self, x: i32, y: i32) -> Vec3 {
+        let [start, right, down] = self.directions;
+        start + right * (x as f32 + 0.5) + down * (y as f32 + 0.5)
+    }
+
+    /// The images of a tile of pixels.
+    pub fn resolve(&self, screen: &Screen, tile: &Rect) -> Frame {
+        let (mut frame, wanted) = (Frame::default(), self.picture.channels);
+        let (grid, mask) = (self.picture.grid as i32, self.picture.pixels.mask);
+        let mut last = Last { number: OTHER, normal: Vec3::ZERO, colors: [[0.0; 3]; 2], view: 0 };
+        for (y, x) in (tile.low[1]..tile.high[1]).flat_map(|y| (tile.low[0]..tile.high[0]).map(move |x| (y, x))) {
+            if mask.is_some_and(|mask| !mask[(y * self.picture.camera.width as i32 + x) as usize]) {
+                frame.push(wanted, [0.0; 3], 0.0, &Sample::default());
+                continue;
+            }
+            let (mut color, mut coverage) = ([0.0; 3], 0.0);
+            if wanted.any_sampled() {
+                for (row, column) in (0..grid).flat_map(|row| (0..grid).map(move |column| (row, column))) {
+                    let at = (x * grid + column, y * grid + row);
+                    let (own, share) = self.sampled(screen.key(at.0, at.1), at, &mut last);
+                    (0..3).for_each(|i| color[i] += own[i]);
+                    coverage += share;
+                }
+                let share = 1.0 / (grid * grid) as f32;
+                color = color.map(|sum| sum * share);
+                coverage *= share;
+            }
+            let sample = if wanted.any_surface() {
+                self.sample(screen, (x * grid + grid / 2, y * grid + grid / 2))
+            } else {
+                Sample::default()
+            };
+            frame.push(wanted, color, coverage, &sample);
+        }
+        frame
+    }
+
+    /// Colour and coverage of a sample.
+    fn sampled(&self, key: Key, (x, y): (i32, i32), last: &mut Last) -> ([f32; 3], f32) {
+        let number = key.number();
+        if number == OTHER {
+            return match self.picture.before {
+                Some(before) if key != Key::default() => {
+                    (before.color.get(self.index(x, y)).copied().unwrap_or_default(), 1.0)
+                }
+                _ if self.picture.pixels.bare => ([0.0; 3], 0.0),
+                _ => (background(self.along(x, y).normalize()), 0.0),
+            };
+        }
+        if number != last.number {
+            let view = self.view(number, last.view);
+            let (splats, texel) = self.splat(number, view);
+            let (albedo, normal) = (self.albedo(texel), splats.normal(texel));
+            let lit = |light: [f32; 3]| std::array::from_fn(|i| albedo[i] * light[i]);
+            *last = Last { number, normal, colors: [lit(irradiance(normal)), lit(irradiance(-normal))], view };
+        }
+        (last.colors[usize::from(faces_away(last.normal, self.along(x, y)))], 1.0)
+    }
+
+    /// The channels of the middle of a pixel.
+    fn sample(&self, screen: &Screen, (x, y): (i32, i32)) -> Sample {
+        let key = screen.key(x, y);
+        let number = key.number();
+        if number == OTHER {
+            return match self.picture.before {
+                Some(before) if key != Key::default() => before.sample(self.index(x, y)),
+                _ => Sample::default(),
+            };
+        }
+        let (splats, texel) = self.splat(number, self.view(number, 0));
+        let distance = self.projector.distance(f64::from(unordered(key.order())));
+        let (start, direction) = self.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let place = self.camera.position + start + direction * distance - self.picture.origin;
+        let normal = splats.normal(texel);
+        let normal = if faces_away(normal, self.along(x, y)) { -normal } else { normal }.to_array();
+        Sample {
+            range: (direction.length() * distance) as f32,
+            position: place.as_vec3().to_array(),
+            normal,
+            shading_normal: normal,
+            albedo: self.albedo(texel),
+            ..Sample::default()
+        }
+    }
+
+    /// The number of the view that has a splat, which is often the last one.
+    fn view(&self, number: u32, last: usize) -> usize {
+        let view = &self.views[last];
+        if (view.first..view.first + view.splats.count() as u32).contains(&number) {
+            return last;
+        }
+        self.views.partition_point(|view| view.first <= number) - 1
+    }
+
+    fn splat(&self, number: u32, view: usize) -> (&'a Splats, Packed) {
+        let view = &self.views[view];
+        (view.splats, view.splats.texels[(number - view.first) as usize])
+    }
+
+    fn albedo(&self, texel: Packed) -> [f32; 3] {
+        texel.color().map(|code| self.linear[usize::from(code)])
+    }
+}

@@ -1,0 +1,125 @@
+//! A tile of the screen, and the nearest splat at each of its samples.
+
+use super::lanes::{GROUP, Lanes};
+use super::projector::{Rect, ordered};
+use super::splats::SQUARED_RADIUS;
+use crate::base::simd::vectorized;
+
+/// The nearest splat at a sample: its nearness in the upper half, and the complement of its number in the lower one, so
+/// that the greatest key counts and of equally near splats the first one. 0 where nothing is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Key(pub u64);
+
+/// The number that stands for what is not splatted.
+pub(super) const OTHER: u32 = u32::MAX;
+
+impl Key {
+    #[inline(always)]
+    pub fn new(nearness: f32, number: u32) -> Self {
+        Self(u64::from(ordered(nearness)) << 32 | u64::from(!number))
+    }
+
+    #[inline(always)]
+    pub fn number(self) -> u32 {
+        !(self.0 as u32)
+    }
+
+    #[inline(always)]
+    pub fn order(self) -> u32 {
+        (self.0 >> 32) as u32
+    }
+}
+
+/// Samples that are drawn at once.
+const STRIDE: usize = 8;
+
+/// Keys of a rectangle of samples.
+#[derive(Debug)]
+pub(super) struct Screen {
+    pub rect: Rect,
+    /// Keys of a row: those of the rectangle, and `STRIDE` that nobody reads.
+    pitch: usize,
+    keys: Vec<Key>,
+}
+
+impl Screen {
+    /// A rectangle of samples, each with what was drawn before.
+    pub fn new(rect: Rect, before: impl Fn(i32, i32) -> Key) -> Self {
+        let pitch = (rect.high[0] - rect.low[0]) as usize + STRIDE;
+        let mut keys = vec![Key::default(); pitch * (rect.high[1] - rect.low[1]) as usize];
+        for (y, row) in (rect.low[1]..rect.high[1]).zip(keys.chunks_exact_mut(pitch)) {
+            (rect.low[0]..rect.high[0]).zip(row).for_each(|(x, key)| *key = before(x, y));
+        }
+        Self { rect, pitch, keys }
+    }
+
+    #[inline(always)]
+    fn slot(&self, x: i32, y: i32) -> usize {
+        (y - self.rect.low[1]) as usize * self.pitch + (x - self.rect.low[0]) as usize
+    }
+
+    /// The key at a sample.
+    #[inline(always)]
+    pub fn key(&self, x: i32, y: i32) -> Key {
+        self.keys[self.slot(x, y)]
+    }
+
+    /// Whether all samples of a part show something nearer.
+    pub fn hides(&self, part: &Rect, nearness: f32) -> bool {
+        let order = ordered(nearness);
+        let columns = (part.high[0] - part.low[0]) as usize;
+        (part.low[1]..part.high[1]).all(|y| {
+            let first = self.slot(part.low[0], y);
+            let farthest = self.keys[first..first + columns].iter().fold(u64::MAX, |least, key| least.min(key.0));
+            Key(farthest).order() > order
+        })
+    }
+
+    /// Draws some splats, which have consecutive numbers.
+    pub fn draw(&mut self, lanes: &Lanes, count: usize, first: u32) {
+        draw(self, lanes, count, first);
+    }
+}
+
+vectorized! {
+    fn draw(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) = draw_all;
+}
+
+#[inline(always)]
+fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
+    for (number, (group, n)) in (first..).zip((0..count).map(|n| (n / GROUP, n % GROUP))) {
+        let [left, top] = [lanes.first[0][group][n], lanes.first[1][group][n]];
+        let [right, bottom] = [lanes.last[0][group][n], lanes.last[1][group][n]];
+        if left > right || top > bottom {
+            continue;
+        }
+        let [a, b] = [lanes.inverse[0][group][n], lanes.inverse[1][group][n]];
+        let [c, d] = [lanes.inverse[2][group][n], lanes.inverse[3][group][n]];
+        let [x, y] = [lanes.place[0][group][n], lanes.place[1][group][n]];
+        let [middle_column, middle_row] = [lanes.middle[0][group][n], lanes.middle[1][group][n]];
+        let (nearness, slope) = (lanes.nearness[group][n], [lanes.slope[0][group][n], lanes.slope[1][group][n]]);
+        let number = u64::from(!number);
+        for row in top..=bottom {
+            let down = row as f32 + 0.5 - y;
+            let (p_start, q_start, start) = (b * down, d * down, nearness + slope[1] * down);
+            // The column of the middle in this row; none in others.
+            let middle = if row == middle_row { middle_column } else { i32::MIN };
+            let mut from = left;
+            while from <= right {
+                let slot = screen.slot(from, row);
+                let Some(keys) = screen.keys[slot..].first_chunk_mut::<STRIDE>() else { break };
+                let across = from as f32 + 0.5 - x;
+                for (i, key) in keys.iter_mut().enumerate() {
+                    let along = across + i as f32;
+                    let (p, q) = (a * along + p_start, c * along + q_start);
+                    let is_inside = p * p + q * q <= SQUARED_RADIUS;
+                    let is_middle = from + i as i32 == middle;
+                    let at = if is_inside { start + slope[0] * along } else { nearness };
+                    let own = u64::from(ordered(at)) << 32 | number;
+                    key.0 = key.0.max(if is_inside | is_middle { own } else { 0 });
+                }
+                from += STRIDE as i32;
+            }
+        }
+    }
+}

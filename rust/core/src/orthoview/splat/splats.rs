@@ -1,0 +1,230 @@
+//! A view's pixels as splats, in blocks of 8 × 8 pixels.
+
+use glam::DVec3;
+
+use crate::base::{Error, Result};
+use crate::orthoview::cell::Cell;
+use crate::orthoview::connect::{is_surfel, neighbours};
+use crate::orthoview::direction::{Direction, Frame};
+use crate::orthoview::format::Format;
+use crate::orthoview::normals;
+use crate::orthoview::view::{Texel, Views};
+
+/// Side of a block, pixels.
+pub(super) const BLOCK: usize = 8;
+
+/// Boxes along each axis of a view: parts that are culled as a whole.
+const BOXES: usize = 4;
+
+/// Squared radius of a surfel's ellipse in pixels of its view: the corners of the pixel lie on it.
+pub(super) const SQUARED_RADIUS: f32 = 0.5;
+
+/// Factor of the radius for surfels at the border of a surface. Ellipses leave out the middles of their pixel's sides, and
+/// a pixel is drawn from a quarter on of its width: where the surface goes on in the next cell, up to half a pixel would
+/// stay empty. 0.9 = 1.27/√2 reaches a quarter of a pixel beyond the side's end: √(0.9² − 0.5²) = 0.75.
+pub(super) const BORDER: f32 = 1.27;
+
+/// Number of a pixel's neighbours.
+const ALL: u8 = 8;
+
+/// Least cosine between a surfel's normal and the direction of its view. Neighbours on steeper surfaces are not
+/// connected (`connect`), so only means over edges are steeper; they would stretch far.
+pub(super) const LEAST_COSINE: f32 = 0.25;
+
+/// A part of a view: pixels from `low` to `high` (columns, rows, depth steps; `high` is exclusive).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Extent {
+    pub low: [u16; 3],
+    pub high: [u16; 3],
+}
+
+impl Extent {
+    const NOTHING: Self = Self { low: [u16::MAX; 3], high: [0; 3] };
+
+    fn add(&mut self, other: &Self) {
+        for axis in 0..3 {
+            self.low[axis] = self.low[axis].min(other.low[axis]);
+            self.high[axis] = self.high[axis].max(other.high[axis]);
+        }
+    }
+}
+
+/// 8 × 8 pixels of a view, of which some show a surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Block {
+    /// Tightly around the shown pixels.
+    pub extent: Extent,
+    /// Column and row of its first pixel.
+    pub corner: [u16; 2],
+    /// Number of its first splat.
+    pub first: u32,
+    /// Bit 8 row + column of a pixel: whether it shows a surface.
+    pub shown: u64,
+    /// Whether it is a surfel.
+    pub surfels: u64,
+    /// Whether all its neighbours are connected with it.
+    pub inner: u64,
+}
+
+/// Blocks of a view that are culled as a whole.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BoxOfBlocks {
+    pub extent: Extent,
+    /// Numbers of its first block and of the one after its last.
+    pub blocks: [u32; 2],
+    /// Number of its splats.
+    pub count: u32,
+}
+
+/// A pixel: 24 bits of colour, 24 of its normal, 16 of its depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Packed(u64);
+
+impl Packed {
+    fn new(texel: &Texel) -> Self {
+        let [red, green, blue] = texel.color.map(u64::from);
+        let [one, other] = texel.normal.map(u64::from);
+        Self(red | green << 8 | blue << 16 | one << 24 | other << 36 | u64::from(texel.depth) << 48)
+    }
+
+    pub fn color(self) -> [u8; 3] {
+        [self.0 as u8, (self.0 >> 8) as u8, (self.0 >> 16) as u8]
+    }
+
+    /// The two numbers of its normal.
+    #[inline(always)]
+    pub fn normal(self) -> [u16; 2] {
+        [(self.0 >> 24) as u16 & 0xFFF, (self.0 >> 36) as u16 & 0xFFF]
+    }
+
+    #[inline(always)]
+    pub fn depth(self) -> u16 {
+        (self.0 >> 48) as u16
+    }
+}
+
+/// A view of a cell, ready to be splatted: 8 bytes a pixel that shows a surface.
+#[derive(Clone, Debug)]
+pub struct Splats {
+    pub(super) frame: Frame,
+    /// The cell's centre, metres.
+    pub(super) center: DVec3,
+    /// Extents of the view to the right, upwards and towards the viewer, metres.
+    pub(super) extents: DVec3,
+    pub(super) format: Format,
+    pub(super) boxes: Vec<BoxOfBlocks>,
+    pub(super) blocks: Vec<Block>,
+    pub(super) texels: Vec<Packed>,
+}
+
+impl Splats {
+    /// The view of a cell from the direction with a number; `connected` has the connections of its pixels.
+    pub fn new(views: &Views, number: usize, connected: &[u8], cell: &Cell) -> Result<Self> {
+        let (Some(view), Some(&direction)) = (views.views().get(number), views.directions.get(number)) else {
+            return Err(Error::value("number", format!("one of {} views", views.directions.len()), number));
+        };
+        let format = views.format;
+        if connected.len() != format.pixels() {
+            return Err(Error::value("connected", format!("{} pixels", format.pixels()), connected.len()));
+        }
+        let frame = Direction::frame(direction);
+        let center = cell.corner + cell.side / 2.0;
+        let extents = frame.extents() * cell.side;
+        let mut splats = Self { frame, center, extents, format, boxes: vec![], blocks: vec![], texels: vec![] };
+        splats.gather(&view.texels, &neighbours(connected, format.size));
+        Ok(splats)
+    }
+
+    fn gather(&mut self, texels: &[Texel], connected: &[u8]) {
+        let along = self.format.size.div_ceil(BLOCK);
+        let of_box = along.div_ceil(BOXES);
+        for (row, column) in (0..BOXES).flat_map(|row| (0..BOXES).map(move |column| (row, column))) {
+            let (first, texel) = (self.blocks.len(), self.texels.len());
+            let mut extent = Extent::NOTHING;
+            let part = |n: usize| n * of_box..((n + 1) * of_box).min(along);
+            for (y, x) in part(row).flat_map(|y| part(column).map(move |x| (y, x))) {
+                if let Some(block) = self.gather_block([x * BLOCK, y * BLOCK], texels, connected) {
+                    extent.add(&block.extent);
+                    self.blocks.push(block);
+                }
+            }
+            if first < self.blocks.len() {
+                let blocks = [first as u32, self.blocks.len() as u32];
+                self.boxes.push(BoxOfBlocks { extent, blocks, count: (self.texels.len() - texel) as u32 });
+            }
+        }
+    }
+
+    fn gather_block(&mut self, [left, top]: [usize; 2], texels: &[Texel], connected: &[u8]) -> Option<Block> {
+        let size = self.format.size;
+        let corner = [left as u16, top as u16];
+        let first = self.texels.len() as u32;
+        let mut block = Block { extent: Extent::NOTHING, corner, first, shown: 0, surfels: 0, inner: 0 };
+        for (row, column) in (0..BLOCK).flat_map(|row| (0..BLOCK).map(move |column| (row, column))) {
+            let (x, y) = (left + column, top + row);
+            if x >= size || y >= size || texels[y * size + x].depth == 0 {
+                continue;
+            }
+            let (texel, bit) = (&texels[y * size + x], 1u64 << (BLOCK * row + column));
+            block.shown |= bit;
+            let neighbours = connected[y * size + x];
+            block.surfels |= if is_surfel(neighbours) { bit } else { 0 };
+            block.inner |= if neighbours == ALL { bit } else { 0 };
+            let low = [x as u16, y as u16, texel.depth - 1];
+            block.extent.add(&Extent { low, high: [x as u16 + 1, y as u16 + 1, texel.depth] });
+            self.texels.push(Packed::new(texel));
+        }
+        (block.shown != 0).then_some(block)
+    }
+
+    /// Number of splats.
+    pub fn count(&self) -> usize {
+        self.texels.len()
+    }
+
+    /// Bytes of memory.
+    pub fn bytes(&self) -> usize {
+        size_of::<Self>() + size_of_val(&*self.texels) + size_of_val(&*self.blocks) + size_of_val(&*self.boxes)
+    }
+
+    /// Width and height of a pixel, and length of a step, metres.
+    pub(super) fn pitch(&self) -> DVec3 {
+        let size = self.format.size as f64;
+        self.extents / DVec3::new(size, size, f64::from(self.format.steps))
+    }
+
+    /// Radius of a ball, which bounds its pixel, metres.
+    pub(super) fn ball(&self) -> f64 {
+        self.pitch().truncate().length() / 2.0
+    }
+
+    /// Columns, rows and depth steps by which splats reach beyond their pixels and depths.
+    pub(super) fn margin(&self) -> [f64; 3] {
+        let (pitch, ball, radius) = (self.pitch(), self.ball(), f64::from(BORDER * SQUARED_RADIUS.sqrt()));
+        let across = |pitch: f64| radius.max(ball / pitch) - 0.5;
+        let slope = radius * (pitch.x + pitch.y) / f64::from(LEAST_COSINE);
+        [across(pitch.x), across(pitch.y), slope.max(ball) / pitch.z]
+    }
+
+    /// The place that belongs to a column, a row and a number of depth steps, which may be fractions: whole numbers are
+    /// the corners of pixels, and 0 steps the front of the cell's extent.
+    pub(super) fn place(&self, column: f64, row: f64, depth: f64) -> DVec3 {
+        let [right, up, toward] = self.frame.axes();
+        let (pitch, half) = (self.pitch(), self.extents / 2.0);
+        self.center
+            + right * (column * pitch.x - half.x)
+            + up * (half.y - row * pitch.y)
+            + toward * (half.z - depth * pitch.z)
+    }
+
+    /// Steps by one column, one row and one depth step, metres.
+    pub(super) fn steps(&self) -> [DVec3; 3] {
+        let ([right, up, toward], pitch) = (self.frame.axes(), self.pitch());
+        [right * pitch.x, up * -pitch.y, toward * -pitch.z]
+    }
+
+    /// The unit normal of a splat.
+    pub(super) fn normal(&self, texel: Packed) -> glam::Vec3 {
+        normals::decoded(texel.normal(), self.format.normal_bits)
+    }
+}

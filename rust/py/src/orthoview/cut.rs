@@ -1,0 +1,89 @@
+//! Bindings of `orthoview::cut`.
+
+use std::sync::{PoisonError, RwLock};
+
+use glam::{DVec3, UVec3};
+use nearfar_core::orthoview::cut::{Cells, Drawn, Grid, View, cut};
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::views::directions_of;
+use crate::camera::Camera;
+use crate::convert::arrays::array_of_rows;
+use crate::convert::errors::to_python;
+use crate::convert::run;
+
+/// The cells of a tree in which something is, by the subtrees that were added.
+#[pyclass(frozen, module = "nearfar._core")]
+pub(crate) struct OrthoCells(RwLock<Cells>);
+
+/// Tier and place of a subtree.
+type Subtree = (u32, [u32; 3]);
+
+#[pymethods]
+impl OrthoCells {
+    /// Cells from a least corner, with sides at level 0; `subtree` is the number of levels of a subtree.
+    #[new]
+    fn new(origin: [f64; 3], side: f64, levels: u32, subtree: u32) -> PyResult<Self> {
+        let grid = Grid { origin: DVec3::from_array(origin), side, levels, subtree };
+        Cells::new(grid).map(|cells| Self(RwLock::new(cells))).map_err(to_python)
+    }
+
+    /// Adds a subtree: for each of its levels, the lowest one first, the bits of the directions from which its cells show
+    /// something.
+    fn add(&self, tier: u32, place: [u32; 3], levels: Vec<PyReadonlyArray1<'_, u32>>) -> PyResult<()> {
+        let levels: Result<Vec<Box<[u32]>>, _> = levels.iter().map(|masks| masks.as_slice().map(Box::from)).collect();
+        let mut cells = self.0.write().unwrap_or_else(PoisonError::into_inner);
+        cells.add(tier, UVec3::from_array(place), levels?).map_err(to_python)
+    }
+
+    /// Number of subtrees that were added.
+    #[getter]
+    fn known(&self) -> usize {
+        self.0.read().unwrap_or_else(PoisonError::into_inner).known()
+    }
+
+    /// What a viewer sees, the nearest cells first: arrays of the cells that are drawn as views and, with the prefix
+    /// "leaf_", of those that are drawn as geometry; the distance at which a leaf's pixels are as fine as
+    /// wanted; and the subtrees that are to be added.
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    #[pyo3(signature = (camera, *, pitch, error, directions, views, geometry, around))]
+    fn cut<'py>(
+        &self,
+        py: Python<'py>,
+        camera: &Camera,
+        pitch: f64,
+        error: f64,
+        directions: Vec<[i8; 3]>,
+        views: usize,
+        geometry: bool,
+        around: bool,
+    ) -> PyResult<(Bound<'py, PyDict>, f64, Vec<Subtree>)> {
+        let directions = directions_of(directions)?;
+        let view = View { camera: &camera.0, pitch, error, directions: &directions, views, geometry, around };
+        let found = run::short(py, || cut(&self.0.read().unwrap_or_else(PoisonError::into_inner), &view))?;
+        let arrays = PyDict::new(py);
+        for (prefix, cells) in [("", &found.cells), ("leaf_", &found.leaves)] {
+            put(&arrays, prefix, cells)?;
+        }
+        let numbers = found.cells.iter().map(|cell| -> [i8; Drawn::MOST] {
+            std::array::from_fn(|n| if n < cell.count { cell.directions[n] as i8 } else { -1 })
+        });
+        arrays.set_item("directions", array_of_rows(py, numbers.collect())?)?;
+        let unknown = found.unknown.into_iter().map(|(tier, place)| (tier, place.to_array())).collect();
+        Ok((arrays, found.reach, unknown))
+    }
+}
+
+fn put(arrays: &Bound<'_, PyDict>, prefix: &str, cells: &[Drawn]) -> PyResult<()> {
+    let py = arrays.py();
+    let places = cells.iter().map(|cell| cell.place.to_array().map(i64::from)).collect();
+    arrays.set_item(format!("{prefix}place"), array_of_rows(py, places)?)?;
+    let levels = cells.iter().map(|cell| i64::from(cell.level));
+    arrays.set_item(format!("{prefix}level"), PyArray1::from_iter(py, levels))?;
+    let distances = cells.iter().map(|cell| cell.distance);
+    arrays.set_item(format!("{prefix}distance"), PyArray1::from_iter(py, distances))?;
+    let in_picture = cells.iter().map(|cell| cell.in_picture);
+    arrays.set_item(format!("{prefix}in_picture"), PyArray1::from_iter(py, in_picture))
+}

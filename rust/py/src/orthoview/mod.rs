@@ -1,0 +1,5 @@
+//! Bindings of `orthoview`.
+
+pub mod cut;
+pub mod splat;
+pub mod views;

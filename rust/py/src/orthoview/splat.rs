@@ -1,0 +1,86 @@
+//! Bindings of `orthoview::splat`.
+
+use glam::DVec3;
+use nearfar_core::orthoview::Cell;
+use nearfar_core::orthoview::splat::{Picture, Splats, draw};
+use numpy::PyReadonlyArray4;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::views::OrthoViews;
+use crate::camera::Camera;
+use crate::convert::errors::to_python;
+use crate::convert::run;
+use crate::render::frame::{Settings, frame_of, images};
+
+/// A view of a cell, ready to be splatted.
+#[pyclass(frozen, module = "nearfar._core")]
+pub(crate) struct OrthoSplats(Splats);
+
+#[pymethods]
+impl OrthoSplats {
+    /// The view with a number of a cell, given by its least corner and its side; `connected` (D, size, size, 1) has the
+    /// connections of all views.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        views: &OrthoViews,
+        number: usize,
+        connected: PyReadonlyArray4<'_, u8>,
+        cell: ([f64; 3], f64),
+    ) -> PyResult<Self> {
+        let cell = Cell::new(DVec3::from_array(cell.0), cell.1).map_err(to_python)?;
+        let (pixels, bits) = (views.0.format.pixels(), connected.as_slice()?);
+        let own = bits.get(number * pixels..(number + 1) * pixels).unwrap_or_default();
+        run::short(py, || Splats::new(&views.0, number, own, &cell)).map(Self)
+    }
+
+    /// Number of splats.
+    #[getter]
+    fn count(&self) -> usize {
+        self.0.count()
+    }
+
+    /// Bytes of memory.
+    #[getter]
+    fn bytes(&self) -> usize {
+        self.0.bytes()
+    }
+}
+
+/// The images of a picture of views by name, and its counts as `stats`. `grid` is the number of samples along each axis of
+/// a pixel; `before` has images of `grid` times the picture's size of what else is seen.
+#[pyfunction]
+#[pyo3(signature = (views, camera, settings, *, origin, grid, before=None, report=None))]
+#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+pub(crate) fn splat_orthoviews<'py>(
+    py: Python<'py>,
+    views: Vec<Bound<'py, OrthoSplats>>,
+    camera: &Camera,
+    settings: Settings<'py>,
+    origin: [f64; 3],
+    grid: u32,
+    before: Option<Bound<'py, PyDict>>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let before = before.as_ref().map(frame_of).transpose()?;
+    let views: Vec<&Splats> = views.iter().map(|view| &view.get().0).collect();
+    let picture = Picture {
+        camera: &camera.0,
+        origin: DVec3::from_array(origin),
+        channels: settings.channels()?,
+        grid,
+        limits: settings.limits()?,
+        pixels: settings.pixels()?,
+        before: before.as_ref(),
+    };
+    let (frame, counts) = run::long(py, report, |progress| draw(&views, &picture, progress))?;
+    let images = images(py, frame, (camera.0.height as usize, camera.0.width as usize))?;
+    let stats = PyDict::new(py);
+    stats.set_item("splats", counts.total)?;
+    stats.set_item("splats_in_picture", counts.in_picture)?;
+    stats.set_item("splats_seen", counts.seen)?;
+    stats.set_item("splats_projected", counts.projected)?;
+    images.set_item("stats", stats)?;
+    Ok(images)
+}

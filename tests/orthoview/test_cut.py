@@ -1,0 +1,235 @@
+"""Tests of cuts: which cells of a tree a viewer sees at which level, from which directions, and which as geometry."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, reject, strategies as st
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar.orthoview._cut import OrthoCut
+from nearfar.orthoview._grid import Grid
+from tests.support import cut_oracle as oracle, need
+from tests.support.orthoview_cases import CORNER, boxes
+from tests.support.orthoview_stores import CELL, SIZE, Counted, of_cells, world_of
+
+need("zarr")
+
+MIDDLE = CORNER + 40.0
+PITCH = CELL / SIZE
+"""Width of a pixel of a leaf's views: from 5 directions they show the leaf's sides."""
+
+WIDE, NARROW, ASKEW = nf.Fov.symmetric(100, 4 / 3), nf.Fov.symmetric(25), nf.Fov(-1.3, 0.2, -0.1, 0.9)
+PLAN = nf.Orthographic(-31.7, 24.3, -18.1, 40.9)
+
+Shown = dict[oracle.Cell, int]
+
+
+def looking(eye: Any, target: Any, fov: Any = WIDE, width: int = 64) -> nf.Camera:
+    """A view between two points that are given from the world's middle."""
+    return nf.Camera.look_at(MIDDLE + eye, MIDDLE + target, fov=fov, size=(width, 48))
+
+
+CAMERAS = {
+    "inside": looking((1.3, -2.1, 7.7), (20, 3, -9)),
+    "inside, narrow": looking((-21.2, 4.4, 12.9), (0, 0, 0), NARROW),
+    "inside, askew": looking((3.1, 11.4, 2.9), (1, 0, 0), ASKEW, 17),
+    "above": looking((4.2, 77.7, 1.3), (2, 0, 1)),
+    "outside": looking((-91.3, 23.9, 40.2), (0, 0, 0)),
+    "outside, narrow": looking((171.9, 61.1, -40.7), (20, 10, -5), NARROW),
+    "far away": looking((2131.3, 523.9, 40.2), (0, 0, 0), NARROW),
+    "away from it": looking((-91.3, 23.9, 40.2), (-131.3, 20, 50)),
+    "a plan": looking((1.7, 100.3, 2.3), (0, 0, 1), PLAN),
+    "a plan, fine": looking((1.7, 9.3, 2.3), (0, 5, 33), PLAN, 640),
+} | {
+    f"face {number}": nf.Camera(MIDDLE + np.array([2.2, -3.3, 5.1]), fov=nf.CubeFace(number), size=(48, 48))
+    for number in range(6)
+}
+
+
+@pytest.fixture(scope="module")
+def shown(world: nf.Scene) -> Shown:
+    """The cells in which something is, computed without a store, with the bits of the directions that show it."""
+    cells = of_cells(world).items()
+    return {cell: sum(1 << n for n, empty in enumerate(views.empty()) if not empty) for cell, views in cells}
+
+
+@pytest.fixture(scope="module")
+def grid(world: nf.Scene) -> Grid:
+    return Grid.over(world.bounds, CELL)
+
+
+def rows(places: NDArray[np.int64]) -> list[tuple[int, int, int]]:
+    return [(x, y, z) for x, y, z in places.tolist()]
+
+
+def cells_of(cut: OrthoCut) -> dict[oracle.Cell, bool]:
+    """All cells and leaves of a cut with whether they are in the picture; each is there once."""
+    cells = list(zip(cut.level.tolist(), rows(cut.place), strict=True))
+    found = dict(zip(cells, cut.in_picture.tolist(), strict=True))
+    found |= zip([(0, place) for place in rows(cut.leaves)], cut.leaf_in_picture.tolist(), strict=True)
+    assert len(found) == len(cut.level) + len(cut.leaves)
+    return found
+
+
+def check(
+    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, camera: nf.Camera, error_px: float, geometry: bool
+) -> oracle.Expected:
+    """Compare the cuts of a viewer, within the picture and around, with those of the oracle."""
+    right = oracle.expected(shown, grid, camera, PITCH, error_px, geometry=geometry)
+    if right.is_doubtful:
+        raise oracle.DoubtfulError
+    around = tree.cut(camera, error_px=error_px, geometry=geometry, around=True)
+    within = tree.cut(camera, error_px=error_px, geometry=geometry)
+    assert around.unknown == within.unknown == []
+    assert math.isclose(around.reach, right.reach, rel_tol=1e-12)
+    drawn = zip(around.level.tolist(), rows(around.place), strict=True)
+    assert (set(drawn), set(rows(around.leaves))) == (right.cells, right.leaves)
+    for cell, is_in in cells_of(around).items():
+        margin = oracle.margin(camera, oracle.corners_of(grid, cell))
+        if abs(margin) < oracle.DOUBT:
+            continue
+        assert is_in == (margin >= 0), cell
+        assert is_in or not oracle.is_sampled(camera, oracle.corners_of(grid, cell, 5)), cell
+    assert cells_of(within) == {cell: True for cell, is_in in cells_of(around).items() if is_in}
+    eye = np.array(camera.position)
+    for places, levels, distances in (
+        (around.place, around.level, around.distance),
+        (around.leaves, np.zeros(len(around.leaves), int), around.leaf_distance),
+    ):
+        assert (np.diff(distances) >= 0).all()
+        boxes = [grid.box(level, place) for level, place in zip(levels.tolist(), rows(places), strict=True)]
+        assert np.allclose(distances, [oracle.nearest(eye, low, high) for low, high in boxes], rtol=0, atol=1e-9)
+    return right
+
+
+@pytest.mark.parametrize("name", CAMERAS)
+def test_a_cut_is_that_of_a_recursion_over_all_cells(
+    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, name: str
+) -> None:
+    levels, leaves = set(), 0
+    for error_px, geometry in itertools.product((0.3, 1.0, 3.7, 20.0), (True, False)):
+        right = check(tree, shown, grid, CAMERAS[name], error_px, geometry)
+        assert geometry or not right.leaves
+        levels |= {level for level, _ in right.cells}
+        leaves += len(right.leaves)
+    assert len(levels) > 1
+    assert leaves > 0 or name == "far away"
+
+
+coordinate = st.floats(-150, 150)
+fov = st.sampled_from([WIDE, NARROW, ASKEW, PLAN, *map(nf.CubeFace, range(6))])
+turn = st.lists(st.floats(-1, 1), min_size=4, max_size=4).filter(lambda parts: np.linalg.norm(parts) > 0.1)
+
+
+@given(st.tuples(coordinate, coordinate, coordinate), turn, fov, st.floats(0.2, 30), st.booleans())
+def test_a_cut_of_any_viewer(
+    tree: nf.orthoview.OrthoTree,
+    shown: Shown,
+    grid: Grid,
+    place: tuple[float, float, float],
+    turn: list[float],
+    fov: Any,
+    error_px: float,
+    geometry: bool,
+) -> None:
+    eye = (MIDDLE + place).tolist()
+    camera = nf.Camera(eye, np.array(turn) / np.linalg.norm(turn), fov=fov, size=(48, 48))
+    try:
+        check(tree, shown, grid, camera, error_px, geometry)
+    except oracle.DoubtfulError:
+        reject()
+
+
+@pytest.mark.parametrize("name", CAMERAS)
+def test_each_leaf_is_covered_once(tree: nf.orthoview.OrthoTree, shown: Shown, name: str) -> None:
+    leaves = [place for level, place in shown if level == 0]
+    assert len(leaves) == tree.held["leaves"]
+    for error_px in (0.5, 4.0):
+        cells = cells_of(tree.cut(CAMERAS[name], error_px=error_px, around=True))
+        for x, y, z in leaves:
+            above = [(level, (x >> level, y >> level, z >> level)) for level in range(tree.levels)]
+            assert sum(cell in cells for cell in above) == 1, (x, y, z)
+
+
+def test_directions_of_a_tree_are_those_of_its_views(tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid) -> None:
+    camera, missing = CAMERAS["inside"], 0
+    cut = tree.cut(camera, views=4, around=True)
+    for level, place, numbers in zip(cut.level.tolist(), rows(cut.place), cut.directions.tolist(), strict=True):
+        toward = np.array(camera.position) - grid.box(level, place).mean(axis=0)
+        assert numbers == oracle.nearest_directions(toward, tree.directions, 4, shown[level, place])
+        missing += numbers.count(-1)
+    assert missing > 0
+
+
+@pytest.mark.parametrize(("count", "widest"), [(5, 1.0), (9, math.sqrt(2)), (13, 4 / math.sqrt(6))])
+def test_the_widest_view_decides_the_reach(count: int, widest: float, tmp_path: Path) -> None:
+    """A cube of side 1 is √2 high from between two sides, and 4/√6 from a corner."""
+    scene = boxes(1, 8.0)[0]
+    tree = nf.orthoview.build(scene, tmp_path / "tree.zarr", cell=20.0, size=SIZE, directions=count)
+    # Pixels of 1/8 × 1/32 at 1 m: a square of their area has a side of 1/16.
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov(-1, 1, -1, 1), size=(16, 64))
+    assert math.isclose(tree.cut(camera, error_px=2.0).reach, widest * 20.0 / SIZE * 16 / 2)
+
+
+# lists, and bad calls -----------------------------------------------------------------------------------------------
+def test_keys_are_the_views_of_the_cut(tree: nf.orthoview.OrthoTree) -> None:
+    cut = tree.cut(CAMERAS["inside"], error_px=2.0, around=True)
+    assert len(cut) == len(cut.level)
+    for in_picture in (False, True):
+        keys, leaves = [], []
+        for n in range(len(cut)):
+            if cut.in_picture[n] or not in_picture:
+                x, y, z = (int(number) for number in cut.place[n])
+                keys += [(int(cut.level[n]), (x, y, z), int(number)) for number in cut.directions[n] if number != -1]
+        for n in range(len(cut.leaves)):
+            if cut.leaf_in_picture[n] or not in_picture:
+                leaves.append(tuple(cut.leaves[n].tolist()))
+        assert cut.keys(in_picture) == keys
+        assert cut.leaf_places(in_picture) == leaves
+        assert len(set(keys)) == len(keys)
+    assert 0 < len(cut.keys(in_picture=True)) < len(cut.keys())
+    assert 0 < len(cut.leaf_places(in_picture=True)) < len(cut.leaf_places())
+    assert all(tree.view(*key) is not None for key in cut.keys()[:200])
+    within = tree.cut(CAMERAS["inside"], error_px=2.0)
+    assert within.keys() == within.keys(in_picture=True) == cut.keys(in_picture=True)
+    assert within.leaf_places() == cut.leaf_places(in_picture=True)
+
+
+BAD: dict[str, tuple[dict[str, Any], type[Exception], str]] = {
+    "a camera that is none": ({"camera": (0, 0, 0)}, TypeError, "camera: expected a Camera, got tuple"),
+    "no views": ({"views": 0}, ValueError, "views: expected"),
+    "many views": ({"views": 9}, ValueError, "views: expected"),
+    "views in parts": ({"views": 2.5}, TypeError, "views: expected"),
+    "no error": ({"error_px": 0}, ValueError, "error_px: expected"),
+    "an error of NaN": ({"error_px": math.nan}, ValueError, "error_px: expected"),
+    "an endless error": ({"error_px": math.inf}, ValueError, "error_px: expected"),
+    "an error below 0": ({"error_px": -1.0}, ValueError, "error_px: expected"),
+    "an error in words": ({"error_px": "1"}, TypeError, "error_px: expected"),
+    "a number for geometry": ({"geometry": 1}, TypeError, "geometry: expected"),
+    "a number for around": ({"around": 0}, TypeError, "around: expected"),
+    "a word for around": ({"around": "yes"}, TypeError, "around: expected"),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_calls_are_named(tree: nf.orthoview.OrthoTree, name: str) -> None:
+    arguments, kind, message = BAD[name]
+    call: Callable[..., OrthoCut] = tree.cut
+    with pytest.raises(kind, match=message):
+        call(**{"camera": CAMERAS["inside"]} | arguments)
+
+
+def test_a_tree_that_is_not_complete_has_no_cut(tmp_path: Path) -> None:
+    source = Counted(world_of(range(3)), {5})
+    tree = nf.orthoview.build(source, tmp_path / "part.zarr", cell=40.0, size=SIZE, directions=5)
+    assert not tree.is_complete
+    with pytest.raises(ValueError, match=r"part\.zarr is not complete, build it again"):
+        tree.cut(CAMERAS["inside"])

@@ -1,0 +1,113 @@
+"""Tests of cuts through cells that are given as such: directions of their views, and growth with the world."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+import numpy as np
+from hypothesis import assume, given, reject, strategies as st
+
+import nearfar as nf
+from nearfar import _core
+from nearfar.orthoview._directions import Direction, directions_of
+from tests.support import cut_oracle as oracle
+
+NARROW = nf.Fov.symmetric(25)
+
+coordinate = st.floats(-150, 150)
+
+
+# directions ---------------------------------------------------------------------------------------------------------
+def one_cell(mask: int) -> _core.OrthoCells:
+    """A tree of one leaf, 2 m wide about the origin."""
+    cells = _core.OrthoCells((-1.0, -1.0, -1.0), 2.0, 1, 1)
+    cells.add(0, (0, 0, 0), [np.array([mask] + 7 * [0], np.uint32)])
+    return cells
+
+
+def directions_in(cells: _core.OrthoCells, camera: nf.Camera, directions: Sequence[Direction], views: int) -> list[int]:
+    arrays, _, unknown = cells.cut(
+        camera._core, pitch=1.0, error=1.0, directions=directions, views=views, geometry=False, around=True
+    )
+    assert unknown == []
+    (numbers,) = arrays["directions"].tolist()
+    assert set(numbers[views:]) <= {-1}
+    return list(numbers[:views])
+
+
+@given(
+    st.tuples(coordinate, coordinate, coordinate).filter(lambda eye: np.linalg.norm(eye) > 0.1),
+    st.sampled_from([5, 9, 13, 26]),
+    st.integers(1, 8),
+    st.integers(1, 2**26 - 1),
+    st.booleans(),
+)
+def test_directions_are_the_nearest_to_the_viewer_by_angle(
+    eye: tuple[float, float, float], count: int, views: int, mask: int, is_parallel: bool
+) -> None:
+    directions = directions_of(count)
+    mask &= 2**count - 1
+    assume(mask)
+    camera = nf.Camera(eye, fov=NARROW, size=(8, 8))
+    toward = np.array(eye)
+    if is_parallel:
+        assume(abs(toward[0]) + abs(toward[2]) > 0.1)
+        place = np.array([0.3, 0.2, 0.1])  # of which parallel rays do not depend
+        camera = nf.Camera.look_at(place, place - toward, fov=nf.Orthographic(-1, 1, -1, 1), size=(8, 8))
+    try:
+        right = oracle.nearest_directions(toward, directions, views, mask)
+    except oracle.DoubtfulError:
+        reject()
+    assert directions_in(one_cell(mask), camera, directions, views) == right
+
+
+def test_next_ones_take_the_place_of_views_that_show_nothing() -> None:
+    directions = directions_of(5)  # +z, +x, −z, −x, +y
+    camera = nf.Camera((5.0, 9.0, 2.0), fov=NARROW, size=(8, 8))  # nearest to +y, then +x, +z, −z, −x
+    for mask, right in {
+        0b11111: [4, 1, 0],
+        0b01111: [1, 0, 2],
+        0b11101: [4, 0, 2],
+        0b00001: [0, -1, -1],
+        0b01100: [2, 3, -1],
+    }.items():
+        assert directions_in(one_cell(mask), camera, directions, 3) == right
+
+
+# growth -------------------------------------------------------------------------------------------------------------
+def flat(leaves: int) -> _core.OrthoCells:
+    """A world of leaves of 1 m on one floor, with something everywhere."""
+    levels = leaves.bit_length()
+    cells = _core.OrthoCells((0.0, 0.0, 0.0), 1.0, levels, 3)
+    for tier in range(-(-levels // 3)):
+        lowest = 3 * tier
+        sides = [2 ** (3 - n) for n in range(min(3, levels - lowest))]
+        masks = [np.zeros((side, side, side), np.uint32) for side in sides]
+        for level, mask in enumerate(masks, lowest):
+            mask[: leaves >> level, 0, : leaves >> level] = 0b11111
+        for x, z in itertools.product(range(max(1, leaves >> lowest + 3)), repeat=2):
+            cells.add(tier, (x, 0, z), [mask.reshape(-1) for mask in masks])
+    return cells
+
+
+def counted(leaves: int, pitch: float, height: float = 0.0) -> tuple[int, int]:
+    """Cells and leaves of a cut for a viewer in the middle of a flat world."""
+    camera = nf.Camera((leaves / 2, height, leaves / 2), fov=nf.Fov(-1, 1, -1, 1), size=(64, 64))
+    arrays, _, unknown = flat(leaves).cut(
+        camera._core, pitch=pitch, error=1.0, directions=directions_of(5), views=3, geometry=True, around=True
+    )
+    assert unknown == []
+    return len(arrays["level"]), len(arrays["leaf_level"])
+
+
+def test_a_cut_grows_by_as_many_cells_with_each_doubling_of_the_world() -> None:
+    for leaves in (16, 32, 64, 128):
+        # With a reach of a leaf's side, of the four cells of a level about the viewer each gives way to four children:
+        # one touches the viewer, the others are one side away or √2 sides, which is just far enough.
+        assert counted(leaves, 1 / 32) == (4 * 3 * (leaves.bit_length() - 2), 4)
+    for pitch, height in ((0.1, 0.3), (0.2, 1.7)):
+        numbers = [sum(counted(leaves, pitch, height)) for leaves in (16, 32, 64, 128)]
+        added = np.diff(numbers)
+        assert (added > 0).all()
+        assert (np.diff(added) <= 0).all(), numbers

@@ -1,0 +1,94 @@
+"""Tests of guests: the leaves whose triangles reach into a leaf that is drawn as geometry."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar._base.errors import UnusableError
+from nearfar.orthoview import _guests, _store
+from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._owned import owned, owners
+from tests.support import need
+from tests.support.geometry_cases import parts, places
+from tests.support.orthoview_stores import box_about, world_of
+
+need("zarr")
+
+CELL = 10.0
+Guests = dict[Place, set[Place]]
+
+
+def of_tree(tree: nf.orthoview.OrthoTree) -> Guests:
+    """Guests of all leaves that have some, as the records of a tree tell."""
+    read = _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
+    counts = np.array(tree.cells(0))
+    shards = [(x, y, z) for x, y, z in np.ndindex(*(-(-counts // 8)).tolist())]
+    return {leaf: set(own) for shard in shards for leaf, own in read(0, shard).guests.items()}
+
+
+def by_hand(world: nf.Scene, grid: Grid) -> Guests:
+    """The same: leaves whose own triangles are among those that touch another one."""
+    of_leaf = {place: {bytes(t) for t in part.triangles()} for place, part in parts(world, grid)}
+    mine = {place: {bytes(t) for t in part.triangles()[owned(part, grid, place)]} for place, part in parts(world, grid)}
+    found: Guests = {}
+    for place, touching in of_leaf.items():
+        others = {other for other, own in mine.items() if other != place and own & touching}
+        if others:
+            found[place] = others
+    return found
+
+
+@pytest.fixture(scope="module")
+def world() -> nf.Scene:
+    """Boxes, and a large triangle that has corners in three far leaves."""
+    boxes = world_of(range(8))
+    low, high = boxes.bounds
+    large = nf.Scene.from_arrays([[low[0], low[1], low[2]], [high[0], low[1], low[2]], high], [[0, 1, 2]])
+    vertices = np.concatenate([boxes.triangles().reshape(-1, 3), large.triangles().reshape(-1, 3)])
+    return nf.Scene.from_arrays(vertices, np.arange(len(vertices)).reshape(-1, 3))
+
+
+def build(world: nf.Scene, path: Path) -> nf.orthoview.OrthoTree:
+    return nf.orthoview.build(world, path, cell=CELL, size=8, directions=5)
+
+
+def test_owners_are_those_of_whom_a_triangle_is(world: nf.Scene) -> None:
+    grid = Grid.over(world.bounds, CELL)
+    seen = 0
+    for place, part in parts(world, grid):
+        np.testing.assert_array_equal((owners(part, grid) == place).all(axis=1), owned(part, grid, place))
+        seen += part.triangle_count
+    assert seen > 100
+    assert set(map(tuple, owners(world, grid).tolist())) <= set(places(grid))
+
+
+def test_records_have_the_guests_of_all_leaves(world: nf.Scene, tmp_path: Path) -> None:
+    tree = build(world, tmp_path / "world.zarr")
+    right = by_hand(world, Grid.over(world.bounds, CELL))
+    assert of_tree(tree) == right
+    assert max(map(len, right.values())) > 2
+
+
+def test_updates_and_copies_have_those_of_the_new_world(tmp_path: Path) -> None:
+    before, after = world_of(range(12)), world_of(range(1, 12))
+    tree = build(before, tmp_path / "world.zarr").update(box_about({0}), after)
+    fresh = build(after, tmp_path / "fresh.zarr") if (after.bounds == before.bounds).all() else None
+    right = by_hand(after, tree._layout.grid)
+    assert {leaf: own for leaf, own in of_tree(tree).items() if own} == right
+    assert of_tree(tree.compact(tmp_path / "compact.zarr")) == right
+    assert fresh is None or of_tree(fresh) == right
+    assert right != by_hand(before, tree._layout.grid)
+
+
+def test_guests_come_back_from_text() -> None:
+    known: _guests.Guests = {(1, 2, 3): [(0, 0, 0), (9, 9, 9)], (0, 0, 70_000): [(5, 6, 7)]}
+    assert _guests.guests_of(_guests.described(known)) == known
+    assert _guests.guests_of(_guests.described({})) == {}
+    text = _guests.described(known)
+    for wrong in (text[:-4], "AAAA", "é", text + text, _guests.described({})[:8]):
+        with pytest.raises(UnusableError, match="guests"):
+            _guests.guests_of(wrong)

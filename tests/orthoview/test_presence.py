@@ -1,0 +1,354 @@
+"""Tests of what a store's records say of its cells, so that cuts need no look at shards, and of who reads them."""
+
+from __future__ import annotations
+
+import base64
+import json
+import shutil
+import zlib
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+
+import nearfar as nf
+from nearfar.orthoview import _guests, _store
+from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._presence import Masks
+from tests.support import need, valid
+from tests.support.orthoview_stores import CELL, SIZE, box_about, places, world_of
+
+need("zarr")
+
+Tree = nf.orthoview.OrthoTree
+
+SIDE = 240.0
+"""Of a flat world of 24 × 1 × 24 leaves, in 3 × 1 × 3 subtrees of 8 × 8 × 8."""
+
+INHABITED = {(0, 0, 0), (0, 0, 2), (1, 0, 0), (2, 0, 2)}
+"""Subtrees in which something is."""
+
+
+def built(scene: nf.Scene, path: Path) -> Tree:
+    return nf.orthoview.build(scene, path, cell=CELL, size=SIZE, directions=5)
+
+
+def ends(side: float) -> list[trimesh.Trimesh]:
+    """Two small boxes that span a world."""
+    return [trimesh.creation.box((1, 1, 1)).apply_translation((end, 0.5, end)) for end in (0.5, side - 0.5)]
+
+
+AMID = ((37, 37), (45, 37), (37, 45), (44, 52))
+"""Places of four boxes in the middle of a subtree."""
+
+
+def flat(subtrees: set[Place], side: float = SIDE, shifts: Iterable[tuple[int, int]] = AMID) -> nf.Scene:
+    """A world with boxes at some places in each of some subtrees, which are 80 m wide."""
+    parts = ends(side)
+    for x, _, z in sorted(subtrees):
+        for dx, dz in shifts:
+            turn = trimesh.transformations.rotation_matrix(dx + dz, (0, 1, 0))
+            box = trimesh.creation.box((3, 4 + dx / 20, 5)).apply_transform(turn)
+            parts.append(box.apply_translation((80 * x + dx, 4, 80 * z + dz)))
+    return nf.Scene.from_trimesh(trimesh.util.concatenate(parts))
+
+
+@pytest.fixture(scope="module")
+def wide(tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    tree = built(flat(INHABITED), tmp_path_factory.mktemp("wide") / "wide.zarr")
+    assert (tree.cells(0), tree.levels) == ((24, 1, 24), 6)
+    return tree
+
+
+@pytest.fixture(scope="module")
+def updated(wide: Tree, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    """A copy of the same, after an update."""
+    copy = shutil.copytree(wide.path, tmp_path_factory.mktemp("updated") / "copy.zarr")
+    return nf.orthoview.open(copy).update([[20, 0, 20], [60, 9, 60]], flat(INHABITED - {(0, 0, 0)}))
+
+
+def bare(tree: Tree, path: Path) -> Path:
+    """Copy a store's documents without its shards and its geometry."""
+    return Path(shutil.copytree(tree.path, path, ignore=shutil.ignore_patterns("[pn][xyz]", "geometry")))
+
+
+def reader(tree: Tree) -> Callable[[int, Place], Masks]:
+    read = of_subtrees(tree)
+    return lambda tier, place: read(tier, place).masks
+
+
+def of_subtrees(tree: Tree) -> Callable[[int, Place], _store.Cells]:
+    return _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
+
+
+def subtrees(tree: Tree) -> list[tuple[int, Place]]:
+    """Tiers and places of all subtrees."""
+    found = []
+    for tier in range(tree._layout.tiers):
+        x, y, z = (-(-count // 8 ** (tier + 1)) for count in tree.cells(0))
+        found += [(tier, place) for place in places((x, y, z))]
+    return found
+
+
+def bits(tree: Tree) -> dict[tuple[int, Place], int]:
+    """For each cell the bits of the directions that show something, as the records say."""
+    read, found = reader(tree), {}
+    for tier, (i, j, k) in subtrees(tree):
+        for level, mask in enumerate(read(tier, (i, j, k)), 3 * tier):
+            side = 8 >> level % 3
+            assert mask.shape == (side, side, side)
+            for x, y, z in np.argwhere(mask).tolist():
+                found[level, (i * side + x, j * side + y, k * side + z)] = int(mask[x, y, z])
+    return found
+
+
+def seen(tree: Tree) -> dict[tuple[int, Place], int]:
+    """The same, as its views say."""
+    cells = [(level, place) for level in range(tree.levels) for place in places(tree.cells(level))]
+    masks = {cell: sum(1 << n for n in range(5) if tree.view(*cell, n) is not None) for cell in cells}
+    return {cell: mask for cell, mask in masks.items() if mask}
+
+
+def test_records_tell_which_views_show_something(wide: Tree) -> None:
+    found = bits(wide)
+    assert found == seen(wide)
+    assert {level for level, _ in found} == set(range(6))
+    assert {place for level, place in found if level == 3} == INHABITED
+    assert len(found) == wide.held["cells"]
+
+
+def test_records_of_two_layers_tell_it(tmp_path: Path) -> None:
+    scene = flat({(0, 0, 0), (1, 0, 1)}, 90.0, [(4, 4)])
+    tree = nf.orthoview.build(scene, tmp_path / "world.zarr", cell=CELL, size=SIZE, directions=5, layers=2)
+    assert bits(tree) == seen(tree)
+    assert {place for level, place in bits(tree) if level == 0} == {(0, 0, 0), (8, 0, 8)}
+
+
+FIRST = {(0, 0, 0), (1, 0, 0), (1, 0, 1)}
+SECOND = FIRST | {(0, 0, 1)}
+THIRD = SECOND - {(1, 0, 0)}
+"""Subtrees of a small world in which something is: it comes where nothing was, then all goes from another one."""
+
+
+@pytest.fixture(scope="module")
+def changed(tmp_path_factory: pytest.TempPathFactory) -> list[Tree]:
+    """Three generations of a store, each opened when it was the newest."""
+    first, second, third = (flat(here, 90.0, [(4, 4)]) for here in (FIRST, SECOND, THIRD))
+    tree = built(first, tmp_path_factory.mktemp("changed") / "world.zarr")
+    assert tree.cells(0) == (9, 1, 9)
+    once = tree.update([[1, 0, 81], [7, 9, 87]], second)
+    return [tree, once, once.update([[81, 0, 1], [87, 9, 7]], third)]
+
+
+def test_records_tell_it_of_each_generation(changed: list[Tree]) -> None:
+    """Trees that are open go on with what they were."""
+    for tree, here in zip(changed, (FIRST, SECOND, THIRD), strict=True):
+        found = bits(tree)
+        assert found == seen(tree)
+        assert {place for level, place in found if level == 3} == here
+        assert len(found) == tree.held["cells"]
+
+
+def test_records_of_copies_tell_it(changed: list[Tree], tmp_path: Path) -> None:
+    compacted = changed[-1].compact(tmp_path / "compact.zarr")
+    assert compacted.generation == 0
+    assert bits(compacted) == seen(compacted) == bits(changed[-1])
+
+
+def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
+    """A wall that is turned: other views show nothing now."""
+
+    def wall(x: float, z: float) -> nf.Scene:
+        corners = np.array([[15, 1, 15], [15 + x, 1, 15 + z], [15 + x, 4, 15 + z], [15, 4, 15]], float)
+        standing = trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], process=False)
+        return nf.Scene.from_trimesh(trimesh.util.concatenate([*ends(40.0), standing]))
+
+    tree = built(wall(3, 0), tmp_path / "wall.zarr")
+    turned = tree.update([[11, 0, 11], [19, 9, 19]], wall(0, 3))
+    assert bits(tree)[0, (1, 0, 1)] == 0b00101  # from +z and −z
+    assert bits(turned)[0, (1, 0, 1)] == 0b01010  # from +x and −x
+    assert bits(turned) == seen(turned)
+
+
+def test_all_may_go(tmp_path: Path) -> None:
+    tree = nf.orthoview.build(world_of(range(6)), tmp_path / "world.zarr", cell=20.0, size=SIZE, directions=5)
+    emptied = tree.update(box_about(range(6)), world_of([]))
+    assert bits(emptied) == seen(emptied)
+    assert {place for level, place in bits(emptied) if level == 0} == {(0, 0, 0), (3, 3, 3)}
+    assert len(bits(tree)) > len(bits(emptied))
+
+
+def test_a_subtree_that_nobody_built_is_empty(wide: Tree) -> None:
+    for tier, place in ((0, (7, 3, 9)), (0, (1, 1, 1)), (1, (4, 0, 0))):
+        masks = reader(wide)(tier, place)
+        assert [mask.shape for mask in masks] == [(8, 8, 8), (4, 4, 4), (2, 2, 2)]
+        assert not any(mask.any() for mask in masks)
+
+
+def text(content: bytes) -> str:
+    return base64.b64encode(content).decode()
+
+
+def long(size: int) -> str:
+    return text(zlib.compress(bytes(size)))
+
+
+FULL = [long(4 * 8**3), long(4 * 4**3), long(4 * 2**3)]
+
+DAMAGED: dict[str, Any] = {
+    "truncated": [FULL[0][:-5], *FULL[1:]],
+    "cut at a whole byte": [text(base64.b64decode(FULL[0])[:-8]), *FULL[1:]],
+    "no base64": ["*" * 40, *FULL[1:]],
+    "beyond ASCII": ["ä", *FULL[1:]],
+    "wrong zlib": [text(b"\0\1\2\3" * 8), *FULL[1:]],
+    "a wrong sum": [text(zlib.compress(bytes(2048))[:-1] + b"\7"), *FULL[1:]],
+    "cut before its sum": [text(base64.b64decode(FULL[0])[:-4]), *FULL[1:]],
+    "with more behind it": [text(base64.b64decode(FULL[0]) + b"more"), *FULL[1:]],
+    "of a level too few": FULL[:2],
+    "of a level too many": [*FULL, FULL[2]],
+    "none": [],
+    "short": [FULL[1], FULL[1], FULL[2]],
+    "a little long": [long(4 * 8**3 + 1), *FULL[1:]],
+    "huge": [long(1 << 27), *FULL[1:]],
+    "numbers": [1, 2, 3],
+    "a number": 3,
+    "null": None,
+    "one text": "abc",
+    "a mapping": {"0": FULL[0], "1": FULL[1], "2": FULL[2]},
+}
+
+
+def damage(file: Path, change: Callable[[dict[str, Any]], Any]) -> None:
+    document = json.loads(file.read_text())
+    change(document)
+    file.write_text(json.dumps(document))
+
+
+CAMERA = nf.Camera.look_at((50, 10, 50), (40, 4, 40), fov=nf.Fov.symmetric(90), size=(64, 64))
+
+
+def test_cuts_look_at_no_shards(wide: Tree, updated: Tree, tmp_path: Path) -> None:
+    lengths = []
+    for tree in (wide, updated):
+        opened = nf.orthoview.open(bare(tree, tmp_path / f"{tree.generation}.zarr"))
+        assert not (Path(opened.path) / "0" / "py").exists()
+        found, right = opened.cut(CAMERA, around=True), tree.cut(CAMERA, around=True)
+        assert found.keys() == right.keys()
+        assert found.leaf_places() == right.leaf_places()
+        lengths.append(len(found) + len(found.leaves))
+    assert lengths[0] > lengths[1] > 0
+
+
+@pytest.mark.parametrize("name", DAMAGED)
+def test_damaged_records_are_named(wide: Tree, tmp_path: Path, name: str) -> None:
+    store = bare(wide, tmp_path / "bare.zarr")
+    damage(store / "nearfar" / "done" / "0_0_0_0.json", lambda document: document.update(views=DAMAGED[name]))
+    with pytest.raises(nf.FormatError, match=r"nearfar/done/0_0_0_0\.json: damaged"):
+        nf.orthoview.open(store).cut(CAMERA)
+
+
+def test_records_without_views_are_named(wide: Tree, tmp_path: Path) -> None:
+    """As builds wrote them before there were cuts."""
+    store = bare(wide, tmp_path / "bare.zarr")
+    file = store / "nearfar" / "done" / "0_0_0_0.json"
+    assert valid(json.loads(file.read_text()), "orthoview_subtree")
+    damage(file, lambda document: document.pop("views"))
+    assert not valid(json.loads(file.read_text()), "orthoview_subtree")
+    with pytest.raises(nf.FormatError, match=r"nearfar/done/0_0_0_0\.json: damaged: 'views' is missing"):
+        nf.orthoview.open(store).cut(CAMERA)
+
+
+NO_GUESTS = _guests.described({})
+WRONG: dict[str, Any] = {
+    f"views {name}": {"0_0_0_0": {"views": views, "guests": NO_GUESTS}} for name, views in DAMAGED.items()
+}
+WRONG |= {"nothing of a subtree": {"0_0_0_0": None}, "guests": {"0_0_0_0": {"views": [], "guests": "AAAA"}}}
+WRONG |= {"a list": [], "a number": 3, "null": None, "a text": "0_0_0_0"}
+
+
+@pytest.mark.parametrize("name", [*WRONG, "missing"])
+def test_damaged_generations_are_named(updated: Tree, tmp_path: Path, name: str) -> None:
+    store = bare(updated, tmp_path / "bare.zarr")
+    file = store / "nearfar" / "generations" / "1" / "generation.json"
+    assert valid(json.loads(file.read_text()), "orthoview_generation")
+    damage(file, lambda document: document.update(cells=WRONG[name]) if name in WRONG else document.pop("cells"))
+    with pytest.raises(nf.FormatError, match=r"nearfar/generations/1/generation\.json: damaged"):
+        nf.orthoview.open(store).cut(CAMERA)
+
+
+# lazy reading -------------------------------------------------------------------------------------------------------
+class Noted:
+    """Reads a tree's records, and notes which."""
+
+    def __init__(self, tree: Tree) -> None:
+        self._read = of_subtrees(tree)
+        self.subtrees: list[tuple[int, Place]] = []
+
+    def __call__(self, tier: int, place: Place) -> _store.Cells:
+        self.subtrees.append((tier, place))
+        return self._read(tier, place)
+
+
+def looking(eye: tuple[float, float, float], target: tuple[float, float, float], width: int = 64) -> nf.Camera:
+    return nf.Camera.look_at(eye, target, fov=nf.Fov(-1, 1, -1, 1), size=(width, width))
+
+
+def columns(cut: OrthoCut) -> set[tuple[int, Place]]:
+    return {(level, (x, y, z)) for level, (x, y, z) in zip(cut.level.tolist(), cut.place.tolist(), strict=True)}
+
+
+def test_a_viewer_far_away_reads_fewer_subtrees(wide: Tree) -> None:
+    known = []
+    for eye in ((5000.0, 3000.0, 5000.0), (120.0, 400.0, 120.0), (40.0, 10.0, 40.0)):
+        opened = nf.orthoview.open(wide.path)
+        opened.cut(looking(eye, (120.0, 0.0, 121.0)), around=True)
+        known.append(opened._viewer.cutter.known)
+    # Pixels of 1/32 at 1 m, those of leaves are 10/16 m wide: level 3 is fine from 160 m on. Far away the top is fine,
+    # from above level 3 is, and from the first subtree that and those 40 and 120 m away are not.
+    assert known == [1, 1, 1 + 3]
+
+
+def test_subtrees_are_read_once_and_empty_ones_never(wide: Tree) -> None:
+    read = Noted(wide)
+    cutter = Cutter(wide._layout, read)
+    turning = [looking((120, 30, 120), (120 + x, 0, 120 + z), 1024) for x in (-9, 9) for z in (-9, 9)]
+    for camera in turning:
+        cutter.whole(camera, Settings(), around=True)
+    assert len(read.subtrees) == len(set(read.subtrees)) == cutter.known
+    assert set(read.subtrees) == {(1, (0, 0, 0))} | {(0, place) for place in INHABITED}
+
+
+def test_subtrees_outside_of_the_picture_are_not_read(wide: Tree) -> None:
+    read = Noted(wide)
+    camera = looking((100, 30, 220), (220, 0, 200), 1024)  # towards (2, 0, 2), away from (0, 0, 2)
+    found = Cutter(wide._layout, read).whole(camera, Settings())
+    assert set(read.subtrees) == {(1, (0, 0, 0)), (0, (2, 0, 2))}
+    assert set(found.keys()) == set(wide.cut(camera, around=True).keys(in_picture=True))
+
+
+def test_cells_above_stand_for_those_that_are_not_known(wide: Tree) -> None:
+    camera = looking((40, 10, 40), (120, 0, 121))
+    cutter = Cutter(wide._layout, of_subtrees(wide))
+    nothing = cutter.cut(camera, Settings(), around=True)
+    assert (len(nothing), len(nothing.leaves), nothing.unknown) == (0, 0, [(1, (0, 0, 0))])
+    cutter.learn(1, (0, 0, 0))
+    coarse = cutter.cut(camera, Settings(), around=True)
+    assert columns(coarse) == {(3, place) for place in INHABITED}
+    assert len(coarse.leaves) == 0
+    # The cell in the far corner is fine as it is.
+    assert sorted(coarse.unknown) == [(0, place) for place in sorted(INHABITED - {(2, 0, 2)})]
+    assert coarse.keys()
+    cutter.learn(0, (0, 0, 0))
+    mixed = cutter.cut(camera, Settings(), around=True)
+    assert columns(mixed) > columns(coarse) - {(3, (0, 0, 0))}
+    assert {(x >> 3, y >> 3, z >> 3) for x, y, z in mixed.leaf_places()} == {(0, 0, 0)}
+    assert sorted(mixed.unknown) == [(0, (0, 0, 2)), (0, (1, 0, 0))]
+    whole, right = cutter.whole(camera, Settings(), around=True), wide.cut(camera, around=True)
+    assert whole.unknown == []
+    assert (whole.keys(), whole.leaf_places()) == (right.keys(), right.leaf_places())
+    assert set(whole.level.tolist()) >= {0, 3}
+    assert cutter.known == 4

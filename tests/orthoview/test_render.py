@@ -1,0 +1,372 @@
+"""Tests of pictures of trees: against the world itself, after updates, through the network, and what is kept."""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import replace
+from http.server import ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._camera.shot import Shot
+from nearfar.orthoview._files import Local
+from tests.support import need
+from tests.support.orthoview_stores import CELL, SIZE, box_about, world_of
+from tests.support.range_server import served
+
+need("zarr")
+
+BOXES = range(30)
+CHANNELS = ("color", "range", "object_id", "albedo", "normal")
+Tree = nf.orthoview.OrthoTree
+
+
+@pytest.fixture(scope="module")
+def scene() -> nf.Scene:
+    return world_of(BOXES)
+
+
+@pytest.fixture(scope="module")
+def shown(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    path = tmp_path_factory.mktemp("shown") / "world.zarr"
+    return nf.orthoview.build(scene, path, cell=20, size=32, directions=9, layers=2)
+
+
+def camera_at(tree: Tree, distance: float, angle: float = 0.3, size: tuple[int, int] = (96, 96)) -> nf.Camera:
+    """A view of the whole tree from above."""
+    middle = tree.bounds.mean(axis=0)
+    toward = np.array([np.cos(angle), 0.6, np.sin(angle)])
+    return nf.Camera.look_at(
+        middle + distance * toward / np.linalg.norm(toward), middle, fov=nf.Fov.symmetric(50), size=size
+    )
+
+
+def images_of(frame: nf.Frame) -> dict[str, NDArray[Any]]:
+    return {name: frame.require(name) for name in frame.channels}
+
+
+def assert_same(one: nf.Frame, other: nf.Frame) -> None:
+    assert one.channels == other.channels
+    for name, image in images_of(one).items():
+        assert image.tobytes() == other.require(name).tobytes(), name
+
+
+def differ(one: nf.Frame, other: nf.Frame) -> bool:
+    return any(image.tobytes() != other.require(name).tobytes() for name, image in images_of(one).items())
+
+
+def truth_of(scene: nf.Scene, tree: Tree, camera: nf.Camera) -> nf.Frame:
+    return nf.render(scene, camera, clip=nf.Clip(box=tree.bounds), channels=CHANNELS)
+
+
+def holes(frame: nf.Frame, truth: nf.Frame) -> float:
+    """Share of the pixels that show something in truth and nothing in a frame."""
+    is_hit = np.isfinite(truth.require("range"))
+    return float((is_hit & np.isinf(frame.require("range"))).sum() / is_hit.sum())
+
+
+def psnr(frame: nf.Frame, truth: nf.Frame) -> float:
+    error = frame.to_image().astype(float) - truth.to_image().astype(float)
+    return float(10 * np.log10(255**2 / (error**2).mean()))
+
+
+@pytest.mark.parametrize("angle", [0.3, 1.9, 4.0])
+@pytest.mark.parametrize("distance", [120.0, 200.0])
+def test_views_show_the_world(shown: Tree, scene: nf.Scene, distance: float, angle: float) -> None:
+    camera = camera_at(shown, distance, angle)
+    truth = truth_of(scene, shown, camera)
+    frame = shown.render(camera, geometry=False, channels=CHANNELS)
+    assert holes(frame, truth) <= 0.005
+    assert psnr(frame, truth) > 21
+    # A pixel of a view is at most a pixel of the picture wide, and ellipses reach two of them far.
+    near, right = frame.require("range"), truth.require("range")
+    both = np.isfinite(near) & np.isfinite(right)
+    off = np.abs(near[both] - right[both]) / (right[both] * 2 * np.tan(np.radians(25)) / camera.width)
+    assert (off < 4).mean() > 0.9
+    assert (frame.require("object_id") == -1).all()
+    assert frame.stats["leaves"] == 0 < frame.stats["splats_seen"] <= frame.stats["splats_in_picture"]
+
+
+def test_a_near_viewer_sees_geometry(shown: Tree, scene: nf.Scene) -> None:
+    """All leaves that it sees are geometry: the world, but for positions that are rounded to a millimetre."""
+    camera = camera_at(shown, 140)
+    frame = shown.render(camera, error_px=0.1, channels=CHANNELS)
+    truth = truth_of(scene, shown, camera)
+    assert frame.stats["splats"] == 0 < frame.stats["leaves"]
+    there = np.isfinite(frame.require("range"))
+    assert (there != np.isfinite(truth.require("range"))).mean() < 0.001
+    both = there & np.isfinite(truth.require("range"))
+    assert (np.abs(frame.require("range")[both] - truth.require("range")[both]) < 0.01).mean() > 0.995
+    assert (frame.to_image() == truth.to_image()).mean() > 0.99
+    places = shown.cut(camera, error_px=0.1).leaf_places()
+    leaves = shown._viewer.near.scene(shown._viewer.cutter.with_guests(places))
+    assert leaves is not None
+    right = nf.render(leaves, camera, channels=CHANNELS)
+    for name, image in images_of(frame).items():
+        if name == "color":  # the kernel adds the sky up by itself
+            np.testing.assert_allclose(image, right.require(name), atol=1e-6)
+        else:
+            np.testing.assert_array_equal(image, right.require(name))
+
+
+def test_geometry_and_views_meet(shown: Tree) -> None:
+    """Each pixel shows the nearer of the leaves' geometry and the views beyond them."""
+    camera = camera_at(shown, 90)
+    frame = shown.render(camera, channels=CHANNELS)
+    leaves = shown._viewer.near.scene(shown._viewer.cutter.with_guests(shown.cut(camera).leaf_places()))
+    assert leaves is not None
+    geometry = nf.render(leaves, camera, channels=CHANNELS)
+    is_geometry = frame.require("object_id") >= 0
+    assert 0.02 < is_geometry.mean() < 0.9
+    assert frame.stats["splats_seen"] > 0
+    assert (frame.require("range") <= geometry.require("range")).all()
+    for name, image in images_of(frame).items():
+        np.testing.assert_array_equal(image[is_geometry], geometry.require(name)[is_geometry])
+    is_splat = np.isfinite(frame.require("range")) & ~is_geometry
+    assert (frame.require("range")[is_splat] <= geometry.require("range")[is_splat]).all()
+
+
+@pytest.mark.parametrize("angle", [0.3, 3.5])
+def test_where_geometry_and_views_meet_is_no_hole(shown: Tree, scene: nf.Scene, angle: float) -> None:
+    camera = camera_at(shown, 90, angle)
+    truth = truth_of(scene, shown, camera)
+    frame, views = shown.render(camera), shown.render(camera, geometry=False)
+    cells = np.floor((truth_positions(truth) - shown.bounds[0]) / shown.cell)
+    near = {tuple(place) for place in shown.cut(camera).leaves.tolist()}
+    is_hit = np.isfinite(truth.require("range"))
+    is_near = np.array(
+        [
+            [hit and tuple(cell) in near for hit, cell in zip(*row, strict=True)]
+            for row in zip(is_hit, cells, strict=True)
+        ]
+    )
+    through = is_near & (frame.require("range") > truth.require("range") + 1)
+    assert through.sum() <= 0.005 * is_near.sum()
+    assert holes(frame, truth) <= holes(views, truth) + 0.001
+
+
+def truth_positions(truth: nf.Frame) -> NDArray[np.float64]:
+    """World positions of pixels; infinite where nothing is."""
+    start, direction = truth.camera.rays()
+    far = np.where(np.isfinite(truth.require("range")), truth.require("range"), 1e9)
+    positions: NDArray[np.float64] = start + direction * far[..., None]
+    return positions
+
+
+def test_second_layers_fill_holes(scene: nf.Scene, shown: Tree, tmp_path: Path) -> None:
+    one = nf.orthoview.build(scene, tmp_path / "one.zarr", cell=40, size=32, directions=5)
+    two = nf.orthoview.build(scene, tmp_path / "two.zarr", cell=40, size=32, directions=5, layers=2)
+    total = [0.0, 0.0]
+    for angle in (0.7, 2.4, 4.1):
+        camera = camera_at(one, 130, angle)
+        truth = truth_of(scene, one, camera)
+        first, second = (holes(tree.render(camera, geometry=False, views=1), truth) for tree in (one, two))
+        assert second <= first
+        total = [total[0] + first, total[1] + second]
+    assert total[1] < 0.9 * total[0]
+
+
+def test_samples_are_means_of_a_finer_picture(shown: Tree) -> None:
+    """With geometry and splats; a picture of twice the size may be twice as coarse for the same cut."""
+    camera = camera_at(shown, 90, size=(64, 48))
+    finer = replace(camera, size=(128, 96))
+    channels = ("color", "coverage", "range")
+    frame = shown.render(camera, samples=4, channels=channels)
+    fine = shown.render(finer, error_px=2.0, channels=("color", "coverage"))
+    assert frame.stats["leaves"] == fine.stats["leaves"] > 0 < frame.stats["cells"] == fine.stats["cells"]
+    for name in ("color", "coverage"):
+        image = fine.require(name).astype(np.float64).reshape(48, 2, 64, 2, -1).mean(axis=(1, 3))
+        np.testing.assert_allclose(frame.require(name), image.reshape(frame.require(name).shape), atol=1e-6)
+    middle = shown.render(camera, channels=("range",))
+    np.testing.assert_array_equal(frame.require("range"), middle.require("range"))
+    odd = shown.render(camera, samples=9, channels=channels)
+    np.testing.assert_array_equal(odd.require("range"), middle.require("range"))
+
+
+def test_limits_hold_for_geometry_and_splats(shown: Tree) -> None:
+    camera = camera_at(shown, 90)
+    whole = shown.render(camera, channels=CHANNELS)
+    ranges = whole.require("range")
+    far = float(np.median(ranges[np.isfinite(ranges)]))
+    cut = shown.render(camera, t_max=far, channels=CHANNELS)
+    is_near = ranges <= far - 3
+    np.testing.assert_array_equal(cut.require("color")[is_near], whole.require("color")[is_near])
+    assert cut.require("range")[np.isfinite(cut.require("range"))].max() < far + 3
+    low, high = shown.bounds
+    clip = nf.Clip(box=[low, (high[0], low[1] + 40, high[2])])
+    below = shown.render(camera, clip=clip, channels=("position",))
+    heights = below.require("position")[..., 1] + below.origin[1]
+    assert np.nanmax(heights) < low[1] + 43
+    assert np.nanmax(heights) > low[1] + 30
+
+
+def test_masks_and_bare_pictures(shown: Tree) -> None:
+    camera = camera_at(shown, 90)
+    mask = np.random.default_rng(0).random((96, 96)) < 0.5
+    shot = Shot(cameras=(camera,), channels=("color", "range"))
+    (whole,), (masked,) = shown.trace(shot), shown.trace(replace(shot, mask=mask))
+    for name in ("color", "range"):
+        np.testing.assert_array_equal(masked[name][mask], whole[name][mask])
+    assert (masked["color"][~mask] == 0).all()
+    assert np.isinf(masked["range"][~mask]).all()
+    (bare,) = shown.trace(replace(shot, bare=True))
+    is_there = np.isfinite(whole["range"])[..., None]
+    np.testing.assert_array_equal(bare["color"], np.where(is_there, whole["color"], 0))
+
+
+@pytest.mark.slow
+def test_updated_and_compacted_trees_are_seen(tmp_path: Path) -> None:
+    before = nf.orthoview.build(world_of(BOXES), tmp_path / "a.zarr", cell=CELL, size=SIZE, directions=5)
+    after = world_of([*BOXES, 101])
+    cameras = [camera_at(before, 60), camera_at(before, 110)]
+    old = [before.render(camera, channels=CHANNELS) for camera in cameras]
+    fresh = nf.orthoview.open(before.path)
+    updated = before.update(box_about([101]), after)
+    compacted = updated.compact(tmp_path / "compact.zarr")
+    for camera, was in zip(cameras, old, strict=True):
+        now = updated.render(camera, channels=CHANNELS)
+        assert_same(now, compacted.render(camera, channels=CHANNELS))
+        assert differ(now, was)
+        for opened in (before, fresh):
+            assert_same(opened.render(camera, channels=CHANNELS), was)
+
+
+def test_a_second_picture_reads_nothing(shown: Tree) -> None:
+    tree = nf.orthoview.open(shown.path)
+    camera = camera_at(tree, 90)
+    first = tree.render(camera, channels=CHANNELS)
+    views, near = tree._viewer.views, tree._viewer.near
+    state = views.reads, views.read_bytes, near.read_bytes
+    assert min(state) > 0
+    assert views.reads == first.stats["views"]
+    assert_same(tree.render(camera, channels=CHANNELS), first)
+    assert (views.reads, views.read_bytes, near.read_bytes) == state
+    assert_same(nf.render(tree, camera, channels=CHANNELS), first)
+    assert (views.reads, views.read_bytes, near.read_bytes) == state
+    # A turned camera sees the same cells, and others.
+    tree.render(camera_at(tree, 90, 0.35), channels=CHANNELS)
+    assert views.reads < state[0] * 1.5
+
+
+def test_without_a_cache_the_last_views_are_kept(shown: Tree) -> None:
+    tree, cached = nf.orthoview.open(shown.path, cache_bytes=0), nf.orthoview.open(shown.path)
+    for distance in (200.0, 100.0, 150.0):
+        camera = camera_at(tree, distance)
+        assert_same(tree.render(camera), cached.render(camera))
+        views = tree._viewer.views
+        keys = tree.cut(camera).keys()
+        assert all(key in views for key in keys)
+        assert len(views._kept) == len(keys)
+        assert views.bytes == sum(layer.bytes for layers in views._kept.values() for layer in layers)
+    reads = tree._viewer.views.reads
+    tree.render(camera_at(tree, 200.0))
+    assert tree._viewer.views.reads > reads
+
+
+def test_a_tree_behind_a_web_server_looks_the_same(shown: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
+    need("fsspec")
+    need("aiohttp")
+    # Parts are asked for at once. A queue of five connections, the default, makes the others wait for a second.
+    monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
+    camera = camera_at(shown, 90)
+    local = shown.render(camera, channels=CHANNELS)
+    assert local.stats["leaves"] > 0
+    with served(Path(shown.path).parent) as server:
+        remote = nf.orthoview.open(f"{server.url}world.zarr")
+        assert_same(remote.render(camera, channels=CHANNELS), local)
+        asked = sum(server.answers.values())
+        remote.render(camera, channels=CHANNELS)
+        assert sum(server.answers.values()) == asked > 0
+    assert isinstance(shown._files, Local)
+
+
+def test_bad_calls_are_named(shown: Tree) -> None:
+    camera = camera_at(shown, 200, size=(16, 16))
+    for samples in (8, 81, 2):
+        with pytest.raises(ValueError, match=f"samples: expected 1, 4, 9 … 64 for orthoviews, got {samples}"):
+            shown.render(camera, samples=samples)
+    wrong: Any = shown
+    calls: list[tuple[Any, Any, str]] = [
+        (lambda: shown.render(camera, samples=0), ValueError, "samples"),
+        (lambda: shown.render(camera, channels=["depth"]), ValueError, "channels"),
+        (lambda: wrong.render(camera, channels=3), TypeError, "channels"),
+        (lambda: wrong.render("camera"), TypeError, "camera"),
+        (lambda: wrong.cut("camera"), TypeError, "camera"),
+        (lambda: shown.render(camera, views=0), ValueError, "views"),
+        (lambda: shown.render(camera, views=9), ValueError, "views"),
+        (lambda: wrong.render(camera, views=2.5), TypeError, "views"),
+        (lambda: shown.render(camera, error_px=0), ValueError, "error_px"),
+        (lambda: shown.render(camera, error_px=np.nan), ValueError, "error_px"),
+        (lambda: wrong.render(camera, geometry=1), TypeError, "geometry"),
+        (lambda: shown.render(camera, t_min=5, t_max=4), ValueError, "t_max"),
+        (lambda: wrong.render(camera, clip=3), TypeError, "clip"),
+        (lambda: wrong.trace(camera), TypeError, "shot"),
+        (lambda: nf.orthoview.open(shown.path, cache_bytes=-1), ValueError, "cache_bytes"),
+        (lambda: nf.render(shown, camera, backend="gpu"), ValueError, "backend: expected 'cpu' for OrthoTree"),
+        (lambda: nf.render(shown, camera, at={"car": np.eye(4)}), (ValueError, TypeError), "at"),
+    ]
+    for call, kind, message in calls:
+        with pytest.raises(kind, match=message):
+            call()
+
+
+def test_damaged_stores_are_named(shown: Tree, tmp_path: Path) -> None:
+    path = tmp_path / "copy.zarr"
+    shutil.copytree(shown.path, path)
+    near, far = camera_at(shown, 40), camera_at(shown, 200)
+    nf.orthoview.open(path).render(near)
+    for glb in (path / "geometry" / "content").rglob("*.glb"):
+        glb.write_bytes(glb.read_bytes()[:-9])
+    with pytest.raises(nf.FormatError, match=r"copy\.zarr.*\.glb"):
+        nf.orthoview.open(path).render(near)
+    tree = nf.orthoview.open(path)
+    level = int(tree.cut(far).level[0])
+    for shard in (path / str(level)).rglob("0"):
+        if shard.is_file():
+            content = bytearray(shard.read_bytes())
+            content[: len(content) // 2] = bytes(len(content) // 2)
+            shard.write_bytes(bytes(content))
+    with pytest.raises(nf.FormatError, match=r"copy\.zarr"):
+        tree.render(far)
+
+
+def test_all_that_renders_takes_trees(shown: Tree) -> None:
+    camera = camera_at(shown, 90, size=(48, 40))
+    frame = shown.render(camera)
+    assert frame.channels == ("color", "range") == shown.default_channels
+    assert_same(nf.render(shown, camera), frame)
+    other = camera_at(shown, 95, 0.4, size=(48, 40))
+    frames = list(nf.render_path(shown, [camera, other]))
+    assert_same(frames[0], frame)
+    assert_same(frames[1], shown.render(other))
+    hmd = nf.hmd.QUEST_2
+    eyes = nf.render_eyes(shown, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
+    assert_same(eyes.left, nf.render(shown, eyes.left.camera))
+
+
+def test_hybrid_pictures_take_trees(shown: Tree) -> None:
+    """Parts before the plane are drawn for each eye, others once; with a plane beyond the world all for each eye."""
+    camera, hmd = camera_at(shown, 90), nf.hmd.QUEST_2
+    eyes = nf.render_eyes(shown, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
+    there = np.isfinite(eyes.left.require("range"))
+    for plane in (60.0, 100.0, 1000.0):
+        rig = nf.stereo.HybridRig.of(hmd, mono_plane=plane, size=(48, 48))
+        hybrid = rig.render(shown, camera.position, camera.orientation)
+        assert (there != np.isfinite(hybrid.left.require("range"))).mean() < 0.02
+        assert psnr(hybrid.left, eyes.left) > 30
+
+
+def test_nothing_moves_in_a_tree(shown: Tree) -> None:
+    camera, earlier = camera_at(shown, 90), camera_at(shown, 90, 0.32)
+    frame = nf.render(shown, camera, channels=("motion", "range", "position"), before=earlier)
+    there = np.isfinite(frame.require("range"))
+    places = frame.require("position")[there].astype(np.float64) + frame.origin
+    rows, columns = np.nonzero(there)
+    moved = np.column_stack([columns, rows]) + 0.5 - earlier.project(places)[:, :2]
+    np.testing.assert_allclose(frame.require("motion")[there], moved, atol=1e-2)
+    assert np.abs(moved).max() > 1

@@ -1,0 +1,102 @@
+"""Tests of the kernel that splats views: against slow code, and colours by arithmetic."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar.orthoview._codec import CONNECTED
+from nearfar.orthoview._directions import directions_of
+from tests.support import render_oracle, splat_oracle
+from tests.support.orthoview_cases import CORNER, SIDE, boxes
+from tests.support.orthoview_oracle import DIRECTIONS, Triple
+from tests.support.splat_cases import CAMERAS, CHANNELS, MIDDLE, WIDE, cell_of, drawn, facing
+
+
+@pytest.mark.parametrize("name", CAMERAS)
+def test_samples_show_the_nearest_splat(name: str) -> None:
+    # Balls in one row of a view have one distance from a camera that looks across it: many of them overlap.
+    doubt = 0.3 if name.startswith(("cube", "along")) else 0.02
+    splats, known = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
+    share = splat_oracle.check(drawn(splats, CAMERAS[name]), known, CAMERAS[name], most_doubt=doubt)
+    assert 0.03 < share < 1
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_views_of_all_directions(direction: Triple) -> None:
+    assert set(DIRECTIONS) == set(directions_of(26))
+    splats, known = cell_of([direction])
+    camera = facing(direction, WIDE)
+    assert splat_oracle.check(drawn(splats, camera), known, camera) > 0.1
+
+
+@pytest.mark.parametrize("normal_bits", [16, 24])
+@pytest.mark.parametrize("depth_bits", [8, 12, 16])
+def test_formats(depth_bits: int, normal_bits: int) -> None:
+    splats, known = cell_of([(0, 0, 1), (1, 1, 1)], depth_bits, normal_bits, 24)
+    camera = facing((1, 1, 2), WIDE)
+    assert splat_oracle.check(drawn(splats, camera), known, camera) > 0.1
+
+
+def test_sizes_that_blocks_do_not_fill() -> None:
+    splats, known = cell_of([(0, 0, 1)], size=20)
+    camera = facing((0, 0, 1), WIDE)
+    assert splat_oracle.check(drawn(splats, camera), known, camera) > 0.1
+
+
+def test_a_cell_far_from_the_origin() -> None:
+    """Positions are relative to the camera before they become float32."""
+    splats, _ = cell_of([(0, 0, 1)])
+    layout, shift = (16, 12, 24), np.array([2.0**22, 0, -(2.0**22)])
+    views = _core.OrthoViews.of_cell(boxes()[0]._core, (tuple(CORNER), SIDE), [(0, 0, 1)], layout)
+    far = [_core.OrthoSplats(views, 0, views.connected(CONNECTED), (tuple(CORNER + shift), SIDE))]
+    camera = facing((0, 0, 1), WIDE)
+    x, y, z = np.array(camera.position) + shift
+    near, moved = drawn(splats, camera), drawn(far, replace(camera, position=(x, y, z)))
+    both = np.isfinite(near["range"]) & np.isfinite(moved["range"])
+    # Coordinates of 2²² m are rounded to 2⁻³⁰ m in float64.
+    assert (np.isfinite(near["range"]) != np.isfinite(moved["range"])).sum() <= 2
+    assert (np.abs(near["range"][both] - moved["range"][both]) < 1e-4).mean() > 0.99
+    np.testing.assert_array_equal(drawn(far, camera)["range"], np.inf)
+
+
+@pytest.mark.parametrize("name", ["perspective", "parallel", "cube face 4"])
+@pytest.mark.parametrize("grid", [2, 3, 4])
+def test_colour_is_the_mean_of_finer_samples(grid: int, name: str) -> None:
+    splats, _ = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
+    camera = CAMERAS[name]
+    width, height = camera.size
+    finer = replace(camera, size=(width * grid, height * grid))
+    channels = ("color", "coverage")
+    got, fine = drawn(splats, camera, channels, grid), drawn(splats, finer, (*channels, "range"))
+
+    def mean(image: NDArray[Any]) -> NDArray[Any]:
+        split = image.astype(np.float64).reshape(height, grid, width, grid, -1)
+        means: NDArray[Any] = split.mean(axis=(1, 3)).reshape(height, width, *image.shape[2:])
+        return means
+
+    np.testing.assert_allclose(got["color"], mean(fine["color"]), atol=1e-6)
+    np.testing.assert_allclose(got["coverage"], mean(fine["coverage"]), atol=1e-6)
+    np.testing.assert_array_equal(fine["coverage"] == 1, np.isfinite(fine["range"]))
+    assert ((got["coverage"] > 0) & (got["coverage"] < 1)).mean() > 0.01
+
+
+def test_colour_is_albedo_in_the_light_and_the_sky_elsewhere() -> None:
+    splats, _ = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
+    camera = CAMERAS["perspective"]
+    images = drawn(splats, camera, ("color", "coverage", *CHANNELS, "position", "shading_normal"))
+    shown = np.isfinite(images["range"])
+    light = render_oracle.irradiance(images["normal"][shown].astype(np.float64))
+    np.testing.assert_allclose(images["color"][shown], images["albedo"][shown] * light, atol=1e-6)
+    start, direction = camera.rays()
+    np.testing.assert_allclose(images["color"][~shown], render_oracle.background(direction[~shown]), atol=1e-5)
+    np.testing.assert_array_equal(images["coverage"], shown)
+    np.testing.assert_array_equal(images["shading_normal"], images["normal"])
+    places = (start + direction * images["range"][..., None])[shown]
+    np.testing.assert_allclose(images["position"][shown] + MIDDLE, places, atol=1e-4)
+    assert np.isnan(images["position"][~shown]).all()

@@ -1,0 +1,231 @@
+"""Tests of what splats are drawn: geometry before and behind them, limits, masks, and the same bytes everywhere."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar import _core
+from nearfar.orthoview._codec import CONNECTED
+from tests.support import printed_by_threads, splat_oracle
+from tests.support.orthoview_cases import CORNER, SIDE
+from tests.support.splat_cases import CAMERAS, CHANNELS, MIDDLE, cell_of, drawn
+from tests.support.splat_oracle import Lens
+
+THREE = [(1, 0, 0), (0, 1, 0), (0, 1, 1)]
+
+
+def wall(camera: nf.Camera, range_: NDArray[Any] | float) -> dict[str, Any]:
+    """Images of red geometry at a range from each pixel."""
+    width, height = camera.size
+    near = np.broadcast_to(np.asarray(range_, np.float32), (height, width)).copy()
+    red = np.broadcast_to(np.array([1, 0, 0], np.float32), (height, width, 3)).copy()
+    return {
+        "color": red,
+        "coverage": np.isfinite(near).astype(np.float32),
+        "range": near,
+        "albedo": red * np.float32(0.5),
+        "normal": np.broadcast_to(np.array([0, 0, 1], np.float32), (height, width, 3)).copy(),
+        "object_id": np.full((height, width), 7, np.int32),
+        "face_id": np.full((height, width), 11, np.int64),
+    }
+
+
+@pytest.mark.parametrize("name", ["perspective", "asymmetric", "parallel", "cube face 2"])
+def test_the_nearer_of_geometry_and_splats_is_seen(name: str) -> None:
+    camera, (splats, _) = CAMERAS[name], cell_of(THREE)
+    channels = ("color", "coverage", *CHANNELS, "object_id", "face_id")
+    alone = drawn(splats, camera, channels)
+    shown = np.isfinite(alone["range"])
+    rng = np.random.default_rng(1)
+    ranges = np.where(rng.random(shown.shape) < 0.3, np.inf, np.median(alone["range"][shown]))
+    before = wall(camera, ranges)
+    got = drawn(splats, camera, channels, before=before)
+    is_wall = before["range"] < alone["range"]
+    assert 0.02 < is_wall[shown].mean() < 0.98
+    for channel in channels:
+        flags = is_wall[..., None] if got[channel].ndim == 3 else is_wall
+        np.testing.assert_array_equal(got[channel], np.where(flags, before[channel], alone[channel]))
+    assert (got["object_id"][~is_wall] == -1).all()
+    assert (got["face_id"][~is_wall] == -1).all()
+
+
+def test_walls_hide_all_or_nothing() -> None:
+    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    alone = drawn(splats, camera, ("color", "range"))
+    near = drawn(splats, camera, ("color", "range"), before=wall(camera, 1))
+    assert (near["range"] == 1).all()
+    assert near["stats"]["splats_seen"] == near["stats"]["splats_projected"] == 0
+    assert alone["stats"]["splats_seen"] > 0
+    far = drawn(splats, camera, ("color", "range"), before=wall(camera, 1e4))
+    shown = np.isfinite(alone["range"])
+    np.testing.assert_array_equal(far["color"][shown], alone["color"][shown])
+    assert (far["range"][~shown] == 1e4).all()
+
+
+def test_samples_of_geometry_are_samples() -> None:
+    """Geometry has a pixel for each sample: of four samples it hides some."""
+    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    width, height = camera.size
+    finer = replace(camera, size=(2 * width, 2 * height))
+    ranges = np.full((2 * height, 2 * width), np.inf)
+    ranges[::2, ::2] = 1.0
+    alone, before = drawn(splats, finer, ("color", "coverage", "range")), wall(finer, ranges)
+    got = drawn(splats, camera, ("color", "coverage"), 2, before)
+    fine = np.where(np.isfinite(ranges)[..., None], before["color"], alone["color"]).astype(np.float64)
+    mean = fine.reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
+    np.testing.assert_allclose(got["color"], mean, atol=1e-6)
+    assert got["coverage"].min() == 0.25
+    with pytest.raises(ValueError, match="before"):
+        drawn(splats, camera, ("color",), 2, wall(camera, 1.0))
+
+
+def flat(color: int, depth: int = 100) -> _core.OrthoSplats:
+    """A view whose pixels have one depth and one colour."""
+    size, direction = 8, (0, 0, 1)
+    views = _core.OrthoViews.from_arrays(
+        [direction],
+        (size, 12, 16),
+        np.full((1, size, size, 3), color, np.uint8),
+        np.full((1, size, size, 1), depth, np.uint16),
+        np.full((1, size, size, 2), 127, np.uint16),
+    )
+    return _core.OrthoSplats(views, 0, views.connected(CONNECTED), ((0.0, 0.0, 0.0), 8.0))
+
+
+STRAIGHT = nf.Camera((4.0, 4.0, 16.0), fov=nf.Orthographic(-4, 4, -4, 4), size=(16, 16))
+
+
+def test_of_one_depth_the_first_splat_counts() -> None:
+    dark, light = flat(50), flat(200)
+    for order in ([dark, light], [light, dark]):
+        first, both = drawn(order[:1], STRAIGHT), drawn(order, STRAIGHT)
+        assert np.isfinite(first["range"]).all()
+        for channel in CHANNELS:
+            np.testing.assert_array_equal(both[channel], first[channel])
+    nearer = flat(120, 99)
+    np.testing.assert_array_equal(drawn([dark, nearer], STRAIGHT)["albedo"], drawn([nearer], STRAIGHT)["albedo"])
+
+
+def test_of_one_depth_splats_count_before_geometry() -> None:
+    """Along −z a range is a distance, without rounding."""
+    splats = [flat(50)]
+    alone = drawn(splats, STRAIGHT, ("color", "range"))
+    at_once = drawn(splats, STRAIGHT, ("color", "range"), before=wall(STRAIGHT, alone["range"]))
+    np.testing.assert_array_equal(at_once["color"], alone["color"])
+    nearer = wall(STRAIGHT, np.nextafter(alone["range"], np.float32(0)))
+    assert (drawn(splats, STRAIGHT, ("color", "range"), before=nearer)["color"] == [1, 0, 0]).all()
+
+
+def limits_of(name: str) -> dict[str, Any]:
+    low, high = CORNER + 0.2 * SIDE, CORNER + 0.8 * SIDE
+    limits: dict[str, dict[str, Any]] = {
+        "t_min": {"t_min": 45.0},
+        "t_max": {"t_max": 50.0},
+        "both": {"t_min": 44.0, "t_max": 49.0},
+        "box": {"clip": nf.Clip(box=[low, high])},
+        "planes": {"clip": nf.Clip(planes=[[1, 2, 3, -float(np.dot([1, 2, 3], MIDDLE))]])},
+    }
+    return limits[name]
+
+
+@pytest.mark.parametrize("camera", ["perspective", "parallel"])
+@pytest.mark.parametrize("name", ["t_min", "t_max", "both", "box", "planes"])
+def test_splats_are_drawn_whose_middles_are_within_limits(name: str, camera: str) -> None:
+    limits, view, (splats, known) = limits_of(name), CAMERAS[camera], cell_of(THREE)
+    lens = Lens.of(view)
+    points = np.array([splat.point for splat in known])
+    away = points - lens.eye
+    ranges = away @ lens.rows[2] if lens.is_parallel else np.linalg.norm(away, axis=1)
+    inside = (limits.get("t_min", 0) <= ranges) & (ranges <= limits.get("t_max", np.inf))
+    if "clip" in limits:
+        spaces = limits["clip"].half_spaces
+        inside &= (points @ spaces[:, :3].T + spaces[:, 3] >= 0).all(axis=1)
+    assert 0.05 < inside.mean() < 0.95
+    within = [splat for splat, is_within in zip(known, inside, strict=True) if is_within]
+    splat_oracle.check(drawn(splats, view, **limits), within, view)
+
+
+def test_masked_pixels_are_misses_and_bare_pictures_have_no_sky() -> None:
+    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    channels = ("color", "coverage", "range")
+    width, height = camera.size
+    mask = np.random.default_rng(0).random((height, width)) < 0.6
+    whole, masked = drawn(splats, camera, channels), drawn(splats, camera, channels, mask=mask)
+    for channel in channels:
+        np.testing.assert_array_equal(masked[channel][mask], whole[channel][mask])
+    assert (masked["color"][~mask] == 0).all()
+    assert np.isinf(masked["range"][~mask]).all()
+    bare, shown = drawn(splats, camera, channels, bare=True), np.isfinite(whole["range"])
+    np.testing.assert_array_equal(bare["color"], np.where(shown[..., None], whole["color"], 0))
+    np.testing.assert_array_equal(bare["range"], whole["range"])
+
+
+def test_nothing_is_sky() -> None:
+    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    none = drawn([], camera, ("coverage", "range"))
+    assert np.isinf(none["range"]).all()
+    away = nf.Camera.look_at(
+        MIDDLE + np.array([0, 0, 60]), MIDDLE + np.array([0, 0, 90]), fov=camera.fov, size=camera.size
+    )
+    behind = drawn(splats, away, ("coverage", "range"))
+    assert (behind["coverage"] == 0).all()
+    assert behind["stats"]["splats_in_picture"] == 0 < behind["stats"]["splats"]
+
+
+PICTURES = """
+import hashlib
+from tests.support.splat_cases import CAMERAS, CHANNELS, cell_of, drawn
+splats = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)], size=32)[0]
+for name, grid in [("perspective", 1), ("close", 3), ("parallel", 1), ("cube face 1", 3)]:
+    images = drawn(splats, CAMERAS[name], ("color", *CHANNELS), grid)
+    print(name, *(hashlib.sha256(images[channel].tobytes()).hexdigest() for channel in ("color", *CHANNELS)))
+    print(images["stats"]["splats"], images["stats"]["splats_seen"])
+"""
+
+
+@pytest.mark.slow
+def test_pictures_are_the_same_for_any_number_of_threads() -> None:
+    printed = printed_by_threads(PICTURES)
+    assert len(printed) == 1
+    assert len(set(printed.pop().split("\n"))) > 5
+
+
+@pytest.mark.parametrize("name", ["perspective", "inside", "parallel", "cube face 1"])
+def test_pictures_are_the_same_for_all_instruction_sets(name: str) -> None:
+    splats, pictures = cell_of(THREE, size=32)[0], []
+    try:
+        for instructions in _core.instruction_sets():
+            _core.use_instruction_set(instructions)
+            images = drawn(splats, CAMERAS[name], ("color", *CHANNELS))
+            pictures.append([images[channel].tobytes() for channel in ("color", *CHANNELS)])
+    finally:
+        _core.use_instruction_set(_core.instruction_sets()[-1])
+    assert all(picture == pictures[0] for picture in pictures[1:])
+
+
+def test_bad_calls_are_named() -> None:
+    camera, (splats, _) = CAMERAS["perspective"], cell_of([(0, 0, 1)])
+    with pytest.raises(ValueError, match="grid: expected 1 to 8, got 9"):
+        drawn(splats, camera, ("color",), 9)
+    with pytest.raises(ValueError, match="grid: expected an odd number for images of the pixels' middles, got 2"):
+        drawn(splats, camera, ("color", "range"), 2)
+    views = _core.OrthoViews.from_arrays(
+        [(0, 0, 1)],
+        (8, 12, 16),
+        np.zeros((1, 8, 8, 3), np.uint8),
+        np.zeros((1, 8, 8, 1), np.uint16),
+        np.zeros((1, 8, 8, 2), np.uint16),
+    )
+    bits = np.zeros((1, 8, 8, 1), np.uint8)
+    cell = ((0.0, 0.0, 0.0), 1.0)
+    assert _core.OrthoSplats(views, 0, bits, cell).count == 0
+    with pytest.raises(ValueError, match="number: expected one of 1 views, got 1"):
+        _core.OrthoSplats(views, 1, bits, cell)
+    with pytest.raises(ValueError, match="connected: expected 64 pixels, got 0"):
+        _core.OrthoSplats(views, 0, bits[:, :4], cell)

@@ -1,0 +1,130 @@
+"""A slow cut through a tree of orthoviews: recursion over all cells, and the half-spaces of a picture by corners."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import trimesh
+from numpy.typing import ArrayLike, NDArray
+
+import nearfar as nf
+from nearfar.orthoview._grid import Grid, Place
+
+Cell = tuple[int, Place]
+"""Level and place."""
+
+FACES = {
+    0: ((0, 0, -1), (0, 1, 0), (1, 0, 0)),
+    1: ((0, 0, 1), (0, 1, 0), (-1, 0, 0)),
+    2: ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
+    3: ((1, 0, 0), (0, 0, 1), (0, -1, 0)),
+    4: ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    5: ((-1, 0, 0), (0, 1, 0), (0, 0, -1)),
+}
+"""Right, up and forward of the faces of a cube map."""
+
+DOUBT = 1e-7
+"""Metres within which roundings decide."""
+
+
+class DoubtfulError(Exception):
+    """Roundings decide about the result."""
+
+
+@dataclass
+class Expected:
+    """A cut that takes in what is outside of the picture."""
+
+    reach: float
+    cells: set[Cell] = field(default_factory=set)
+    leaves: set[Place] = field(default_factory=set)
+    is_doubtful: bool = False
+    """Whether roundings decide about a level."""
+
+    @property
+    def all(self) -> set[Cell]:
+        return self.cells | {(0, place) for place in self.leaves}
+
+
+def pixel(camera: nf.Camera) -> float:
+    """Side of a square of a pixel's area: metres at a distance of 1 m, or anywhere for parallel rays."""
+    fov = camera.fov
+    sides = (-1, 1, -1, 1) if isinstance(fov, nf.CubeFace) else (fov.left, fov.right, fov.down, fov.up)
+    left, right, down, up = sides
+    return math.sqrt((right - left) / camera.width * (up - down) / camera.height)
+
+
+def corners_of(grid: Grid, cell: Cell, count: int = 2) -> NDArray[np.float64]:
+    """Corners of a cell, or points of it on a lattice that has them (count³, 3)."""
+    low, high = grid.box(*cell)
+    steps = np.array(list(itertools.product(np.linspace(0, 1, count), repeat=3)))
+    return np.asarray(low + steps * (high - low))
+
+
+def nearest(eye: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64]) -> float:
+    """Distance of the nearest point of a box, metres; 0 within it."""
+    return float(np.linalg.norm(np.maximum(0, np.maximum(low - eye, eye - high))))
+
+
+def expected(
+    shown: Mapping[Cell, int], grid: Grid, camera: nf.Camera, pitch: float, error_px: float, *, geometry: bool
+) -> Expected:
+    """The cut of a tree whose cells that are `shown` have something; `pitch` is the width of a leaf's pixel."""
+    found = Expected(pitch / (pixel(camera) * error_px))
+    is_parallel = isinstance(camera.fov, nf.Orthographic)
+    eye = np.array(camera.position)
+
+    def visit(level: int, place: Place) -> None:
+        if (level, place) not in shown:
+            return
+        low, high = grid.box(level, place)
+        # For parallel rays a pixel of the picture is as wide anywhere as it is at 1 m for others.
+        distance = 1.0 if is_parallel else nearest(eye, low, high)
+        needed = 2**level * found.reach
+        found.is_doubtful |= abs(distance - needed) < DOUBT
+        if distance >= needed or (level == 0 and not geometry):
+            found.cells.add((level, place))
+        elif level == 0:
+            found.leaves.add(place)
+        else:
+            for _, child in grid.children(level, place):
+                visit(level - 1, child)
+
+    visit(grid.levels - 1, (0, 0, 0))
+    return found
+
+
+def margin(camera: nf.Camera, corners: ArrayLike) -> float:
+    """How far a box reaches into that half-space of the picture which it reaches into the least; below 0 if not."""
+    offsets = np.asarray(corners) - np.array(camera.position)
+    if isinstance(camera.fov, nf.CubeFace):
+        x, y, depth = (offsets @ np.array(FACES[camera.fov.face], np.float64).T).T
+        left, right, down, up = -1.0, 1.0, -1.0, 1.0
+    else:
+        qx, qy, qz, qw = camera.orientation
+        x, y, back = (offsets @ trimesh.transformations.quaternion_matrix([qw, qx, qy, qz])[:3, :3]).T
+        depth = -back
+        left, right, down, up = camera.fov.left, camera.fov.right, camera.fov.down, camera.fov.up
+    along = np.ones_like(depth) if isinstance(camera.fov, nf.Orthographic) else depth
+    sides = [x - left * along, right * along - x, y - down * along, up * along - y, depth]
+    return float(min(side.max() for side in sides))
+
+
+def is_sampled(camera: nf.Camera, points: NDArray[np.float64]) -> bool:
+    """Whether one of some points is in the picture."""
+    x, y, _ = camera.project(points).T  # NaN behind the camera
+    return bool(((x >= 0) & (x <= camera.width) & (y >= 0) & (y <= camera.height)).any())
+
+
+def nearest_directions(toward: ArrayLike, directions: Sequence[Place], views: int, mask: int) -> list[int]:
+    """Numbers of the directions nearest to one, by angle, of those in a mask, filled up with −1."""
+    unit = np.asarray(toward) / np.linalg.norm(toward)
+    angles = [math.acos(np.clip(np.dot(unit, one) / np.linalg.norm(one), -1, 1)) for one in directions]
+    if min(np.diff(sorted(angles))) < DOUBT:
+        raise DoubtfulError
+    numbers = [number for number in np.argsort(angles).tolist() if mask >> number & 1][:views]
+    return numbers + [-1] * (views - len(numbers))

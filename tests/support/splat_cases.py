@@ -1,0 +1,79 @@
+"""Views of a cell of boxes as splats, cameras that see them, and pictures by the kernel alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from nearfar import _core
+from nearfar._camera.shot import Shot
+from nearfar.orthoview._codec import CONNECTED
+from tests.support import splat_oracle
+from tests.support.orthoview_cases import CORNER, SIDE, boxes
+from tests.support.orthoview_oracle import Triple
+from tests.support.splat_oracle import Splat
+
+MIDDLE = CORNER + SIDE / 2
+CHANNELS = ("range", "albedo", "normal")
+WIDE = nf.Fov(-0.5, 0.5, -0.4, 0.4)
+
+
+def cell_of(
+    directions: list[Triple], depth_bits: int = 12, normal_bits: int = 24, size: int = 16
+) -> tuple[list[_core.OrthoSplats], list[Splat]]:
+    """Views of boxes in a cell, and their splats."""
+    layout = (size, depth_bits, normal_bits)
+    views = _core.OrthoViews.of_cell(boxes()[0]._core, (tuple(CORNER), SIDE), directions, layout)
+    bits, cell = views.connected(CONNECTED), (tuple(CORNER), SIDE)
+    known = [
+        splat
+        for number, direction in enumerate(directions)
+        for splat in splat_oracle.splats_of(views, number, direction, CORNER, SIDE, depth_bits)
+    ]
+    splats = [_core.OrthoSplats(views, number, bits, cell) for number in range(len(directions))]
+    assert sum(view.count for view in splats) == len(known) > 50
+    return splats, known
+
+
+def drawn(
+    splats: list[_core.OrthoSplats],
+    camera: nf.Camera,
+    channels: tuple[str, ...] = CHANNELS,
+    grid: int = 1,
+    before: dict[str, Any] | None = None,
+    **limits: Any,
+) -> dict[str, Any]:
+    shot = Shot(cameras=(camera,), channels=channels, **limits)
+    x, y, z = MIDDLE.tolist()
+    return _core.splat_orthoviews(splats, camera._core, shot.settings, origin=(x, y, z), grid=grid, before=before)
+
+
+def facing(direction: Triple, fov: nf.Fov | nf.Orthographic, size: tuple[int, int] = (40, 32)) -> nf.Camera:
+    """A camera that sees the cell from about a direction."""
+    toward = np.array(direction) / np.linalg.norm(direction)
+    eye = MIDDLE + 2.4 * SIDE * toward + np.array([1.3, 2.1, -1.7])
+    return nf.Camera.look_at(eye, MIDDLE, fov=fov, size=size, up=(0.1, 0.9, 0.3))
+
+
+CAMERAS = {
+    "perspective": facing((1, 1, 1), WIDE, (64, 48)),
+    "close": nf.Camera.look_at(MIDDLE + np.array([9, 3, 8]), MIDDLE, fov=nf.Fov(-1, 1, -1, 1), size=(48, 48)),
+    "inside": nf.Camera.look_at(
+        MIDDLE + np.array([1, 3, 2]), MIDDLE - (9, 1, 8), fov=nf.Fov(-1, 1, -1, 1), size=(48, 48)
+    ),
+    "asymmetric": facing((1, 1, -1), nf.Fov(-0.2, 0.6, -0.5, 0.3), (70, 33)),
+    "parallel": facing((1, 1, 1), nf.Orthographic(-14, 12, -11, 15), (52, 52)),
+    "along an axis": nf.Camera(
+        tuple(MIDDLE + np.array([0.3, 0.2, 30])), fov=nf.Orthographic(-11, 11, -11, 11), size=(41, 41)
+    ),
+}
+CAMERAS |= {
+    f"cube face {face}": nf.Camera(
+        tuple(MIDDLE - 18 * np.eye(3)[face // 2] * (1 - 2 * (face % 2)) + (0.7, 0.4, -0.6)),
+        fov=nf.CubeFace(face),
+        size=(48, 48),
+    )
+    for face in range(6)
+}
