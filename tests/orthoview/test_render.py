@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
 import shutil
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from http.server import ThreadingHTTPServer
 from pathlib import Path
@@ -370,3 +372,23 @@ def test_nothing_moves_in_a_tree(shown: Tree) -> None:
     moved = np.column_stack([columns, rows]) + 0.5 - earlier.project(places)[:, :2]
     np.testing.assert_allclose(frame.require("motion")[there], moved, atol=1e-2)
     assert np.abs(moved).max() > 1
+
+
+def test_threads_share_a_tree_and_processes_get_one(shown: Tree) -> None:
+    cameras = [camera_at(shown, 90 + 10 * n, n) for n in range(6)]
+    right = [shown.render(camera).to_image() for camera in cameras]
+    small = nf.orthoview.open(shown.path, cache_bytes=0)
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(lambda camera: small.render(camera).to_image(), cameras * 2))
+    for number, image in enumerate(found):
+        np.testing.assert_array_equal(image, right[number % len(right)])
+    again = pickle.loads(pickle.dumps(shown))
+    np.testing.assert_array_equal(again.render(cameras[0]).to_image(), right[0])
+
+
+def test_a_file_of_geometry_that_is_gone_is_named(shown: Tree, tmp_path: Path) -> None:
+    store = Path(shutil.copytree(shown.path, tmp_path / "copy.zarr"))
+    for file in (store / "geometry" / "content").rglob("*.glb"):
+        file.unlink()
+    with pytest.raises(nf.FormatError, match=r"content/.*\.glb: the file is gone"):
+        nf.orthoview.open(store).render(camera_at(shown, 90))

@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import SupportsFloat, SupportsIndex
+from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,6 +65,10 @@ class ShownTree(StoredTree, Renderable):
         cutter = Cutter(layout, _store.cells_of(files, layout, newest, listed))
         views = Views(self.path, chunks, layout, self._cache_bytes)
         return Viewer(cutter, views, Near(self.path, chunks, layout.grid, self.bounds))
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Leave out the views that are kept: another process reads them itself."""
+        return {name: value for name, value in self.__dict__.items() if name != "_viewer"}
 
     def cut(
         self,

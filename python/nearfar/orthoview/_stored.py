@@ -1,4 +1,4 @@
-"""What the store of an open tree holds: its cells, their views, and the geometry of leaves."""
+"""Contents of the store of an open tree: its cells, their views, and the geometry of leaves."""
 
 from __future__ import annotations
 

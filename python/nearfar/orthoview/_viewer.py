@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from nearfar import _core
 from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._render.renderable import Images
+from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings, grid_of
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
@@ -21,6 +23,16 @@ SAMPLED = ("color", "coverage")
 """Channels of all samples of a pixel; others describe its middle."""
 
 Report = Callable[[int, int], None] | None
+
+
+@dataclass(frozen=True)
+class _Parts:
+    """The parts of a picture."""
+
+    cut: OrthoCut
+    splats: list[_core.OrthoSplats]
+    near: Scene | None
+    """Leaves that are drawn as geometry."""
 
 
 class Viewer:
@@ -38,6 +50,7 @@ class Viewer:
 
     def __init__(self, cutter: Cutter, views: Views, near: Near) -> None:
         self.cutter, self.views, self.near = cutter, views, near
+        self._lock = threading.Lock()
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -49,9 +62,8 @@ class Viewer:
         return [self._picture(camera, shot, settings, report) for camera in shot.cameras]
 
     def _picture(self, camera: Camera, shot: Shot, settings: Settings, report: Report) -> Images:
-        cut = self.cutter.whole(camera, settings)
-        splats = self.views.get(cut.keys())
         grid = grid_of(shot.samples)
+        parts = self._gathered(camera, settings)
         sampled = tuple(name for name in shot.channels if name in SAMPLED)
         middle = tuple(name for name in shot.channels if name not in SAMPLED)
         passes = [(grid, sampled), (1, middle)] if sampled and middle and grid > 1 else [(grid, shot.channels)]
@@ -59,7 +71,7 @@ class Viewer:
         for samples, channels in passes:
             # Of an even number of samples none lies in a pixel's middle.
             samples = samples if set(channels) & set(SAMPLED) else 1
-            drawn = self._pass(camera, shot, channels, samples, cut, splats, report)
+            drawn = self._pass(camera, shot, channels, samples, parts, report)
             images |= {"stats": drawn["stats"]} | {name: drawn[name] for name in channels}
         return images
 
@@ -69,32 +81,39 @@ class Viewer:
         shot: Shot,
         channels: tuple[str, ...],
         grid: int,
-        cut: OrthoCut,
-        splats: list[_core.OrthoSplats],
+        parts: _Parts,
         report: Report,
     ) -> dict[str, Any]:
         x, y, z = self.origin.tolist()
         own = replace(shot, cameras=(camera,), channels=channels)
         images = _core.splat_orthoviews(
-            splats,
+            parts.splats,
             camera._core,
             own.settings,
             origin=(x, y, z),
             grid=grid,
-            before=self._geometry(camera, own, grid, cut),
+            before=_geometry(parts.near, camera, own, grid),
             report=report,
         )
+        cut = parts.cut
         images["stats"] |= {"cells": len(cut), "views": len(cut.keys()), "leaves": len(cut.leaves)}
         return images
 
-    def _geometry(self, camera: Camera, shot: Shot, grid: int, cut: OrthoCut) -> dict[str, Any] | None:
-        """Images of the leaves that are drawn as geometry, with a pixel for each sample."""
-        scene = self.near.scene(self.cutter.with_guests(cut.leaf_places()))
-        if scene is None:
-            return None
-        width, height = camera.size
-        finer = replace(camera, size=(width * grid, height * grid))
-        mask = None if shot.mask is None else np.repeat(np.repeat(shot.mask, grid, axis=0), grid, axis=1)
-        wanted = tuple(dict.fromkeys((*shot.channels, "range")))
-        (images,) = scene.trace(replace(shot, cameras=(finer,), channels=wanted, samples=1, mask=mask))
-        return dict(images)
+    def _gathered(self, camera: Camera, settings: Settings) -> _Parts:
+        """Read a picture's parts, one picture after the other: threads may share the viewer."""
+        with self._lock:
+            cut = self.cutter.whole(camera, settings)
+            near = self.near.scene(self.cutter.with_guests(cut.leaf_places()))
+            return _Parts(cut, self.views.get(cut.keys()), near)
+
+
+def _geometry(scene: Scene | None, camera: Camera, shot: Shot, grid: int) -> dict[str, Any] | None:
+    """Images of the leaves that are drawn as geometry, with a pixel for each sample."""
+    if scene is None:
+        return None
+    width, height = camera.size
+    finer = replace(camera, size=(width * grid, height * grid))
+    mask = None if shot.mask is None else np.repeat(np.repeat(shot.mask, grid, axis=0), grid, axis=1)
+    wanted = tuple(dict.fromkeys((*shot.channels, "range")))
+    (images,) = scene.trace(replace(shot, cameras=(finer,), channels=wanted, samples=1, mask=mask))
+    return dict(images)

@@ -44,7 +44,7 @@ impl OrthoCells {
         self.0.read().unwrap_or_else(PoisonError::into_inner).known()
     }
 
-    /// What a viewer sees, the nearest cells first: arrays of the cells that are drawn as views and, with the prefix
+    /// The parts that a viewer sees, the nearest ones first: arrays of the cells that are drawn as views and, with the prefix
     /// "leaf_", of those that are drawn as geometry; the distance at which a leaf's pixels are as fine as
     /// wanted; and the subtrees that are to be added.
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]

@@ -30,9 +30,8 @@ impl OrthoSplats {
         cell: ([f64; 3], f64),
     ) -> PyResult<Self> {
         let cell = Cell::new(DVec3::from_array(cell.0), cell.1).map_err(to_python)?;
-        let (pixels, bits) = (views.0.format.pixels(), connected.as_slice()?);
-        let own = bits.get(number * pixels..(number + 1) * pixels).unwrap_or_default();
-        run::short(py, || Splats::new(&views.0, number, own, &cell)).map(Self)
+        let connected = connected.as_slice()?;
+        run::short(py, || Splats::new(&views.0, number, connected, &cell)).map(Self)
     }
 
     /// Number of splats.

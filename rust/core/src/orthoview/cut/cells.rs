@@ -91,7 +91,7 @@ impl Cells {
         (level / self.grid.subtree, place >> bits)
     }
 
-    /// What is known of a cell.
+    /// The directions from which a cell shows something, as far as it is known.
     pub fn at(&self, level: u32, place: UVec3) -> Known {
         let key = self.subtree_of(level, place);
         let Some(levels) = self.subtrees.get(&key) else { return Known::Not };

@@ -50,7 +50,7 @@ impl Drawn {
     pub const MOST: usize = 8;
 }
 
-/// What a viewer sees of a tree, the nearest cells first.
+/// The parts of a tree that a viewer sees, the nearest ones first.
 #[derive(Clone, Debug, Default)]
 pub struct Cut {
     /// Distance at which a leaf's pixels are as fine as wanted, metres; for parallel rays their width in the picture over

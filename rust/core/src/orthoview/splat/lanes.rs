@@ -14,7 +14,7 @@ pub(super) const GROUP: usize = 16;
 /// A number of each splat.
 type Lane<T = f32> = [[T; GROUP]; LANES / GROUP];
 
-/// What is the same for all splats of a view.
+/// Values that are the same for all splats of a view.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constants {
     /// Changes of the projector's functions by a column, a row and a depth step.
@@ -264,11 +264,12 @@ fn project_group<const PARALLEL: bool>(
         lanes.nearness[group][n] = if PARALLEL { -w } else { over };
         (lanes.place[0][group][n], lanes.place[1][group][n]) = (x, y);
 
-        let half_x = radius * if is_surfel { (ux * ux + vx * vx).sqrt() } else { ball_x };
-        let half_y = radius * if is_surfel { (uy * uy + vy * vy).sqrt() } else { ball_y };
+        let extent = if is_flat && is_surfel { 0.0 } else { radius };
+        let half_x = extent * if is_surfel { (ux * ux + vx * vx).sqrt() } else { ball_x };
+        let half_y = extent * if is_surfel { (uy * uy + vy * vy).sqrt() } else { ball_y };
         // Near the eye the derivative at the middle would sweep ellipses across the picture.
         let depth = radius * factor * (u2 * u2 + v2 * v2).sqrt();
-        let is_shown = PARALLEL || w - depth >= constants.least_distance;
+        let is_shown = if PARALLEL { w } else { w - depth } >= constants.least_distance;
         let (first, last, middle) = pixels(x, half_x, left, rightmost);
         lanes.first[0][group][n] = if is_shown { first } else { 1 };
         lanes.last[0][group][n] = if is_shown { last } else { 0 };

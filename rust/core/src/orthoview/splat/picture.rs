@@ -27,7 +27,7 @@ pub struct Picture<'a> {
     pub limits: Limits,
     /// The pixels that are drawn.
     pub pixels: Pixels<'a>,
-    /// What else is seen: all its images have `grid` × `grid` pixels for each pixel, and `range` is one of them.
+    /// Everything else that is seen: its images have `grid` × `grid` pixels for each pixel, and `range` is one of them.
     pub before: Option<&'a Frame>,
 }
 

@@ -104,7 +104,7 @@ pub(super) struct Sight {
     pub steps: [[f64; 3]; 3],
     /// Columns, rows and depth steps by which splats reach beyond their pixels.
     margin: [f64; 3],
-    /// Least W of splats that are shown; −∞ for parallel rays.
+    /// Least W of splats that are shown.
     pub least: f64,
     is_parallel: bool,
 }
@@ -117,7 +117,7 @@ impl Sight {
             start: projector.at(splats.place(0.0, 0.0, 0.0)),
             steps: splats.steps().map(|step| projector.along(step)),
             margin: splats.margin(),
-            least: if is_parallel { f64::NEG_INFINITY } else { least },
+            least: if is_parallel { 0.0 } else { least },
             is_parallel,
         }
     }
@@ -162,7 +162,7 @@ impl Sight {
             high: [(most[0] + 2.0) as i32, (most[1] + 2.0) as i32],
         };
         let nearness = if self.is_parallel { -nearest } else { 1.0 / nearest };
-        // Rounded upwards, so that no splat is nearer.
+        // The margin of the depth is more than the roundings of float32.
         Some(Seen { rect: rect.overlap(whole), nearness: (nearness as f32).next_up() })
     }
 }

@@ -52,7 +52,7 @@ impl<'a> Resolver<'a> {
         Self { picture, camera, projector, views, linear: linear_from_srgb(), directions }
     }
 
-    /// What is seen at a sample without any splat.
+    /// The key of a sample that no splat shows.
     pub fn before(&self, x: i32, y: i32) -> Key {
         let Some(before) = self.picture.before else { return Key::default() };
         let range = before.range[self.index(x, y)];

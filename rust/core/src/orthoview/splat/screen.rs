@@ -112,7 +112,8 @@ fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
                 for (i, key) in keys.iter_mut().enumerate() {
                     let along = across + i as f32;
                     let (p, q) = (a * along + p_start, c * along + q_start);
-                    let is_inside = p * p + q * q <= SQUARED_RADIUS;
+                    // A line has inverse axes of which all samples of a row may seem to be inside.
+                    let is_inside = p * p + q * q <= SQUARED_RADIUS && from + i as i32 <= right;
                     let is_middle = from + i as i32 == middle;
                     let at = if is_inside { start + slope[0] * along } else { nearness };
                     let own = u64::from(ordered(at)) << 32 | number;

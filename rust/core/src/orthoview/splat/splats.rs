@@ -19,9 +19,9 @@ const BOXES: usize = 4;
 /// Squared radius of a surfel's ellipse in pixels of its view: the corners of the pixel lie on it.
 pub(super) const SQUARED_RADIUS: f32 = 0.5;
 
-/// Factor of the radius for surfels at the border of a surface. Ellipses leave out the middles of their pixel's sides, and
-/// a pixel is drawn from a quarter on of its width: where the surface goes on in the next cell, up to half a pixel would
-/// stay empty. 0.9 = 1.27/√2 reaches a quarter of a pixel beyond the side's end: √(0.9² − 0.5²) = 0.75.
+/// Factor of the radius for surfels at the border of a surface. At its corners an ellipse reaches no farther than its pixel,
+/// and views have a pixel from a quarter of its width on: where the surface goes on in the next cell, up to half a pixel would
+/// stay empty there. With 0.9 = 1.27/√2 it reaches a quarter of a pixel farther: √(0.9² − 0.5²) = 0.75.
 pub(super) const BORDER: f32 = 1.27;
 
 /// Number of a pixel's neighbours.
@@ -118,15 +118,20 @@ pub struct Splats {
 }
 
 impl Splats {
-    /// The view of a cell from the direction with a number; `connected` has the connections of its pixels.
+    /// The view of a cell from the direction with a number; `connected` has the connections of all views' pixels.
     pub fn new(views: &Views, number: usize, connected: &[u8], cell: &Cell) -> Result<Self> {
         let (Some(view), Some(&direction)) = (views.views().get(number), views.directions.get(number)) else {
             return Err(Error::value("number", format!("one of {} views", views.directions.len()), number));
         };
-        let format = views.format;
-        if connected.len() != format.pixels() {
-            return Err(Error::value("connected", format!("{} pixels", format.pixels()), connected.len()));
+        let (format, pixels) = (views.format, views.format.pixels());
+        if connected.len() != pixels * views.directions.len() {
+            return Err(Error::value(
+                "connected",
+                format!("pixels of {} views", views.directions.len()),
+                connected.len(),
+            ));
         }
+        let connected = &connected[pixels * number..][..pixels];
         let frame = Direction::frame(direction);
         let center = cell.corner + cell.side / 2.0;
         let extents = frame.extents() * cell.side;
