@@ -42,7 +42,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class Truth:
-    """What a camera sees of a world, ray by ray."""
+    """A world as a camera sees it, ray by ray."""
 
     world: World
     camera: nf.Camera

@@ -49,7 +49,7 @@ class World:
 
     @cached_property
     def scene(self) -> nf.Scene:
-        """What lies in the square."""
+        """Everything in the square."""
         return self.source(self.box)
 
     def camera(self, eye: Floats, target: Floats) -> nf.Camera:

@@ -185,7 +185,7 @@ def wide(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 
 def amounts(quality: Quality) -> list[str]:
-    """What is read and drawn."""
+    """Bytes that are read, and splats that are drawn."""
     return [f"{quality.read / 1e6:.2f}", f"{quality.geometry / 1e6:.2f}", f"{quality.splats / 1e3:.0f}"]
 
 

@@ -10,7 +10,9 @@ import pytest
 import nearfar as nf
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _guests, _store
+from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._owned import owned, owners
 from tests.support import need
 from tests.support.geometry_cases import parts, places
@@ -76,19 +78,40 @@ def test_records_have_the_guests_of_all_leaves(world: nf.Scene, tmp_path: Path) 
 def test_updates_and_copies_have_those_of_the_new_world(tmp_path: Path) -> None:
     before, after = world_of(range(12)), world_of(range(1, 12))
     tree = build(before, tmp_path / "world.zarr").update(box_about({0}), after)
-    fresh = build(after, tmp_path / "fresh.zarr") if (after.bounds == before.bounds).all() else None
+    fresh = build(after, tmp_path / "fresh.zarr")
     right = by_hand(after, tree._layout.grid)
     assert {leaf: own for leaf, own in of_tree(tree).items() if own} == right
     assert of_tree(tree.compact(tmp_path / "compact.zarr")) == right
-    assert fresh is None or of_tree(fresh) == right
+    assert of_tree(fresh) == right
     assert right != by_hand(before, tree._layout.grid)
 
 
+GRID = Grid((0.0, 0.0, 0.0), 1.0, (20, 4, 20))
+LAYOUT = Layout(GRID, directions_of(5), 8, 12, 16, 3)
+
+
 def test_guests_come_back_from_text() -> None:
-    known: _guests.Guests = {(1, 2, 3): [(0, 0, 0), (9, 9, 9)], (0, 0, 70_000): [(5, 6, 7)]}
-    assert _guests.guests_of(_guests.described(known)) == known
-    assert _guests.guests_of(_guests.described({})) == {}
+    known: _guests.Guests = {(8, 2, 9): [(0, 0, 0), (19, 3, 19)], (15, 0, 15): [(5, 1, 7)]}
     text = _guests.described(known)
+    assert _guests.guests_of(text, LAYOUT, 0, (1, 0, 1)) == known
+    assert _guests.guests_of(_guests.described({}), LAYOUT, 1, (0, 0, 0)) == {}
     for wrong in (text[:-4], "AAAA", "é", text + text, _guests.described({})[:8]):
         with pytest.raises(UnusableError, match="guests"):
-            _guests.guests_of(wrong)
+            _guests.guests_of(wrong, LAYOUT, 0, (1, 0, 1))
+
+
+@pytest.mark.parametrize(
+    ("leaf", "guest"),
+    [
+        ((0, 0, 0), (5, 1, 7)),
+        ((8, 0, 8), (8, 0, 8)),
+        ((8, 0, 8), (20, 0, 0)),
+        ((8, 0, 8), (0, -1, 0)),
+        ((8, 4, 8), (0, 0, 0)),
+    ],
+)
+def test_guests_that_cannot_be_are_refused(leaf: Place, guest: Place) -> None:
+    with pytest.raises(UnusableError, match="expected leaves of the subtree, and others of the tree"):
+        _guests.guests_of(_guests.described({leaf: [guest]}), LAYOUT, 0, (1, 0, 1))
+    with pytest.raises(UnusableError, match="expected leaves of the subtree"):
+        _guests.guests_of(_guests.described({(8, 0, 8): [(0, 0, 0)]}), LAYOUT, 1, (1, 0, 1))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import hashlib
 import json
 import shutil
 import zlib
@@ -226,6 +227,11 @@ def damage(file: Path, change: Callable[[dict[str, Any]], Any]) -> None:
     document = json.loads(file.read_text())
     change(document)
     file.write_text(json.dumps(document))
+    records = file.parents[1] / "records.json"
+    if records.exists():
+        listed = json.loads(records.read_text())
+        listed["records"][file.name] = hashlib.sha256(file.read_bytes()).hexdigest()
+        records.write_text(json.dumps(listed))
 
 
 CAMERA = nf.Camera.look_at((50, 10, 50), (40, 4, 40), fov=nf.Fov.symmetric(90), size=(64, 64))

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+import nearfar as nf
 from nearfar import _core
 from nearfar.orthoview._codec import CONNECTED
 from nearfar.orthoview._directions import directions_of
 from tests.support import render_oracle, splat_oracle
 from tests.support.orthoview_cases import CORNER, SIDE, boxes
 from tests.support.orthoview_oracle import DIRECTIONS, Triple
-from tests.support.splat_cases import CAMERAS, CHANNELS, MIDDLE, WIDE, cell_of, drawn, facing
+from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, MIDDLE, WIDE, cell_of, drawn, facing
 
 
 @pytest.mark.parametrize("name", CAMERAS)
@@ -25,6 +26,33 @@ def test_samples_show_the_nearest_splat(name: str) -> None:
     splats, known = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
     share = splat_oracle.check(drawn(splats, CAMERAS[name]), known, CAMERAS[name], most_doubt=doubt)
     assert 0.03 < share < 1
+
+
+def test_tiles_of_the_screen_fit_together() -> None:
+    splats, known = cell_of([(1, 0, 0), (0, 1, 0)])
+    images = drawn(splats, LARGE)
+    assert images["stats"]["splats_projected"] > images["stats"]["splats"]
+    assert splat_oracle.check(images, known, LARGE, most_doubt=0.1) > 0.03
+
+
+@pytest.mark.parametrize("fov", [nf.Orthographic(-32, 32, -32, 32), nf.Fov(-1, 1, -1, 1)])
+def test_a_floor_at_the_height_of_the_eye_is_a_line_of_its_own_length(fov: nf.Fov | nf.Orthographic) -> None:
+    layout, size = (8, 12, 16), 8
+    codes = np.full((1, size, size, 1), 2046, np.uint16)
+    up = np.full((1, size, size, 2), 127, np.uint16)
+    up[..., 1] = 254
+    views = _core.OrthoViews.from_arrays([(0, 1, 0)], layout, np.zeros((1, size, size, 3), np.uint8), codes, up)
+    np.testing.assert_allclose(views.vectors()[0, 0, 0], (0, 1, 0), atol=1e-6)
+    splats = [_core.OrthoSplats(views, 0, views.connected(CONNECTED), ((-4.0, -4.0, -4.0), 8.0))]
+    height = 4 - (2046 - 0.5) * 8 / 4092
+    camera = nf.Camera((0.0, height, 32.0), fov=fov, size=(65, 65))
+    shown = np.isfinite(drawn(splats, camera)["range"])
+    rows, columns = np.nonzero(shown)
+    # The floor is 8 m wide before the eye, of pixels of 64/65 m at 32 m.
+    middle, half = 32, 4.6 * 65 / 64 * (32 / 28 if isinstance(fov, nf.Fov) else 1)
+    assert len(rows) > 3
+    assert (np.abs(columns - middle) <= half + 1).all()
+    assert (np.abs(rows - 32) <= 1).all()
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)

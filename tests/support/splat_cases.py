@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -65,10 +66,16 @@ CAMERAS = {
     ),
     "asymmetric": facing((1, 1, -1), nf.Fov(-0.2, 0.6, -0.5, 0.3), (70, 33)),
     "parallel": facing((1, 1, 1), nf.Orthographic(-14, 12, -11, 15), (52, 52)),
+    "plane in the cell": nf.Camera(
+        tuple(MIDDLE + np.array([0.3, 0.2, 1.7])), fov=nf.Orthographic(-11, 11, -11, 11), size=(40, 40)
+    ),
     "along an axis": nf.Camera(
         tuple(MIDDLE + np.array([0.3, 0.2, 30])), fov=nf.Orthographic(-11, 11, -11, 11), size=(41, 41)
     ),
 }
+LARGE = replace(CAMERAS["perspective"], size=(300, 200))
+"""Of several tiles of the screen."""
+
 CAMERAS |= {
     f"cube face {face}": nf.Camera(
         tuple(MIDDLE - 18 * np.eye(3)[face // 2] * (1 - 2 * (face % 2)) + (0.7, 0.4, -0.6)),

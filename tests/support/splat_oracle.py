@@ -163,7 +163,7 @@ def samples_of(splat: Splat, lens: Lens, size: tuple[int, int]) -> Iterator[tupl
     """Rows and columns of the samples that may show a splat, and how it may be seen there."""
     distance = lens.rows[2] @ (splat.point - lens.eye) + lens.shift[2]
     reach = np.sqrt(SQUARED_RADIUS) * splat.factor * np.hypot(lens.rows[2] @ splat.u, lens.rows[2] @ splat.v)
-    if not lens.is_parallel and distance - reach < splat.least:
+    if distance < 0 or (not lens.is_parallel and distance - reach < splat.least):
         return
     place, near = lens.at(splat.point)[:2], lens.nearness(distance)
     slopes = np.zeros(2)

@@ -31,12 +31,12 @@ class Settings:
     error_px: float = 1.0
     """Greatest width of a view's pixels, in pixels of the picture."""
     geometry: bool = True
-    """Whether leaves that are nearer than their views are fine enough for are drawn as geometry."""
+    """Whether leaves so near that their views are too coarse are drawn as geometry."""
 
 
 @dataclass(frozen=True, eq=False)
 class OrthoCut:
-    """What a viewer sees of a tree; the nearest cells come first."""
+    """The parts of a tree that a viewer sees; the nearest cells come first."""
 
     level: NDArray[np.int64]
     """Level of each cell that is drawn from views (N,)."""
@@ -58,7 +58,7 @@ class OrthoCut:
     """Distance from which on leaves are drawn from views, metres; cells of level k from 2ᵏ times as far. For parallel
     rays the width of a leaf's pixel in pixels of the picture, over `error_px`."""
     unknown: list[tuple[int, Place]] = field(default_factory=list, repr=False)
-    """Tiers and places of subtrees whose cells are not known yet; the cells above are drawn in their place."""
+    """Tiers and places of subtrees that were not read: the cells above stand for theirs. Cuts of trees have none."""
 
     def __len__(self) -> int:
         """Number of cells that are drawn from views."""

@@ -14,6 +14,7 @@ import numpy as np
 from nearfar._base.errors import UnusableError
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._owned import owners
 
 Guests = dict[Place, list[Place]]
@@ -38,8 +39,8 @@ def described(known: Mapping[Place, Sequence[Place]]) -> str:
     return base64.b64encode(zlib.compress(rows.tobytes(), 9)).decode()
 
 
-def guests_of(text: str) -> Guests:
-    """The guests that `described` returned; UnusableError for what it cannot have returned."""
+def guests_of(text: str, layout: Layout, tier: int, place: Place) -> Guests:
+    """The guests that `described` returned for a subtree; UnusableError for what it cannot have returned."""
     stream = zlib.decompressobj()
     try:
         content = stream.decompress(base64.b64decode(text, validate=True), _MOST)
@@ -47,7 +48,13 @@ def guests_of(text: str) -> Guests:
         raise UnusableError(f"guests: {error}") from None
     if not stream.eof or stream.unused_data or len(content) % 24:
         raise UnusableError(f"guests: expected rows of 24 bytes, got {len(content)} bytes")
+    rows = np.frombuffer(content, "<i4").reshape(-1, 6)
+    leaves, others = rows[:, :3], rows[:, 3:]
+    counts, side = np.array(layout.grid.counts), layout.shard_side(0)
+    is_wrong = (others < 0).any() or (others >= counts).any() or (leaves == others).all(axis=1).any()
+    if len(rows) and (tier or is_wrong or (leaves // side != place).any() or (leaves >= counts).any()):
+        raise UnusableError("guests: expected leaves of the subtree, and others of the tree")
     found: Guests = {}
-    for a, b, c, x, y, z in np.frombuffer(content, "<i4").reshape(-1, 6).tolist():
+    for a, b, c, x, y, z in rows.tolist():
         found.setdefault((a, b, c), []).append((x, y, z))
     return found

@@ -44,6 +44,7 @@ class Leaves:
     """
 
     unchanged = 0
+    """Noted of cells that are not computed."""
 
     def __init__(
         self, source: SceneSource, folder: Path, layout: Layout, elsewhere: Elsewhere = lambda _place: None

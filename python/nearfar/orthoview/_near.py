@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import OrderedDict
 from collections.abc import Sequence
 
@@ -20,6 +21,8 @@ from nearfar._scene.scene import Scene
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._geometry_store import FOLDER, IMAGES, names
 from nearfar.orthoview._grid import Grid, Place
+
+_TEXTURE = re.compile("[0-9a-f]+[.]webp")
 
 MOST_LEAVES = 256
 """Leaves that are kept beside those that are drawn."""
@@ -105,6 +108,6 @@ class _Images:
     def get(self, uri: str) -> bytes:
         """Bytes of a file beside the leaves' folders."""
         folder, _, name = uri.rpartition("/")
-        if folder.rpartition("/")[2] != IMAGES:
+        if folder.rpartition("/")[2] != IMAGES or not _TEXTURE.fullmatch(name):
             raise UnusableError(f"expected a texture in {IMAGES}, got {uri!r}")
         return self._near.image(name)

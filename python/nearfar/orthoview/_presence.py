@@ -37,12 +37,17 @@ class Presence:
         self._layout, self._lowest = layout, tier * layout.subtree
         self._masks = [np.full(shape, value, np.uint32) for shape in shapes(layout, tier)]
 
-    def add(self, level: int, place: Place, array: str, length: int) -> None:
-        """Note a chunk of a cell, of length 0 if it is not there."""
+    def computed(self, level: int, place: Place) -> None:
+        """Note that a cell is none of those that are as before."""
         _, within = self._layout.shard_of(level, place)
         mask = self._masks[level - self._lowest]
         if mask[within] == AS_BEFORE:
             mask[within] = 0
+
+    def add(self, level: int, place: Place, array: str, length: int) -> None:
+        """Note a chunk of a computed cell, of length 0 if it is not there."""
+        _, within = self._layout.shard_of(level, place)
+        mask = self._masks[level - self._lowest]
         _, name, channel = array.split("/")
         if length and channel == "depth":
             mask[within] |= np.uint32(1 << self._layout.names.index(name))
@@ -64,7 +69,10 @@ def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
     expected = shapes(layout, tier)
     if len(described) != len(expected):
         raise UnusableError(f"expected views of {len(expected)} levels, got {len(described)}")
-    return [_mask(text, shape) for text, shape in zip(described, expected, strict=True)]
+    masks = [_mask(text, shape) for text, shape in zip(described, expected, strict=True)]
+    if any(((mask >= 1 << len(layout.directions)) & (mask != AS_BEFORE)).any() for mask in masks):
+        raise UnusableError(f"views: expected bits of {len(layout.directions)} directions")
+    return masks
 
 
 def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:

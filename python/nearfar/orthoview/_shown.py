@@ -92,8 +92,8 @@ class ShownTree(StoredTree, Renderable):
             Greatest width of a view's pixels, in pixels of the picture. 2 suits thin clients: cells
             are drawn from half as far.
         geometry
-            Whether leaves that are nearer than their views are fine enough for are drawn as geometry, where the tree
-            has it; else their views are drawn at any distance.
+            Whether leaves so near that their views are too coarse are drawn as geometry, where the tree has it; else
+            views are drawn at any distance.
         around
             Whether cells outside of the picture count, too: viewers turn faster than views arrive.
 
@@ -147,8 +147,8 @@ class ShownTree(StoredTree, Renderable):
             Number of colour samples of each pixel, on a grid: 1, 4, 9 … 64.
         channels
             Images to compute, as in `nearfar.render`: splats have "color", "coverage", "range", "position", "normal",
-            "albedo" and "shading_normal"; where they are seen, `object_id` and `face_id` are −1. The default is colour
-            and range.
+            "albedo" and "shading_normal"; where they are seen, `object_id` and `face_id` are −1. On geometry these are
+            numbers within the leaves of this picture alone. The default is colour and range.
 
         Returns
         -------

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -55,7 +56,7 @@ _GENERATION_FILE = "generation.json"
 
 @dataclass(frozen=True)
 class Recorded:
-    """A folder of shards, of a subtree or of a generation, with what its record says."""
+    """A folder of shards, of a subtree or of a generation, and its record."""
 
     folder: str
     """Below the store, with a slash at its end; empty for the store itself."""
@@ -64,7 +65,7 @@ class Recorded:
     geometry: Described
     held: dict[str, int]
     cells: Any = None
-    """What it says of cells, which `cells_of` reads."""
+    """Its words about cells, which `cells_of` reads."""
 
 
 def name_of(place: Place) -> str:
@@ -286,7 +287,7 @@ def cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Calla
         guests: Guests = {}
         for file, cells in known:
             with formats.guarded(f"{store.place}/{file}"):
-                own = guests_of(cells["guests"])
+                own = guests_of(cells["guests"], layout, tier, place)
                 as_before = newest_of(generations, layout, tier, AS_BEFORE)[0] == AS_BEFORE
                 guests |= {leaf: own[leaf] for leaf in own if as_before[layout.shard_of(0, leaf)[1]]}
                 generations.append(masks_of(cells["views"], layout, tier))
@@ -314,22 +315,29 @@ def _listed(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
 
 
 class Listed:
-    """Files of the first generation by its records; a subtree's record is read when it is asked for."""
+    """Files of the first generation of a complete store by its records; a record is read when it is asked for."""
 
     def __init__(self, store: Files, layout: Layout) -> None:
         self._store, self._layout = store, layout
         self._records: dict[str, Recorded | None] = {}
 
+    @cached_property
+    def _digests(self) -> dict[str, str]:
+        """SHA-256 of all records by their names."""
+        document = _json(self._store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
+        with formats.guarded(f"{self._store.place}/{_RECORDS_FILE}"):
+            return dict(check.mapping("records", document["records"], "hashes by names"))
+
     def record(self, tier: int, place: Place) -> Recorded | None:
         """The record of a subtree; None for one in which nothing is."""
-        name = record_of(Path(), tier, place).as_posix()
+        path = record_of(Path(), tier, place)
+        if path.name not in self._digests:
+            return None
+        name = path.as_posix()
         if name not in self._records:
-            found = None
-            if self._store.whole(name) is not None:
-                document = _json(self._store, name, RECORD, RECORD_VERSION)
-                with formats.guarded(f"{self._store.place}/{name}"):
-                    found = _recorded("", name, document)
-            self._records[name] = found
+            document = _json(self._store, name, RECORD, RECORD_VERSION, self._digests[path.name])
+            with formats.guarded(f"{self._store.place}/{name}"):
+                self._records[name] = _recorded("", name, document)
         return self._records[name]
 
     def has_shard(self, path: str) -> bool:

@@ -95,7 +95,7 @@ class Below(Protocol):
     """The world and the subtrees below, as a subtree sees them."""
 
     unchanged: int
-    """What is noted of cells that are not computed: 0 where they show nothing, or `AS_BEFORE`."""
+    """Noted of cells that are not computed: 0 where they show nothing, or `AS_BEFORE`."""
 
     def base(self, tier: int, place: Place) -> Outcome:
         """Return the outcome of a cell of a tier's lowest level: a leaf that is drawn, or a subtree below."""
@@ -255,6 +255,7 @@ class Subtree:
         """Write the record of a complete subtree."""
         held, presence = Held(), Presence(self._layout, self._tier, self._below.unchanged)
         for (level, place), chunks in self._journal.cells.items():
+            presence.computed(level, place)
             for array, (_, length) in chunks.items():
                 held.add(level, place, length)
                 presence.add(level, place, array, length)

@@ -24,7 +24,7 @@ class OrthoTree(ShownTree):
     path
         The folder that it wrote, or the URL of one: https://…, s3://… and all else that fsspec knows.
     cache_bytes
-        Bytes of memory for the views of the last pictures, beside those of the present one.
+        Bytes of memory for views. Those of one picture may take more; those of earlier ones stay while there is room.
 
     Raises
     ------
@@ -182,7 +182,7 @@ def open(path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYT
         The folder that `nearfar.orthoview.build` wrote, or the URL of one: https://…, s3://… and all else that fsspec
         knows. Parts of shards are read as they are needed.
     cache_bytes
-        Bytes of memory for the views of the last pictures, beside those of the present one.
+        Bytes of memory for views. Those of one picture may take more; those of earlier ones stay while there is room.
 
     Raises
     ------

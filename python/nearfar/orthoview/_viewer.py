@@ -66,11 +66,12 @@ class Viewer:
         parts = self._gathered(camera, settings)
         sampled = tuple(name for name in shot.channels if name in SAMPLED)
         middle = tuple(name for name in shot.channels if name not in SAMPLED)
-        passes = [(grid, sampled), (1, middle)] if sampled and middle and grid > 1 else [(grid, shot.channels)]
+        if sampled and middle and grid > 1:
+            passes = [(1, middle), (grid, sampled)]  # which splat a pixel's middle shows does not depend on `samples`
+        else:
+            passes = [(grid if sampled else 1, shot.channels)]
         images: Images = {}
         for samples, channels in passes:
-            # Of an even number of samples none lies in a pixel's middle.
-            samples = samples if set(channels) & set(SAMPLED) else 1
             drawn = self._pass(camera, shot, channels, samples, parts, report)
             images |= {"stats": drawn["stats"]} | {name: drawn[name] for name in channels}
         return images

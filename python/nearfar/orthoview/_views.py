@@ -8,6 +8,7 @@ from functools import partial
 
 from nearfar import _core
 from nearfar._base import formats, side_by_side
+from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._grid import Place
@@ -32,7 +33,7 @@ class Views:
     layout
         Of the tree.
     most
-        Bytes of memory that the views may take which are not in use.
+        Bytes of memory that views may take; those of one picture may take more.
     """
 
     def __init__(self, place: str, chunks: Chunks, layout: Layout, most: int) -> None:
@@ -70,15 +71,18 @@ class Views:
         ]
         with formats.guarded(self._place, "orthoviews"):
             contents = iter(self._chunks.read(chunks))
-            jobs = [partial(self._decoded, key, self._taken(contents, len(layers))) for key in keys]
+            jobs = [partial(self._decoded, key, self._taken(key, contents, len(layers))) for key in keys]
             for key, splats in zip(keys, side_by_side.results(jobs), strict=True):
                 self._kept[key] = splats
                 self.bytes += sum(layer.bytes for layer in splats)
         self.reads += len(keys)
 
-    def _taken(self, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
-        """Chunks by their channels, of the layers of the next view that show something."""
+    def _taken(self, key: ViewKey, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
+        """Chunks by their channels, of the layers of the next view that show something: the first one does."""
         taken = [{channel: chunk for channel in CHANNELS if (chunk := next(contents))} for _ in range(layers)]
+        if any(len(layer) not in (0, len(CHANNELS)) for layer in taken) or not taken[0]:
+            level, place, direction = key
+            raise UnusableError(f"{self._layout.array(level, direction, '')}: a chunk of the cell {place} is missing")
         self.read_bytes += sum(len(chunk) for layer in taken for chunk in layer.values())
         return [layer for layer in taken if layer]
 
