@@ -66,7 +66,7 @@ CAMERAS = {
     ),
     "asymmetric": facing((1, 1, -1), nf.Fov(-0.2, 0.6, -0.5, 0.3), (70, 33)),
     "parallel": facing((1, 1, 1), nf.Orthographic(-14, 12, -11, 15), (52, 52)),
-    "plane in the cell": nf.Camera(
+    "along an axis, plane in the cell": nf.Camera(
         tuple(MIDDLE + np.array([0.3, 0.2, 1.7])), fov=nf.Orthographic(-11, 11, -11, 11), size=(40, 40)
     ),
     "along an axis": nf.Camera(
