@@ -145,6 +145,7 @@ def test_the_lowest_subtrees_have_many_levels() -> None:
         assert levels - (levels - 1) // own * own >= min(levels, 3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("levels", [1, 3, 4, 5, 8, 9])
 def test_subtrees_say_what_is_there(levels: int, tmp_path: Path) -> None:
     """Against a walk that knows only sets of cells, read by nearfar's reader."""

@@ -75,6 +75,7 @@ def test_records_have_the_guests_of_all_leaves(world: nf.Scene, tmp_path: Path) 
     assert max(map(len, right.values())) > 2
 
 
+@pytest.mark.slow
 def test_updates_and_copies_have_those_of_the_new_world(tmp_path: Path) -> None:
     before, after = world_of(range(12)), world_of(range(1, 12))
     tree = build(before, tmp_path / "world.zarr").update(box_about({0}), after)
