@@ -27,6 +27,9 @@ _TEXTURE = re.compile("[0-9a-f]+[.]webp")
 MOST_LEAVES = 256
 """Leaves that are kept beside those that are drawn."""
 
+MOST_TEXTURES = 256
+"""Textures that are kept as files, since leaves share them."""
+
 
 class Near:
     """Reads the geometry of leaves.
@@ -48,7 +51,7 @@ class Near:
         self.origin = origin_for(bounds)
         """World position (3,) that the scenes' positions are relative to, metres."""
         self._leaves: OrderedDict[Place, Scene | None] = OrderedDict()
-        self._images: dict[str, bytes] = {}
+        self._images: OrderedDict[str, bytes] = OrderedDict()
         self._last: tuple[tuple[Place, ...], Scene | None] = ((), None)
         self.read_bytes = 0
         """Bytes of files that were read."""
@@ -94,6 +97,9 @@ class Near:
                 raise UnusableError(f"{FOLDER}/{IMAGES}/{name}: the file is gone")
             self.read_bytes += len(content)
             self._images[name] = content
+        self._images.move_to_end(name)
+        while len(self._images) > MOST_TEXTURES:
+            self._images.popitem(last=False)
         return self._images[name]
 
 
