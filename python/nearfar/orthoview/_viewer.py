@@ -15,7 +15,7 @@ from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._render.renderable import Images
 from nearfar._scene.scene import Scene
-from nearfar.orthoview._cut import Cutter, OrthoCut, Settings, grid_of
+from nearfar.orthoview._cut import Cutter, Settings, grid_of
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
 
@@ -29,10 +29,11 @@ Report = Callable[[int, int], None] | None
 class _Parts:
     """The parts of a picture."""
 
-    cut: OrthoCut
     splats: list[_core.OrthoSplats]
     near: Scene | None
     """Leaves that are drawn as geometry."""
+    counts: dict[str, int]
+    """Of the cut."""
 
 
 class Viewer:
@@ -96,8 +97,7 @@ class Viewer:
             before=_geometry(parts.near, camera, own, grid),
             report=report,
         )
-        cut = parts.cut
-        images["stats"] |= {"cells": len(cut), "views": len(cut.keys()), "leaves": len(cut.leaves)}
+        images["stats"] |= parts.counts
         return images
 
     def _gathered(self, camera: Camera, settings: Settings) -> _Parts:
@@ -105,7 +105,9 @@ class Viewer:
         with self._lock:
             cut = self.cutter.whole(camera, settings)
             near = self.near.scene(self.cutter.with_guests(cut.leaf_places()))
-            return _Parts(cut, self.views.get(cut.keys()), near)
+            keys = cut.keys()
+            counts = {"cells": len(cut), "views": len(keys), "leaves": len(cut.leaves)}
+            return _Parts(self.views.get(keys), near, counts)
 
 
 def _geometry(scene: Scene | None, camera: Camera, shot: Shot, grid: int) -> dict[str, Any] | None:
