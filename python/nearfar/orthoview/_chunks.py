@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections import OrderedDict
 from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass
@@ -50,7 +51,7 @@ class _Found:
 
 
 class Chunks:
-    """Reads chunks of a store.
+    """Reads chunks of a store; threads may share it.
 
     Parameters
     ----------
@@ -65,6 +66,7 @@ class Chunks:
     def __init__(self, files: Files, layout: Layout, generations: Sequence[Generation]) -> None:
         self._files, self._layout, self._generations = files, layout, generations
         self._indexes: OrderedDict[str, NDArray[np.uint64] | None] = OrderedDict()
+        self._lock = threading.Lock()
 
     def read(self, keys: Sequence[Key]) -> list[bytes | None]:
         """Read chunks; None for those that are not there.
@@ -104,6 +106,10 @@ class Chunks:
         return [0 if place is None else place.length for place in self._found(keys)]
 
     def _found(self, keys: Sequence[Key]) -> list[_Found | None]:
+        with self._lock:
+            return self._look_up(keys)
+
+    def _look_up(self, keys: Sequence[Key]) -> list[_Found | None]:
         found: dict[Key, _Found | None] = {}
         for generation in self._generations:
             missing = {key: self._shard(generation, key) for key in keys if key not in found}

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._directions import widest
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._guests import Guests
 from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._store import Cells
@@ -96,13 +96,23 @@ class Cutter:
         grid = layout.grid
         self._layout, self._read = layout, read
         self._guests: Guests = {}
+        self._known: set[tuple[int, Place]] = set()
         self._pitch = grid.cell * widest(layout.directions) / layout.size
         self._cells = _core.OrthoCells(grid.origin, grid.cell, grid.levels, layout.subtree)
 
     @property
+    def grid(self) -> Grid:
+        """The tree's cells."""
+        return self._layout.grid
+
+    @property
     def known(self) -> int:
         """Number of subtrees that were read."""
-        return self._cells.known
+        return len(self._known)
+
+    def knows(self, tier: int, place: Place) -> bool:
+        """Whether a subtree was read."""
+        return (tier, place) in self._known
 
     def with_guests(self, leaves: Sequence[Place]) -> list[Place]:
         """Leaves whose geometry has all triangles in some leaves: they themselves and their guests."""
@@ -114,6 +124,7 @@ class Cutter:
         cells = self._read(tier, place)
         self._cells.add(tier, place, [mask.reshape(-1) for mask in cells.masks])
         self._guests |= cells.guests
+        self._known.add((tier, place))
 
     def cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
         """The cut with the subtrees that are known."""

@@ -63,6 +63,12 @@ class Grid:
         """Number of levels."""
         return (max(self.counts) - 1).bit_length() + 1
 
+    @property
+    def bounds(self) -> NDArray[np.float64]:
+        """World box (2, 3) of all leaves, metres."""
+        low = np.array(self.origin)
+        return np.array([low, low + np.array(self.counts) * self.cell])
+
     def counts_at(self, level: int) -> Place:
         """Number of cells of a level along each axis."""
         x, y, z = (-(-count // (1 << level)) for count in self.counts)

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import re
+import threading
 from collections import OrderedDict
-from collections.abc import Sequence
-
-import numpy as np
-from numpy.typing import NDArray
+from collections.abc import Callable, Sequence
 
 from nearfar._base import formats
 from nearfar._base.errors import UnusableError
@@ -32,7 +30,7 @@ MOST_TEXTURES = 256
 
 
 class Near:
-    """Reads the geometry of leaves.
+    """Reads the geometry of leaves; threads may share it.
 
     Parameters
     ----------
@@ -42,47 +40,77 @@ class Near:
         Of the store.
     grid
         The tree's cells.
-    bounds
-        World box (2, 3) of the tree.
     """
 
-    def __init__(self, place: str, chunks: Chunks, grid: Grid, bounds: NDArray[np.float64]) -> None:
+    def __init__(self, place: str, chunks: Chunks, grid: Grid) -> None:
         self._place, self._chunks, self._grid = place, chunks, grid
-        self.origin = origin_for(bounds)
+        self.origin = origin_for(grid.bounds)
         """World position (3,) that the scenes' positions are relative to, metres."""
         self._leaves: OrderedDict[Place, Scene | None] = OrderedDict()
         self._images: OrderedDict[str, bytes] = OrderedDict()
         self._last: tuple[tuple[Place, ...], Scene | None] = ((), None)
+        self._old: set[Place] = set()
+        """Leaves that an update has changed since they were read."""
+        self._lock = threading.Lock()
         self.read_bytes = 0
         """Bytes of files that were read."""
+        self.reads = 0
+        """Number of leaves that were read."""
 
     def __contains__(self, place: Place) -> bool:
-        """Whether a leaf is kept."""
+        """Whether a leaf is kept as it is now."""
+        return place in self._leaves and place not in self._old
+
+    def keeps(self, place: Place) -> bool:
+        """Whether a leaf is kept, be it one that an update has changed."""
         return place in self._leaves
 
+    def take_over(self, older: Near, changed: Callable[[Place], bool]) -> None:
+        """Keep the leaves of an older generation; those that have changed until they are read."""
+        self._leaves.update(older._leaves)
+        self._old = {place for place in self._leaves if place in older._old or changed(place)}
+        self.read_bytes, self.reads = older.read_bytes, older.reads
+
     def scene(self, places: Sequence[Place]) -> Scene | None:
-        """The geometry of leaves in one scene; None where there is none."""
+        """The geometry of leaves in one scene, which are read where they are not kept; None where there is none."""
+        self.load(places)
+        return self.kept(places)
+
+    def kept(self, places: Sequence[Place]) -> Scene | None:
+        """The geometry of leaves that are kept in one scene; None where there is none."""
         wanted = tuple(sorted(places))
         if wanted != self._last[0]:
             parts = [part for place in wanted if (part := self._leaf(place)) is not None]
             self._last = wanted, joined(parts) if parts else None
-        while len(self._leaves) > len(wanted) + MOST_LEAVES:
-            self._leaves.popitem(last=False)
+        with self._lock:
+            while len(self._leaves) > len(wanted) + MOST_LEAVES:
+                self._leaves.popitem(last=False)
         return self._last[1]
 
+    def load(self, places: Sequence[Place]) -> None:
+        """Read the leaves that are not kept."""
+        for place in places:
+            if place not in self:
+                with formats.guarded(self._place, "orthoviews"):
+                    parts = [part for name in names(self._grid, place) if (part := self._file(name)) is not None]
+                leaf = joined(parts) if parts else None
+                with self._lock:
+                    self._leaves[place] = leaf
+                    self._old.discard(place)
+                    self.reads += 1
+                    if place in self._last[0]:
+                        self._last = ((), None)
+
     def _leaf(self, place: Place) -> Scene | None:
-        if place not in self._leaves:
-            with formats.guarded(self._place, "orthoviews"):
-                parts = [part for name in names(self._grid, place) if (part := self._file(name)) is not None]
-            self._leaves[place] = joined(parts) if parts else None
-        self._leaves.move_to_end(place)
-        return self._leaves[place]
+        with self._lock:
+            self._leaves.move_to_end(place)
+            return self._leaves[place]
 
     def _file(self, name: str) -> Scene | None:
         data = self._chunks.geometry(name)
         if data is None:
             return None
-        self.read_bytes += len(data)
+        self._count(data)
         budget = Budget()
         label = f"{self._place}/{name}"
         with formats.guarded(label):
@@ -91,16 +119,22 @@ class Near:
 
     def image(self, name: str) -> bytes:
         """Bytes of a texture."""
-        if name not in self._images:
+        content = self._images.get(name)
+        if content is None:
             content = self._chunks.geometry(f"{FOLDER}/{IMAGES}/{name}")
             if content is None:
                 raise UnusableError(f"{FOLDER}/{IMAGES}/{name}: the file is gone")
-            self.read_bytes += len(content)
+            self._count(content)
+        with self._lock:
             self._images[name] = content
-        self._images.move_to_end(name)
-        while len(self._images) > MOST_TEXTURES:
-            self._images.popitem(last=False)
-        return self._images[name]
+            self._images.move_to_end(name)
+            while len(self._images) > MOST_TEXTURES:
+                self._images.popitem(last=False)
+        return content
+
+    def _count(self, content: bytes) -> None:
+        with self._lock:
+            self.read_bytes += len(content)
 
 
 class _Images:

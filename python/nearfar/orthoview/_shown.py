@@ -20,13 +20,10 @@ from nearfar._camera.shot import Shot, check_request
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
-from nearfar.orthoview import _store
-from nearfar.orthoview._chunks import Chunks
-from nearfar.orthoview._cut import MOST_VIEWS, Cutter, OrthoCut, Settings
-from nearfar.orthoview._near import Near
+from nearfar.orthoview._cut import MOST_VIEWS, OrthoCut, Settings
+from nearfar.orthoview._open import Opened
 from nearfar.orthoview._stored import StoredTree
 from nearfar.orthoview._viewer import Viewer
-from nearfar.orthoview._views import Views
 
 CACHE_BYTES = 1 << 30
 """Bytes of memory for views by default."""
@@ -57,14 +54,13 @@ class ShownTree(StoredTree, Renderable):
 
     @cached_property
     def _viewer(self) -> Viewer:
+        return self.opened().viewer
+
+    def opened(self) -> Opened:
+        """The store, open for a viewer of its own."""
         if not self.is_complete:
             raise ValueError(f"path: {self.path} is not complete, build it again")
-        files, layout, newest = self._files, self._layout, self.generation
-        listed = _store.Listed(files, layout)
-        chunks = Chunks(files, layout, _store.recorded_generations(files, layout, newest, listed))
-        cutter = Cutter(layout, _store.cells_of(files, layout, newest, listed))
-        views = Views(self.path, chunks, layout, self._cache_bytes)
-        return Viewer(cutter, views, Near(self.path, chunks, layout.grid, self.bounds))
+        return Opened.of(self._files, self._layout, self.generation, self._cache_bytes)
 
     def __getstate__(self) -> dict[str, Any]:
         """Leave out the views that are kept: another process reads them itself."""
@@ -116,7 +112,7 @@ class ShownTree(StoredTree, Renderable):
         ----------
         Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.2.
         """
-        settings = _settings(views, error_px, geometry)
+        settings = settings_of(views, error_px, geometry)
         own = check.instance("camera", camera, Camera)
         return self._viewer.cutter.whole(own, settings, around=check.flag("around", around))
 
@@ -172,7 +168,7 @@ class ShownTree(StoredTree, Renderable):
         """
         shown = copy.copy(self)
         shown.__dict__["_viewer"] = self._viewer  # views that it reads are kept for the next picture
-        shown._settings = _settings(views, error_px, geometry)
+        shown._settings = settings_of(views, error_px, geometry)
         renderer = Renderer(shown, channels, samples, argument="tree")
         (frame,) = renderer.frames(renderer.shot([camera], None, t_min, t_max, clip), None, None)
         return frame
@@ -183,7 +179,8 @@ class ShownTree(StoredTree, Renderable):
         return self._viewer.draw(shot, self._settings, report)
 
 
-def _settings(views: SupportsIndex, error_px: SupportsFloat, geometry: bool) -> Settings:
+def settings_of(views: SupportsIndex, error_px: SupportsFloat, geometry: bool) -> Settings:
+    """The settings that a caller asks for."""
     return replace(
         Settings(),
         views=check.integer("views", views, 1, MOST_VIEWS),

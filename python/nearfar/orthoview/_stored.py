@@ -50,9 +50,7 @@ class StoredTree:
     @property
     def bounds(self) -> NDArray[np.float64]:
         """World box (2, 3) of all leaves, metres."""
-        grid = self._layout.grid
-        low = np.array(grid.origin)
-        return np.array([low, low + np.array(grid.counts) * grid.cell])
+        return self._layout.grid.bounds
 
     @property
     def cell(self) -> float:

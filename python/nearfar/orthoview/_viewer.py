@@ -26,7 +26,7 @@ Report = Callable[[int, int], None] | None
 
 
 @dataclass(frozen=True)
-class _Parts:
+class Parts:
     """The parts of a picture."""
 
     splats: list[_core.OrthoSplats]
@@ -60,11 +60,11 @@ class Viewer:
 
     def draw(self, shot: Shot, settings: Settings, report: Report = None) -> list[Images]:
         """The pictures of a shot, one for each camera."""
-        return [self._picture(camera, shot, settings, report) for camera in shot.cameras]
+        return [self.picture(camera, shot, self._gathered(camera, settings), report) for camera in shot.cameras]
 
-    def _picture(self, camera: Camera, shot: Shot, settings: Settings, report: Report) -> Images:
+    def picture(self, camera: Camera, shot: Shot, parts: Parts, report: Report = None) -> Images:
+        """The picture of one of a shot's cameras from parts of a tree."""
         grid = grid_of(shot.samples)
-        parts = self._gathered(camera, settings)
         sampled = tuple(name for name in shot.channels if name in SAMPLED)
         middle = tuple(name for name in shot.channels if name not in SAMPLED)
         if sampled and middle and grid > 1:
@@ -83,7 +83,7 @@ class Viewer:
         shot: Shot,
         channels: tuple[str, ...],
         grid: int,
-        parts: _Parts,
+        parts: Parts,
         report: Report,
     ) -> dict[str, Any]:
         x, y, z = self.origin.tolist()
@@ -100,14 +100,14 @@ class Viewer:
         images["stats"] |= parts.counts
         return images
 
-    def _gathered(self, camera: Camera, settings: Settings) -> _Parts:
+    def _gathered(self, camera: Camera, settings: Settings) -> Parts:
         """Read a picture's parts, one picture after the other: threads may share the viewer."""
         with self._lock:
             cut = self.cutter.whole(camera, settings)
             near = self.near.scene(self.cutter.with_guests(cut.leaf_places()))
             keys = cut.keys()
             counts = {"cells": len(cut), "views": len(keys), "leaves": len(cut.leaves)}
-            return _Parts(self.views.get(keys), near, counts)
+            return Parts(self.views.get(keys), near, counts)
 
 
 def _geometry(scene: Scene | None, camera: Camera, shot: Shot, grid: int) -> dict[str, Any] | None:

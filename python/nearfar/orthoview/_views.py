@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import threading
 from collections import OrderedDict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from functools import partial
 
 from nearfar import _core
@@ -39,6 +40,10 @@ class Views:
     def __init__(self, place: str, chunks: Chunks, layout: Layout, most: int) -> None:
         self._place, self._chunks, self._layout, self._most = place, chunks, layout, most
         self._kept: OrderedDict[ViewKey, tuple[_core.OrthoSplats, ...]] = OrderedDict()
+        self._directions: dict[tuple[int, Place], frozenset[int]] = {}
+        self._old: set[ViewKey] = set()
+        """Views that an update has changed since they were read."""
+        self._lock = threading.Lock()
         self.bytes = 0
         """Bytes of memory of the views that are kept."""
         self.read_bytes = 0
@@ -47,19 +52,70 @@ class Views:
         """Number of views that were read."""
 
     def __contains__(self, key: ViewKey) -> bool:
-        """Whether a view is kept."""
-        return key in self._kept
+        """Whether a view is kept as it is now."""
+        return key in self._kept and key not in self._old
 
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
         """The splats of views, of both layers, which are read where they are not kept."""
-        missing = [key for key in keys if key not in self._kept]
+        self.load(keys)
+        found = [splats for key in keys for splats in self.kept(key)]
+        self.trim(set(keys))
+        return found
+
+    def load(self, keys: Sequence[ViewKey]) -> None:
+        """Read the views that are not kept; threads may do so at the same time."""
+        missing = [key for key in keys if key not in self]
         for first in range(0, len(missing), _AT_ONCE):
             self._read(missing[first : first + _AT_ONCE])
-        for key in keys:
+
+    def kept(self, key: ViewKey) -> tuple[_core.OrthoSplats, ...]:
+        """The splats of a view that is kept; it counts as used now."""
+        with self._lock:
             self._kept.move_to_end(key)
-        found = [splats for key in keys for splats in self._kept[key]]
-        self._drop(len(keys))
-        return found
+            return self._kept[key]
+
+    def of_cell(self, level: int, place: Place) -> frozenset[int]:
+        """The directions of the views of a cell that are kept, those included that an update has changed."""
+        return self._directions.get((level, place), frozenset())
+
+    def take_over(self, older: Views, changed: Callable[[ViewKey], bool]) -> None:
+        """Keep the views of an older generation; those that have changed until they are read."""
+        for key, splats in list(older._kept.items()):
+            self._keep(key, splats, 0)
+            if key in older._old or changed(key):
+                self._old.add(key)
+        self.read_bytes, self.reads = older.read_bytes, older.reads
+
+    def trim(self, needed: Container[ViewKey]) -> None:
+        """Drop the views that were used the longest ago, none of those that are needed, until there is room."""
+        with self._lock:
+            if self.bytes <= self._most:
+                return
+            for key in [key for key in self._kept if key not in needed]:
+                self._drop(key)
+                if self.bytes <= self._most:
+                    return
+
+    def _drop(self, key: ViewKey) -> None:
+        level, place, direction = key
+        self._old.discard(key)
+        self.bytes -= sum(layer.bytes for layer in self._kept.pop(key))
+        directions = self._directions[level, place] - {direction}
+        if directions:
+            self._directions[level, place] = directions
+        else:
+            del self._directions[level, place]
+
+    def _keep(self, key: ViewKey, splats: tuple[_core.OrthoSplats, ...], count: int) -> None:
+        level, place, direction = key
+        with self._lock:
+            self.read_bytes += count
+            self.reads += 1
+            if key in self._kept:
+                self._drop(key)
+            self._kept[key] = splats
+            self.bytes += sum(layer.bytes for layer in splats)
+            self._directions[level, place] = self._directions.get((level, place), frozenset()) | {direction}
 
     def _read(self, keys: Sequence[ViewKey]) -> None:
         layers = ("", BEHIND)[: self._layout.layers]
@@ -71,11 +127,10 @@ class Views:
         ]
         with formats.guarded(self._place, "orthoviews"):
             contents = iter(self._chunks.read(chunks))
-            jobs = [partial(self._decoded, key, self._taken(key, contents, len(layers))) for key in keys]
-            for key, splats in zip(keys, side_by_side.results(jobs), strict=True):
-                self._kept[key] = splats
-                self.bytes += sum(layer.bytes for layer in splats)
-        self.reads += len(keys)
+            taken = [self._taken(key, contents, len(layers)) for key in keys]
+            jobs = [partial(self._decoded, key, channels) for key, channels in zip(keys, taken, strict=True)]
+            for key, channels, splats in zip(keys, taken, side_by_side.results(jobs), strict=True):
+                self._keep(key, splats, sum(len(chunk) for layer in channels for chunk in layer.values()))
 
     def _taken(self, key: ViewKey, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
         """Chunks by their channels, of the layers of the next view that show something: the first one does."""
@@ -83,7 +138,6 @@ class Views:
         if any(len(layer) not in (0, len(CHANNELS)) for layer in taken) or not taken[0]:
             level, place, direction = key
             raise UnusableError(f"{self._layout.array(level, direction, '')}: a chunk of the cell {place} is missing")
-        self.read_bytes += sum(len(chunk) for layer in taken for chunk in layer.values())
         return [layer for layer in taken if layer]
 
     def _decoded(self, key: ViewKey, layers: Iterable[dict[str, bytes]]) -> tuple[_core.OrthoSplats, ...]:
@@ -95,9 +149,3 @@ class Views:
             views, bits = _codec.decoded(chunks, self._layout, (direction,))
             splats.append(_core.OrthoSplats(views, 0, bits, cell))
         return tuple(splats)
-
-    def _drop(self, used: int) -> None:
-        """Drop the views that were used the longest ago, none of those that were used just now."""
-        while self.bytes > self._most and len(self._kept) > used:
-            _, splats = self._kept.popitem(last=False)
-            self.bytes -= sum(layer.bytes for layer in splats)

@@ -69,12 +69,12 @@ class _Connection:
 class Transport:
     """Fetches files over a link, each name once, in the order in which they are asked for."""
 
-    def __init__(self, link: Link, *, seed: int = 0) -> None:
+    def __init__(self, link: Link, *, seed: int = 0, at_once: int = AT_ONCE) -> None:
         self.now = 0.0
         self.arrived: dict[str, float] = {}
         self.curve: list[tuple[float, int]] = [(0.0, 0)]
         """Times and bytes that had come until then; linear between them."""
-        self._link = link
+        self._link, self._at_once = link, at_once
         self._clock = link._clock()
         self._dice = np.random.default_rng(seed)
         self._events: list[tuple[float, int, Callable[[], None]]] = []
@@ -92,6 +92,11 @@ class Transport:
             self.asked[name] = count
             self._waiting.append(_Flow(name, count))
             self._fill()
+
+    @property
+    def free(self) -> int:
+        """Number of requests that would be sent at once."""
+        return max(self._at_once - self._open - len(self._waiting), 0)
 
     def next_time(self) -> float:
         """Return when something happens; infinite if nothing is awaited."""
@@ -111,7 +116,7 @@ class Transport:
 
     def _fill(self) -> None:
         """Send requests while there are slots; with HTTP/1.1 each has a connection to itself."""
-        while self._waiting and self._open < AT_ONCE:
+        while self._waiting and self._open < self._at_once:
             flow = self._waiting.popleft()
             connection = self._connection()
             connection.requests += 1

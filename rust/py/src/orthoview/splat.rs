@@ -34,6 +34,11 @@ impl OrthoSplats {
         run::short(py, || Splats::new(&views.0, number, connected, &cell)).map(Self)
     }
 
+    /// The splats whose middles lie in a box, given by its least and its greatest corner.
+    fn within(&self, py: Python<'_>, low: [f64; 3], high: [f64; 3]) -> PyResult<Self> {
+        run::short(py, || Ok(self.0.within(DVec3::from_array(low), DVec3::from_array(high)))).map(Self)
+    }
+
     /// Number of splats.
     #[getter]
     fn count(&self) -> usize {

@@ -11,6 +11,7 @@ mod projector;
 mod resolve;
 mod screen;
 mod splats;
+mod within;
 
 pub use draw::draw;
 pub use picture::{Counts, Picture};

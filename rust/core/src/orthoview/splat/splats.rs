@@ -39,9 +39,9 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    const NOTHING: Self = Self { low: [u16::MAX; 3], high: [0; 3] };
+    pub const NOTHING: Self = Self { low: [u16::MAX; 3], high: [0; 3] };
 
-    fn add(&mut self, other: &Self) {
+    pub fn add(&mut self, other: &Self) {
         for axis in 0..3 {
             self.low[axis] = self.low[axis].min(other.low[axis]);
             self.high[axis] = self.high[axis].max(other.high[axis]);

@@ -1,0 +1,134 @@
+"""A client of a tree on a virtual clock: what it asks for, what has come, and where its pictures stall."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from itertools import chain
+from typing import Protocol
+
+from nearfar._camera.camera import Camera
+from nearfar.orthoview._meter import Received
+from nearfar.orthoview._parts import GEOMETRY, Part, kind
+from nearfar.orthoview._pilot import Plan
+from nearfar.stream._link import Link
+from nearfar.stream._transport import Transport
+
+AT_ONCE = 16
+"""Requests that a client makes at the same time: two threads with eight views each."""
+
+
+class Planner(Protocol):
+    """Says what a client wants where the viewer is, after what has come until a time."""
+
+    def __call__(
+        self, camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
+    ) -> Plan:
+        """The plan for a frame."""
+
+
+@dataclass
+class Course:
+    """Frames of a client."""
+
+    stalled: list[bool] = field(default_factory=list)
+    """Whether a frame lacks a part of its cut."""
+    missing: list[int] = field(default_factory=list)
+    """Number of parts that each frame lacks."""
+    wanted: list[int] = field(default_factory=list)
+    """Number of parts of each frame's cut."""
+    error_px: list[float] = field(default_factory=list)
+    received: list[int] = field(default_factory=list)
+    """Bytes that had come by each frame."""
+    asked: int = 0
+    """Bytes of all that was asked for."""
+
+
+class Client:
+    """Fetches the parts that a planner wants over a link.
+
+    Parameters
+    ----------
+    planner
+        Says what is wanted.
+    sizes
+        Bytes of parts.
+    link
+        The link to the store.
+    cache_bytes
+        Bytes of files that are kept.
+    """
+
+    def __init__(
+        self, planner: Planner, sizes: Callable[[Sequence[Part]], list[int]], link: Link, cache_bytes: int, seed: int
+    ) -> None:
+        self._planner, self._sizes, self._cache_bytes = planner, sizes, cache_bytes
+        self._transport = Transport(link, seed=seed, at_once=AT_ONCE)
+        self._held: OrderedDict[Part, int] = OrderedDict()
+        self._asked: dict[str, tuple[Part, int]] = {}
+        self._awaited: set[Part] = set()
+        self._queue: list[Part] = []
+        self._bytes = 0
+        self._received = Received()
+        self.course = Course()
+
+    def frame(self, camera: Camera, time: float) -> None:
+        """Go on to a frame."""
+        busy = bool(self._awaited)
+        self._advance(time)
+        plan = self._planner(camera, time, self._received, busy, self._held.__contains__)
+        wanted = list(chain(*plan.wanted.values()))
+        missing = [part for part in wanted if part not in self._held]
+        course = self.course
+        course.stalled.append(bool(missing))
+        course.missing.append(len(missing))
+        course.wanted.append(len(wanted))
+        course.error_px.append(plan.error_px)
+        course.received.append(self._received.bytes)
+        for part in wanted:
+            if part in self._held:
+                self._held.move_to_end(part)
+        self._trim({*plan.order, *wanted})
+        self._queue = [part for part in plan.order if part not in self._held and part not in self._awaited]
+        self._queue.reverse()
+        self._ask()
+
+    def _advance(self, time: float) -> None:
+        """Let come what comes until a time; each place that gets free is taken at once."""
+        while (moment := self._transport.next_time()) <= time:
+            for name in self._transport.advance(moment):
+                self._take(name)
+            self._ask()
+        self._transport.advance(time)
+
+    def _ask(self) -> None:
+        count = min(self._transport.free, len(self._queue))
+        if not count:
+            return
+        parts = [self._queue.pop() for _ in range(count)]
+        for part, size in zip(parts, self._sizes(parts), strict=True):
+            name = str(len(self._asked))
+            self._asked[name] = part, size
+            self._awaited.add(part)
+            self.course.asked += size
+            self._transport.ask(name, size)
+
+    def _take(self, name: str) -> None:
+        part, size = self._asked[name]
+        self._awaited.discard(part)
+        self._held[part] = size
+        self._bytes += size
+        own = self._received
+        if kind(part) == GEOMETRY:
+            self._received = Received(own.views, own.view_bytes, own.leaves + 1, own.leaf_bytes + size)
+        else:
+            self._received = Received(own.views + 1, own.view_bytes + size, own.leaves, own.leaf_bytes)
+
+    def _trim(self, needed: set[Part]) -> None:
+        if self._bytes <= self._cache_bytes:
+            return
+        for part in [part for part in self._held if part not in needed]:
+            self._bytes -= self._held.pop(part)
+            if self._bytes <= self._cache_bytes:
+                return

@@ -1,0 +1,338 @@
+"""Flights through a tree: pictures of what has come, while the rest is read in the background."""
+
+from __future__ import annotations
+
+import math
+import threading
+import time as clock
+import warnings
+from collections.abc import Callable, Iterable, Sequence
+from types import TracebackType
+from typing import Self, SupportsFloat
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import check
+from nearfar._camera.camera import Camera
+from nearfar._camera.shot import Shot, check_request
+from nearfar._render.frame import Frame
+from nearfar._render.renderable import Images, Renderable, Report
+from nearfar._render.renderer import Renderer
+from nearfar.orthoview._cut import Settings
+from nearfar.orthoview._loader import Loader
+from nearfar.orthoview._meter import Received
+from nearfar.orthoview._open import Opened
+from nearfar.orthoview._parts import GEOMETRY, RECORD, Part, kind
+from nearfar.orthoview._pilot import Ahead, Pilot, Plan
+from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns
+from nearfar.orthoview._viewer import Parts, Viewer
+
+Listener = Callable[[Exception], None]
+"""Takes an error of the background."""
+
+
+class Flight(Renderable):
+    """A viewer that moves through a tree and never waits.
+
+    A picture is drawn from what has come. Where the cut's views are not there yet, the picture keeps what it showed,
+    and else shows parts of coarser views. Threads read what is missing, the nearest first, then what the viewer needs
+    soon. `OrthoTree.fly` makes one; it ends with `close` or with its `with` block.
+    """
+
+    def __init__(
+        self, opened: Opened, settings: Settings, ahead: Ahead, threads: int, on_error: Listener | None
+    ) -> None:
+        self._opened, self._settings, self._ahead, self._on_error = opened, settings, ahead, on_error
+        self._viewer: Viewer = opened.viewer
+        self._pilot = Pilot(self._viewer.cutter, settings, ahead)
+        self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, settings.views)
+        self._before: list[Shown] = []
+        self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
+        self._lock = threading.RLock()
+        self._busy = False
+        self._errors: list[Exception] = []
+        self._loader = Loader(self._read, self._has, threads)
+
+    def __enter__(self) -> Self:
+        """Return the flight."""
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Close the flight."""
+        self.close()
+
+    def close(self) -> None:
+        """Stop reading. What has come can still be drawn."""
+        self._loader.close()
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """World position (3,) in metres that `Frame.position` is relative to."""
+        return self._viewer.origin
+
+    @property
+    def default_channels(self) -> tuple[str, ...]:
+        """Images that are computed by default."""
+        return ("color", "range")
+
+    @property
+    def backends(self) -> tuple[str, ...]:
+        """Backends that can render this source."""
+        return ("cpu",)
+
+    @property
+    def errors(self) -> tuple[Exception, ...]:
+        """Errors of reading so far: of each damaged part, and the first one of each time that the store was away."""
+        self._hear()
+        return tuple(self._errors)
+
+    @property
+    def waiting(self) -> int:
+        """Number of parts that are being read or wait for it."""
+        return self._loader.waiting
+
+    @property
+    def bytes_read(self) -> int:
+        """Bytes of views and geometry that have come."""
+        return self._received().bytes
+
+    @property
+    def speed_limit(self) -> float:
+        """Metres a second up to which the link brings what the viewer's course asks for; above, pictures are coarser.
+
+        It is infinite until the viewer moves and something has been read.
+        """
+        return self._pilot.limit
+
+    def look(self, camera: Camera, time: SupportsFloat | None = None) -> None:
+        """Tell where the viewer is, and read what it needs; nothing is drawn.
+
+        Parameters
+        ----------
+        camera
+            The view.
+        time
+            Seconds of any clock that rises; the computer's own by default.
+
+        Raises
+        ------
+        ValueError, TypeError
+            Something that is no camera, and a time that is not finite.
+        """
+        own = check.instance("camera", camera, Camera)
+        now = clock.monotonic() if time is None else check.number("time", time)
+        with self._lock:
+            self._plan(own, now)
+
+    def render(
+        self,
+        camera: Camera,
+        *,
+        time: SupportsFloat | None = None,
+        samples: int = 1,
+        channels: Iterable[str] | None = None,
+    ) -> Frame:
+        """Draw what has come, without waiting for more.
+
+        Parameters
+        ----------
+        camera
+            The view.
+        time
+            Seconds of any clock that rises, from which the viewer's speed is known; the computer's own by default.
+        samples, channels
+            As in `OrthoTree.render`.
+
+        Returns
+        -------
+        Frame
+            `stats` has, besides those of `OrthoTree.render`: `missing`, the cells of the cut that lack a view or their
+            geometry; `empty`, those of them in whose place nothing is drawn; `error_px` of the picture.
+
+        Raises
+        ------
+        ValueError, TypeError
+            As in `OrthoTree.render`.
+        """
+        now = None if time is None else check.number("time", time)
+        renderer = Renderer(_Moment(self, now), channels, samples, argument="flight")
+        (frame,) = renderer.frames(renderer.shot([camera], None, 0.0, math.inf, None), None, None)
+        return frame
+
+    def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
+        """Draw the pictures of a shot from what has come; `nearfar.render` makes frames of them."""
+        check_request(shot, report)
+        return self.draw(shot, None, report)
+
+    def draw(self, shot: Shot, time: float | None, report: Report = None) -> list[Images]:
+        """The pictures of a shot at a time."""
+        now = clock.monotonic() if time is None else time
+        with self._lock:
+            plan = self._plan(shot.cameras[0], now)
+            views = [self._shown(number, camera, plan) for number, camera in enumerate(shot.cameras)]
+            self._trim(plan)
+            parts = [self._parts(shown) for shown in views]
+        self._tell()
+        pictures = [
+            self._viewer.picture(camera, shot, own, report) for camera, own in zip(shot.cameras, parts, strict=True)
+        ]
+        for picture in pictures:
+            picture["stats"]["error_px"] = plan.error_px
+        return pictures
+
+    def wait(self, seconds: SupportsFloat | None = None) -> bool:
+        """Wait until all is there that the last picture and the positions ahead need.
+
+        Parameters
+        ----------
+        seconds
+            The longest time; None for any.
+
+        Returns
+        -------
+        bool
+            False if it did not come in time, or cannot be read now.
+        """
+        longest = None if seconds is None else check.within("seconds", seconds, 0.0, 1e9)
+        ends = math.inf if longest is None else clock.monotonic() + longest
+        while self._loader.wait(max(ends - clock.monotonic(), 0.0) if longest is not None else None):
+            with self._lock:
+                camera = self._pilot.camera
+                if camera is None:
+                    return True
+                # Records that came tell of more.
+                plan = self._pilot.plan(self._has)
+                if all(map(self._has, plan.order)):
+                    return True
+                before = self._loader.waiting
+                self._loader.want(plan.order)
+                if not before and not self._loader.waiting:  # what is left is damaged
+                    return False
+        return False
+
+    def refresh(self) -> bool:
+        """Take up the newest generation of the store; whether there is a newer one.
+
+        Pictures keep the views that the update did not change, and show older ones of the others until the new ones
+        have come. Parts that were damaged are read again.
+
+        Raises
+        ------
+        FormatError, OSError
+            Documents of the store that are damaged, or that cannot be read; the flight goes on with what it has.
+        """
+        newer = self._opened.newer()
+        with self._lock:
+            self._loader.forget()
+            if newer is None:
+                return False
+            self._opened = newer
+            self._viewer = newer.viewer
+            self._pilot.take(newer.viewer.cutter)
+            return True
+
+    def _plan(self, camera: Camera, time: float) -> Plan:
+        self._pilot.meter.note(time, self._received(), busy=self._busy)
+        self._pilot.look(camera, time)
+        plan = self._pilot.plan(self._has)
+        self._loader.want(plan.order)
+        self._busy = self._loader.waiting > 0
+        return plan
+
+    def _shown(self, number: int, camera: Camera, plan: Plan) -> Shown:
+        """What one of a shot's pictures is drawn from."""
+        wanted = plan.wanted
+        if number:
+            wanted = self._pilot.wanted(self._viewer.cutter.cut(camera, self._pilot.settings))
+        while len(self._before) <= number:
+            self._before.append(Shown())
+        shown = self._stand_ins.shown(wanted, self._before[number], np.array(camera.position))
+        self._before[number] = shown
+        return shown
+
+    def _parts(self, shown: Shown) -> Parts:
+        splats = [one for pieces in shown.cells.values() for piece in pieces for one in self._splats(piece)]
+        leaves = {part[1] for parts in shown.leaves.values() for part in parts}
+        views = sum(len(pieces) for pieces in shown.cells.values())
+        counts = {"cells": len(shown.cells), "views": views, "leaves": len(shown.leaves)}
+        counts |= {"missing": shown.missing, "empty": shown.empty}
+        return Parts(splats, self._viewer.near.kept(sorted(leaves)), counts)
+
+    def _splats(self, piece: Piece) -> Sequence[_core.OrthoSplats]:
+        if piece.within is None:
+            return self._viewer.views.kept(piece.part)
+        if piece not in self._clipped:
+            low, high = self._opened.grid.box(*piece.within).tolist()
+            self._clipped[piece] = [one.within(low, high) for one in self._viewer.views.kept(piece.part)]
+        return self._clipped[piece]
+
+    def _trim(self, plan: Plan) -> None:
+        """Drop what no picture uses when memory is short, parts of views that are no longer drawn at once."""
+        pieces = {piece for shown in self._before for parts in shown.cells.values() for piece in parts}
+        self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
+        self._viewer.views.trim({*plan.order, *(piece.part for piece in pieces)})
+
+    def _has(self, part: Part) -> bool:
+        viewer, (level, place, _) = self._viewer, part
+        if kind(part) == RECORD:
+            return viewer.cutter.knows(level, place)
+        return place in viewer.near if kind(part) == GEOMETRY else part in viewer.views
+
+    def _drawable(self, cell: Cell) -> frozenset[int]:
+        level, place = cell
+        views = self._viewer.views.of_cell(level, place)
+        return views | {GEOMETRY} if level == 0 and self._viewer.near.keeps(place) else views
+
+    def _read(self, parts: Sequence[Part]) -> None:
+        viewer = self._viewer
+        if kind(parts[0]) == GEOMETRY:
+            viewer.near.load([place for _, place, _ in parts])
+        elif kind(parts[0]) == RECORD:
+            for tier, place, _ in parts:
+                viewer.cutter.learn(tier, place)
+        else:
+            viewer.views.load(parts)
+
+    def _received(self) -> Received:
+        views, near = self._viewer.views, self._viewer.near
+        return Received(views.reads, views.read_bytes, near.reads, near.read_bytes)
+
+    def _hear(self) -> list[Exception]:
+        news = self._loader.errors()
+        self._errors += news
+        return news
+
+    def _tell(self) -> None:
+        """Report errors of the background where the caller hears of them."""
+        for error in self._hear():
+            if self._on_error is not None:
+                self._on_error(error)
+            else:
+                warnings.warn(f"{type(error).__name__}: {error}", RuntimeWarning, stacklevel=2)
+
+
+class _Moment(Renderable):
+    """A flight at a time."""
+
+    def __init__(self, flight: Flight, time: float | None) -> None:
+        self._flight, self._time = flight, time
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        return self._flight.origin
+
+    @property
+    def default_channels(self) -> tuple[str, ...]:
+        return self._flight.default_channels
+
+    @property
+    def backends(self) -> tuple[str, ...]:
+        return self._flight.backends
+
+    def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
+        check_request(shot, report)
+        return self._flight.draw(shot, self._time, report)

@@ -1,0 +1,143 @@
+"""Background threads that read what a flight wants, the most urgent first."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+
+from nearfar._base.errors import FormatError
+from nearfar.orthoview._parts import Part, kind
+
+BATCH = 8
+"""Views that a thread reads at once."""
+
+FIRST_PAUSE, LONGEST_PAUSE = 0.5, 30.0
+"""Seconds until a part that could not be read is read again; each failure in a row doubles them, up to the latter."""
+
+
+class Loader:
+    """Reads parts.
+
+    Parameters
+    ----------
+    read
+        Reads parts, all of one kind, and keeps them.
+    held
+        Whether a part is there.
+    threads
+        Number of threads.
+    """
+
+    def __init__(self, read: Callable[[Sequence[Part]], None], held: Callable[[Part], bool], threads: int) -> None:
+        self._read, self._held = read, held
+        self._queue: deque[Part] = deque()
+        self._busy: set[Part] = set()
+        self._damaged: set[Part] = set()
+        self._pause, self._until = FIRST_PAUSE, 0.0
+        self._errors: list[Exception] = []
+        self._is_reported = False
+        self._is_closed = False
+        self._changed = threading.Condition()
+        self._threads = [
+            threading.Thread(target=self._work, name="nearfar-flight", daemon=True) for _ in range(threads)
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    def want(self, parts: Sequence[Part]) -> None:
+        """Read these parts, the first ones first, and none of those that were wanted before."""
+        with self._changed:
+            self._queue = deque(
+                part for part in parts if part not in self._busy and part not in self._damaged and not self._held(part)
+            )
+            self._changed.notify_all()
+
+    @property
+    def waiting(self) -> int:
+        """Number of parts that are read or wait for it."""
+        with self._changed:
+            return len(self._queue) + len(self._busy)
+
+    def wait(self, seconds: float | None) -> bool:
+        """Wait until all that is wanted was read; False if it was not within some seconds, or cannot be now."""
+        with self._changed:
+            return self._changed.wait_for(self._is_done, seconds) and not self._queue
+
+    def _is_done(self) -> bool:
+        return not self._busy and (not self._queue or self._is_reported or self._is_closed)
+
+    def errors(self) -> list[Exception]:
+        """The errors since the last call: each damaged part once; of places that cannot be reached the first one."""
+        with self._changed:
+            found, self._errors = self._errors, []
+            return found
+
+    def forget(self) -> None:
+        """Try again what was damaged."""
+        with self._changed:
+            self._damaged.clear()
+
+    def close(self) -> None:
+        """Stop the threads, and wait for what they read."""
+        with self._changed:
+            self._is_closed = True
+            self._queue.clear()
+            self._changed.notify_all()
+        for thread in self._threads:
+            thread.join()
+
+    def _work(self) -> None:
+        while batch := self._next():
+            self._try(batch)
+
+    def _next(self) -> list[Part]:
+        """The next parts to read; none when the flight is over."""
+        with self._changed:
+            while not self._is_closed and (not self._queue or time.monotonic() < self._until):
+                self._changed.wait(max(self._until - time.monotonic(), 0.0) if self._queue else None)
+            batch: list[Part] = []
+            while self._queue and not self._is_closed and len(batch) < BATCH:
+                if batch and kind(batch[0]) != kind(self._queue[0]):
+                    break
+                batch.append(self._queue.popleft())
+            self._busy.update(batch)
+            return batch
+
+    def _try(self, batch: Sequence[Part]) -> None:
+        try:
+            self._read(batch)
+        except FormatError as error:
+            if len(batch) > 1:  # the others may be sound
+                for part in batch:
+                    self._try([part])
+                return
+            self._end(batch, error)
+            with self._changed:
+                self._damaged.update(batch)
+        except Exception as error:
+            self._fail(batch, error)
+        else:
+            self._succeed(batch)
+
+    def _succeed(self, batch: Sequence[Part]) -> None:
+        with self._changed:
+            self._pause, self._until, self._is_reported = FIRST_PAUSE, 0.0, False
+        self._end(batch, None)
+
+    def _fail(self, batch: Sequence[Part], error: Exception) -> None:
+        with self._changed:
+            self._until = time.monotonic() + self._pause
+            self._pause = min(2.0 * self._pause, LONGEST_PAUSE)
+            news = not self._is_reported
+            self._is_reported = True
+            self._queue.extendleft(reversed(batch))
+        self._end(batch, error if news else None)
+
+    def _end(self, batch: Sequence[Part], error: Exception | None) -> None:
+        with self._changed:
+            self._busy.difference_update(batch)
+            if error is not None:
+                self._errors.append(error)
+            self._changed.notify_all()

@@ -1,0 +1,82 @@
+"""How a viewer moves, and where that leads."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._camera.camera import Camera
+
+WINDOW = 0.25
+"""Seconds over which speed is measured."""
+
+FARTHEST_TURN = math.pi / 2
+"""Greatest turn that is foreseen, radians."""
+
+
+class Motion:
+    """Speed and turn of a viewer, from where it was in the last moments."""
+
+    def __init__(self) -> None:
+        self._seen: deque[tuple[float, Camera]] = deque()
+
+    def add(self, camera: Camera, time: float) -> None:
+        """Note where the viewer is; times that do not rise begin anew."""
+        if self._seen and time <= self._seen[-1][0]:
+            self._seen.clear()
+        self._seen.append((time, camera))
+        while len(self._seen) > 2 and self._seen[1][0] <= time - WINDOW:
+            self._seen.popleft()
+
+    @property
+    def velocity(self) -> NDArray[np.float64]:
+        """Metres a second (3,)."""
+        if len(self._seen) < 2:
+            return np.zeros(3)
+        (begin, first), (end, last) = self._seen[0], self._seen[-1]
+        moved: NDArray[np.float64] = np.subtract(last.position, first.position) / (end - begin)
+        return moved
+
+    @property
+    def turn(self) -> NDArray[np.float64]:
+        """Radians a second about a world axis (3,)."""
+        if len(self._seen) < 2:
+            return np.zeros(3)
+        (begin, first), (end, last) = self._seen[0], self._seen[-1]
+        x, y, z, w = _product(last.orientation, _inverse(first.orientation))
+        axis = np.array([x, y, z]) * (1.0 if w >= 0.0 else -1.0)
+        length = float(np.linalg.norm(axis))
+        angle = 2.0 * math.atan2(length, abs(w))
+        return axis * (angle / length / (end - begin)) if length > 0.0 else np.zeros(3)
+
+    def after(self, seconds: float, offset: NDArray[np.float64]) -> Camera:
+        """The viewer after some seconds of the same turn, at an offset in metres from where it is."""
+        camera = self._seen[-1][1]
+        turn = self.turn * seconds
+        angle = float(np.linalg.norm(turn))
+        if angle > FARTHEST_TURN:
+            turn *= FARTHEST_TURN / angle
+            angle = FARTHEST_TURN
+        x, y, z = (turn * (math.sin(angle / 2.0) / angle)).tolist() if angle > 0.0 else (0.0, 0.0, 0.0)
+        turned = np.array(_product((x, y, z, math.cos(angle / 2.0)), camera.orientation))
+        a, b, c, d = (turned / np.linalg.norm(turned)).tolist()
+        px, py, pz = (np.array(camera.position) + offset).tolist()
+        return replace(camera, position=(px, py, pz), orientation=(a, b, c, d))
+
+
+Quaternion = tuple[float, float, float, float]
+
+
+def _inverse(one: Quaternion) -> Quaternion:
+    x, y, z, w = one
+    return -x, -y, -z, w
+
+
+def _product(one: Quaternion, other: Quaternion) -> Quaternion:
+    a, b = np.array(one[:3]), np.array(other[:3])
+    x, y, z = (one[3] * b + other[3] * a + np.cross(a, b)).tolist()
+    return x, y, z, one[3] * other[3] - float(a @ b)

@@ -1,0 +1,117 @@
+"""A store that is open for viewing: what draws its pictures, and what a newer generation keeps of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import formats
+from nearfar._base.errors import FormatError
+from nearfar.orthoview import _store
+from nearfar.orthoview._chunks import Chunks, Generation
+from nearfar.orthoview._cut import Cutter
+from nearfar.orthoview._files import Files
+from nearfar.orthoview._geometry_store import names
+from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
+from nearfar.orthoview._near import Near
+from nearfar.orthoview._parts import GEOMETRY, Part
+from nearfar.orthoview._viewer import Viewer
+from nearfar.orthoview._views import ViewKey, Views
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A complete store at one of its generations."""
+
+    files: Files
+    layout: Layout
+    generation: int
+    cache_bytes: int
+    chunks: Chunks
+    viewer: Viewer
+
+    @classmethod
+    def of(cls, files: Files, layout: Layout, generation: int, cache_bytes: int) -> Opened:
+        """Open the documents of a generation."""
+        listed = _store.Listed(files, layout)
+        chunks = Chunks(files, layout, _store.recorded_generations(files, layout, generation, listed))
+        cutter = Cutter(layout, _store.cells_of(files, layout, generation, listed))
+        views, near = Views(files.place, chunks, layout, cache_bytes), Near(files.place, chunks, layout.grid)
+        return cls(files, layout, generation, cache_bytes, chunks, Viewer(cutter, views, near))
+
+    @property
+    def grid(self) -> Grid:
+        """The tree's cells."""
+        return self.layout.grid
+
+    @property
+    def units(self) -> NDArray[np.float64]:
+        """The tree's directions as unit vectors (D, 3)."""
+        return np.array([_core.orthoview_axes(direction)[0][2] for direction in self.layout.directions])
+
+    def sizes(self, parts: Sequence[Part]) -> list[int]:
+        """Bytes of views, and of the geometry of leaves without their textures."""
+        layers = ("", BEHIND)[: self.layout.layers]
+        keys = [
+            (level, place, self.layout.array(level, direction, layer + channel))
+            for level, place, direction in parts
+            if direction != GEOMETRY
+            for layer in layers
+            for channel in CHANNELS
+        ]
+        lengths = iter(self.chunks.lengths(keys))
+        each = len(layers) * len(CHANNELS)
+        return [
+            self._geometry_size(place) if direction == GEOMETRY else sum(islice(lengths, each))
+            for _, place, direction in parts
+        ]
+
+    def _geometry_size(self, place: Place) -> int:
+        return sum(len(self.chunks.geometry(name) or b"") for name in names(self.grid, place))
+
+    def newer(self) -> Opened | None:
+        """The newest generation, with the views and leaves of this one that it did not change; None if this is it."""
+        attributes = _store.read(self.files)
+        with formats.guarded(f"{self.files.place}/{_store.DOCUMENT}"):
+            newest = int(attributes["generation"])
+            same = Layout.from_described(attributes["layout"]) == self.layout
+        if newest <= self.generation:
+            return None
+        if not same:
+            raise FormatError(f"{self.files.place}: another tree was built in this place, open it anew")
+        made = Opened.of(self.files, self.layout, newest, self.cache_bytes)
+        overlays = _store.generations(self.files, newest)[: newest - self.generation]
+        made.viewer.views.take_over(self.viewer.views, _changed_views(self.layout, overlays))
+        made.viewer.near.take_over(self.viewer.near, _changed_leaves(self.grid, overlays))
+        return made
+
+
+def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[ViewKey], bool]:
+    """Whether generations may have another view: they have a shard with its place."""
+
+    def changed(key: ViewKey) -> bool:
+        level, place, direction = key
+        array = layout.array(level, direction, CHANNELS[0])
+        path = layout.shard_path(array, layout.shard_of(level, place)[0]).as_posix()
+        return any(overlay.shards is not None and path in overlay.shards for overlay in overlays)
+
+    return changed
+
+
+def _changed_leaves(grid: Grid, overlays: list[Generation]) -> Callable[[Place], bool]:
+    """Whether generations have another file of a leaf."""
+
+    def changed(place: Place) -> bool:
+        return any(
+            overlay.geometry is not None and name in overlay.geometry
+            for overlay in overlays
+            for name in names(grid, place)
+        )
+
+    return changed

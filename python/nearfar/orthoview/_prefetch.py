@@ -1,0 +1,174 @@
+"""Prefetching: what a viewer needs soon, from cuts at positions ahead."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._camera.camera import Camera, Fov
+from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
+from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._parts import Part, leaf_parts, records_of
+
+RENEWED_AFTER = 0.1
+"""Metres that a viewer moves before the queue is renewed, in metres of look-ahead."""
+
+_AXES = np.array([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]], np.float64)
+"""Directions of the positions ahead of a viewer at rest."""
+
+SIDEWAYS = math.tan(math.radians(15.0))
+"""Tangent of the angle between a viewer's course and the outer positions ahead."""
+
+
+@dataclass(frozen=True, eq=False)
+class PrefetchQueue:
+    """What a viewer needs now and soon, in the order in which it is best read."""
+
+    needed: list[Part]
+    """Level, place and direction of each view of the cut at the position, the nearest first; of the geometry of a leaf
+    with the direction −1."""
+    soon: list[Part]
+    """Those that the cuts at the positions ahead have beside them: of each position in turn, by distance and level."""
+    positions: NDArray[np.float64]
+    """World positions ahead (N, 3), metres."""
+    ahead: float
+    """Distance of the positions ahead, metres: the side of the smallest cell of the cut."""
+    unknown: list[Part] = field(default_factory=list, repr=False)
+    """Records that were not read, in whose subtrees nothing is queued. Queues of trees have none."""
+
+    @property
+    def renewed_after(self) -> float:
+        """Metres that the viewer moves before the queue is to be asked for anew: a tenth of the look-ahead."""
+        return RENEWED_AFTER * self.ahead
+
+    def __len__(self) -> int:
+        """Number of parts, those that are needed now and those of later."""
+        return len(self.needed) + len(self.soon)
+
+
+class Outlook:
+    """Which cells come into the pictures of cameras, or may when these turn by a margin.
+
+    Parameters
+    ----------
+    cameras
+        Of now and of moments ahead.
+    margin
+        Radians around their pictures; None for all around.
+    """
+
+    def __init__(self, cameras: Iterable[Camera], margin: float | None) -> None:
+        self._planes: list[NDArray[np.float64]] = []
+        """Inward normals (4, 3) of the sides of each picture, fewer where it ends beyond a right angle; none if all
+        cells count."""
+        for camera in cameras:
+            if margin is None or not isinstance(camera.fov, Fov):
+                self._planes = []
+                return
+            self._planes.append(_sides(camera, camera.fov, margin))
+
+    def sees(
+        self, eye: NDArray[np.float64], corners: NDArray[np.float64], sides: NDArray[np.float64]
+    ) -> NDArray[np.bool_]:
+        """Whether cells (N,), given by their least corners (N, 3) and sides (N,), reach into one of the pictures."""
+        if not self._planes:
+            return np.ones(len(corners), bool)
+        half = sides[:, None] / 2.0
+        to = corners + half - eye
+        # The corner that lies farthest inwards decides.
+        inside = [(to @ planes.T + half * np.abs(planes).sum(axis=1) >= 0.0).all(axis=1) for planes in self._planes]
+        seen: NDArray[np.bool_] = np.any(inside, axis=0)
+        return seen
+
+
+def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
+    """Inward normals of the sides of a picture that is wider by a margin in radians."""
+    right, up, back = axes(camera)
+    found = []
+    for across, ends in ((right, (fov.left, fov.right)), (up, (fov.down, fov.up))):
+        for sign, tangent in zip((1.0, -1.0), ends, strict=True):
+            angle = math.atan(-sign * tangent) + margin
+            if angle < math.pi / 2.0:
+                found.append(sign * math.cos(angle) * across - math.sin(angle) * back)
+    return np.array(found).reshape(-1, 3)
+
+
+def axes(camera: Camera) -> NDArray[np.float64]:
+    """The unit vectors to the right, upwards and backwards of a camera, as rows."""
+    x, y, z, w = camera.orientation
+    return np.array(
+        [
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)],
+            [2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)],
+            [2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)],
+        ]
+    )
+
+
+def smallest(cut: OrthoCut, grid: Grid) -> float:
+    """Side of the smallest cell of a cut, metres; of the whole world for one without any."""
+    if len(cut.leaves):
+        return grid.cell
+    return grid.side(int(cut.level.min()) if len(cut) else grid.levels - 1)
+
+
+def offsets(ahead: float, course: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    """Where to look ahead, relative to the viewer (N, 3), metres: along its course and beside it, or to all sides."""
+    if course is None:
+        return ahead * _AXES
+    across = np.cross(course, _AXES[np.abs(course).argmin() * 2])
+    across /= np.linalg.norm(across)
+    other = np.cross(course, across)
+    outer = [course + SIDEWAYS * side for side in (across, -across, other, -other)]
+    return ahead * np.array([0.5 * course, course, *(each / np.linalg.norm(each) for each in outer)])
+
+
+def queue(
+    cutter: Cutter,
+    settings: Settings,
+    here: Camera,
+    ahead: Sequence[Camera],
+    outlook: Outlook,
+) -> PrefetchQueue:
+    """The parts of the cut at a position and at positions ahead, of cells that an outlook sees."""
+    here_cut = cutter.cut(here, settings, around=True)
+    needed = seen_parts(cutter, here_cut, here, outlook)
+    unknown = dict.fromkeys(records_of(here_cut))
+    later: dict[Part, tuple[int, float, int]] = {}
+    eye = np.array(here.position)
+    for stage, camera in enumerate(ahead):
+        cut = cutter.cut(camera, settings, around=True)
+        unknown |= dict.fromkeys(records_of(cut))
+        for part in seen_parts(cutter, cut, camera, outlook):
+            if part not in needed and part not in later:
+                level, place, _ = part
+                later[part] = stage, _distance(cutter.grid, level, place, eye), level
+    soon = sorted(later, key=later.__getitem__)
+    positions = np.array([camera.position for camera in ahead]).reshape(-1, 3)
+    return PrefetchQueue(list(needed), soon, positions, smallest(here_cut, cutter.grid), list(unknown))
+
+
+def seen_parts(cutter: Cutter, cut: OrthoCut, camera: Camera, outlook: Outlook) -> dict[Part, None]:
+    """Parts of the cells of a cut that an outlook sees: geometry, then views, the nearest cells first."""
+    grid, eye = cutter.grid, np.array(camera.position)
+    origin = np.array(grid.origin)
+    leaves = origin + cut.leaves * grid.cell
+    is_near = outlook.sees(eye, leaves, np.full(len(leaves), grid.cell)) | cut.leaf_in_picture
+    near = [(x, y, z) for x, y, z in cut.leaves[is_near].tolist()]
+    found: dict[Part, None] = dict.fromkeys(leaf_parts(near, cutter))
+    sides = grid.cell * np.exp2(cut.level.astype(np.float64))
+    is_seen = outlook.sees(eye, origin + cut.place * sides[:, None], sides) | cut.in_picture
+    rows = zip(cut.level[is_seen].tolist(), cut.place[is_seen].tolist(), cut.directions[is_seen].tolist(), strict=True)
+    for level, (x, y, z), directions in rows:
+        found |= {(level, (x, y, z), direction): None for direction in directions if direction >= 0}
+    return found
+
+
+def _distance(grid: Grid, level: int, place: Place, eye: NDArray[np.float64]) -> float:
+    """Distance of the nearest point of a cell, metres."""
+    low = np.array(grid.corner(level, place))
+    return float(np.linalg.norm(eye - np.clip(eye, low, low + grid.side(level))))

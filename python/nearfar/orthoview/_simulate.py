@@ -1,0 +1,191 @@
+"""Flights over a link on a virtual clock."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, SupportsFloat, SupportsIndex
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check, plot
+from nearfar._camera.camera import Camera
+from nearfar.orthoview._client import Client
+from nearfar.orthoview._cut import Cutter
+from nearfar.orthoview._flown import MARGIN
+from nearfar.orthoview._meter import Received
+from nearfar.orthoview._parts import RECORD, Part, kind
+from nearfar.orthoview._pilot import Ahead, Pilot, Plan
+from nearfar.orthoview._shown import settings_of
+from nearfar.orthoview._tree import OrthoTree
+from nearfar.stream._link import Link
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+VALUES = ("bytes", "missing", "error_px")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class FlightLog:
+    """Frames of a simulated flight, (N,) each."""
+
+    time: NDArray[np.float64]
+    """Seconds."""
+    missing: NDArray[np.int64]
+    """Parts of the picture's cut, views or files of geometry, that were not there."""
+    wanted: NDArray[np.int64]
+    """Parts of the picture's cut."""
+    error_px: NDArray[np.float64]
+    """Greatest width of a view's pixels of the cut, in pixels of the picture."""
+    received: NDArray[np.int64]
+    """Bytes that had come."""
+    asked: int
+    """Bytes of all that was asked for."""
+
+    @property
+    def stalled(self) -> NDArray[np.bool_]:
+        """Whether a frame lacked a part of its cut (N,)."""
+        stalled: NDArray[np.bool_] = self.missing > 0
+        return stalled
+
+    @property
+    def coarser(self) -> NDArray[np.bool_]:
+        """Whether a frame's cut was coarser than wanted, because the viewer was too fast (N,)."""
+        coarser: NDArray[np.bool_] = self.error_px > self.error_px.min()
+        return coarser
+
+    def plot(self, ax: Axes | None = None, *, value: str = "bytes") -> Axes:
+        """Plot one value over time with matplotlib.
+
+        Parameters
+        ----------
+        ax
+            Axes of matplotlib; new ones by default.
+        value
+            "bytes" that have come, "missing" or "error_px".
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is not installed.
+        ValueError, TypeError
+            For other names, and for what is not axes.
+        """
+        check.choice("value", value, VALUES)
+        rows = {"bytes": self.received, "missing": self.missing, "error_px": self.error_px}
+        return plot.over_time(ax, self.time, rows[value], value, steps=True)
+
+    def __repr__(self) -> str:
+        return (
+            f"FlightLog({len(self.time):,} frames, {self.stalled.mean():.1%} stalled, "
+            f"{self.coarser.mean():.1%} coarser, {self.asked:,} bytes)"
+        )
+
+
+def simulate(
+    tree: OrthoTree,
+    cameras: Sequence[Camera],
+    *,
+    link: Link,
+    rate: SupportsFloat = 72.0,
+    views: SupportsIndex = 3,
+    error_px: SupportsFloat = 1.0,
+    geometry: bool = True,
+    prefetch: bool = True,
+    margin_deg: SupportsFloat | None = MARGIN,
+    adapt: bool = True,
+    cache_bytes: SupportsIndex = 1 << 30,
+    seed: SupportsIndex = 0,
+) -> FlightLog:
+    """Fly through a tree over a link as `OrthoTree.fly` does, on a virtual clock; nothing is drawn.
+
+    At most 16 parts are asked for at a time, each by one request for the bytes of all its channels. Reading records
+    and decoding take no time.
+
+    Parameters
+    ----------
+    tree
+        The tree.
+    cameras
+        The view of each frame.
+    link
+        The link to the store.
+    rate
+        Frames a second, 1 to 1000.
+    views, error_px, geometry, prefetch, margin_deg, adapt
+        As in `OrthoTree.fly`.
+    cache_bytes
+        Bytes of files that are kept, those of one picture and of the positions ahead at least.
+    seed
+        Seed of the lost packets.
+
+    Returns
+    -------
+    FlightLog
+        What was there, frame by frame.
+
+    Raises
+    ------
+    ValueError
+        Values out of range, no cameras, a tree that is not complete.
+    TypeError
+        Arguments of another type.
+    FormatError, OSError
+        Parts of the store that are damaged, or that cannot be read.
+
+    References
+    ----------
+    Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.3.
+    """
+    own = check.instance("tree", tree, OrthoTree)
+    several = check.items("cameras", cameras, Camera, "a sequence of Cameras")
+    if not several:
+        raise ValueError("cameras: expected at least one, got none")
+    check.instance("link", link, Link)
+    frames = check.within("rate", rate, 1.0, 1000.0)
+    margin = None if margin_deg is None else math.radians(check.within("margin_deg", margin_deg, 0.0, 180.0))
+    ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
+    opened = own.opened()
+    cutter = opened.viewer.cutter
+    planner = _Planned(Pilot(cutter, settings_of(views, error_px, geometry), ahead), cutter)
+    kept = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
+    client = Client(planner, opened.sizes, link, kept, check.integer("seed", seed, 0, 2**63 - 1))
+    return flown(client, several, frames)
+
+
+def flown(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
+    """The frames of a client."""
+    for number, camera in enumerate(cameras):
+        client.frame(camera, number / rate)
+    course = client.course
+    return FlightLog(
+        np.arange(len(cameras)) / rate,
+        np.array(course.missing, np.int64),
+        np.array(course.wanted, np.int64),
+        np.array(course.error_px, np.float64),
+        np.array(course.received, np.int64),
+        course.asked,
+    )
+
+
+class _Planned:
+    """The plans of a pilot that knows all records."""
+
+    def __init__(self, pilot: Pilot, cutter: Cutter) -> None:
+        self._pilot, self._cutter = pilot, cutter
+
+    def __call__(
+        self, camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
+    ) -> Plan:
+        self._pilot.meter.note(time, received, busy=busy)
+        self._pilot.look(camera, time)
+        while True:
+            plan = self._pilot.plan(held)
+            unknown = [part for part in plan.order if kind(part) == RECORD]
+            if not unknown:
+                return plan
+            for tier, place, _ in unknown:
+                self._cutter.learn(tier, place)
