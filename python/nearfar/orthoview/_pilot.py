@@ -29,7 +29,7 @@ HORIZON = 1.0
 STEPS = 10
 """Number of steps by which a picture becomes coarser when the viewer is too fast; each step is a factor of √2."""
 
-SLACK = 1.25
+SLACK = 1.5
 """Factor by which the limit of the speed must exceed the speed before the picture becomes finer again."""
 
 SHARE = 0.8
@@ -127,7 +127,9 @@ class Pilot:
         wanted = self.wanted(cut)
         if not self._base:
             self._base = self._top(camera)
-        order = [*records_of(cut), *self._base, *records, *chain(*wanted.values()), *coming, *soon]
+        # A finer picture can wait until nothing else does.
+        then = [*soon, *coming] if self._wished < self._error else [*coming, *soon]
+        order = [*records_of(cut), *self._base, *records, *chain(*wanted.values()), *then]
         return Plan(wanted, list(dict.fromkeys(order)), self._error)
 
     def wanted(self, cut: OrthoCut) -> Wanted:
@@ -198,8 +200,6 @@ class Pilot:
     def _limit(self, way: tuple[Camera, Camera], metres: float, outlook: Outlook, settings: Settings) -> float:
         """Speed at which the parts that come into sight on a way are read as fast as they are needed."""
         cutter = self._cutter
-        here, there = (
-            seen_parts(cutter, cutter.cut(camera, settings, around=True), camera, outlook) for camera in way
-        )
+        here, there = (seen_parts(cutter, cutter.cut(camera, settings, around=True), camera, outlook) for camera in way)
         count = sum(self.meter.bytes_of(part) for part in there.keys() - here.keys())
         return SHARE * self.meter.rate * metres / count if count > 0.0 else math.inf
