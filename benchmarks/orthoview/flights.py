@@ -1,0 +1,199 @@
+"""Flights over links: stalls and bytes with prefetching and without, beside a client of 3D Tiles; bytes a metre.
+
+    python -m benchmarks.orthoview.flights stalls TREE             # speeds and links, on a virtual clock
+    python -m benchmarks.orthoview.flights speed TREE              # ever faster: pictures that adapt, and stalls
+    python -m benchmarks.orthoview.flights growth TREE --tiles FOLDER  # bytes a metre in worlds of growing extent
+
+TREE is a store of the whole of Tokyo with geometry. The client of 3D Tiles reads the same leaves by screen-space error:
+only leaves have content, and each is refined down to that.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from collections.abc import Callable, Iterator
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from nearfar.orthoview._client import Client
+from nearfar.orthoview._cut import Cutter, Settings
+from nearfar.orthoview._meter import Received
+from nearfar.orthoview._parts import GEOMETRY, Part
+from nearfar.orthoview._pilot import Plan
+from nearfar.orthoview._simulate import flown
+
+RATE, SECONDS = 72, 60
+FOV, PICTURE = nf.Fov.symmetric(60, 4 / 3), (640, 480)
+START = (-8000.0, -3000.0)
+"""Where flights begin, in Tokyo's metres."""
+WAYS = {"walk": (1.5, 2.0), "drive": (14.0, 30.0), "helicopter": (50.0, 120.0), "aeroplane": (150.0, 400.0)}
+"""Metres a second and of height."""
+LINKS = (20.0, 50.0, 100.0)
+"""Megabits a second."""
+RTT = 30.0
+FINEST = 1e-6
+"""Error at which all leaves in sight are geometry: by this tileset's errors 3D Tiles refines all within 30 km."""
+LOOKS = 8
+"""Frames after which the client of 3D Tiles looks for tiles again: each look takes long here."""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("what", choices=WHAT)
+    parser.add_argument("tree", help="store of the whole of Tokyo")
+    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
+    parser.add_argument("--trees", type=Path, help="folder for trees of parts; by default one that is removed")
+    parser.add_argument("--out", type=Path, help="folder for the plots")
+    given = parser.parse_args()
+    print(machine(), "\n")
+    WHAT[given.what](given)
+
+
+def flight(speed: float, height: float, seconds: float = SECONDS) -> list[nf.Camera]:
+    """Frames of a flight in long curves, with a look a little downwards."""
+    place, angle, cameras = np.array([START[0], height, START[1]]), 0.3, []
+    for frame in range(int(seconds * RATE)):
+        angle += 0.4 * np.sin(0.8 * frame / RATE) / RATE
+        ahead = np.array([np.cos(angle), 0.0, np.sin(angle)])
+        place = place + ahead * (speed / RATE)
+        cameras.append(nf.Camera.look_at(place, place + ahead - [0.0, 0.15, 0.0], fov=FOV, size=PICTURE))
+    return cameras
+
+
+class Tiles:
+    """The plans of a client of 3D Tiles: all leaves in the picture, the nearest first."""
+
+    def __init__(self, cutter: Cutter) -> None:
+        self._cutter = cutter
+        self._frames = 0
+        self._plan = Plan({}, [], FINEST)
+
+    def __call__(
+        self, camera: nf.Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
+    ) -> Plan:
+        """The tiles in the picture."""
+        self._frames += 1
+        if self._frames % LOOKS == 1:
+            self._plan = self._look(camera)
+        return self._plan
+
+    def _look(self, camera: nf.Camera) -> Plan:
+        cut = self._cutter.whole(camera, Settings(error_px=FINEST))
+        wanted = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
+        return Plan(wanted, list(chain(*wanted.values())), FINEST)
+
+
+def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
+    opened = tree.opened()
+    return flown(Client(Tiles(opened.viewer.cutter), opened.sizes, link, 1 << 40, 0), cameras, RATE)
+
+
+def stalls(given: argparse.Namespace) -> None:
+    tree, rows = nf.orthoview.open(given.tree), []
+    for way, (speed, height) in WAYS.items():
+        cameras = flight(speed, height)
+        for mbps in LINKS:
+            link = nf.stream.Link(mbps=mbps, rtt_ms=RTT)
+            bare = nf.orthoview.simulate(tree, cameras, link=link, prefetch=False, adapt=False)
+            ahead = nf.orthoview.simulate(tree, cameras, link=link, adapt=False)
+            for name, log in (("on demand", bare), ("prefetch", ahead), ("3D Tiles", tiles(tree, cameras, link))):
+                rows.append([f"{way}, {speed:g} m/s", f"{mbps:g}", name, *_row(log, bare)])
+                print(rows[-1], flush=True)
+    print(table(["way", "Mb/s", "client", "first, s", "stalled, %", "after first, %", "MB", "bytes, ×"], rows))
+
+
+def _row(log: nf.orthoview.FlightLog, bare: nf.orthoview.FlightLog) -> list[str]:
+    first = int(np.argmin(log.stalled)) if not log.stalled.all() else len(log.time)
+    later = 100 * log.stalled[first:].mean() if first < len(log.time) else np.nan
+    share = f"{100 * log.stalled.mean():.1f}"
+    return [f"{first / RATE:.1f}", share, f"{later:.1f}", f"{log.asked / 1e6:.1f}", f"{log.asked / bare.asked:.2f}"]
+
+
+def speed(given: argparse.Namespace) -> None:
+    """Ever faster at one height, over a link that is too slow for the last of them."""
+    tree, rows, link = nf.orthoview.open(given.tree), [], nf.stream.Link(mbps=20.0, rtt_ms=RTT)
+    for metres in (50.0, 100.0, 200.0, 400.0):
+        cameras = flight(metres, 120.0, 30)
+        for name, adapt in (("wanted error", False), ("adapts", True)):
+            log = nf.orthoview.simulate(tree, cameras, link=link, adapt=adapt)
+            later = log.time >= 10.0
+            error = log.error_px[later]
+            numbers = [f"{100 * log.stalled[later].mean():.1f}", f"{error.mean():.2f}", f"{error.max():.2f}"]
+            rows.append([f"{metres:g}", name, *numbers, f"{log.asked / 1e6:.1f}"])
+    print(table(["m/s", "picture", "stalled after 10 s, %", "mean error, px", "greatest", "MB"], rows))
+
+
+def growth(given: argparse.Namespace) -> None:
+    """Bytes that come into the picture for each metre, by the world's extent."""
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for side, tree in _worlds(given, given.trees or Path(folder)):
+            row: list[str] = [f"{side / 1e3:g}", f"{tree.held['leaves']:,}", f"{tree.held['bytes'] / 1e6:.0f}"]
+            for name in ("walk", "helicopter"):
+                parts, first, later = _asked(tree, WAYS[name][1])
+                row += [f"{parts:.0f}", f"{first / 1e6:.2f}", f"{later / 1e3:.2f}"]
+            rows.append(row)
+            print(row, flush=True)
+    each = ["parts", "first picture, MB", "kB a metre"]
+    print(table(["side, km", "leaves", "MB", *each, *(f"{name}, 120 m" for name in each)], rows))
+    if given.out is not None:
+        _plot(rows, given.out)
+
+
+def _worlds(given: argparse.Namespace, folder: Path) -> Iterator[tuple[float, nf.orthoview.OrthoTree]]:
+    """Squares about the flights' start, then the whole."""
+    source, whole = nf.open_source(given.tiles), nf.orthoview.open(given.tree)
+    low, high = whole.bounds
+    for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0):
+        corner = np.array([START[0] - side / 2, low[1], START[1] - side / 2])
+        box = np.array([corner, np.add(corner, [side - 1e-3, high[1] - low[1], side - 1e-3])])
+        yield (
+            side,
+            nf.orthoview.build(
+                source, folder / f"{side:g}.zarr", cell=whole.cell, aabb=box, size=whole.size, directions=9
+            ),
+        )
+    yield float((high - low).max()), whole
+
+
+def _asked(tree: nf.orthoview.OrthoTree, height: float) -> tuple[float, int, int]:
+    """Mean number of parts of a picture, bytes of the first, and bytes that come for each metre of 400."""
+    opened = tree.opened()
+    cutter, seen = opened.viewer.cutter, dict[Part, None]()
+    counts, first, metres = [], 0, 400
+    for metre in range(metres + 1):
+        eye = np.array([START[0] - metres / 2 + metre, height, START[1]])
+        camera = nf.Camera.look_at(eye, np.add(eye, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
+        cut = cutter.whole(camera, Settings())
+        leaves = cutter.with_guests(cut.leaf_places(in_picture=True))
+        parts: list[Part] = [*((0, place, GEOMETRY) for place in leaves), *cut.keys(in_picture=True)]
+        counts.append(len(parts))
+        seen |= dict.fromkeys(parts)
+        if metre == 0:
+            first = sum(opened.sizes(list(seen)))
+    return float(np.mean(counts)), first, (sum(opened.sizes(list(seen))) - first) // metres
+
+
+def _plot(rows: list[list[str]], out: Path) -> None:
+    import matplotlib.pyplot as plt
+
+    sides = [float(row[0]) for row in rows]
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
+    for axes, column, label in ((left, 3, "views and leaves of a picture"), (right, 5, "kB for each metre")):
+        for offset, name in ((0, "walker"), (3, "120 m above")):
+            axes.plot(sides, [float(row[column + offset]) for row in rows], marker="o", label=name)
+        axes.set(xscale="log", xlabel="side of the world, km", ylabel=label)
+        axes.set_ylim(bottom=0)
+    left.legend(fontsize="small")
+    figure.savefig(out / "orthoview_growth.png", dpi=110)
+
+
+WHAT = {"stalls": stalls, "speed": speed, "growth": growth}
+
+if __name__ == "__main__":
+    main()
