@@ -104,7 +104,7 @@ def stalls(given: argparse.Namespace) -> None:
             for name, log in (("on demand", bare), ("prefetch", ahead), ("3D Tiles", tiles(tree, cameras, link))):
                 rows.append([f"{way}, {speed:g} m/s", f"{mbps:g}", name, *_row(log, bare)])
                 print(rows[-1], flush=True)
-    print(table(["way", "Mb/s", "client", "first, s", "stalled, %", "after first, %", "MB", "bytes, ×"], rows))
+    print(table("", ["way", "Mb/s", "client", "first, s", "stalled, %", "after first, %", "MB", "bytes, ×"], rows))
 
 
 def _row(log: nf.orthoview.FlightLog, bare: nf.orthoview.FlightLog) -> list[str]:
@@ -125,7 +125,7 @@ def speed(given: argparse.Namespace) -> None:
             error = log.error_px[later]
             numbers = [f"{100 * log.stalled[later].mean():.1f}", f"{error.mean():.2f}", f"{error.max():.2f}"]
             rows.append([f"{metres:g}", name, *numbers, f"{log.asked / 1e6:.1f}"])
-    print(table(["m/s", "picture", "stalled after 10 s, %", "mean error, px", "greatest", "MB"], rows))
+    print(table("", ["m/s", "picture", "stalled after 10 s, %", "mean error, px", "greatest", "MB"], rows))
 
 
 def growth(given: argparse.Namespace) -> None:
@@ -140,7 +140,7 @@ def growth(given: argparse.Namespace) -> None:
             rows.append(row)
             print(row, flush=True)
     each = ["parts", "first picture, MB", "kB a metre"]
-    print(table(["side, km", "leaves", "MB", *each, *(f"{name}, 120 m" for name in each)], rows))
+    print(table("", ["side, km", "leaves", "MB", *each, *(f"{name}, 120 m" for name in each)], rows))
     if given.out is not None:
         _plot(rows, given.out)
 

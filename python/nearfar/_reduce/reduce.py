@@ -14,11 +14,12 @@ from nearfar._reduce import stages
 from nearfar._reduce.baking import Baking
 from nearfar._reduce.drawing import check_morph
 from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._reduce.stages import Divided
 from nearfar._scene.scene import Scene, core_of
 
 
 def reduce(
-    scene: Scene,
+    scene: Scene | Divided,
     *,
     center: ArrayLike,
     r1: float,
@@ -37,7 +38,9 @@ def reduce(
     Parameters
     ----------
     scene
-        The scene.
+        The scene. Or a world that divides itself, such as an `OrthoTree` with geometry: leaves within r2 become the
+        near part, and the map is drawn from views. That needs the unit "triangle", the channels "color" and "range",
+        and the CPU.
     center
         World position O in metres that the map is baked from: an eye's height above the ground, in the middle of the
         users' area.
@@ -75,7 +78,8 @@ def reduce(
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains, and for float16 if the map's range exceeds 65,504 m.
+        For arguments out of their domains, for float16 if the map's range exceeds 65,504 m, and for a world without
+        geometry within r2.
     DeviceError
         As in `render`.
 
@@ -83,10 +87,28 @@ def reduce(
     ----------
     Popescu, Lee, Choi, Fahmy (2022): Eq. 1–3 and figure 1. "cylinder" is Alg. 1 of CloVR (2024).
     """
-    core_of(scene)
+    if not isinstance(scene, Divided):
+        core_of(scene)
     check.choice("unit", unit, UNITS)
     check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
     baking = Baking.checked(face_size, samples, channels, backend, range_dtype)
     zones: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "unit": unit}
+    if isinstance(scene, Divided):
+        if unit != "triangle":
+            raise ValueError(f"unit: expected triangle for {type(scene).__name__}, got {unit}")
+        if backend not in (None, "cpu"):
+            raise ValueError(f"backend: expected cpu for {type(scene).__name__}, got {backend}")
+        parts = stages.divided(
+            scene,
+            center=center,
+            r1=r1,
+            r2=r2,
+            boundary=boundary,
+            size=baking.face_size,
+            samples=baking.samples,
+            channels=baking.channels,
+            half=baking.half,
+        )
+        return ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking, is_whole=False)
     parts = stages.parts(scene, **zones, boundary=boundary, **baking.arguments(scene))
     return ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking)

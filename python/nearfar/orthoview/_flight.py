@@ -6,12 +6,12 @@ import math
 import threading
 import time as clock
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import TracebackType
 from typing import Self, SupportsFloat
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
@@ -20,6 +20,7 @@ from nearfar._camera.shot import Shot, check_request
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
+from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import Settings
 from nearfar.orthoview._loader import Loader
 from nearfar.orthoview._meter import Received
@@ -42,12 +43,19 @@ class Flight(Renderable):
     """
 
     def __init__(
-        self, opened: Opened, settings: Settings, ahead: Ahead, threads: int, on_error: Listener | None
+        self,
+        opened: Opened,
+        settings: Settings,
+        ahead: Ahead,
+        threads: int,
+        movers: Scene | None,
+        on_error: Listener | None,
     ) -> None:
         self._opened, self._settings, self._ahead, self._on_error = opened, settings, ahead, on_error
         self._viewer: Viewer = opened.viewer
         self._pilot = Pilot(self._viewer.cutter, settings, ahead)
         self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, settings.views)
+        self._movers = movers
         self._before: list[Shown] = []
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._lock = threading.RLock()
@@ -159,23 +167,39 @@ class Flight(Renderable):
             As in `OrthoTree.render`.
         """
         now = None if time is None else check.number("time", time)
-        renderer = Renderer(_Moment(self, now), channels, samples, argument="flight")
+        renderer = Renderer(_Moment(self, now, self._movers), channels, samples, argument="flight")
         (frame,) = renderer.frames(renderer.shot([camera], None, 0.0, math.inf, None), None, None)
         return frame
 
     def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
         """Draw the pictures of a shot from what has come; `nearfar.render` makes frames of them."""
         check_request(shot, report)
-        return self.draw(shot, None, report)
+        return self.draw(shot, None, self._movers, report)
 
-    def draw(self, shot: Shot, time: float | None, report: Report = None) -> list[Images]:
-        """The pictures of a shot at a time."""
+    @property
+    def object_names(self) -> tuple[str, ...]:
+        """Names of all objects that move, by number."""
+        return () if self._movers is None else self._movers.object_names
+
+    @property
+    def poses(self) -> dict[str, NDArray[np.float64]]:
+        """Present poses (4, 4), object→world, of the objects that move, as `at` takes them."""
+        return {} if self._movers is None else self._movers.poses
+
+    def at(self, poses: Mapping[str, ArrayLike]) -> Renderable:  # type: ignore[override]
+        """Return the same flight with objects that move in other poses; `poses` as in `Scene.at`."""
+        if self._movers is None:
+            return super().at(poses)
+        return _Moment(self, None, self._movers.at(poses))
+
+    def draw(self, shot: Shot, time: float | None, movers: Scene | None, report: Report = None) -> list[Images]:
+        """The pictures of a shot at a time, with what moves."""
         now = clock.monotonic() if time is None else time
         with self._lock:
             plan = self._plan(shot.cameras[0], now)
             views = [self._shown(number, camera, plan) for number, camera in enumerate(shot.cameras)]
             self._trim(plan)
-            parts = [self._parts(shown) for shown in views]
+            parts = [self._parts(shown, movers) for shown in views]
         self._tell()
         pictures = [
             self._viewer.picture(camera, shot, own, report) for camera, own in zip(shot.cameras, parts, strict=True)
@@ -254,13 +278,13 @@ class Flight(Renderable):
         self._before[number] = shown
         return shown
 
-    def _parts(self, shown: Shown) -> Parts:
+    def _parts(self, shown: Shown, movers: Scene | None) -> Parts:
         splats = [one for pieces in shown.cells.values() for piece in pieces for one in self._splats(piece)]
         leaves = {part[1] for parts in shown.leaves.values() for part in parts}
         views = sum(len(pieces) for pieces in shown.cells.values())
         counts = {"cells": len(shown.cells), "views": views, "leaves": len(shown.leaves)}
         counts |= {"missing": shown.missing, "empty": shown.empty}
-        return Parts(splats, self._viewer.near.kept(sorted(leaves)), counts)
+        return Parts(splats, self._viewer.near.kept(sorted(leaves)), movers, counts)
 
     def _splats(self, piece: Piece) -> Sequence[_core.OrthoSplats]:
         if piece.within is None:
@@ -316,10 +340,10 @@ class Flight(Renderable):
 
 
 class _Moment(Renderable):
-    """A flight at a time."""
+    """A flight at a time, and objects that move in their poses."""
 
-    def __init__(self, flight: Flight, time: float | None) -> None:
-        self._flight, self._time = flight, time
+    def __init__(self, flight: Flight, time: float | None, movers: Scene | None) -> None:
+        self._flight, self._time, self._movers = flight, time, movers
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -333,6 +357,14 @@ class _Moment(Renderable):
     def backends(self) -> tuple[str, ...]:
         return self._flight.backends
 
+    @property
+    def object_names(self) -> tuple[str, ...]:
+        return self._flight.object_names
+
+    @property
+    def poses(self) -> dict[str, NDArray[np.float64]]:
+        return {} if self._movers is None else self._movers.poses
+
     def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
         check_request(shot, report)
-        return self._flight.draw(shot, self._time, report)
+        return self._flight.draw(shot, self._time, self._movers, report)

@@ -77,7 +77,8 @@ class FlownTree(ShownTree):
         ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
         if on_error is not None and not callable(on_error):
             raise TypeError(f"on_error: expected a function or None, got {check.described(on_error)}")
-        return Flight(self.opened(), settings, ahead, check.integer("threads", threads, 1, MOST_THREADS), on_error)
+        workers = check.integer("threads", threads, 1, MOST_THREADS)
+        return Flight(self.opened(), settings, ahead, workers, self._movers, on_error)
 
     def prefetch_queue(
         self,

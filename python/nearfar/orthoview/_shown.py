@@ -5,13 +5,13 @@ from __future__ import annotations
 import copy
 import math
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, SupportsFloat, SupportsIndex
+from typing import Any, Self, SupportsFloat, SupportsIndex
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera
@@ -20,6 +20,7 @@ from nearfar._camera.shot import Shot, check_request
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
+from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MOST_VIEWS, OrthoCut, Settings
 from nearfar.orthoview._open import Opened
 from nearfar.orthoview._stored import StoredTree
@@ -36,6 +37,7 @@ class ShownTree(StoredTree, Renderable):
         super().__init__(path)
         self._cache_bytes = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
         self._settings = Settings()
+        self._movers: Scene | None = None
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -65,6 +67,45 @@ class ShownTree(StoredTree, Renderable):
     def __getstate__(self) -> dict[str, Any]:
         """Leave out the views that are kept: another process reads them itself."""
         return {name: value for name, value in self.__dict__.items() if name != "_viewer"}
+
+    @property
+    def object_names(self) -> tuple[str, ...]:
+        """Names of all objects that move, by number."""
+        return () if self._movers is None else self._movers.object_names
+
+    @property
+    def poses(self) -> dict[str, NDArray[np.float64]]:
+        """Present poses (4, 4), object→world, of the objects that move, as `at` takes them."""
+        return {} if self._movers is None else self._movers.poses
+
+    def with_dynamic(self, scene: Scene) -> Self:
+        """Return the same tree with objects that move, which pictures show before and behind it by their distance.
+
+        Parameters
+        ----------
+        scene
+            The objects, at their first poses. They are drawn as geometry, and `object_id` numbers them; it is −1 on all
+            else.
+
+        Raises
+        ------
+        TypeError
+            Something that is no scene.
+        """
+        core_of(scene)
+        return self._with(scene.with_dynamic(scene.object_names))
+
+    def at(self, poses: Mapping[str, ArrayLike]) -> Self:
+        """Return the same tree with objects that move in other poses; `poses` as in `Scene.at`."""
+        if self._movers is None:
+            return super().at(poses)
+        return self._with(self._movers.at(poses))
+
+    def _with(self, movers: Scene) -> Self:
+        shown = copy.copy(self)
+        shown.__dict__["_viewer"] = self._viewer  # views that it reads are kept for the next picture
+        shown._movers = movers
+        return shown
 
     def cut(
         self,
@@ -144,7 +185,7 @@ class ShownTree(StoredTree, Renderable):
         channels
             Images to compute, as in `nearfar.render`: splats have "color", "coverage", "range", "position", "normal",
             "albedo" and "shading_normal"; where they are seen, `object_id` and `face_id` are −1. On geometry these are
-            numbers within the leaves of this picture alone. The default is colour and range.
+            numbers within this picture alone, see `with_dynamic`. The default is colour and range.
 
         Returns
         -------
@@ -176,7 +217,7 @@ class ShownTree(StoredTree, Renderable):
     def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
         """Draw the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
         check_request(shot, report)
-        return self._viewer.draw(shot, self._settings, report)
+        return self._viewer.draw(shot, self._settings, self._movers, report)
 
 
 def settings_of(views: SupportsIndex, error_px: SupportsFloat, geometry: bool) -> Settings:

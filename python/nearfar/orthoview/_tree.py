@@ -13,11 +13,11 @@ from nearfar._base import card, check
 from nearfar._source.protocol import SceneSource, source_of
 from nearfar.orthoview import _compact, _preview, _update, _verify
 from nearfar.orthoview._files import Local
-from nearfar.orthoview._flown import FlownTree
+from nearfar.orthoview._near_far import NearFarTree
 from nearfar.orthoview._shown import CACHE_BYTES
 
 
-class OrthoTree(FlownTree):
+class OrthoTree(NearFarTree):
     """A world as an octree of orthographic depth images, which `nearfar.orthoview.build` makes.
 
     Parameters

@@ -14,6 +14,7 @@ from nearfar import _core
 from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._render.renderable import Images
+from nearfar._scene.joined import joined
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import Cutter, Settings, grid_of
 from nearfar.orthoview._near import Near
@@ -32,6 +33,8 @@ class Parts:
     splats: list[_core.OrthoSplats]
     near: Scene | None
     """Leaves that are drawn as geometry."""
+    movers: Scene | None
+    """What moves."""
     counts: dict[str, int]
     """Of the cut."""
 
@@ -58,9 +61,10 @@ class Viewer:
         """World position (3,) that positions in pictures are relative to, metres."""
         return self.near.origin
 
-    def draw(self, shot: Shot, settings: Settings, report: Report = None) -> list[Images]:
-        """The pictures of a shot, one for each camera."""
-        return [self.picture(camera, shot, self._gathered(camera, settings), report) for camera in shot.cameras]
+    def draw(self, shot: Shot, settings: Settings, movers: Scene | None = None, report: Report = None) -> list[Images]:
+        """The pictures of a shot with what moves, one for each camera."""
+        several = ((camera, self._gathered(camera, settings, movers)) for camera in shot.cameras)
+        return [self.picture(camera, shot, parts, report) for camera, parts in several]
 
     def picture(self, camera: Camera, shot: Shot, parts: Parts, report: Report = None) -> Images:
         """The picture of one of a shot's cameras from parts of a tree."""
@@ -94,29 +98,44 @@ class Viewer:
             own.settings,
             origin=(x, y, z),
             grid=grid,
-            before=_geometry(parts.near, camera, own, grid),
+            before=_geometry(parts, self.origin, camera, own, grid),
             report=report,
         )
         images["stats"] |= parts.counts
         return images
 
-    def _gathered(self, camera: Camera, settings: Settings) -> Parts:
+    def _gathered(self, camera: Camera, settings: Settings, movers: Scene | None) -> Parts:
         """Read a picture's parts, one picture after the other: threads may share the viewer."""
         with self._lock:
             cut = self.cutter.whole(camera, settings)
             near = self.near.scene(self.cutter.with_guests(cut.leaf_places()))
             keys = cut.keys()
             counts = {"cells": len(cut), "views": len(keys), "leaves": len(cut.leaves)}
-            return Parts(self.views.get(keys), near, counts)
+            return Parts(self.views.get(keys), near, movers, counts)
 
 
-def _geometry(scene: Scene | None, camera: Camera, shot: Shot, grid: int) -> dict[str, Any] | None:
-    """Images of the leaves that are drawn as geometry, with a pixel for each sample."""
-    if scene is None:
+def _geometry(
+    parts: Parts, origin: NDArray[np.float64], camera: Camera, shot: Shot, grid: int
+) -> dict[str, Any] | None:
+    """Images of what is drawn as geometry, with a pixel for each sample."""
+    several = [scene for scene in (parts.near, parts.movers) if scene is not None]
+    if not several:
         return None
+    scene = joined(several) if len(several) > 1 else several[0]
     width, height = camera.size
     finer = replace(camera, size=(width * grid, height * grid))
     mask = None if shot.mask is None else np.repeat(np.repeat(shot.mask, grid, axis=0), grid, axis=1)
     wanted = tuple(dict.fromkeys((*shot.channels, "range")))
     (images,) = scene.trace(replace(shot, cameras=(finer,), channels=wanted, samples=1, mask=mask))
-    return dict(images)
+    found = dict(images)
+    if "position" in found:
+        found["position"] += (scene.origin - origin).astype(np.float32)
+    if "object_id" in found and parts.movers is not None:
+        found["object_id"] = _numbered(scene, parts.movers)[found["object_id"]]
+    return found
+
+
+def _numbered(scene: Scene, movers: Scene) -> NDArray[np.int32]:
+    """Numbers among what moves of a scene's objects, −1 for others; the last one is for rays that hit nothing."""
+    numbers = {name: number for number, name in enumerate(movers.object_names)}
+    return np.array([*(numbers.get(name, -1) for name in scene.object_names), -1], np.int32)

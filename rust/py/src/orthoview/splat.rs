@@ -39,6 +39,11 @@ impl OrthoSplats {
         run::short(py, || Ok(self.0.within(DVec3::from_array(low), DVec3::from_array(high)))).map(Self)
     }
 
+    /// The splats whose middles lie at least at a distance from the vertical axis through a point.
+    fn beyond(&self, py: Python<'_>, center: [f64; 3], radius: f64) -> PyResult<Self> {
+        run::short(py, || Ok(self.0.beyond(DVec3::from_array(center), radius))).map(Self)
+    }
+
     /// Number of splats.
     #[getter]
     fn count(&self) -> usize {

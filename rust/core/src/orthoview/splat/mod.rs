@@ -6,12 +6,12 @@
 
 mod draw;
 mod lanes;
+mod part;
 mod picture;
 mod projector;
 mod resolve;
 mod screen;
 mod splats;
-mod within;
 
 pub use draw::draw;
 pub use picture::{Counts, Picture};

@@ -1,4 +1,4 @@
-//! The part of a view in a box: what stands for a smaller cell whose own views are not there yet.
+//! Parts of a view: in a box, which stands for a smaller cell whose own views are not there yet, and beyond a cylinder.
 
 use glam::DVec3;
 
@@ -7,12 +7,22 @@ use super::splats::{BLOCK, Block, BoxOfBlocks, Extent, Splats};
 impl Splats {
     /// The splats whose middles lie in a box, the sides at its high corner left out: boxes that share sides share no splats.
     pub fn within(&self, low: DVec3, high: DVec3) -> Self {
+        self.part(|middle| middle.cmpge(low).all() && middle.cmplt(high).all())
+    }
+
+    /// The splats whose middles lie at least at a distance from the vertical axis through a point.
+    pub fn beyond(&self, center: DVec3, radius: f64) -> Self {
+        self.part(|middle| (middle - center).with_y(0.0).length() >= radius)
+    }
+
+    /// The splats whose middles are accepted.
+    fn part(&self, accepts: impl Fn(DVec3) -> bool) -> Self {
         let mut part = Self { boxes: vec![], blocks: vec![], texels: vec![], ..*self };
         for source in &self.boxes {
             let (first, texel) = (part.blocks.len(), part.texels.len());
             let mut extent = Extent::NOTHING;
             for block in &self.blocks[source.blocks[0] as usize..source.blocks[1] as usize] {
-                if let Some(block) = part.take(self, block, low, high) {
+                if let Some(block) = part.take(self, block, &accepts) {
                     extent.add(&block.extent);
                     part.blocks.push(block);
                 }
@@ -25,8 +35,8 @@ impl Splats {
         part
     }
 
-    /// Adds the splats of a block of a view that lie in a box.
-    fn take(&mut self, whole: &Self, block: &Block, low: DVec3, high: DVec3) -> Option<Block> {
+    /// Adds the splats of a block of a view that are accepted.
+    fn take(&mut self, whole: &Self, block: &Block, accepts: &impl Fn(DVec3) -> bool) -> Option<Block> {
         let mut part =
             Block { extent: Extent::NOTHING, first: self.texels.len() as u32, shown: 0, surfels: 0, inner: 0, ..*block };
         let mut number = block.first as usize;
@@ -40,7 +50,7 @@ impl Splats {
             let [x, y] = [block.corner[0] + (place % BLOCK) as u16, block.corner[1] + (place / BLOCK) as u16];
             let depth = texel.depth();
             let middle = whole.place(f64::from(x) + 0.5, f64::from(y) + 0.5, f64::from(depth) - 0.5);
-            if middle.cmplt(low).any() || middle.cmpge(high).any() {
+            if !accepts(middle) {
                 continue;
             }
             part.shown |= bit;

@@ -1,0 +1,176 @@
+"""The near and the far part of a tree about a centre, as `nearfar.reduce` takes them."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Collection
+from typing import Any, SupportsFloat, SupportsIndex
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _core
+from nearfar._base import check
+from nearfar._camera.camera import Camera, CubeFace
+from nearfar._camera.shot import Shot
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._render.bake import bake
+from nearfar._scene.joined import joined
+from nearfar._scene.scene import Scene
+from nearfar.orthoview._cut import OrthoCut, grid_of
+from nearfar.orthoview._flown import FlownTree
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._shown import settings_of
+
+FACES = 6
+
+CHANNELS = ("color", "range")
+"""Channels that a map of a tree may have."""
+
+
+class NearFarTree(FlownTree):
+    """A tree that near–far reduction takes like a scene; `OrthoTree` tells what it raises."""
+
+    def near_scene(self, center: ArrayLike, radius: SupportsFloat) -> Scene | None:
+        """Read the geometry of all leaves that reach within a radius of a vertical axis, with what moves.
+
+        Parameters
+        ----------
+        center
+            World position (3,) of a point on the axis, metres.
+        radius
+            Metres.
+
+        Returns
+        -------
+        Scene or None
+            None where there is nothing.
+
+        Raises
+        ------
+        ValueError
+            Values out of range, a tree without geometry or one that is not complete.
+        FormatError, OSError
+            Files that are damaged, or that cannot be read.
+        """
+        at, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
+        if not self._layout.geometry:
+            raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
+        viewer = self._viewer
+        leaves = viewer.cutter.with_guests(self._leaves_within(at, reach))
+        parts = [scene for scene in (viewer.near.scene(leaves), self._movers) if scene is not None]
+        return joined(parts) if parts else None
+
+    def far_map(
+        self,
+        center: ArrayLike,
+        radius: SupportsFloat,
+        *,
+        face_size: SupportsIndex = 1024,
+        samples: SupportsIndex = 4,
+        channels: Collection[str] = ("color",),
+        views: SupportsIndex = 3,
+        error_px: SupportsFloat = 1.0,
+    ) -> EnvMap:
+        """Draw an environment map of what lies beyond a radius of the vertical axis through a centre.
+
+        Leaves near the centre are baked as geometry, what is farther is drawn from views. What moves is not in it.
+
+        Parameters
+        ----------
+        center
+            World position O (3,), metres.
+        radius
+            Metres.
+        face_size
+            Number of texels across each face, 1 to 16,384.
+        samples
+            Number of colour samples of a texel, on a grid: 1, 4, 9 … 64.
+        channels
+            "color" always, "range" if named.
+        views, error_px
+            As in `cut`.
+
+        Raises
+        ------
+        ValueError
+            Values out of range; a tree that is not complete.
+        FormatError, OSError
+            Parts of the store that are damaged, or that cannot be read.
+        """
+        x, y, z = check.vector("center", center)
+        reach = check.positive("radius", radius)
+        size, grid = check.integer("face_size", face_size, 1, 16384), grid_of(check.integer("samples", samples, 1, 64))
+        if unknown := set(check.texts("channels", channels)) - set(CHANNELS):
+            raise ValueError(f"channels: expected names of {', '.join(CHANNELS)}, got {', '.join(sorted(unknown))}")
+        settings, viewer = settings_of(views, error_px, True), self._viewer
+        cameras = [Camera((x, y, z), fov=CubeFace(face), size=(size, size)) for face in range(FACES)]
+        cuts = [viewer.cutter.whole(camera, settings) for camera in cameras]
+        near = viewer.near.scene(viewer.cutter.with_guests([leaf for cut in cuts for leaf in cut.leaf_places()]))
+        baked = None
+        if near is not None:
+            baked, _ = bake(
+                near, (x, y, z), reach, size=size * grid, samples=1, channels=CHANNELS, half=False, device=None
+            )
+        faces = [
+            self._face(camera, cut, reach, grid, None if baked is None else _images(baked, number))
+            for number, (camera, cut) in enumerate(zip(cameras, cuts, strict=True))
+        ]
+        color, ranges = (np.stack([face[name] for face in faces]) for name in CHANNELS)
+        return EnvMap((x, y, z), color, ranges if "range" in channels else None)
+
+    def _face(
+        self, camera: Camera, cut: OrthoCut, radius: float, grid: int, before: dict[str, Any] | None
+    ) -> dict[str, NDArray[Any]]:
+        """A face of the map, before which images of geometry are seen."""
+        x, y, z = self.origin.tolist()
+        shot = Shot(cameras=(camera,), channels=CHANNELS)
+        images: dict[str, NDArray[Any]] = _core.splat_orthoviews(
+            self._far_splats(camera, cut, radius),
+            camera._core,
+            shot.settings,
+            origin=(x, y, z),
+            grid=grid,
+            before=before,
+        )
+        return images
+
+    def _far_splats(self, camera: Camera, cut: OrthoCut, radius: float) -> list[_core.OrthoSplats]:
+        views, center = self._viewer.views, np.array(camera.position)
+        keys = cut.keys()
+        views.load(keys)
+        found: list[_core.OrthoSplats] = []
+        for key in keys:
+            level, place, _ = key
+            own = views.kept(key)
+            if _from_axis(self._layout.grid.box(level, place), center) < radius:
+                own = tuple(splats.beyond(camera.position, radius) for splats in own)
+            found += own
+        views.trim(set(keys))
+        return found
+
+    def _leaves_within(self, center: NDArray[np.float64], radius: float) -> list[Place]:
+        """Places of leaves that reach within a radius of the vertical axis through a point, empty ones included."""
+        grid = self._layout.grid
+        ranges = []
+        for axis in (0, 2):
+            low, high = (center[axis] + sign * radius - grid.origin[axis] for sign in (-1.0, 1.0))
+            first, last = math.floor(low / grid.cell), math.floor(high / grid.cell)
+            ranges.append(range(max(first, 0), min(last + 1, grid.counts[axis])))
+        columns, rows = ranges
+        places = itertools.product(columns, range(grid.counts[1]), rows)
+        return [place for place in places if _from_axis(grid.box(0, place), center) <= radius]
+
+
+def _from_axis(box: NDArray[np.float64], center: NDArray[np.float64]) -> float:
+    """Least distance of a box from the vertical axis through a point, metres."""
+    nearest = np.clip(center, box[0], box[1]) - center
+    return math.hypot(nearest[0], nearest[2])
+
+
+def _images(env: EnvMap, face: int) -> dict[str, NDArray[Any]]:
+    """Images of a face of a map."""
+    if env.range is None:
+        raise RuntimeError("expected a map with range")
+    return {"color": env.color[face], "range": np.asarray(env.range[face], np.float32)}

@@ -1,0 +1,198 @@
+"""Tests of trees with objects that move, and of their near and far parts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from tests.support import need
+from tests.support.orthoview_stores import world_of
+
+need("zarr")
+
+Tree = nf.orthoview.OrthoTree
+R1, R2 = 12.0, 35.0
+
+
+@pytest.fixture(scope="module")
+def scene() -> nf.Scene:
+    return world_of(range(30))
+
+
+@pytest.fixture(scope="module")
+def tree(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    return nf.orthoview.build(scene, tmp_path_factory.mktemp("trees") / "world.zarr", cell=20, size=32, directions=9)
+
+
+@pytest.fixture(scope="module")
+def center(tree: Tree) -> tuple[float, float, float]:
+    x, y, z = tree.bounds.mean(axis=0).tolist()
+    return x, y, z
+
+
+@pytest.fixture
+def mover(center: tuple[float, float, float]) -> nf.Scene:
+    return nf.Scene.from_trimesh(trimesh.creation.box((8, 8, 8)).apply_translation(center))
+
+
+def camera_at(center: tuple[float, float, float], angle: float, distance: float = 110.0) -> nf.Camera:
+    eye = np.add(center, [distance * np.cos(angle), 40.0, distance * np.sin(angle)])
+    return nf.Camera.look_at(eye, center, fov=nf.Fov.symmetric(50), size=(64, 64))
+
+
+def moved(x: float, y: float, z: float) -> NDArray[np.float64]:
+    pose = np.eye(4)
+    pose[:3, 3] = x, y, z
+    return pose
+
+
+@pytest.mark.parametrize("offset", [(0.0, 0.0, 0.0), (0.0, 60.0, 0.0), (30.0, 10.0, -20.0)])
+def test_what_moves_is_seen_where_it_is_nearer(
+    tree: Tree, mover: nf.Scene, center: tuple[float, float, float], offset: tuple[float, float, float]
+) -> None:
+    camera, channels = camera_at(center, 0.7), ("color", "range", "object_id", "position")
+    dynamic = tree.with_dynamic(mover)
+    (name,) = mover.object_names
+    poses = {name: dynamic.poses[name] + moved(*offset) - np.eye(4)}
+    both = nf.render(dynamic, camera, at=poses, channels=channels)
+    alone = nf.render(tree, camera, channels=channels)
+    only = nf.render(mover.with_dynamic([name]), camera, at=poses, channels=channels)
+    is_nearer = only.require("range") < alone.require("range")
+    assert is_nearer.any()
+    np.testing.assert_array_equal(both.require("object_id"), np.where(is_nearer, 0, -1))
+    for channel in ("color", "range"):
+        mask = is_nearer if channel == "range" else is_nearer[..., None]
+        expected = np.where(mask, only.require(channel), alone.require(channel))
+        np.testing.assert_allclose(both.require(channel), expected, rtol=1e-5, atol=1e-6)
+    world = both.require("position")[is_nearer] + both.origin
+    np.testing.assert_allclose(world, only.require("position")[is_nearer] + only.origin, atol=1e-3)
+
+
+def test_a_tree_in_which_nothing_moves_takes_no_poses(tree: Tree, mover: nf.Scene) -> None:
+    with pytest.raises(ValueError, match="nothing moves"):
+        tree.at({"box": np.eye(4)})
+    with pytest.raises(ValueError, match="nobody"):
+        tree.with_dynamic(mover).at({"nobody": np.eye(4)})
+    assert tree.poses == {}
+
+
+def test_flights_show_what_moves(tree: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
+    camera, dynamic = camera_at(center, 0.7), tree.with_dynamic(mover)
+    (name,) = mover.object_names
+    poses = {name: dynamic.poses[name] + moved(0.0, 60.0, 0.0) - np.eye(4)}
+    with dynamic.fly() as flight:
+        flight.look(camera)
+        assert flight.wait(60)
+        for at in ({}, poses):
+            shown = nf.render(flight, camera, at=at or None)
+            assert shown.require("range").tobytes() == nf.render(dynamic, camera, at=at or None).require("range").tobytes()
+
+
+def test_the_near_scene_has_all_near_triangles(
+    tree: Tree, scene: nf.Scene, center: tuple[float, float, float], mover: nf.Scene
+) -> None:
+    near = tree.near_scene(center, R2)
+    assert near is not None
+    whole, part = (nf.partition(each, center=center, r1=R1, r2=R2).summary() for each in (scene, near))
+    assert part["near"] == whole["near"] > 0
+    assert part["intermediate"] == whole["intermediate"] > 0
+    assert part["triangles"] < whole["triangles"]
+    with_mover = tree.with_dynamic(mover).near_scene(center, R2)
+    assert with_mover is not None
+    assert with_mover.triangle_count == near.triangle_count + mover.triangle_count
+
+
+def test_the_map_of_a_tree_is_that_of_the_world(tree: Tree, scene: nf.Scene, center: tuple[float, float, float]) -> None:
+    made = tree.far_map(center, R2, face_size=64, samples=4, channels=("range",))
+    true = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=64, channels=("color", "range")).env
+    assert true is not None
+    assert true.range is not None
+    assert made.range is not None
+    is_hit, is_shown = np.isfinite(true.range), np.isfinite(made.range)
+    assert is_hit.mean() > 0.05
+    assert (is_hit & ~is_shown).mean() < 0.02
+    assert (is_shown & ~is_hit).mean() < 0.02
+    both = is_hit & is_shown
+    assert np.median(np.abs(made.range[both] - true.range[both])) < 0.2
+    assert np.sqrt(((made.color - true.color) ** 2).mean()) < 0.05
+
+
+@pytest.mark.parametrize("error_px", [1.0, 1e-3])
+def test_nothing_in_the_map_is_within_the_radius(
+    tree: Tree, center: tuple[float, float, float], error_px: float
+) -> None:
+    """Whether leaves are geometry, as with the least error, or views."""
+    size = 32
+    made = tree.far_map(center, R2, face_size=size, samples=1, channels=("range",), error_px=error_px)
+    assert made.range is not None
+    for face in range(6):
+        camera = nf.Camera(center, fov=nf.CubeFace(face), size=(size, size))
+        across = np.stack(np.meshgrid(np.arange(size) + 0.5, np.arange(size) + 0.5), axis=-1).reshape(-1, 2)
+        rays = np.array([camera._core.ray(x, y)[1] for x, y in across.tolist()])
+        rays /= np.linalg.norm(rays, axis=1, keepdims=True)
+        ranges = made.range[face].reshape(-1)
+        hit = np.isfinite(ranges)
+        distance = np.hypot(rays[hit, 0], rays[hit, 2]) * ranges[hit]
+        # Splats reach half a pixel beyond their middles, geometry two texels on its surface.
+        assert distance.min(initial=np.inf) > R2 - 3.0
+
+
+@pytest.mark.parametrize("morph", ["blend", "none"])
+def test_a_tree_is_reduced_like_its_world(
+    tree: Tree, scene: nf.Scene, center: tuple[float, float, float], morph: str
+) -> None:
+    how = {"center": center, "r1": R1, "r2": R2, "face_size": 64, "morph": morph}
+    camera = nf.Camera.look_at(center, np.add(center, [10.0, -2.0, 3.0]), fov=nf.Fov.symmetric(80), size=(64, 64))
+    made, true = (nf.reduce(source, **how).render(camera) for source in (tree, scene))
+    assert np.sqrt(((made.require("color") - true.require("color")) ** 2).mean()) < 0.06
+
+
+def test_what_moves_is_composited_with_the_map(
+    tree: Tree, mover: nf.Scene, center: tuple[float, float, float]
+) -> None:
+    reduced = nf.reduce(tree.with_dynamic(mover), center=center, r1=R1, r2=R2, face_size=64)
+    assert reduced.env is not None
+    assert reduced.env.range is not None
+    assert set(reduced.poses) == set(mover.object_names)
+
+
+def test_a_saved_reduction_of_a_tree_is_the_same(
+    tree: Tree, center: tuple[float, float, float], tmp_path: Path
+) -> None:
+    reduced = nf.reduce(tree, center=center, r1=R1, r2=R2, face_size=32)
+    reduced.save(tmp_path / "reduced")
+    camera = camera_at(center, 0.0, 1.0)
+    one, other = reduced.render(camera), nf.ReducedScene.load(tmp_path / "reduced").render(camera)
+    np.testing.assert_allclose(one.require("color"), other.require("color"), atol=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("how", "message"),
+    [
+        ({"unit": "object"}, "unit"),
+        ({"backend": "gpu"}, "backend"),
+        ({"samples": 2}, "samples"),
+        ({"channels": ("color", "object_id")}, "channels"),
+    ],
+)
+def test_what_a_tree_cannot_give_is_refused(
+    tree: Tree, center: tuple[float, float, float], how: dict[str, object], message: str
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        nf.reduce(tree, center=center, r1=R1, r2=R2, face_size=16, **how)  # type: ignore[arg-type]
+
+
+def test_a_centre_far_from_everything_is_refused(tree: Tree) -> None:
+    with pytest.raises(ValueError, match="geometry within r2"):
+        nf.reduce(tree, center=(1e5, 0.0, 0.0), r1=R1, r2=R2, face_size=16)
+
+
+def test_a_tree_without_geometry_has_no_near_scene(scene: nf.Scene, tmp_path: Path) -> None:
+    bare = nf.orthoview.build(scene, tmp_path / "bare.zarr", cell=40, size=8, directions=5, geometry=False)
+    with pytest.raises(ValueError, match="with geometry"):
+        bare.near_scene(bare.bounds.mean(axis=0), R2)
