@@ -8,7 +8,7 @@ import time as clock
 import warnings
 from collections.abc import Callable, Iterable, Sequence
 from types import TracebackType
-from typing import Self, SupportsFloat
+from typing import Self, SupportsFloat, SupportsIndex
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,9 @@ from nearfar.orthoview._pilot import Ahead, Pilot, Plan
 from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns
 from nearfar.orthoview._viewer import Parts, Viewer
 
+MOST_THREADS = 64
+"""Greatest number of threads that read."""
+
 Listener = Callable[[Exception], None]
 """Takes an error of the background."""
 
@@ -42,18 +45,25 @@ class Flight(Renderable):
     """
 
     def __init__(
-        self, opened: Opened, settings: Settings, ahead: Ahead, threads: int, on_error: Listener | None
+        self, opened: Opened, settings: Settings, ahead: Ahead, threads: SupportsIndex, on_error: Listener | None
     ) -> None:
-        self._opened, self._settings, self._ahead, self._on_error = opened, settings, ahead, on_error
+        self._opened = check.instance("opened", opened, Opened, "what OrthoTree.fly passes")
+        own = check.instance("settings", settings, Settings, "what OrthoTree.fly passes")
+        if on_error is not None and not callable(on_error):
+            raise TypeError(f"on_error: expected a function or None, got {check.described(on_error)}")
+        count = check.integer("threads", threads, 1, MOST_THREADS)
+        self._on_error = on_error
         self._viewer: Viewer = opened.viewer
-        self._pilot = Pilot(self._viewer.cutter, settings, ahead)
-        self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, settings.views)
+        self._pilot = Pilot(
+            self._viewer.cutter, own, check.instance("ahead", ahead, Ahead, "what OrthoTree.fly passes")
+        )
+        self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, own.views)
         self._before: list[Shown] = []
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._lock = threading.RLock()
         self._busy = False
         self._errors: list[Exception] = []
-        self._loader = Loader(self._read, self._has, threads)
+        self._loader = Loader(self._read, self._has, count)
 
     def __enter__(self) -> Self:
         """Return the flight."""
@@ -126,7 +136,7 @@ class Flight(Renderable):
         own = check.instance("camera", camera, Camera)
         now = clock.monotonic() if time is None else check.number("time", time)
         with self._lock:
-            self._plan(own, now)
+            self._trim(self._plan(own, now))
 
     def render(
         self,
@@ -166,9 +176,9 @@ class Flight(Renderable):
     def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
         """Draw the pictures of a shot from what has come; `nearfar.render` makes frames of them."""
         check_request(shot, report)
-        return self.draw(shot, None, report)
+        return self._draw(shot, None, report)
 
-    def draw(self, shot: Shot, time: float | None, report: Report = None) -> list[Images]:
+    def _draw(self, shot: Shot, time: float | None, report: Report = None) -> list[Images]:
         """The pictures of a shot at a time."""
         now = clock.monotonic() if time is None else time
         with self._lock:
@@ -230,6 +240,8 @@ class Flight(Renderable):
             self._loader.forget()
             if newer is None:
                 return False
+            if self._pilot.camera is not None:  # the picture stays while all else is read
+                newer.viewer.cutter.whole(self._pilot.camera, self._pilot.settings)
             self._opened = newer
             self._viewer = newer.viewer
             self._pilot.take(newer.viewer.cutter)
@@ -274,7 +286,9 @@ class Flight(Renderable):
         """Drop what no picture uses when memory is short, parts of views that are no longer drawn at once."""
         pieces = {piece for shown in self._before for parts in shown.cells.values() for piece in parts}
         self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
-        self._viewer.views.trim({*plan.order, *(piece.part for piece in pieces)})
+        needed = {*plan.order, *(part for shown in self._before for part in shown.parts())}
+        self._viewer.views.trim(needed)
+        self._viewer.near.trim({place for _, place, direction in needed if direction == GEOMETRY})
 
     def _has(self, part: Part) -> bool:
         viewer, (level, place, _) = self._viewer, part
@@ -335,4 +349,4 @@ class _Moment(Renderable):
 
     def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
         check_request(shot, report)
-        return self._flight.draw(shot, self._time, report)
+        return self._flight._draw(shot, self._time, report)

@@ -18,7 +18,7 @@ from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, axes, offsets, q
 from nearfar.orthoview._standins import Wanted
 
 RENEWED_TURN = math.radians(5.0)
-"""Turn after which the queue is renewed."""
+"""Turn after which the queue is renewed; it also is when the viewer has become twice or half as fast."""
 
 LONGEST = 1.0
 """Greatest number of seconds for which a turn is foreseen."""
@@ -70,6 +70,7 @@ class _Renewed:
     queue: PrefetchQueue
     camera: Camera
     error_px: float
+    speed: float
 
 
 class Pilot:
@@ -163,9 +164,14 @@ class Pilot:
     def _renew(self, camera: Camera) -> PrefetchQueue:
         """The queue, made anew where the viewer has moved or turned, or what was unknown may be known."""
         old = self._renewed
-        if old is not None and not old.queue.unknown and self._error == old.error_px and self._is_near(old, camera):
+        speed = max(float(np.linalg.norm(self._motion.velocity)), LEAST_SPEED)
+        if (
+            old is not None
+            and not old.queue.unknown
+            and self._error == old.error_px
+            and self._is_near(old, camera, speed)
+        ):
             return old.queue
-        speed = float(np.linalg.norm(self._motion.velocity))
         course = self._motion.velocity / speed if speed > LEAST_SPEED else None
         settings = self.settings
         ahead = smallest(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
@@ -175,15 +181,18 @@ class Pilot:
         cameras = [self._motion.after(seconds, offset) for offset in offsets(ahead, course)]
         outlook = Outlook([camera, *cameras[:1]], self._ahead.margin)
         made = queue(self._cutter, settings, camera, cameras, outlook)
-        self._renewed = _Renewed(made, camera, self._error)
+        self._renewed = _Renewed(made, camera, self._error, speed)
         if self._ahead.adapt and course is not None:
             self._adapt(speed, (camera, self._motion.after(0.0, ahead * course)), ahead, outlook)
+        else:
+            self._wished = self._settings.error_px
         return made
 
-    def _is_near(self, old: _Renewed, camera: Camera) -> bool:
+    def _is_near(self, old: _Renewed, camera: Camera, speed: float) -> bool:
         moved = np.linalg.norm(np.subtract(camera.position, old.camera.position))
         cosine = np.clip(axes(camera)[2] @ axes(old.camera)[2], -1.0, 1.0)
-        return bool(moved <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
+        is_as_fast = 0.5 <= speed / old.speed <= 2.0
+        return bool(is_as_fast and moved <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
 
     def _adapt(self, speed: float, way: tuple[Camera, Camera], metres: float, outlook: Outlook) -> None:
         """Wish for the least error at which the link brings what the viewer's course asks for."""
