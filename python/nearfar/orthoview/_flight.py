@@ -278,8 +278,12 @@ class Flight(Renderable):
         if piece.within is None:
             return self._viewer.views.kept(piece.part)
         if piece not in self._clipped:
-            low, high = self._opened.grid.box(*piece.within).tolist()
-            self._clipped[piece] = [one.within(low, high) for one in self._viewer.views.kept(piece.part)]
+            level, place, _ = piece.part
+            (low, high), sides = self._opened.grid.box(*piece.within), self._opened.grid.box(level, place)
+            # Steps of depth may take what lies on the view's own sides beyond them.
+            low, high = np.where(low == sides[0], -np.inf, low), np.where(high == sides[1], np.inf, high)
+            ends = low.tolist(), high.tolist()
+            self._clipped[piece] = [one.within(*ends) for one in self._viewer.views.kept(piece.part)]
         return self._clipped[piece]
 
     def _trim(self, plan: Plan) -> None:

@@ -77,8 +77,8 @@ class StandIns:
         """What is drawn of wanted cells, as far as it is there.
 
         A cell whose parts are all there is drawn from them. Otherwise, in this order: it stays as it was drawn before;
-        cells below it that were drawn before stay, and the rest of it is drawn as follows; the finest cell above it that
-        is there stands for it, but only what lies within the cell; it is drawn from those of its views that are there.
+        cells below it that were drawn before stay, and its rest is drawn as follows; the finest cell above it that is
+        there stands for it, but only what lies within the cell; it is drawn from those of its views that are there.
         """
         found = Shown()
         missing = empty = 0
