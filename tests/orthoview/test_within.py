@@ -47,7 +47,7 @@ def points_of(known: list[Splat], views: list[_core.OrthoSplats]) -> list[NDArra
     return np.split(np.array([splat.point for splat in known]), ends)
 
 
-@pytest.mark.parametrize("at", [CORNER + SIDE / 2, CORNER + (3.1, 17.2, 9.9)])
+@pytest.mark.parametrize("at", [CORNER + SIDE / 2, CORNER + np.array([3.1, 17.2, 9.9])])
 def test_parts_have_the_splats_whose_middles_are_in_the_box(cell: Any, at: NDArray[np.float64]) -> None:
     views, known = cell
     for view, points in zip(views, points_of(known, views), strict=True):

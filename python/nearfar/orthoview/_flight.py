@@ -26,7 +26,7 @@ from nearfar.orthoview._meter import Received
 from nearfar.orthoview._open import Opened
 from nearfar.orthoview._parts import GEOMETRY, RECORD, Part, kind
 from nearfar.orthoview._pilot import Ahead, Pilot, Plan
-from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns
+from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
 from nearfar.orthoview._viewer import Parts, Viewer
 
 MOST_THREADS = 64
@@ -136,7 +136,7 @@ class Flight(Renderable):
         own = check.instance("camera", camera, Camera)
         now = clock.monotonic() if time is None else check.number("time", time)
         with self._lock:
-            self._trim(self._plan(own, now))
+            self._trim(self._plan([own], now))
 
     def render(
         self,
@@ -182,8 +182,9 @@ class Flight(Renderable):
         """The pictures of a shot at a time."""
         now = clock.monotonic() if time is None else time
         with self._lock:
-            plan = self._plan(shot.cameras[0], now)
-            views = [self._shown(number, camera, plan) for number, camera in enumerate(shot.cameras)]
+            plan = self._plan(shot.cameras, now)
+            each = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
+            views = [self._shown(number, camera, wanted) for number, (camera, wanted) in enumerate(each)]
             self._trim(plan)
             parts = [self._parts(shown) for shown in views]
         self._tell()
@@ -247,19 +248,16 @@ class Flight(Renderable):
             self._pilot.take(newer.viewer.cutter)
             return True
 
-    def _plan(self, camera: Camera, time: float) -> Plan:
+    def _plan(self, cameras: Sequence[Camera], time: float) -> Plan:
         self._pilot.meter.note(time, self._received(), busy=self._busy)
-        self._pilot.look(camera, time)
+        self._pilot.look(cameras[0], time, cameras[1:])
         plan = self._pilot.plan(self._has)
         self._loader.want(plan.order)
         self._busy = self._loader.waiting > 0
         return plan
 
-    def _shown(self, number: int, camera: Camera, plan: Plan) -> Shown:
+    def _shown(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
         """What one of a shot's pictures is drawn from."""
-        wanted = plan.wanted
-        if number:
-            wanted = self._pilot.wanted(self._viewer.cutter.cut(camera, self._pilot.settings))
         while len(self._before) <= number:
             self._before.append(Shown())
         shown = self._stand_ins.shown(wanted, self._before[number], np.array(camera.position))
