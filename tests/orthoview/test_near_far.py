@@ -90,7 +90,9 @@ def test_flights_show_what_moves(tree: Tree, mover: nf.Scene, center: tuple[floa
         assert flight.wait(60)
         for at in ({}, poses):
             shown = nf.render(flight, camera, at=at or None)
-            assert shown.require("range").tobytes() == nf.render(dynamic, camera, at=at or None).require("range").tobytes()
+            assert (
+                shown.require("range").tobytes() == nf.render(dynamic, camera, at=at or None).require("range").tobytes()
+            )
 
 
 def test_the_near_scene_has_all_near_triangles(
@@ -107,7 +109,9 @@ def test_the_near_scene_has_all_near_triangles(
     assert with_mover.triangle_count == near.triangle_count + mover.triangle_count
 
 
-def test_the_map_of_a_tree_is_that_of_the_world(tree: Tree, scene: nf.Scene, center: tuple[float, float, float]) -> None:
+def test_the_map_of_a_tree_is_that_of_the_world(
+    tree: Tree, scene: nf.Scene, center: tuple[float, float, float]
+) -> None:
     made = tree.far_map(center, R2, face_size=64, samples=4, channels=("range",))
     true = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=64, channels=("color", "range")).env
     assert true is not None
@@ -152,9 +156,7 @@ def test_a_tree_is_reduced_like_its_world(
     assert np.sqrt(((made.require("color") - true.require("color")) ** 2).mean()) < 0.06
 
 
-def test_what_moves_is_composited_with_the_map(
-    tree: Tree, mover: nf.Scene, center: tuple[float, float, float]
-) -> None:
+def test_what_moves_is_composited_with_the_map(tree: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
     reduced = nf.reduce(tree.with_dynamic(mover), center=center, r1=R1, r2=R2, face_size=64)
     assert reduced.env is not None
     assert reduced.env.range is not None

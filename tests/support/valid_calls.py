@@ -9,6 +9,7 @@ import numpy as np
 
 import nearfar as nf
 from nearfar._scene.names import Names
+from tests.support import valid_orthoviews as orthoviews
 from tests.support.valid_fields import fields
 from tests.support.valid_objects import EYE, MATRIX, SIZE, ZONES, Valid
 from tests.support.valid_streams import streams
@@ -19,6 +20,7 @@ NEEDS = {
     "nearfar.ReducedScene.show": "anywidget",
     "nearfar.lod.LodModel.plot": "matplotlib",
     "nearfar.lod.simplify": "fast_simplification",
+    "nearfar.orthoview.FlightLog.plot": "matplotlib",
     "nearfar.orthoview.OrthoTree": "zarr",
     "nearfar.orthoview.build": "zarr",
     "nearfar.orthoview.open": "zarr",
@@ -62,7 +64,9 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.lod.Selection": lambda: _selection(valid),
         "nearfar.lod.Selector": nf.lod.Selector,
         "nearfar.lod.Switches": lambda: nf.lod.switches(model, view=valid.camera),
-        "nearfar.orthoview.OrthoCut": lambda: _cut(valid),
+        "nearfar.orthoview.Flight": lambda: orthoviews.flight(valid),
+        "nearfar.orthoview.FlightLog": lambda: valid.flown,
+        "nearfar.orthoview.OrthoCut": lambda: orthoviews.cut(valid),
         "nearfar.orthoview.OrthoTree": lambda: nf.orthoview.open(valid.store),
         "nearfar.stream.Bundle": lambda: valid.bundle,
         "nearfar.stream.Growth": lambda: nf.stream.Growth((2.0, 4.0)),
@@ -87,37 +91,8 @@ def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
 
     A name followed by " @" and a word is another call of the same callable, which reaches other checks.
     """
-    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams, _orthoviews)
+    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams, orthoviews.orthoviews)
     return {name: arguments for make in makers for name, arguments in make(valid).items()}
-
-
-def _cut(valid: Valid) -> nf.orthoview.OrthoCut:
-    return nf.orthoview.open(valid.store).cut(valid.camera)
-
-
-def _orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
-    return {
-        "nearfar.orthoview.OrthoTree": {"path": valid.store},
-        "nearfar.orthoview.OrthoTree.box": {"level": 0, "place": (0, 0, 0)},
-        "nearfar.orthoview.OrthoTree.cells": {"level": 0},
-        "nearfar.orthoview.OrthoTree.compact": {"path": valid.folder / "compact.zarr"},
-        "nearfar.orthoview.OrthoTree.cut": {"camera": valid.camera},
-        "nearfar.orthoview.OrthoTree.render": {"camera": valid.camera},
-        "nearfar.orthoview.OrthoTree.trace": {"shot": valid.shot},
-        "nearfar.orthoview.OrthoCut": fields(_cut(valid)),
-        "nearfar.orthoview.OrthoCut.keys": {},
-        "nearfar.orthoview.OrthoCut.leaf_places": {},
-        "nearfar.orthoview.OrthoTree.leaf_glb": {"place": (0, 0, 0)},
-        "nearfar.orthoview.OrthoTree.preview": {},
-        "nearfar.orthoview.OrthoTree.update": {"aabb": [[0, 0, 0], [1, 1, 1]], "source": valid.scene},
-        "nearfar.orthoview.OrthoTree.verify": {},
-        "nearfar.orthoview.OrthoTree.view": {"level": 0, "place": (0, 0, 0), "direction": 4},
-        "nearfar.orthoview.build": {
-            "source": valid.scene, "path": valid.folder / "new.zarr", "cell": 8.0, "size": 8, "directions": 5,
-        },
-        "nearfar.orthoview.open": {"path": valid.store},
-        "nearfar.orthoview.size_for": {"pixels": 1000, "cell": 40.0, "distance": 50.0, "fov": 1.5},
-    }  # fmt: skip
 
 
 def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:

@@ -111,6 +111,11 @@ class Valid:
         return path
 
     @functools.cached_property
+    def flown(self) -> nf.orthoview.FlightLog:
+        """Two frames of a simulated flight."""
+        return nf.orthoview.simulate(nf.orthoview.open(self.store), [self.camera] * 2, link=nf.stream.Link(50.0))
+
+    @functools.cached_property
     def env(self) -> nf.EnvMap:
         """A map with all channels."""
         ranges = np.full((6, 4, 4), 9.0, np.float32)

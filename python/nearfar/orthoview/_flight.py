@@ -8,7 +8,7 @@ import time as clock
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import TracebackType
-from typing import Self, SupportsFloat
+from typing import Self, SupportsFloat, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,8 +27,11 @@ from nearfar.orthoview._meter import Received
 from nearfar.orthoview._open import Opened
 from nearfar.orthoview._parts import GEOMETRY, RECORD, Part, kind
 from nearfar.orthoview._pilot import Ahead, Pilot, Plan
-from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns
+from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
 from nearfar.orthoview._viewer import Parts, Viewer
+
+MOST_THREADS = 64
+"""Greatest number of threads that read."""
 
 Listener = Callable[[Exception], None]
 """Takes an error of the background."""
@@ -47,21 +50,28 @@ class Flight(Renderable):
         opened: Opened,
         settings: Settings,
         ahead: Ahead,
-        threads: int,
-        movers: Scene | None,
+        threads: SupportsIndex,
         on_error: Listener | None,
+        movers: Scene | None = None,
     ) -> None:
-        self._opened, self._settings, self._ahead, self._on_error = opened, settings, ahead, on_error
+        self._opened = check.instance("opened", opened, Opened, "what OrthoTree.fly passes")
+        own = check.instance("settings", settings, Settings, "what OrthoTree.fly passes")
+        if on_error is not None and not callable(on_error):
+            raise TypeError(f"on_error: expected a function or None, got {check.described(on_error)}")
+        count = check.integer("threads", threads, 1, MOST_THREADS)
+        self._on_error = on_error
         self._viewer: Viewer = opened.viewer
-        self._pilot = Pilot(self._viewer.cutter, settings, ahead)
-        self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, settings.views)
-        self._movers = movers
+        self._pilot = Pilot(
+            self._viewer.cutter, own, check.instance("ahead", ahead, Ahead, "what OrthoTree.fly passes")
+        )
+        self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, own.views)
+        self._movers = None if movers is None else check.instance("movers", movers, Scene)
         self._before: list[Shown] = []
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._lock = threading.RLock()
         self._busy = False
         self._errors: list[Exception] = []
-        self._loader = Loader(self._read, self._has, threads)
+        self._loader = Loader(self._read, self._has, count)
 
     def __enter__(self) -> Self:
         """Return the flight."""
@@ -134,7 +144,7 @@ class Flight(Renderable):
         own = check.instance("camera", camera, Camera)
         now = clock.monotonic() if time is None else check.number("time", time)
         with self._lock:
-            self._plan(own, now)
+            self._trim(self._plan([own], now))
 
     def render(
         self,
@@ -174,7 +184,7 @@ class Flight(Renderable):
     def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
         """Draw the pictures of a shot from what has come; `nearfar.render` makes frames of them."""
         check_request(shot, report)
-        return self.draw(shot, None, self._movers, report)
+        return self._draw(shot, None, self._movers, report)
 
     @property
     def object_names(self) -> tuple[str, ...]:
@@ -192,12 +202,13 @@ class Flight(Renderable):
             return super().at(poses)
         return _Moment(self, None, self._movers.at(poses))
 
-    def draw(self, shot: Shot, time: float | None, movers: Scene | None, report: Report = None) -> list[Images]:
+    def _draw(self, shot: Shot, time: float | None, movers: Scene | None, report: Report = None) -> list[Images]:
         """The pictures of a shot at a time, with what moves."""
         now = clock.monotonic() if time is None else time
         with self._lock:
-            plan = self._plan(shot.cameras[0], now)
-            views = [self._shown(number, camera, plan) for number, camera in enumerate(shot.cameras)]
+            plan = self._plan(shot.cameras, now)
+            each = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
+            views = [self._shown(number, camera, wanted) for number, (camera, wanted) in enumerate(each)]
             self._trim(plan)
             parts = [self._parts(shown, movers) for shown in views]
         self._tell()
@@ -254,24 +265,23 @@ class Flight(Renderable):
             self._loader.forget()
             if newer is None:
                 return False
+            if self._pilot.camera is not None:  # the picture stays while all else is read
+                newer.viewer.cutter.whole(self._pilot.camera, self._pilot.settings)
             self._opened = newer
             self._viewer = newer.viewer
             self._pilot.take(newer.viewer.cutter)
             return True
 
-    def _plan(self, camera: Camera, time: float) -> Plan:
+    def _plan(self, cameras: Sequence[Camera], time: float) -> Plan:
         self._pilot.meter.note(time, self._received(), busy=self._busy)
-        self._pilot.look(camera, time)
+        self._pilot.look(cameras[0], time, cameras[1:])
         plan = self._pilot.plan(self._has)
         self._loader.want(plan.order)
         self._busy = self._loader.waiting > 0
         return plan
 
-    def _shown(self, number: int, camera: Camera, plan: Plan) -> Shown:
+    def _shown(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
         """What one of a shot's pictures is drawn from."""
-        wanted = plan.wanted
-        if number:
-            wanted = self._pilot.wanted(self._viewer.cutter.cut(camera, self._pilot.settings))
         while len(self._before) <= number:
             self._before.append(Shown())
         shown = self._stand_ins.shown(wanted, self._before[number], np.array(camera.position))
@@ -290,15 +300,21 @@ class Flight(Renderable):
         if piece.within is None:
             return self._viewer.views.kept(piece.part)
         if piece not in self._clipped:
-            low, high = self._opened.grid.box(*piece.within).tolist()
-            self._clipped[piece] = [one.within(low, high) for one in self._viewer.views.kept(piece.part)]
+            level, place, _ = piece.part
+            (low, high), sides = self._opened.grid.box(*piece.within), self._opened.grid.box(level, place)
+            # Steps of depth may take what lies on the view's own sides beyond them.
+            low, high = np.where(low == sides[0], -np.inf, low), np.where(high == sides[1], np.inf, high)
+            ends = low.tolist(), high.tolist()
+            self._clipped[piece] = [one.within(*ends) for one in self._viewer.views.kept(piece.part)]
         return self._clipped[piece]
 
     def _trim(self, plan: Plan) -> None:
         """Drop what no picture uses when memory is short, parts of views that are no longer drawn at once."""
         pieces = {piece for shown in self._before for parts in shown.cells.values() for piece in parts}
         self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
-        self._viewer.views.trim({*plan.order, *(piece.part for piece in pieces)})
+        needed = {*plan.order, *(part for shown in self._before for part in shown.parts())}
+        self._viewer.views.trim(needed)
+        self._viewer.near.trim({place for _, place, direction in needed if direction == GEOMETRY})
 
     def _has(self, part: Part) -> bool:
         viewer, (level, place, _) = self._viewer, part
@@ -367,4 +383,4 @@ class _Moment(Renderable):
 
     def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
         check_request(shot, report)
-        return self._flight.draw(shot, self._time, self._movers, report)
+        return self._flight._draw(shot, self._time, self._movers, report)

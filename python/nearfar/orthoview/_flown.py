@@ -19,9 +19,6 @@ from nearfar.orthoview._shown import ShownTree, settings_of
 MARGIN = 5.0
 """Degrees around the picture within which flights read ahead by default."""
 
-MOST_THREADS = 64
-"""Greatest number of threads that read."""
-
 
 class FlownTree(ShownTree):
     """A tree for viewers that move; `OrthoTree` tells what it raises."""
@@ -75,10 +72,7 @@ class FlownTree(ShownTree):
         settings = settings_of(views, error_px, geometry)
         margin = None if margin_deg is None else math.radians(check.within("margin_deg", margin_deg, 0.0, 180.0))
         ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
-        if on_error is not None and not callable(on_error):
-            raise TypeError(f"on_error: expected a function or None, got {check.described(on_error)}")
-        workers = check.integer("threads", threads, 1, MOST_THREADS)
-        return Flight(self.opened(), settings, ahead, workers, self._movers, on_error)
+        return Flight(self.opened(), settings, ahead, threads, on_error, self._movers)
 
     def prefetch_queue(
         self,

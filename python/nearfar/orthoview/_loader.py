@@ -40,15 +40,15 @@ class Loader:
         self._is_reported = False
         self._is_closed = False
         self._changed = threading.Condition()
-        self._threads = [
-            threading.Thread(target=self._work, name="nearfar-flight", daemon=True) for _ in range(threads)
-        ]
-        for thread in self._threads:
-            thread.start()
+        self._threads: list[threading.Thread] = []
+        self._count = threads
 
     def want(self, parts: Sequence[Part]) -> None:
-        """Read these parts, the first ones first, and none of those that were wanted before."""
+        """Read these parts, the first ones first, and none of those that were wanted before; nothing after the end."""
         with self._changed:
+            if self._is_closed:
+                return
+            self._begin()
             self._queue = deque(
                 part for part in parts if part not in self._busy and part not in self._damaged and not self._held(part)
             )
@@ -87,6 +87,12 @@ class Loader:
             self._changed.notify_all()
         for thread in self._threads:
             thread.join()
+
+    def _begin(self) -> None:
+        while len(self._threads) < self._count:
+            thread = threading.Thread(target=self._work, name="nearfar-flight", daemon=True)
+            self._threads.append(thread)
+            thread.start()
 
     def _work(self) -> None:
         while batch := self._next():

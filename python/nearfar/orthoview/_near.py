@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import threading
 from collections import OrderedDict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from nearfar._base import formats
 from nearfar._base.errors import UnusableError
@@ -23,7 +23,7 @@ from nearfar.orthoview._grid import Grid, Place
 _TEXTURE = re.compile("[0-9a-f]+[.]webp")
 
 MOST_LEAVES = 256
-"""Leaves that are kept beside those that are drawn."""
+"""Leaves that are kept beside those that are needed."""
 
 MOST_TEXTURES = 256
 """Textures that are kept as files, since leaves share them."""
@@ -74,18 +74,26 @@ class Near:
     def scene(self, places: Sequence[Place]) -> Scene | None:
         """The geometry of leaves in one scene, which are read where they are not kept; None where there is none."""
         self.load(places)
-        return self.kept(places)
+        scene = self.kept(places)
+        self.trim(set(places))
+        return scene
 
     def kept(self, places: Sequence[Place]) -> Scene | None:
         """The geometry of leaves that are kept in one scene; None where there is none."""
         wanted = tuple(sorted(places))
+        leaves = [self._leaf(place) for place in wanted]
         if wanted != self._last[0]:
-            parts = [part for place in wanted if (part := self._leaf(place)) is not None]
+            parts = [leaf for leaf in leaves if leaf is not None]
             self._last = wanted, joined(parts) if parts else None
-        with self._lock:
-            while len(self._leaves) > len(wanted) + MOST_LEAVES:
-                self._leaves.popitem(last=False)
         return self._last[1]
+
+    def trim(self, needed: Collection[Place]) -> None:
+        """Drop the leaves that were used the longest ago, none of those that are needed, until few more are kept."""
+        with self._lock:
+            surplus = max(len(self._leaves) - len(needed) - MOST_LEAVES, 0)
+            for place in [place for place in self._leaves if place not in needed][:surplus]:
+                del self._leaves[place]
+                self._old.discard(place)
 
     def load(self, places: Sequence[Place]) -> None:
         """Read the leaves that are not kept."""

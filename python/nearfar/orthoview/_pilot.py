@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import chain
 
 import numpy as np
@@ -18,7 +18,7 @@ from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, axes, offsets, q
 from nearfar.orthoview._standins import Wanted
 
 RENEWED_TURN = math.radians(5.0)
-"""Turn after which the queue is renewed."""
+"""Turn after which the queue is renewed; it also is when the viewer has become twice or half as fast."""
 
 LONGEST = 1.0
 """Greatest number of seconds for which a turn is foreseen."""
@@ -35,8 +35,8 @@ SLACK = 1.5
 SHARE = 0.8
 """Share of the link's rate that a viewer's course may ask for."""
 
-LEAST_SPEED = 1e-3
-"""Metres a second below which a viewer rests."""
+LEAST_SPEED, SLOW = 1e-3, 1.0
+"""Metres a second below which a viewer rests, and below which a change of its speed does not count."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +61,8 @@ class Plan:
     """What is to be read, the most urgent first; parts that are there may be among them."""
     error_px: float
     """Greatest width of a view's pixels, in pixels of the picture, of the picture's cut."""
+    beside: list[Wanted] = field(default_factory=list)
+    """Cells and parts of the pictures that are drawn beside it."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +72,7 @@ class _Renewed:
     queue: PrefetchQueue
     camera: Camera
     error_px: float
+    speed: float
 
 
 class Pilot:
@@ -90,6 +93,7 @@ class Pilot:
         self._motion = Motion()
         self.camera: Camera | None = None
         """Where the viewer is."""
+        self._beside: Sequence[Camera] = ()
         self._error = settings.error_px
         self._wished = settings.error_px
         self._renewed: _Renewed | None = None
@@ -108,10 +112,10 @@ class Pilot:
         """Go on with a newer generation of the tree."""
         self._cutter, self._renewed = cutter, None
 
-    def look(self, camera: Camera, time: float) -> None:
-        """Note where the viewer is at a time in seconds."""
+    def look(self, camera: Camera, time: float, beside: Sequence[Camera] = ()) -> None:
+        """Note where the viewer is at a time in seconds, and the cameras of pictures beside its own."""
         self._motion.add(camera, time)
-        self.camera = camera
+        self.camera, self._beside = camera, beside
 
     def plan(self, held: Callable[[Part], bool]) -> Plan:
         """What is wanted where the viewer is; `held` tells what is there."""
@@ -122,15 +126,19 @@ class Pilot:
         soon: list[Part] = []
         if self._ahead.prefetch:
             renewed = self._renew(camera)
-            records, soon = renewed.unknown, [*renewed.needed, *renewed.soon]
+            records, soon = [*renewed.unknown], [*renewed.needed, *renewed.soon]
         cut, coming = self._cut(camera, held)
         wanted = self.wanted(cut)
         if not self._base:
             self._base = self._top(camera)
         # A finer picture can wait until nothing else does.
         then = [*soon, *coming] if self._wished < self._error else [*coming, *soon]
-        order = [*records_of(cut), *self._base, *records, *chain(*wanted.values()), *then]
-        return Plan(wanted, list(dict.fromkeys(order)), self._error)
+        others = [self._cutter.cut(other, self.settings) for other in self._beside]
+        beside = [self.wanted(other) for other in others]
+        records += [record for other in others for record in records_of(other)]
+        parts = [part for each in (wanted, *beside) for part in chain(*each.values())]
+        order = [*records_of(cut), *self._base, *records, *parts, *then]
+        return Plan(wanted, list(dict.fromkeys(order)), self._error, beside)
 
     def wanted(self, cut: OrthoCut) -> Wanted:
         """The cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
@@ -163,9 +171,16 @@ class Pilot:
     def _renew(self, camera: Camera) -> PrefetchQueue:
         """The queue, made anew where the viewer has moved or turned, or what was unknown may be known."""
         old = self._renewed
-        if old is not None and not old.queue.unknown and self._error == old.error_px and self._is_near(old, camera):
-            return old.queue
         speed = float(np.linalg.norm(self._motion.velocity))
+        if speed <= LEAST_SPEED:
+            self._wished = self._settings.error_px
+        if (
+            old is not None
+            and not old.queue.unknown
+            and self._error == old.error_px
+            and self._is_near(old, camera, speed)
+        ):
+            return old.queue
         course = self._motion.velocity / speed if speed > LEAST_SPEED else None
         settings = self.settings
         ahead = smallest(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
@@ -175,15 +190,16 @@ class Pilot:
         cameras = [self._motion.after(seconds, offset) for offset in offsets(ahead, course)]
         outlook = Outlook([camera, *cameras[:1]], self._ahead.margin)
         made = queue(self._cutter, settings, camera, cameras, outlook)
-        self._renewed = _Renewed(made, camera, self._error)
+        self._renewed = _Renewed(made, camera, self._error, speed)
         if self._ahead.adapt and course is not None:
             self._adapt(speed, (camera, self._motion.after(0.0, ahead * course)), ahead, outlook)
         return made
 
-    def _is_near(self, old: _Renewed, camera: Camera) -> bool:
+    def _is_near(self, old: _Renewed, camera: Camera, speed: float) -> bool:
         moved = np.linalg.norm(np.subtract(camera.position, old.camera.position))
         cosine = np.clip(axes(camera)[2] @ axes(old.camera)[2], -1.0, 1.0)
-        return bool(moved <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
+        is_as_fast = 0.5 <= max(speed, SLOW) / max(old.speed, SLOW) <= 2.0
+        return bool(is_as_fast and moved <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
 
     def _adapt(self, speed: float, way: tuple[Camera, Camera], metres: float, outlook: Outlook) -> None:
         """Wish for the least error at which the link brings what the viewer's course asks for."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -77,8 +77,8 @@ class StandIns:
         """What is drawn of wanted cells, as far as it is there.
 
         A cell whose parts are all there is drawn from them. Otherwise, in this order: it stays as it was drawn before;
-        cells below it that were drawn before stay; the finest cell above it that is there stands for it, but only what
-        lies within the cell; it is drawn from those of its views that are there.
+        cells below it that were drawn before stay, and its rest is drawn as follows; the finest cell above it that is
+        there stands for it, but only what lies within the cell; it is drawn from those of its views that are there.
         """
         found = Shown()
         missing = empty = 0
@@ -88,12 +88,10 @@ class StandIns:
                 self._put(found, cell, parts)
                 continue
             missing += 1
-            if cell in below and self._keep(found, below[cell], before):
-                continue
-            pieces = self._standing(cell, eye)
-            if pieces:
-                found.cells[cell] = pieces
-            empty += not pieces
+            kept = self._keep(found, below.get(cell, ()), before)
+            rest = list(self._beside(cell, kept, {above for one in kept for above in self._up(one)}))
+            found.cells.update({each: pieces for each in rest if (pieces := self._standing(each, eye))})
+            empty += not kept and cell not in found.cells
         return Shown(found.cells, found.leaves, missing, empty)
 
     def _can_draw(self, part: Part) -> bool:
@@ -125,20 +123,30 @@ class StandIns:
         for up in range(self._grid.levels - level):
             yield level + up, (x >> up, y >> up, z >> up)
 
-    def _keep(self, found: Shown, cells: Iterable[Cell], before: Shown) -> bool:
-        """Draw cells as before, from what of it is there; whether anything is."""
-        kept = False
+    def _beside(self, cell: Cell, kept: Collection[Cell], above: Collection[Cell]) -> Iterator[Cell]:
+        """The greatest cells within one that share nothing with those that stay; `above` has these and all above."""
+        if cell not in above:
+            yield cell
+        elif cell not in kept:
+            for _, child in self._grid.children(*cell):
+                yield from self._beside((cell[0] - 1, child), kept, above)
+
+    def _keep(self, found: Shown, cells: Iterable[Cell], before: Shown) -> set[Cell]:
+        """Draw cells as before, from what of it is there; those of which something is."""
+        kept: set[Cell] = set()
         for cell in cells:
             _, place = cell
             leaf = before.leaves.get(place) if cell[0] == 0 else None
             if leaf and all(self._can_draw(part) for part in leaf):
-                found.leaves[place], kept = leaf, True
+                found.leaves[place] = leaf
+                kept.add(cell)
                 continue
             pieces = [
                 piece for piece in before.cells.get(cell, []) if piece.within is None and self._can_draw(piece.part)
             ]
             if pieces:
-                found.cells[cell], kept = pieces, True
+                found.cells[cell] = pieces
+                kept.add(cell)
         return kept
 
     def _standing(self, cell: Cell, eye: NDArray[np.float64]) -> list[Piece]:

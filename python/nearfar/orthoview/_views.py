@@ -53,7 +53,8 @@ class Views:
 
     def __contains__(self, key: ViewKey) -> bool:
         """Whether a view is kept as it is now."""
-        return key in self._kept and key not in self._old
+        with self._lock:
+            return key in self._kept and key not in self._old
 
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
         """The splats of views, of both layers, which are read where they are not kept."""
@@ -76,7 +77,8 @@ class Views:
 
     def of_cell(self, level: int, place: Place) -> frozenset[int]:
         """The directions of the views of a cell that are kept, those included that an update has changed."""
-        return self._directions.get((level, place), frozenset())
+        with self._lock:
+            return self._directions.get((level, place), frozenset())
 
     def take_over(self, older: Views, changed: Callable[[ViewKey], bool]) -> None:
         """Keep the views of an older generation; those that have changed until they are read."""

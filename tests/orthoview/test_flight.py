@@ -1,0 +1,298 @@
+"""Tests of flights: pictures of what has come, and what is read in the background."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar._camera.shot import Shot
+from nearfar.orthoview import _loader
+from nearfar.orthoview._parts import GEOMETRY, RECORD
+from tests.support import need
+from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, images_of, is_same, there, whole
+from tests.support.waiting import wait_until
+
+need("zarr")
+
+Tree = nf.orthoview.OrthoTree
+
+
+@pytest.fixture
+def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
+    with gated(monkeypatch) as gate:
+        yield gate
+
+
+@pytest.fixture
+def flight(tree: Tree) -> Iterator[nf.orthoview.Flight]:
+    with nf.orthoview.open(tree.path).fly() as flight:
+        yield flight
+
+
+@pytest.mark.parametrize("settings", [{}, {"geometry": False}, {"views": 1, "error_px": 2.5}])
+def test_after_a_wait_pictures_are_those_of_the_tree(tree: Tree, settings: dict[str, Any]) -> None:
+    """From near and far, whatever was seen before."""
+    leaves = 0
+    with tree.fly(**settings, adapt=False) as flight:
+        places = [(20, 0.3), (60, 0.5), (60, 2.0), (150, 2.1), (500, 4.0), (40, 0.4)]
+        for number, (distance, angle) in enumerate(places):
+            camera = camera_at(tree, distance, angle)
+            frame = whole(flight, lambda: flight.render(camera, time=number, channels=CHANNELS))  # noqa: B023
+            right = tree.render(camera, **settings, channels=CHANNELS)
+            assert is_same(frame, right)
+            counts = {"missing": 0, "empty": 0, "error_px": settings.get("error_px", 1.0)}
+            assert frame.stats == right.stats | counts
+            assert there(frame).any()
+            leaves += frame.stats["leaves"]
+        assert flight.errors == ()
+        assert flight.bytes_read > 0
+        np.testing.assert_array_equal(flight.origin, tree.origin)
+    assert (leaves > 0) == settings.get("geometry", True)
+
+
+def test_all_that_renders_takes_flights(tree: Tree, flight: nf.orthoview.Flight) -> None:
+    camera = camera_at(tree, 90)
+    assert (flight.default_channels, flight.backends) == (tree.default_channels, tree.backends)
+    assert is_same(whole(flight, lambda: nf.render(flight, camera)), tree.render(camera))
+    cameras = [camera, camera_at(tree, 91)]
+    for frame, own in zip(whole(flight, lambda: list(nf.render_path(flight, cameras))), cameras, strict=True):
+        assert there(frame).sum() > 0.95 * there(tree.render(own)).sum()
+    samples = flight.render(camera_at(tree, 91), samples=4)
+    assert is_same(samples, tree.render(camera_at(tree, 91), samples=4))
+
+
+def test_both_eyes_are_read(tree: Tree) -> None:
+    """Though their pictures reach apart, to other sides than the first one's margin."""
+    hmd, camera = nf.hmd.QUEST_2, camera_at(tree, 60)
+    eyes: dict[str, Any] = {"orientation": camera.orientation, "size": (48, 48)}
+    wide = hmd.with_ipd(0.08)
+    right = nf.render_eyes(tree, wide, camera.position, **eyes)
+    with tree.fly(margin_deg=0.0) as flight:
+        found = whole(flight, lambda: nf.render_eyes(flight, wide, camera.position, **eyes))
+        for one, other in ((found.left, right.left), (found.right, right.right)):
+            assert one.stats["missing"] == 0
+            assert is_same(one, other)
+
+
+def test_hybrid_pictures_take_flights(tree: Tree, flight: nf.orthoview.Flight) -> None:
+    camera, hmd = camera_at(tree, 90), nf.hmd.QUEST_2
+    rig = nf.stereo.HybridRig.of(hmd, mono_plane=60.0, size=(48, 48))
+    right = rig.render(tree, camera.position, camera.orientation)
+    for _ in range(4):
+        found = whole(flight, lambda: rig.render(flight, camera.position, camera.orientation))
+    for one, other in ((found.left, right.left), (found.right, right.right)):
+        assert is_same(one, other)
+
+
+def test_the_first_picture_is_empty(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
+    gate.close()
+    camera = camera_at(tree, 60)
+    channels = ("color", "coverage", "range")
+    for _ in range(3):
+        frame = flight.render(camera, channels=channels)
+        assert not there(frame).any()
+        assert frame.require("coverage").max() == 0
+        assert frame.stats["empty"] == frame.stats["missing"]
+        assert not flight.wait(0.0)
+    sky = tree.render(camera, t_max=0.1, channels=channels)
+    assert not there(sky).any()
+    np.testing.assert_array_equal(frame.require("color"), sky.require("color"))
+    gate.open()
+    assert is_same(whole(flight, lambda: flight.render(camera)), tree.render(camera))
+
+
+def test_pictures_have_no_holes_while_views_arrive(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Once the coarsest views are there, each pixel that they and the tree show shows something."""
+    monkeypatch.setattr(_loader, "BATCH", 4)
+    gate.close()
+    camera = camera_at(tree, 75)
+    right = tree.render(camera)
+    both = there(tree.render(camera, error_px=1e30, geometry=False)) & there(right)
+    assert both.sum() > 100
+    with tree.fly(threads=1, prefetch=False) as flight:
+        wait_until(lambda: flight.render(camera).stats["missing"] > 20)
+        missing = []
+        coarsest = flight._pilot._base
+        while flight.waiting:
+            gate.pass_some(1)
+            frame = flight.render(camera)
+            if set(coarsest) <= set(gate.views):
+                assert set(gate.views[: len(coarsest)]) == set(coarsest)
+                missing.append(frame.stats["missing"])
+                assert frame.stats["empty"] == 0
+                assert (both & ~there(frame)).sum() <= 0.01 * both.sum()
+        assert missing == sorted(missing, reverse=True)
+        assert missing[0] > 20
+        assert missing[-1] == 0
+        assert is_same(frame, right)
+
+
+def test_pictures_keep_what_they_showed(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
+    """Cells that another direction or level is wanted of, while nothing is read; there and back."""
+    camera = camera_at(tree, 60)
+    first = whole(flight, lambda: flight.render(camera, time=0.0, channels=CHANNELS))
+    held = flight._before[0].parts()
+    gate.close()
+    for time, (distance, angle) in enumerate([(60, 0.9), (75, 0.3), (90, 0.3), (200, 0.3)], 1):
+        moved = camera_at(tree, distance, angle)
+        frame = flight.render(moved, time=time, channels=CHANNELS)
+        right = tree.render(moved, channels=CHANNELS)
+        assert frame.stats["missing"] > 0 == frame.stats["empty"]
+        assert len(flight._before[0].parts() & held) > len(held) / 4
+        assert (there(right) & ~there(frame)).sum() <= 0.05 * there(right).sum()
+        both = there(right) & there(frame)
+        off = np.abs(frame.require("range")[both] - right.require("range")[both])
+        assert np.median(off) < tree.cell / tree.size
+    assert is_same(flight.render(camera, time=9.0, channels=CHANNELS), first)
+
+
+def test_a_flight_is_read_once(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
+    for time, distance in enumerate([60, 90, 60, 30, 90]):
+        whole(flight, lambda: flight.render(camera_at(tree, distance), time=100.0 * time))  # noqa: B023
+    assert len(set(gate.views)) == len(gate.views) > 100
+    assert len(set(gate.leaves)) == len(gate.leaves) > 0
+    read = flight.bytes_read
+    flight.render(camera_at(tree, 60), time=900.0)
+    assert flight.wait(LONG)
+    assert flight.bytes_read == read
+
+
+def test_looks_read_what_pictures_need(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
+    camera = camera_at(tree, 60)
+    flight.look(camera)
+    assert flight.wait(LONG)
+    gate.close()
+    assert is_same(flight.render(camera), tree.render(camera))
+    cut = tree.cut(camera)
+    assert set(cut.keys(in_picture=True)) <= set(gate.views)
+    with tree.fly(prefetch=False) as bare:
+        bare.look(camera)
+        before = len(gate.views)
+        gate.open()
+        assert bare.wait(LONG)
+        read = gate.views[before:]
+        coarsest = tree.cut(camera, error_px=1e30, geometry=False, around=True).keys()
+        beside = set(read) - set(cut.keys(in_picture=True))
+        assert len(beside) <= len(coarsest)
+        assert set(cut.keys(in_picture=True)) <= set(read)
+        assert set(gate.leaves) >= set(cut.leaf_places(in_picture=True))
+
+
+def test_memory_keeps_what_is_needed_and_little_else(tree: Tree) -> None:
+    for cache_bytes in (0, 400_000):
+        with nf.orthoview.open(tree.path, cache_bytes=cache_bytes).fly(adapt=False) as flight:
+            views, reads = flight._viewer.views, 0
+            for time, angle in enumerate([0.0, 1.5, 3.0]):
+                camera = camera_at(tree, 60, float(angle))
+                whole(flight, lambda: flight.render(camera, time=time))  # noqa: B023
+                assert flight.wait(LONG)
+                flight.render(camera, time=time + 0.3)
+                plan = flight._pilot.plan(flight._has)
+                needed = {part for part in plan.order if part[2] not in (GEOMETRY, RECORD)}
+                assert needed <= set(views._kept)
+                own = sum(layer.bytes for key in needed for layer in views._kept[key])
+                assert views.bytes == sum(layer.bytes for layers in views._kept.values() for layer in layers)
+                assert views.bytes <= max(cache_bytes, own)
+                assert views.reads > reads
+                reads = views.reads
+            assert views.bytes < reads * 1000 or cache_bytes
+
+
+def test_leaves_that_are_needed_stay(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("nearfar.orthoview._near.MOST_LEAVES", 3)
+    with tree.fly(adapt=False) as flight:
+        for time, angle in enumerate([0.0, 3.0, 0.0]):
+            camera = camera_at(tree, 25, angle)
+            frame = whole(flight, lambda: flight.render(camera, time=100.0 * time))  # noqa: B023
+            assert frame.stats["leaves"] > 3
+            assert is_same(frame, tree.render(camera))
+            near = {place for _, place, direction in flight._pilot.plan(flight._has).order if direction == GEOMETRY}
+            assert near <= set(flight._viewer.near._leaves)
+            assert len(flight._viewer.near._leaves) <= len(near) + 3
+            count = len(gate.leaves)
+            flight.render(camera, time=100.0 * time + 50)
+            assert flight.wait(LONG)
+            assert len(gate.leaves) == count
+        assert len(set(gate.leaves)) < len(gate.leaves)
+
+
+def test_a_viewer_that_halts_sees_finer_pictures(tree: Tree, flight: nf.orthoview.Flight) -> None:
+    """Faster than the link allows, pictures are coarser; at rest they are as fine as is wanted."""
+    flight._pilot.meter.note(1.0, flight._received(), busy=True)
+    for step in range(30):
+        camera = camera_at(tree, 120 - 2 * step)
+        frame = flight.render(camera, time=2 + step / 100)
+        flight.wait(LONG)
+        flight._pilot.meter._bytes = 10.0 * flight._pilot.meter._weight
+    assert frame.stats["error_px"] > 1
+    assert 0 < flight.speed_limit < 200
+    assert is_same(frame, tree.render(camera, error_px=frame.stats["error_px"]))
+    flight.render(camera, time=100.0)
+    frame = whole(flight, lambda: flight.render(camera, time=101.0))
+    assert is_same(frame, tree.render(camera))
+    assert frame.stats["error_px"] == 1
+
+
+def test_threads_end_with_the_flight(tree: Tree) -> None:
+    before = threading.active_count()
+    camera = camera_at(tree, 60)
+    with tree.fly(threads=3) as flight:
+        assert threading.active_count() == before
+        first = whole(flight, lambda: flight.render(camera))
+        assert threading.active_count() >= before + 3
+    assert not [thread for thread in threading.enumerate() if thread.name == "nearfar-flight"]
+    assert is_same(flight.render(camera), first)
+    flight.render(camera_at(tree, 200, 4.0))
+    assert flight.waiting == 0
+    assert not flight.wait(LONG)
+    flight.close()
+
+
+def test_bad_calls_are_named(tree: Tree, flight: nf.orthoview.Flight) -> None:
+    camera = camera_at(tree, 60, size=(16, 16))
+    wrong: Any = flight
+    fly: Any = tree.fly
+    calls: list[tuple[Any, Any, str]] = [
+        (lambda: wrong.look("camera"), TypeError, "camera"),
+        (lambda: flight.look(camera, np.nan), ValueError, "time"),
+        (lambda: wrong.look(camera, "now"), TypeError, "time"),
+        (lambda: flight.render(camera, time=np.inf), ValueError, "time"),
+        (lambda: wrong.render("camera"), TypeError, "camera"),
+        (lambda: flight.render(camera, channels=["depth"]), ValueError, "channels"),
+        (lambda: flight.render(camera, samples=8), ValueError, "samples: expected 1, 4, 9"),
+        (lambda: flight.wait(-1.0), ValueError, "seconds"),
+        (lambda: wrong.wait("long"), TypeError, "seconds"),
+        (lambda: wrong.trace(camera), TypeError, "shot"),
+        (lambda: fly(views=0), ValueError, "views"),
+        (lambda: fly(error_px=0), ValueError, "error_px"),
+        (lambda: fly(geometry=1), TypeError, "geometry"),
+        (lambda: fly(prefetch="yes"), TypeError, "prefetch"),
+        (lambda: fly(margin_deg=181), ValueError, "margin_deg"),
+        (lambda: fly(margin_deg=-1), ValueError, "margin_deg"),
+        (lambda: fly(adapt=None), TypeError, "adapt"),
+        (lambda: fly(threads=0), ValueError, "threads"),
+        (lambda: fly(threads=65), ValueError, "threads"),
+        (lambda: fly(on_error=3), TypeError, "on_error: expected a function or None"),
+        (lambda: nf.render(flight, camera, backend="gpu"), ValueError, "backend: expected 'cpu' for Flight"),
+        (lambda: nf.orthoview.Flight(*wrong_arguments), TypeError, "opened: expected what OrthoTree.fly passes"),
+    ]
+    wrong_arguments: Any = (3, None, None, 1, None)
+    for call, kind, message in calls:
+        with pytest.raises(kind, match=message):
+            call()
+
+
+def test_limits_and_masks_hold(tree: Tree, flight: nf.orthoview.Flight) -> None:
+    camera = camera_at(tree, 60)
+    mask = np.random.default_rng(0).random((48, 64)) < 0.5
+    shot = Shot(cameras=(camera,), channels=("color", "range"), mask=mask, t_max=70.0)
+    (masked,) = whole(flight, lambda: flight.trace(shot))
+    (right,) = tree.trace(shot)
+    for name in ("color", "range"):
+        np.testing.assert_array_equal(masked[name], right[name])
+    assert images_of(flight.render(camera)).keys() == {"color", "range"}

@@ -1,0 +1,312 @@
+"""Tests of flights over a network that fails, through stores that are damaged, and while these are updated."""
+
+from __future__ import annotations
+
+import shutil
+import threading
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from http.server import ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.orthoview import _loader
+from tests.support import need
+from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, is_same, there, whole
+from tests.support.orthoview_stores import CELL, SIZE, box_about, world_of
+from tests.support.range_server import RangeHandler
+from tests.support.waiting import wait_until
+
+need("zarr")
+
+Tree = nf.orthoview.OrthoTree
+
+BOXES = range(30)
+ADDED = 101
+
+
+@dataclass
+class Server:
+    """A server of a folder that fails as a test tells it to."""
+
+    url: str
+    status: int = 0
+    """What it answers instead of files; −1 for an end of the connection."""
+    failures: int = 0
+    goes_on: threading.Event = field(default_factory=threading.Event)
+    """Whether it answers."""
+
+
+@contextmanager
+def serving(folder: Path) -> Iterator[Server]:
+    class Handler(RangeHandler):
+        def parse_request(self) -> bool:
+            is_sound = super().parse_request()
+            server.goes_on.wait(LONG)
+            server.failures += server.status != 0
+            if server.status > 0:
+                self.send_error(server.status)
+            self.close_connection |= server.status < 0
+            return is_sound and server.status == 0
+
+        def __init__(self, *given: Any) -> None:
+            super().__init__(*given, directory=str(folder))
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as http:
+        server = Server(f"http://127.0.0.1:{http.server_port}/")
+        server.goes_on.set()
+        thread = threading.Thread(target=http.serve_forever, args=(0.01,))
+        thread.start()
+        try:
+            yield server
+        finally:
+            server.goes_on.set()
+            http.shutdown()
+            thread.join()
+
+
+@pytest.fixture
+def server(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
+    need("fsspec")
+    need("aiohttp")
+    monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
+    monkeypatch.setattr(_loader, "FIRST_PAUSE", 0.01)
+    monkeypatch.setattr(_loader, "LONGEST_PAUSE", 0.02)
+    with serving(Path(tree.path).parent) as server:
+        yield server
+
+
+@pytest.fixture
+def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
+    with gated(monkeypatch) as gate:
+        yield gate
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("status", [500, -1])
+def test_a_server_that_fails_for_a_time(tree: Tree, server: Server, status: int) -> None:
+    """One error each time; pictures go on, and are right again as soon as the server is."""
+    errors: list[Exception] = []
+    first, second = camera_at(tree, 90), camera_at(tree, 60, 0.7)
+    with nf.orthoview.open(f"{server.url}world.zarr").fly(on_error=errors.append) as flight:
+        server.status = status
+        for count, camera in enumerate((first, second), 1):
+            flight.render(camera, time=100.0 * count)
+            before = server.failures
+            wait_until(lambda before=before: server.failures > before + 3)  # type: ignore[misc]
+            assert not flight.wait(LONG)
+            frame = flight.render(camera, time=100.0 * count + 1)
+            assert (frame.stats["missing"] > 0) == (count > 1)
+            assert len(errors) == count
+            server.status = 0
+            wait_until(lambda: flight._loader.wait(0.0))
+            shown = whole(flight, lambda camera=camera, count=count: flight.render(camera, time=100.0 * count + 50))
+            assert is_same(shown, tree.render(camera))
+            server.status = status
+        assert flight.errors == tuple(errors)
+        assert all(isinstance(error, OSError) for error in errors)
+
+
+@pytest.mark.slow
+def test_files_that_are_gone_are_read_again_after_a_refresh(tree: Tree, server: Server) -> None:
+    """A store that refers to files that are not there is damaged, so that nothing asks for them again."""
+    errors: list[Exception] = []
+    camera = camera_at(tree, 90)
+    with nf.orthoview.open(f"{server.url}world.zarr").fly(on_error=errors.append) as flight:
+        server.status = 404
+        flight.render(camera)
+        assert not flight.wait(LONG)
+        assert not there(flight.render(camera)).any()
+        assert [type(error) for error in errors] == [nf.FormatError]
+        server.status, failures = 0, server.failures
+        flight.render(camera)
+        assert not flight.wait(LONG)
+        assert server.failures == failures
+        assert not flight.refresh()
+        assert is_same(whole(flight, lambda: flight.render(camera)), tree.render(camera))
+        assert len(errors) == 1
+
+
+@pytest.mark.slow
+def test_a_server_that_vanishes_in_flight_and_returns(tree: Tree, server: Server) -> None:
+    errors: list[Exception] = []
+    with nf.orthoview.open(f"{server.url}world.zarr").fly(on_error=errors.append) as flight:
+        camera = camera_at(tree, 90)
+        whole(flight, lambda: flight.render(camera, time=0.0))
+        server.status = -1
+        for number in range(1, 6):
+            moved = camera_at(tree, 90 - 5 * number, 0.3 + 0.1 * number)
+            frame, right = flight.render(moved, time=number), tree.render(moved)
+            assert (there(right) & ~there(frame)).sum() <= 0.02 * there(right).sum()
+            assert frame.stats["empty"] == 0
+        wait_until(lambda: server.failures > 2)
+        assert not flight.wait(LONG)
+        flight.render(moved, time=7.0)
+        assert len(errors) == 1
+        server.status = 0
+        wait_until(lambda: flight._loader.wait(0.0))
+        assert is_same(whole(flight, lambda: flight.render(moved, time=20.0)), tree.render(moved))
+
+
+@pytest.mark.slow
+def test_a_slow_server_keeps_no_picture_waiting(tree: Tree, server: Server) -> None:
+    opened = nf.orthoview.open(f"{server.url}world.zarr")
+    camera = camera_at(tree, 90)
+    with opened.fly() as flight:
+        server.goes_on.clear()
+        for number in range(20):
+            flight.render(camera, time=float(number))
+        assert flight.bytes_read == 0 < flight.waiting
+        assert not flight.wait(0.0)
+        server.goes_on.set()
+        assert is_same(whole(flight, lambda: flight.render(camera, time=50.0)), tree.render(camera))
+        assert flight.errors == ()
+
+
+def damage(path: Path, tree: Tree, key: Any) -> None:
+    """Overwrite the chunks of a view."""
+    opened = tree.opened()
+    level, place, direction = key
+    array = opened.layout.array(level, direction, "color")
+    (chunk,) = opened.chunks._found([(level, place, array)])
+    assert chunk is not None
+    file = path / chunk.file
+    content = bytearray(file.read_bytes())
+    content[chunk.first : chunk.first + chunk.length] = bytes(chunk.length)
+    file.write_bytes(bytes(content))
+
+
+def test_a_damaged_view_leaves_the_coarser_picture(tree: Tree, copied: Path) -> None:
+    camera = camera_at(tree, 60)
+    cut = tree.cut(camera)
+    key = cut.keys(in_picture=True)[0]
+    damage(copied, tree, key)
+    right = tree.render(camera)
+    with nf.orthoview.open(copied).fly() as flight:
+        flight.render(camera)
+        assert not flight.wait(LONG)
+        with pytest.warns(RuntimeWarning, match=r"FormatError: .*copy\.zarr") as told:
+            frame = flight.render(camera)
+        assert len(told) == len(flight.errors) == 1
+        assert frame.stats["missing"] == 1
+        assert frame.stats["empty"] == 0
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            frame = flight.render(camera)
+        assert not flight.wait(LONG)
+        assert len(flight.errors) == 1
+    low, high = tree.box(*key[:2])
+    _, directions = camera.rays()
+    middle = np.array(camera.position)
+    places = middle + directions * np.where(there(right), right.require("range"), 0.0)[..., None]
+    reach = tree.cell * 2.0 ** key[0]  # of the coarser splats
+    is_apart = ((places < low - reach) | (places > high + reach)).any(axis=2) & there(right)
+    assert is_apart.sum() > 0.3 * there(right).sum()
+    same = frame.require("range") == right.require("range")
+    assert same[is_apart].mean() > 0.97
+    assert (there(right) & ~there(frame)).sum() <= 0.02 * there(right).sum()
+    assert not is_same(frame, right)
+
+
+@pytest.fixture(scope="module")
+def before(tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    path = tmp_path_factory.mktemp("updated") / "world.zarr"
+    return nf.orthoview.build(world_of(BOXES), path, cell=CELL, size=SIZE, directions=5)
+
+
+def updated(tree: Tree) -> Tree:
+    return tree.update(box_about([ADDED]), world_of([*BOXES, ADDED]))
+
+
+@pytest.mark.slow
+def test_a_store_is_updated_while_it_is_flown(before: Tree, tmp_path: Path, gate: Gate) -> None:
+    path = Path(shutil.copytree(before.path, tmp_path / "flown.zarr"))
+    camera = camera_at(before, 60)
+    with nf.orthoview.open(path).fly() as flight:
+        old = whole(flight, lambda: flight.render(camera, time=0.0, channels=CHANNELS))
+        assert not flight.refresh()
+        now = updated(nf.orthoview.open(path))
+        right = now.render(camera, channels=CHANNELS)
+        assert not is_same(right, old)
+        # It goes on with what it has, also where it reads more.
+        assert is_same(flight.render(camera, time=1.0, channels=CHANNELS), old)
+        moved = camera_at(before, 80, 0.9)
+        shown = whole(flight, lambda: flight.render(moved, time=100.0, channels=CHANNELS))
+        assert is_same(shown, before.render(moved, channels=CHANNELS))
+        whole(flight, lambda: flight.render(camera, time=200.0))
+        held = set(flight._viewer.views._kept)
+        gate.close()
+        gate.views.clear()
+        assert flight.refresh()
+        assert not flight.refresh()
+        # Until the new views are there, the picture is as it was.
+        assert is_same(flight.render(camera, time=300.0, channels=CHANNELS), old)
+        gate.open()
+        assert is_same(whole(flight, lambda: flight.render(camera, time=400.0, channels=CHANNELS)), right)
+        changed = {key for key in held if differs(before, now, key)}
+        assert changed & set(gate.views)
+        again = held & set(gate.views)
+        assert len(again) < len(held)
+        assert not (held - again) & changed
+        # Shards are what an update writes anew.
+        assert all(in_same_shard(before, key, changed) for key in again)
+        assert flight.errors == ()
+
+
+def differs(one: Tree, other: Tree, key: Any) -> bool:
+    left, right = one.view(*key), other.view(*key)
+    if left is None or right is None:
+        return left is not right
+    return any(not np.array_equal(getattr(left, name), getattr(right, name)) for name in ("color", "depth", "normal"))
+
+
+def in_same_shard(tree: Tree, key: Any, others: set[Any]) -> bool:
+    layout = tree.opened().layout
+    shard = layout.shard_of(*key[:2])[0]
+    return any(key[0] == level and shard == layout.shard_of(level, place)[0] for level, place, _ in others)
+
+
+@pytest.mark.slow
+def test_a_damaged_part_is_read_again_after_an_update(before: Tree, tmp_path: Path) -> None:
+    path = Path(shutil.copytree(before.path, tmp_path / "flown.zarr"))
+    camera = camera_at(before, 60)
+    key = before.cut(camera).keys(in_picture=True)[0]
+    sound = {file: file.read_bytes() for file in path.rglob("*") if file.is_file()}
+    damage(path, before, key)
+    errors: list[Exception] = []
+    with nf.orthoview.open(path).fly(on_error=errors.append) as flight:
+        flight.render(camera)
+        assert not flight.wait(LONG)
+        flight.render(camera)
+        assert len(errors) == 1
+        for file, content in sound.items():
+            file.write_bytes(content)
+        assert not flight.wait(LONG)
+        assert not flight.refresh()
+        assert is_same(whole(flight, lambda: flight.render(camera)), before.render(camera))
+        assert len(errors) == 1
+
+
+@pytest.mark.slow
+def test_another_tree_in_the_same_place_is_refused(before: Tree, tmp_path: Path) -> None:
+    path = Path(shutil.copytree(before.path, tmp_path / "flown.zarr"))
+    camera = camera_at(before, 60)
+    with nf.orthoview.open(path).fly() as flight:
+        old = whole(flight, lambda: flight.render(camera))
+        first = nf.orthoview.build(world_of(BOXES), tmp_path / "other.zarr", cell=CELL, size=SIZE, directions=9)
+        updated(first)
+        shutil.rmtree(path)
+        shutil.copytree(tmp_path / "other.zarr", path)
+        with pytest.raises(nf.FormatError, match="another tree was built in this place"):
+            flight.refresh()
+        assert is_same(flight.render(camera), old)
+        shutil.rmtree(path)
+        with pytest.raises((OSError, nf.FormatError), match=r"flown\.zarr"):
+            flight.refresh()
+        assert is_same(flight.render(camera), old)

@@ -1,0 +1,292 @@
+"""Tests of what a client wants at each moment, and of how coarse its pictures are when it is too fast."""
+
+from __future__ import annotations
+
+import math
+from itertools import chain
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.orthoview._cut import Settings
+from nearfar.orthoview._meter import HALF_LIFE, Meter, Received
+from nearfar.orthoview._parts import GEOMETRY, RECORD, Part
+from nearfar.orthoview._pilot import RENEWED_TURN, SHARE, SLACK, Ahead, Pilot
+from tests.support import need
+from tests.support.flight_cases import FOV
+from tests.support.orthoview_cases import CORNER
+
+need("zarr")
+
+Tree = nf.orthoview.OrthoTree
+
+MIDDLE = CORNER + 40.0
+SIZE = (64, 48)
+
+
+def camera_at(offset: Any, yaw: float = 0.0) -> nf.Camera:
+    position = tuple((MIDDLE + np.array(offset)).tolist())
+    return nf.Camera(position, (0.0, math.sin(yaw / 2), 0.0, math.cos(yaw / 2)), fov=FOV, size=SIZE)
+
+
+def nothing(_: Part) -> bool:
+    return False
+
+
+def everything(_: Part) -> bool:
+    return True
+
+
+def pilot_of(tree: Tree, settings: Settings | None = None, **ahead: Any) -> Pilot:
+    """A pilot that knows all records."""
+    cutter = tree.opened().viewer.cutter
+    for height in (0.0, 500.0):
+        cutter.whole(camera_at((0, height, 0)), Settings(error_px=1e-3), around=True)
+    return Pilot(cutter, settings or Settings(), Ahead(**ahead))
+
+
+def flown(pilot: Pilot, offset: Any, velocity: Any, time: float = 10.0) -> None:
+    """Two looks of a viewer on a straight way, the last one at an offset."""
+    pilot.look(camera_at(np.array(offset) - 0.2 * np.array(velocity)), time - 0.2)
+    pilot.look(camera_at(offset), time)
+
+
+def measured(pilot: Pilot, rate: float, view: int = 1000, leaf: int = 5000) -> None:
+    """The meter as it is after a second in which views and leaves have come."""
+    count = round(rate) // (view + leaf)
+    pilot.meter.note(0.0, Received(), busy=False)
+    pilot.meter.note(1.0, Received(count, count * view, count, count * leaf), busy=True)
+    assert pilot.meter.rate == pytest.approx(count * (view + leaf))
+
+
+def around(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> set[Part]:
+    cut = tree.cut(camera, error_px=error_px, around=True)
+    leaves = tree._viewer.cutter.with_guests(cut.leaf_places())
+    return {*cut.keys(), *((0, place, GEOMETRY) for place in leaves)}
+
+
+def test_a_plan_needs_a_look(tree: Tree) -> None:
+    with pytest.raises(RuntimeError, match="a look before a plan"):
+        pilot_of(tree).plan(nothing)
+
+
+def test_a_plan_wants_the_pictures_cut(tree: Tree) -> None:
+    pilot = pilot_of(tree, prefetch=False)
+    camera = camera_at((3, 5, 30), 0.4)
+    pilot.look(camera, 0.0)
+    plan = pilot.plan(nothing)
+    cut = tree.cut(camera)
+    keys, leaves = cut.keys(in_picture=True), cut.leaf_places(in_picture=True)
+    with_guests = tree._viewer.cutter.with_guests
+    expected = {(0, leaf): [(0, one, GEOMETRY) for one in with_guests([leaf])] for leaf in leaves}
+    for level, place, direction in keys:
+        expected.setdefault((level, place), []).append((level, place, direction))
+    assert list(plan.wanted.items()) == list(expected.items())
+    assert leaves
+    assert keys
+    coarsest = tree.cut(camera, error_px=1e30, geometry=False, around=True).keys()
+    assert plan.order == list(dict.fromkeys([*coarsest, *chain(*expected.values())]))
+    assert plan.error_px == 1.0
+
+
+def test_unknown_records_come_first(tree: Tree) -> None:
+    pilot = Pilot(tree.opened().viewer.cutter, Settings(), Ahead())
+    pilot.look(camera_at((0, 0, 0)), 0.0)
+    plan = pilot.plan(nothing)
+    assert [part[2] for part in plan.order] == [RECORD]
+    assert plan.wanted == {}
+
+
+def test_plans_look_ahead(tree: Tree) -> None:
+    """What is all around here and ahead follows what the picture shows; a margin leaves out what is behind."""
+    camera = camera_at((3, 5, 30))
+    orders = {}
+    for name, ahead in {"no": Ahead(prefetch=False), "some": Ahead(), "all": Ahead(margin=None)}.items():
+        pilot = pilot_of(tree)
+        pilot._ahead = ahead
+        pilot.look(camera, 0.0)
+        orders[name] = pilot.plan(nothing).order
+        assert len(set(orders[name])) == len(orders[name])
+        assert orders[name][: len(orders["no"])] == orders["no"]
+    assert set(orders["no"]) < set(orders["some"]) < set(orders["all"])
+    queue = tree.prefetch_queue(camera.position, camera=camera)
+    assert set(orders["all"]) == {*orders["no"], *queue.needed, *queue.soon}
+
+
+def test_queues_are_renewed_where_the_viewer_has_moved_or_turned(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
+    pilot, made = pilot_of(tree, adapt=False), []
+    renew = nf.orthoview._pilot.queue
+    monkeypatch.setattr("nearfar.orthoview._pilot.queue", lambda *given: made.append(given) or renew(*given))
+    ahead = tree.prefetch_queue(camera_at((0, 0, 0)).position, camera=camera_at((0, 0, 0))).ahead
+    times = iter(np.arange(1000.0) * 1e5)  # so slow that the viewer rests
+
+    def count(offset: Any, yaw: float = 0.0) -> int:
+        before = len(made)
+        pilot.look(camera_at(offset, yaw), next(times))
+        pilot.plan(nothing)
+        return len(made) - before
+
+    assert [count((0, 0, 0)), count((0, 0, 0))] == [1, 0]
+    assert count((0.099 * ahead, 0, 0)) == 0
+    assert count((0.101 * ahead, 0, 0)) == 1
+    assert count((0.101 * ahead, 0, 0), 0.99 * RENEWED_TURN) == 0
+    assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
+    pilot.take(tree.opened().viewer.cutter)
+    assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
+
+
+@pytest.mark.parametrize("height", [10.0, 200.0])
+def test_the_limit_is_what_the_link_brings(tree: Tree, height: float) -> None:
+    """Metres on which parts come into sight at a share of its bytes a second, for parts of the sizes that came."""
+    pilot = pilot_of(tree, margin=None)
+    measured(pilot, 60_000)
+    offset, velocity = np.array([0.0, height, 0.0]), np.array([30.0, 0.0, 0.0])
+    flown(pilot, offset, velocity)
+    pilot.plan(everything)
+    camera = camera_at(offset)
+    ahead = min(tree.prefetch_queue(camera.position, camera=camera).ahead, 30.0)
+    new = around(tree, camera_at(offset + np.array([ahead, 0, 0]))) - around(tree, camera)
+    assert new
+    size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
+    assert pilot.limit == pytest.approx(SHARE * 60_000 * ahead / size)
+
+
+def test_the_limit_grows_with_the_height(tree: Tree) -> None:
+    limits = []
+    for height in (0.0, 100.0, 300.0):
+        pilot = pilot_of(tree, margin=None)
+        measured(pilot, 60_000)
+        flown(pilot, (0, height, 0), (25, 0, 0))
+        pilot.plan(everything)
+        limits.append(pilot.limit)
+    assert limits == sorted(limits)
+    assert limits[0] < limits[1] < limits[2]
+
+
+def test_without_a_course_or_a_measurement_there_is_no_limit(tree: Tree) -> None:
+    for is_measured, velocity, adapt in ((False, (30, 0, 0), True), (True, (0, 0, 0), True), (True, (30, 0, 0), False)):
+        pilot = pilot_of(tree, adapt=adapt)
+        if is_measured:
+            measured(pilot, 6_000)
+        flown(pilot, (0, 10, 0), velocity)
+        assert pilot.plan(everything).error_px == 1.0
+        assert pilot.limit == math.inf
+        assert pilot.settings.error_px == 1.0
+
+
+def fast(tree: Tree, held: Any, rate: float = 60_000) -> tuple[Pilot, Any]:
+    """A pilot that is faster than a link allows, with its plan."""
+    pilot = pilot_of(tree, margin=None)
+    measured(pilot, rate)
+    flown(pilot, (0, 10, 0), (400, 0, 0))
+    return pilot, pilot.plan(held)
+
+
+def test_a_viewer_that_is_too_fast_wishes_for_a_coarser_picture(tree: Tree) -> None:
+    """The least error of steps of √2 at which the link brings what the way asks for."""
+    pilot, _ = fast(tree, everything)
+    offset = np.array([0.0, 10.0, 0.0])
+    camera = camera_at(offset)
+    ahead = min(tree.prefetch_queue(camera.position, camera=camera).ahead, 400.0)
+    limits = []
+    for step in range(11):
+        error = 2.0 ** (step / 2)
+        new = around(tree, camera_at(offset + np.array([ahead, 0, 0])), error) - around(tree, camera, error)
+        size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
+        limits.append(SHARE * 60_000 * ahead / size if size else math.inf)
+    assert pilot.limit == pytest.approx(limits[0])
+    assert limits[0] < 400
+    step = next((n for n, limit in enumerate(limits) if limit >= 400), 10)
+    assert step > 0
+    assert pilot._wished == pytest.approx(2.0 ** (step / 2))
+
+
+def test_a_coarser_picture_comes_when_it_is_there_or_the_finer_one_is_not(tree: Tree) -> None:
+    for held, is_coarse in ((everything, True), (nothing, True)):
+        pilot, plan = fast(tree, held)
+        assert (plan.error_px > 1.0) == is_coarse
+        assert plan.error_px == pilot._wished
+    # While the finer one is there and the coarser one is not, it stays; the coarser one is read before what is ahead.
+    own = set(tree.cut(camera_at((0, 10, 0))).keys(in_picture=True))
+    leaves = tree.cut(camera_at((0, 10, 0))).leaf_places(in_picture=True)
+    own |= {(0, place, GEOMETRY) for place in tree._viewer.cutter.with_guests(leaves)}
+    pilot, plan = fast(tree, own.__contains__)
+    assert plan.error_px == 1.0 < pilot._wished
+    coming = tree.cut(camera_at((0, 10, 0)), error_px=pilot._wished).keys(in_picture=True)
+    assert set(chain(*plan.wanted.values())) <= own
+    assert set(coming) <= set(plan.order)
+    wanted = [*chain(*plan.wanted.values())]
+    base = tree.cut(camera_at((0, 10, 0)), error_px=1e30, geometry=False, around=True).keys()
+    first = list(dict.fromkeys([*base, *wanted]))
+    assert set(plan.order[: len(first)]) == set(first)
+    assert set(coming) <= set(plan.order[: len(set(first) | set(coming)) + len(leaves) * 30])
+
+
+def test_a_finer_picture_waits_until_it_is_there(tree: Tree) -> None:
+    pilot, plan = fast(tree, everything)
+    coarse = plan.error_px
+    assert coarse > 1.0
+    held = set(chain(*plan.wanted.values()))
+    for time in (11.0, 12.0, 13.0):  # the viewer halts
+        pilot.look(camera_at((0, 10, 0)), time)
+        plan = pilot.plan(held.__contains__)
+        assert plan.error_px == coarse
+        assert pilot._wished == 1.0
+    fine = tree.cut(camera_at((0, 10, 0))).keys(in_picture=True)
+    assert set(fine) <= set(plan.order)
+    pilot.look(camera_at((0, 10, 0)), 14.0)
+    plan = pilot.plan(everything)
+    assert plan.error_px == 1.0
+    assert set(fine) == {part for part in chain(*plan.wanted.values()) if part[2] != GEOMETRY}
+
+
+def test_a_picture_becomes_finer_with_slack_only(tree: Tree) -> None:
+    """At a speed just below what a step allows, a picture that is coarser stays."""
+    pilot, _ = fast(tree, everything)
+    now = pilot._error
+    flown(pilot, (0, 10, 0), (0, 0, 0), 20.0)
+    pilot.look(camera_at((0, 10, 0)), 21.0)
+    flown(pilot, (0, 10, 0), (pilot.limit * 0.99, 0, 0), 30.0)
+    pilot._error = now
+    pilot._renewed = None
+    pilot.plan(nothing)
+    limit = pilot.limit
+    speed = float(np.linalg.norm(pilot._motion.velocity))
+    assert (pilot._wished > 1.0) == (limit < speed * SLACK)
+
+
+def test_the_other_eye_is_wanted_as_well(tree: Tree) -> None:
+    pilot = pilot_of(tree, prefetch=False)
+    camera, other = camera_at((3, 5, 30), 0.4), camera_at((3, 5, 30), 2.4)
+    pilot.look(camera, 0.0, [other])
+    plan = pilot.plan(nothing)
+    (beside,) = plan.beside
+    cut = tree.cut(other)
+    assert {part for part in chain(*beside.values()) if part[2] >= 0} == set(cut.keys(in_picture=True))
+    assert set(chain(*beside.values())) <= set(plan.order)
+    pilot.look(camera, 1.0)
+    assert pilot.plan(nothing).beside == []
+
+
+def test_meters_forget(tree: Tree) -> None:
+    meter = Meter()
+    assert meter.rate == math.inf
+    assert meter.bytes_of((0, (0, 0, 0), 3)) == meter.bytes_of((0, (0, 0, 0), GEOMETRY)) == 0
+    meter.note(1.0, Received(), busy=True)
+    assert meter.rate == math.inf
+    notes = [(1.5, 700, 1), (2.5, 700, 0), (3.0, 900, 1), (3.1, 900, 1), (5.1, 1900, 1)]
+    weight, count, time, views, before = 1.0, 0.0, 1.0, 0, 0
+    for now, received, busy in notes:
+        meter.note(now, Received(views := views + 1, received), busy=bool(busy))
+        if busy:
+            fade = 0.5 ** ((now - time) / HALF_LIFE)
+            weight, count = weight * fade + now - time, count * fade + received - before
+        time, before = now, received
+        assert meter.rate == pytest.approx(count / weight)
+        assert meter.bytes_of((0, (0, 0, 0), 3)) == received / views
+    meter.note(5.1, Received(views, 5000), busy=True)
+    assert meter.rate == pytest.approx(count / weight)
+    meter.note(6.1, Received(2, 1000, 4, 8000), busy=False)
+    assert meter.bytes_of((0, (0, 0, 0), GEOMETRY)) == 2000

@@ -1,0 +1,223 @@
+"""Tests of flights over a link on a virtual clock."""
+
+from __future__ import annotations
+
+from itertools import chain
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.orthoview._parts import Part
+from tests.support import need
+from tests.support.flight_cases import FOV
+from tests.support.orthoview_cases import CORNER
+
+need("zarr")
+
+Tree = nf.orthoview.OrthoTree
+Link = nf.stream.Link
+
+MIDDLE = CORNER + 40.0
+FAST = Link(1e6)
+"""A frame of it carries all that a picture needs."""
+
+
+def path(count: int, start: Any = (-30, 5, 30), step: Any = (0.5, 0, 0)) -> list[nf.Camera]:
+    """A straight way through the world."""
+    places = MIDDLE + np.array(start) + np.arange(count)[:, None] * np.array(step)
+    return [nf.Camera(tuple(place.tolist()), fov=FOV, size=(64, 48)) for place in places]
+
+
+def still(count: int) -> list[nf.Camera]:
+    return path(count, step=(0, 0, 0))
+
+
+def sizes(tree: Tree, parts: set[Part]) -> int:
+    return sum(tree.opened().sizes(sorted(parts)))
+
+
+def same(one: nf.orthoview.FlightLog, other: nf.orthoview.FlightLog) -> bool:
+    names = ("time", "missing", "wanted", "error_px", "received")
+    return one.asked == other.asked and all(np.array_equal(getattr(one, name), getattr(other, name)) for name in names)
+
+
+def test_simulations_repeat_themselves(tree: Tree) -> None:
+    cameras = path(20)
+    lossy = Link(5.0, rtt_ms=20.0, loss=0.05)
+    first, second = (nf.orthoview.simulate(tree, cameras, link=lossy, seed=3) for _ in range(2))
+    assert same(first, second)
+    assert not same(first, nf.orthoview.simulate(tree, cameras, link=lossy, seed=4))
+    np.testing.assert_allclose(first.time, np.arange(20) / 72)
+    slow = nf.orthoview.simulate(tree, cameras, link=lossy, seed=3, rate=10)
+    np.testing.assert_allclose(slow.time, np.arange(20) / 10)
+
+
+def test_frames_count_the_parts_of_their_cuts(tree: Tree) -> None:
+    """The first one lacks all of them; at rest everything comes, and nothing is missing from then on."""
+    cameras = still(60)
+    log = nf.orthoview.simulate(tree, cameras, link=Link(20.0), views=2)
+    cut = tree.cut(cameras[0], views=2)
+    leaves = cut.leaf_places(in_picture=True)
+    # Files of guests count for each leaf that has them.
+    files = sum(len(tree._viewer.cutter.with_guests([leaf])) for leaf in leaves)
+    assert set(log.wanted) == {len(cut.keys(in_picture=True)) + files}
+    assert log.missing[0] == log.wanted[0] > 0 == log.missing[-1]
+    assert (np.diff(log.missing) <= 0).all()
+    np.testing.assert_array_equal(log.stalled, log.missing > 0)
+    assert 1 < log.stalled.sum() < 60
+    assert set(log.error_px) == {1.0}
+    assert not log.coarser.any()
+
+
+def test_all_that_is_needed_is_asked_for_once(tree: Tree) -> None:
+    cameras = still(200)
+    log = nf.orthoview.simulate(tree, cameras, link=Link(100.0), margin_deg=None)
+    queue = tree.prefetch_queue(cameras[0].position, camera=cameras[0])
+    coarsest = set(tree.cut(cameras[0], error_px=1e30, geometry=False, around=True).keys())
+    needed = {*queue.needed, *queue.soon}
+    assert sizes(tree, needed) <= log.asked == log.received[-1] <= sizes(tree, coarsest | needed)
+    bare = nf.orthoview.simulate(tree, cameras, link=Link(100.0), prefetch=False)
+    cut = tree.cut(cameras[0])
+    shown = {(0, place, -1) for place in tree._viewer.cutter.with_guests(cut.leaf_places(in_picture=True))}
+    needed = shown | set(cut.keys(in_picture=True))
+    assert sizes(tree, needed) <= bare.asked == bare.received[-1] <= sizes(tree, coarsest | needed)
+    assert bare.asked < log.asked
+    # The coarsest views are few.
+    assert sizes(tree, coarsest) < 0.3 * sizes(tree, needed)
+
+
+@pytest.mark.parametrize("mbps", [1.0, 10.0])
+def test_a_link_brings_no_more_than_its_rate(tree: Tree, mbps: float) -> None:
+    """Files count when they are whole: at most 16 of them are on their way."""
+    log = nf.orthoview.simulate(tree, still(72), link=Link(mbps))
+    sent = log.time * mbps * 1e6 / 8
+    assert (np.diff(log.received) >= 0).all()
+    assert (log.received <= sent + 1e-6).all()
+    busy = log.received < log.asked
+    assert busy.any()
+    largest = max(tree.opened().sizes(tree.prefetch_queue(MIDDLE).needed))
+    assert (log.received[busy] >= sent[busy] - 16 * max(largest, 20_000)).all()
+    assert log.received[-1] > 0.5 * min(sent[-1], log.asked)
+
+
+def test_a_round_trip_delays_all(tree: Tree) -> None:
+    log = nf.orthoview.simulate(tree, still(72), link=Link(1e6, rtt_ms=100.0))
+    # Two round trips of the handshake, and one of the request.
+    assert (log.received[log.time < 0.3] == 0).all()
+    assert log.received[-1] > 0
+
+
+def test_with_a_fast_link_only_the_first_frames_stall(tree: Tree) -> None:
+    """What is new in a frame is asked for then, and there in the next one."""
+    log = nf.orthoview.simulate(tree, path(60), link=FAST, adapt=False)
+    assert log.stalled[0]
+    assert not log.stalled[2:].any()
+    bare = nf.orthoview.simulate(tree, path(60), link=FAST, adapt=False, prefetch=False)
+    assert bare.stalled[2:].any()
+
+
+@pytest.mark.parametrize("mbps", [4.0, 30.0])
+def test_prefetching_saves_stalls(tree: Tree, mbps: float) -> None:
+    cameras = [*still(60), *path(90, step=(0.4, 0, 0))]
+    logs = [
+        nf.orthoview.simulate(tree, cameras, link=Link(mbps, rtt_ms=20.0), adapt=False, prefetch=prefetch)
+        for prefetch in (True, False)
+    ]
+    # From when the viewer begins to move.
+    ahead, bare = (log.missing[60:] for log in logs)
+    assert (ahead > 0).sum() <= (bare > 0).sum()
+    assert ahead.sum() < bare.sum()
+
+
+def test_a_small_cache_asks_again(tree: Tree) -> None:
+    """There and back; what is needed is kept in any case."""
+    cameras = [*path(60, step=(1.0, 0, 0)), *path(60, step=(1.0, 0, 0))[::-1]]
+    large, small = (
+        nf.orthoview.simulate(tree, cameras, link=FAST, adapt=False, prefetch=False, cache_bytes=count)
+        for count in (1 << 30, 0)
+    )
+    assert small.asked > 1.2 * large.asked
+    assert small.stalled.sum() >= large.stalled.sum()
+    coarsest = set(tree.cut(cameras[0], error_px=1e30, geometry=False, around=True).keys())
+    distinct: set[Part] = set()
+    for camera in cameras[:60]:
+        cut = tree.cut(camera)
+        leaves = tree._viewer.cutter.with_guests(cut.leaf_places(in_picture=True))
+        distinct |= {*cut.keys(in_picture=True), *((0, place, -1) for place in leaves)}
+    assert sizes(tree, distinct) <= large.asked <= sizes(tree, distinct | coarsest)
+    resting = nf.orthoview.simulate(tree, still(60), link=FAST, cache_bytes=0)
+    kept = nf.orthoview.simulate(tree, still(60), link=FAST)
+    assert resting.asked == kept.asked
+    assert not resting.stalled[2:].any()
+
+
+def test_pictures_are_coarser_where_the_link_is_too_slow(tree: Tree) -> None:
+    cameras = [*path(40, step=(1.5, 0, 0)), *[path(40, step=(1.5, 0, 0))[-1]] * 700]
+    log = nf.orthoview.simulate(tree, cameras, link=Link(5.0))
+    fixed = nf.orthoview.simulate(tree, cameras, link=Link(5.0), adapt=False)
+    assert log.error_px[0] == log.error_px[-1] == log.error_px.min() == 1.0
+    assert log.coarser.any()
+    assert not log.coarser[-1]
+    assert not log.stalled[-1]
+    assert not fixed.coarser.any()
+    steps = np.log2(log.error_px) * 2
+    np.testing.assert_allclose(steps, np.round(steps), atol=1e-9)
+
+
+def test_logs_describe_themselves() -> None:
+    log = nf.orthoview.FlightLog(
+        np.arange(4) / 10, np.array([5, 2, 0, 0]), np.array([5, 5, 6, 6]), np.array([1.0, 1.0, 2.0, 1.0]),
+        np.array([0, 10, 2000, 2000]), 4321,
+    )  # fmt: skip
+    assert repr(log) == "FlightLog(4 frames, 50.0% stalled, 25.0% coarser, 4,321 bytes)"
+    assert log.stalled.tolist() == [True, True, False, False]
+    assert log.coarser.tolist() == [False, False, True, False]
+
+
+def test_logs_are_plotted(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
+    need("matplotlib")
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    from matplotlib import pyplot
+
+    log = nf.orthoview.simulate(tree, still(10), link=Link(20.0))
+    for value, row in (("bytes", log.received), ("missing", log.missing), ("error_px", log.error_px)):
+        ax = log.plot(value=value)
+        points = [np.asarray(line.get_ydata()) for line in ax.get_lines()]
+        assert set(np.concatenate(points)) == set(row.astype(float))
+    _, own = pyplot.subplots()
+    assert log.plot(own) is own
+    with pytest.raises(ValueError, match="value"):
+        log.plot(value="speed")
+    wrong: Any = log
+    with pytest.raises(TypeError, match="ax"):
+        wrong.plot("axes")
+    pyplot.close("all")
+
+
+def test_bad_calls_are_named(tree: Tree) -> None:
+    simulate: Any = nf.orthoview.simulate
+    cameras = still(2)
+    cases: list[tuple[dict[str, Any], Any, str]] = [
+        ({"tree": 3}, TypeError, "tree"),
+        ({"cameras": []}, ValueError, "cameras: expected at least one, got none"),
+        ({"cameras": [3]}, TypeError, "cameras"),
+        ({"cameras": 3}, TypeError, "cameras"),
+        ({"link": 50.0}, TypeError, "link"),
+        ({"rate": 0.5}, ValueError, "rate"),
+        ({"rate": 1001}, ValueError, "rate"),
+        ({"views": 9}, ValueError, "views"),
+        ({"error_px": 0}, ValueError, "error_px"),
+        ({"geometry": 1}, TypeError, "geometry"),
+        ({"prefetch": 1}, TypeError, "prefetch"),
+        ({"margin_deg": 200}, ValueError, "margin_deg"),
+        ({"adapt": "yes"}, TypeError, "adapt"),
+        ({"cache_bytes": -1}, ValueError, "cache_bytes"),
+        ({"cache_bytes": 1.5}, TypeError, "cache_bytes"),
+        ({"seed": -1}, ValueError, "seed"),
+    ]
+    for changed, kind, message in cases:
+        with pytest.raises(kind, match=message):
+            simulate(**({"tree": tree, "cameras": cameras, "link": FAST} | changed))
+    assert len(list(chain(simulate(tree, cameras, link=FAST).time))) == 2
