@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from nearfar.orthoview._build import build
 from nearfar.orthoview._cut import OrthoCut
+from nearfar.orthoview._motion_blur import motion_blur
 from nearfar.orthoview._resolution import size_for
+from nearfar.orthoview._steady import Steady
 from nearfar.orthoview._tree import OrthoTree, open  # noqa: A004 - the name of the public face
 
-__all__ = ["OrthoCut", "OrthoTree", "build", "open", "size_for"]
+__all__ = ["OrthoCut", "OrthoTree", "Steady", "build", "motion_blur", "open", "size_for"]

@@ -1,0 +1,13 @@
+//! Against popping: pictures of one moment seen from the camera of another.
+//!
+//! `Past::blend` fades a picture into the one before, surface by surface; `blur` averages a picture over poses.
+
+mod blur;
+mod lens;
+mod past;
+
+pub use blur::blur;
+pub use past::{Fade, Image, Past};
+
+/// Linear RGB.
+pub type Color = [f32; 3];
