@@ -71,7 +71,7 @@ def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, blend: Blend, sky: nf
 
 
 def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats, Floats, Ints]]:
-    """Samples that show splats: their numbers, the splats' nearness (1/depth) and opacity there, the splats' numbers."""
+    """Samples that show splats: their numbers, nearness (1/depth) and opacity there, and the splats' numbers."""
     width, height = camera.size
     place = camera.project(splats.point)
     # The derivative, by a step that is small beside a splat.

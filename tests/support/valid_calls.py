@@ -11,6 +11,7 @@ import nearfar as nf
 from nearfar._scene.names import Names
 from tests.support.valid_fields import fields
 from tests.support.valid_objects import EYE, MATRIX, SIZE, ZONES, Valid
+from tests.support.valid_steady import steady
 from tests.support.valid_streams import streams
 
 NEEDS = {
@@ -64,6 +65,7 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.lod.Switches": lambda: nf.lod.switches(model, view=valid.camera),
         "nearfar.orthoview.OrthoCut": lambda: _cut(valid),
         "nearfar.orthoview.OrthoTree": lambda: nf.orthoview.open(valid.store),
+        "nearfar.orthoview.Steady": nf.orthoview.Steady,
         "nearfar.stream.Bundle": lambda: valid.bundle,
         "nearfar.stream.Growth": lambda: nf.stream.Growth((2.0, 4.0)),
         "nearfar.stream.RingMaps": lambda: valid.ring_maps,
@@ -87,7 +89,7 @@ def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
 
     A name followed by " @" and a word is another call of the same callable, which reaches other checks.
     """
-    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams, _orthoviews)
+    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams, _orthoviews, steady)
     return {name: arguments for make in makers for name, arguments in make(valid).items()}
 
 
