@@ -110,7 +110,7 @@ def plot(parts: list[dict[str, Findings]], path: Path) -> None:
             label = {"steady": "orthoviews, steady"}.get(name, name) if n == 0 else None
             axis.plot(times, found[name].alike, color=color, linewidth=1.2, label=label)
     axis.set(
-        xlabel=f"time, s; each part is {FRAMES - FIRST} pictures, {(FRAMES - FIRST) / RATE:.1f} s long",
+        xlabel=f"time, s; each part has {FRAMES - FIRST} pictures ({(FRAMES - FIRST) / RATE:.1f} s, drawn wider)",
         ylabel="motion-compensated SSIM",
     )
     axis.grid(alpha=0.3)

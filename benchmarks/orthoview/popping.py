@@ -57,10 +57,12 @@ def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
         alike, psnr, ssim = (
             np.concatenate([getattr(part[name], what) for part in found]) for what in ("alike", "psnr", "ssim")
         )
-        numbers = [alike.mean(), np.percentile(alike, 1), alike.min()]
+        truth = np.concatenate([part["truth"].alike for part in found])
+        numbers = [alike.mean(), np.percentile(alike, 1), alike.min(), (alike - truth).min()]
         errors = [f"{psnr.mean():.2f}", f"{ssim.mean():.4f}"] if len(psnr) else ["", ""]
         rows.append([name, *(f"{number:.4f}" for number in numbers), *errors])
-    print(table(f"Flight, {len(found)} parts", ["pictures", "mean", "1st percentile", "least", "PSNR", "SSIM"], rows))
+    header = ["pictures", "mean", "1st percentile", "least", "least above the truth's", "PSNR", "SSIM"]
+    print(table(f"Flight, {len(found)} parts", header, rows))
     plot(found, out / "orthoview_steady.png")
 
 

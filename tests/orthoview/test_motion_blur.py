@@ -13,7 +13,11 @@ from nearfar._render.ranged import ranged
 from nearfar.orthoview._motion_blur import pose_between
 from tests.support.steady_oracle import averaged
 
-FOVS = {"perspective": nf.Fov(-0.7, 0.5, -0.4, 0.6), "cube": nf.CubeFace(5), "parallel": nf.Orthographic(-3, 4, -3, 3)}
+FOVS: dict[str, Any] = {
+    "perspective": nf.Fov(-0.7, 0.5, -0.4, 0.6),
+    "cube": nf.CubeFace(5),
+    "parallel": nf.Orthographic(-3, 4, -3, 3),
+}
 
 
 def picture(fov: Any, size: int = 18) -> nf.Frame:

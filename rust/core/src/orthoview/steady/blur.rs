@@ -3,9 +3,8 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::Color;
+use super::image::{Color, Image};
 use super::lens::Lens;
-use super::past::Image;
 use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::camera::Camera;
 use crate::render::temporal::cubic;

@@ -3,11 +3,10 @@
 //! `Past::blend` fades a picture into the one before, surface by surface; `blur` averages a picture over poses.
 
 mod blur;
+mod image;
 mod lens;
 mod past;
 
 pub use blur::blur;
-pub use past::{Fade, Image, Past};
-
-/// Linear RGB.
-pub type Color = [f32; 3];
+pub use image::{Color, Image};
+pub use past::{Fade, Past};

@@ -3,34 +3,11 @@
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use super::Color;
+use super::image::{Color, Image};
 use super::lens::Lens;
 use crate::base::{Error, Progress, Result};
-use crate::camera::{Camera, Rays};
+use crate::camera::Rays;
 use crate::render::temporal::cubic;
-
-/// A picture with the distances of its surfaces.
-#[derive(Clone, Copy, Debug)]
-pub struct Image<'a> {
-    /// Its camera.
-    pub camera: &'a Camera,
-    /// Linear RGB.
-    pub color: &'a [Color],
-    /// Metres from the camera, +∞ for the sky.
-    pub range: &'a [f32],
-}
-
-impl Image<'_> {
-    pub(super) fn check(&self, name: &'static str) -> Result<()> {
-        let count = self.camera.width as usize * self.camera.height as usize;
-        for length in [self.color.len(), self.range.len()] {
-            if length != count {
-                return Err(Error::value(name, format!("{count} pixels"), length));
-            }
-        }
-        Ok(())
-    }
-}
 
 /// Part by which distances of one surface may differ where the motion of pixels is given: surfaces may move by
 /// themselves, so that what is at another distance is another one.
