@@ -29,6 +29,7 @@ from ._render.sequence import render_path
 from ._render.truth import render
 from ._metrics.comparison import Comparison, compare
 from ._metrics.discontinuity import boundary, discontinuity
+from ._metrics.motion_similarity import motion_ssim
 from ._metrics.pixel_errors import object_completion, psnr, rmse
 from ._metrics.result import Similarity
 from ._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
@@ -105,6 +106,7 @@ __all__ = [
     "load_curve",
     "lod",
     "morph",
+    "motion_ssim",
     "ms_ssim",
     "nearest_points",
     "object_completion",

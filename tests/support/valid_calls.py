@@ -12,6 +12,7 @@ from nearfar._scene.names import Names
 from tests.support import valid_orthoviews as orthoviews
 from tests.support.valid_fields import fields
 from tests.support.valid_objects import EYE, MATRIX, SIZE, ZONES, Valid
+from tests.support.valid_steady import steady
 from tests.support.valid_streams import streams
 
 NEEDS = {
@@ -68,6 +69,7 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.orthoview.FlightLog": lambda: valid.flown,
         "nearfar.orthoview.OrthoCut": lambda: orthoviews.cut(valid),
         "nearfar.orthoview.OrthoTree": lambda: nf.orthoview.open(valid.store),
+        "nearfar.orthoview.Steady": nf.orthoview.Steady,
         "nearfar.stream.Bundle": lambda: valid.bundle,
         "nearfar.stream.Growth": lambda: nf.stream.Growth((2.0, 4.0)),
         "nearfar.stream.RingMaps": lambda: valid.ring_maps,
@@ -91,7 +93,7 @@ def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
 
     A name followed by " @" and a word is another call of the same callable, which reaches other checks.
     """
-    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams, orthoviews.orthoviews)
+    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams, orthoviews.orthoviews, steady)
     return {name: arguments for make in makers for name, arguments in make(valid).items()}
 
 

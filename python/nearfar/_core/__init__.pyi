@@ -40,6 +40,8 @@ from nearfar._core.orthoview import (
     OrthoParent as OrthoParent,
     OrthoSplats as OrthoSplats,
     OrthoViews as OrthoViews,
+    blend_past as blend_past,
+    blur_motion as blur_motion,
     orthoview_axes as orthoview_axes,
     orthoview_steps as orthoview_steps,
     orthoview_surfels as orthoview_surfels,

@@ -81,6 +81,14 @@ def splat_orthoviews(
     report: _Report | None = None,
 ) -> dict[str, Any]: ...
 
+# steady pictures ----------------------------------------------------------------------------------------------------
+_Picture = tuple[Camera, NDArray[np.float32], NDArray[np.float32]]
+
+def blend_past(
+    past: _Picture, now: _Picture, *, fade: tuple[float, float], motion: NDArray[np.float32] | None = None
+) -> tuple[NDArray[np.float32], NDArray[np.bool_]]: ...
+def blur_motion(picture: _Picture, poses: Sequence[Camera]) -> NDArray[np.float32]: ...
+
 # cuts ---------------------------------------------------------------------------------------------------------------
 @final
 class OrthoCells:

@@ -55,6 +55,7 @@ mod _core {
         morph::morph,
         orthoview::cut::OrthoCells,
         orthoview::splat::{OrthoSplats, splat_orthoviews},
+        orthoview::steady::{blend_past, blur_motion},
         orthoview::views::{OrthoParent, OrthoViews, orthoview_axes, orthoview_steps, orthoview_surfels},
         partition::{LoadCurve, Partition, object_radii, ring_loads, triangle_radii},
         render::bake::{bake_map, bake_rings},

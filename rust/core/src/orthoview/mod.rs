@@ -17,6 +17,7 @@ mod raster;
 mod reduce;
 mod second;
 pub mod splat;
+pub mod steady;
 mod surfaces;
 mod unseen;
 mod view;

@@ -129,7 +129,7 @@ fn rgb([luma, orange, green]: Color) -> Color {
 
 /// Colour at a place (x, y), pixels, by cubic interpolation (Catmull and Rom 1974), which blurs less than linear; pixels
 /// outside of the picture are those of its edge.
-fn cubic(picture: &[Color], width: usize, [x, y]: [f64; 2]) -> Color {
+pub(crate) fn cubic(picture: &[Color], width: usize, [x, y]: [f64; 2]) -> Color {
     let ((column, across), (row, down)) = (around(x), around(y));
     let (last_column, last_row) = (width as i64 - 1, (picture.len() / width) as i64 - 1);
     let mut sum = [0.0; 3];

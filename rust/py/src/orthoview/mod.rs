@@ -2,4 +2,5 @@
 
 pub mod cut;
 pub mod splat;
+pub mod steady;
 pub mod views;

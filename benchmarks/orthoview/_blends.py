@@ -1,0 +1,144 @@
+"""Splats in NumPy that do not hide one another but blend: by their opacity, and by their directions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._scene.srgb import to_linear
+from nearfar.orthoview._view import OrthoView
+
+Floats, Ints = NDArray[np.float64], NDArray[np.int64]
+
+LEAST_COSINE, BORDER, SQUARED_RADIUS = 0.25, 1.27, 0.5
+SHARPNESS = 4.0
+"""Opacity at q within a splat is e^(−`SHARPNESS` |q|²); its edge is at |q|² = 1/2."""
+LAYER = 0.01
+"""Splats at one sample blend if they are farther than the nearest one by no more than this share of its distance."""
+REACH = 3
+"""Greatest distance of a sample from a splat's middle, samples."""
+LINE = 1e-4
+"""Least sine of the angle between an ellipse's axes in the picture."""
+GRID = 2
+"""Samples along each axis of a pixel."""
+
+
+@dataclass(frozen=True)
+class Blend:
+    """How splats at one sample are mixed."""
+
+    opacity: bool = False
+    """Whether those near the nearest one count, by their opacity; else it alone counts."""
+    directions: bool = False
+    """Whether they count by their directions: with weights that fall to 0 where a direction leaves the chosen ones."""
+
+
+@dataclass(frozen=True)
+class _Splats:
+    point: Floats
+    u: Floats
+    v: Floats
+    light: Floats
+    """Linear RGB (N, 3) that they show."""
+    weight: Floats
+    """Of their directions (N,)."""
+
+
+def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, blend: Blend, sky: nf.Frame, views: int = 3) -> nf.Frame:
+    """A picture of a tree's views, without geometry; `sky` is a picture of the same size of what is behind."""
+    width, height = camera.size
+    fine = replace(camera, size=(width * GRID, height * GRID))
+    nearest = np.zeros(width * height * GRID**2)
+    total, weights = np.zeros((len(nearest), 3)), np.zeros(len(nearest))
+    splats = _splats(tree, camera, views)
+    for sample, nearness, _, _ in _samples(splats, fine):
+        np.maximum.at(nearest, sample, nearness)
+    for sample, nearness, opacity, splat in _samples(splats, fine):
+        is_shown = nearness >= nearest[sample] / (1 + LAYER) if blend != Blend() else nearness == nearest[sample]
+        weight = np.where(is_shown, 1.0, 0.0)
+        weight *= opacity if blend.opacity else 1.0
+        weight *= splats.weight[splat] + 1e-6 if blend.directions else 1.0
+        np.add.at(weights, sample, weight)
+        np.add.at(total, sample, weight[:, None] * splats.light[splat])
+    behind = sky.require("color").repeat(GRID, axis=0).repeat(GRID, axis=1).reshape(-1, 3)
+    shown = np.where(weights[:, None] > 0, total / np.maximum(weights, 1e-30)[:, None], behind)
+    color = shown.reshape(height, GRID, width, GRID, 3).mean(axis=(1, 3)).astype(np.float32)
+    return nf.Frame(camera, color=color)
+
+
+def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats, Floats, Ints]]:
+    """Samples that show splats: their numbers, nearness (1/depth) and opacity there, and the splats' numbers."""
+    width, height = camera.size
+    place = camera.project(splats.point)
+    # The derivative, by a step that is small beside a splat.
+    axes = [camera.project(splats.point + 1e-3 * axis) - place for axis in (splats.u, splats.v)]
+    (ux, uy, uw), (vx, vy, vw) = (axis.T * 1e3 for axis in axes)
+    determinant = ux * vy - uy * vx
+    x, y, depth = place.T
+    with np.errstate(invalid="ignore"):
+        is_flat = np.abs(determinant) < LINE * np.hypot(ux, uy) * np.hypot(vx, vy)
+        usable = np.flatnonzero((depth > 1.0) & ~is_flat & (x > -REACH) & (x < width + REACH))
+    x, y, depth, determinant = x[usable], y[usable], depth[usable], determinant[usable]
+    ux, uy, uw, vx, vy, vw = (value[usable] for value in (ux, uy, uw, vx, vy, vw))
+    column, row = np.floor(x).astype(int), np.floor(y).astype(int)
+    for down in range(-REACH, REACH + 1):
+        for across in range(-REACH, REACH + 1):
+            dx, dy = column + across + 0.5 - x, row + down + 0.5 - y
+            q0, q1 = (vy * dx - vx * dy) / determinant, (ux * dy - uy * dx) / determinant
+            squared = q0**2 + q1**2
+            is_in = (squared <= SQUARED_RADIUS) | ((across == 0) & (down == 0))
+            is_in &= (column + across >= 0) & (column + across < width) & (row + down >= 0) & (row + down < height)
+            n = np.flatnonzero(is_in)
+            sample = (row[n] + down) * width + column[n] + across
+            at = depth[n] + np.clip(q0[n], -1, 1) * uw[n] + np.clip(q1[n], -1, 1) * vw[n]
+            opacity = np.exp(-SHARPNESS * np.minimum(squared[n], SQUARED_RADIUS))
+            yield sample, 1.0 / np.maximum(at, 1.0), opacity, usable[n]
+
+
+def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int) -> _Splats:
+    """The splats of a cut, of one view more than are drawn: it has the weight 0, and the others its cosine less."""
+    cut = tree.cut(camera, views=views + 1, geometry=False)
+    units = np.array(tree.directions) / np.linalg.norm(tree.directions, axis=1, keepdims=True)
+    parts = []
+    for level, place, numbers in zip(cut.level.tolist(), cut.place.tolist(), cut.directions, strict=True):
+        known = numbers[numbers >= 0]
+        toward = np.array(camera.position) - tree.box(level, tuple(place)).mean(axis=0)
+        cosines = units[known] @ (toward / np.linalg.norm(toward))
+        least = cosines[views] if len(known) > views else -1.0
+        for number, cosine in zip(known[:views].tolist(), cosines[:views].tolist(), strict=True):
+            view = tree.view(level, tuple(place), number)
+            if view is not None:
+                parts.append(_of_view(view, max(cosine - least, 0.0)))
+    return _Splats(*(np.concatenate([getattr(part, name) for part in parts]) for name in _Splats.__dataclass_fields__))
+
+
+def _of_view(view: OrthoView, weight: float) -> _Splats:
+    shown = np.isfinite(view.depth)
+    normal, surfel = view.normal[shown].astype(float), view.surfel[shown][:, None]
+    x, y = view.extents[:2] / len(view.depth)
+    facing = np.maximum(normal @ view.toward, LEAST_COSINE)[:, None]
+    u = x * (view.right - (normal @ view.right)[:, None] / facing * view.toward)
+    v = y * (view.up - (normal @ view.up)[:, None] / facing * view.toward)
+    half = np.hypot(x, y) / 2 / np.sqrt(SQUARED_RADIUS)
+    light = to_linear(view.color[shown] / 255) * irradiance(normal)
+    return _Splats(
+        view.points()[shown],
+        np.where(surfel, BORDER * u, half * view.right),
+        np.where(surfel, BORDER * v, half * view.up),
+        light,
+        np.full(len(light), weight),
+    )
+
+
+SUN_DIRECTION, SUN = np.array([10, 15, 6]) / 19, np.array([0.60, 0.56, 0.50])
+SKY_DIRECTION, SKY = np.array([-2, 9, 3]) / np.sqrt(94), np.array([[0.130, 0.135, 0.150], [0.380, 0.420, 0.480]])
+
+
+def irradiance(normal: Floats) -> Floats:
+    """Linear RGB that a white surface reflects."""
+    sky, sun = 0.5 + 0.5 * normal @ SKY_DIRECTION, np.maximum(normal @ SUN_DIRECTION, 0)
+    return np.asarray(SKY[0] + (SKY[1] - SKY[0]) * sky[:, None] + SUN * sun[:, None])

@@ -1,0 +1,72 @@
+"""Motion blur: a picture averaged over the poses between two cameras."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import SupportsFloat, SupportsIndex
+
+import numpy as np
+
+from nearfar import _core
+from nearfar._base import check
+from nearfar._camera.camera import Camera
+from nearfar._render.frame import Frame
+from nearfar._render.ranged import ranged
+
+MOST_POSES = 64
+
+
+def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, poses: SupportsIndex = 8) -> Frame:
+    """Average a picture over the poses that its camera had while the shutter was open.
+
+    Each pixel is warped forward to where each pose shows its surface, and the nearest surface counts; then the linear
+    colours of the poses are averaged, at each pixel of those that show something there. Only the camera moves: what
+    moves by itself is blurred no more than the rest.
+
+    Parameters
+    ----------
+    frame
+        The picture, with colour and range, by a camera of any projection.
+    before
+        Camera of the picture before, whose position and orientation count. Between both the eye moves straight and
+        turns evenly.
+    shutter
+        Time that the shutter is open until the moment of the picture, in times between two pictures, 0 to 1.
+    poses
+        Number of poses, 1 to 64.
+
+    Returns
+    -------
+    Frame
+        The picture with averaged colours; all other images stay. Colours stay, too, if the camera has not moved.
+
+    Raises
+    ------
+    ValueError
+        For a frame without colour or range, and for numbers out of range.
+    TypeError
+        For something that is no frame or no camera.
+    """
+    picture, earlier = ranged("frame", frame), check.instance("before", before, Camera)
+    share = check.within("shutter", shutter, 0.0, 1.0)
+    count = check.integer("poses", poses, 1, MOST_POSES)
+    cameras = [pose_between(frame.camera, earlier, share * (n + 0.5) / count) for n in range(count)]
+    color = _core.blur_motion(picture, [camera._core for camera in cameras])
+    return replace(frame, color=color)
+
+
+def pose_between(camera: Camera, other: Camera, share: float) -> Camera:
+    """A camera moved towards another pose by a share of the way: straight, and turned evenly (Shoemake 1985)."""
+    x, y, z = ((1 - share) * np.array(camera.position) + share * np.array(other.position)).tolist()
+    one, two = np.array(camera.orientation), np.array(other.orientation)
+    cosine = float(one @ two)
+    if cosine < 0.0:
+        two, cosine = -two, -cosine
+    angle = math.acos(min(cosine, 1.0))
+    if angle < 1e-6:
+        mixed = (1 - share) * one + share * two
+    else:
+        mixed = (math.sin((1 - share) * angle) * one + math.sin(share * angle) * two) / math.sin(angle)
+    i, j, k, w = (mixed / np.linalg.norm(mixed)).tolist()
+    return replace(camera, position=(x, y, z), orientation=(i, j, k, w))

@@ -1,0 +1,89 @@
+//! Motion blur: a picture warped to several poses, and averaged.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::image::{Color, Image};
+use super::lens::Lens;
+use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::camera::Camera;
+use crate::render::temporal::cubic;
+
+/// A pixel of a pose that shows nothing.
+const NOTHING: u64 = u64::MAX;
+
+/// Averages a picture over the `poses` of cameras of its size, each pixel over those poses that show something there; it
+/// keeps its colour where none does.
+///
+/// Warps go forward: each pixel of the picture is drawn where a pose shows its surface, and the nearest surface counts.
+pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progress: &Progress) -> Result<()> {
+    image.check("frame")?;
+    let count = image.color.len();
+    if blurred.len() != count {
+        return Err(Error::value("blurred", format!("{count} pixels"), blurred.len()));
+    }
+    let size = (image.camera.width, image.camera.height);
+    if let Some(other) = poses.iter().find(|pose| (pose.width, pose.height) != size) {
+        return Err(Error::value(
+            "poses",
+            format!("cameras of {size:?} pixels"),
+            format!("{:?}", (other.width, other.height)),
+        ));
+    }
+    room_for((poses.len() * count * (size_of::<u64>() + size_of::<Color>())) as u64)?;
+    let warped: Vec<Vec<Option<Color>>> = poses
+        .par_iter()
+        .map(|pose| {
+            progress.check()?;
+            Ok(warp(image, pose))
+        })
+        .collect::<Result<_>>()?;
+    blurred.par_iter_mut().enumerate().for_each(|(pixel, blurred)| {
+        let (mut sum, mut shown) = ([0.0f32; 3], 0u32);
+        for color in warped.iter().filter_map(|pose| pose[pixel]) {
+            (0..3).for_each(|c| sum[c] += color[c]);
+            shown += 1;
+        }
+        *blurred = if shown > 0 { sum.map(|value| value / shown as f32) } else { image.color[pixel] };
+    });
+    Ok(())
+}
+
+/// The picture as a pose shows it; none where nothing of the picture is shown.
+fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
+    let (lens, rays) = (Lens::new(pose), image.camera.rays());
+    let (width, height) = (pose.width as usize, pose.height as usize);
+    let shown = |pixel: usize| {
+        let (start, way) = rays.at((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
+        let inverse = 1.0 / f64::from(image.range[pixel]);
+        let offset = (image.camera.position + start - lens.eye) * inverse + way;
+        lens.shows(offset, inverse).place().map(|place| (place, distance(&lens, offset, inverse)))
+    };
+    // The distance above, the number of the pixel below: the least key is the nearest surface, of equal ones the first.
+    let mut nearest = vec![NOTHING; width * height];
+    for pixel in 0..width * height {
+        if let Some((place, distance)) = shown(pixel) {
+            let is_inside = (0.0..width as f64).contains(&place.x) && (0.0..height as f64).contains(&place.y);
+            if is_inside && distance >= 0.0 {
+                let key = u64::from(distance.to_bits()) << 32 | pixel as u64;
+                let target = &mut nearest[place.y as usize * width + place.x as usize];
+                *target = key.min(*target);
+            }
+        }
+    }
+    let color = |(at, key): (usize, u64)| {
+        let pixel = (key & u64::from(u32::MAX)) as usize;
+        let (place, _) = (key != NOTHING).then(|| shown(pixel)).flatten()?;
+        // The surface's middle is shown beside the pixel's: what the pixel's middle shows lies as far on its other side.
+        let beside = [(at % width) as f64 + 0.5 - place.x, (at / width) as f64 + 0.5 - place.y];
+        let from = [(pixel % width) as f64 + 0.5 + beside[0], (pixel / width) as f64 + 0.5 + beside[1]];
+        Some(cubic(image.color, width, from).map(|value| value.max(0.0)))
+    };
+    nearest.into_iter().enumerate().map(color).collect()
+}
+
+/// Metres from a lens to a homogeneous point.
+fn distance(lens: &Lens, offset: DVec3, inverse: f64) -> f32 {
+    let scaled = if lens.is_parallel { lens.along(offset) } else { offset.length() };
+    (scaled / inverse) as f32
+}

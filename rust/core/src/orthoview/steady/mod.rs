@@ -1,0 +1,12 @@
+//! Against popping: pictures of one moment seen from the camera of another.
+//!
+//! `Past::blend` fades a picture into the one before, surface by surface; `blur` averages a picture over poses.
+
+mod blur;
+mod image;
+mod lens;
+mod past;
+
+pub use blur::blur;
+pub use image::{Color, Image};
+pub use past::{Fade, Past};

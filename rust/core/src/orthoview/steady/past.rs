@@ -1,0 +1,209 @@
+//! The picture of an earlier moment, looked up where a later one shows the same surfaces.
+
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+use super::image::{Color, Image};
+use super::lens::Lens;
+use crate::base::{Error, Progress, Result};
+use crate::camera::Rays;
+use crate::render::temporal::cubic;
+
+/// Part by which distances of one surface may differ where the motion of pixels is given: surfaces may move by
+/// themselves, so that what is at another distance is another one.
+const SAME_DISTANCE: f64 = 0.02;
+/// Greatest distance in pixels at which a surface is still shown by the same pixel.
+const MOST_PARALLAX: f64 = 0.5;
+/// Speed from which on a surface fades as one that moves, pixels a picture. Each look-up between pixels blurs; at a tenth of
+/// a pixel it hardly does.
+const MOVING: f64 = 0.1;
+/// Least weight of the four pixels around a place that must agree. One alone has it only if it is the nearest one.
+const LEAST_WEIGHT: f64 = 0.25;
+
+/// How fast colours fade: the time between two pictures over that in which a difference falls to 1/e.
+#[derive(Clone, Copy, Debug)]
+pub struct Fade {
+    /// Where the picture stands still.
+    pub still: f64,
+    /// Where it moves.
+    pub moving: f64,
+}
+
+impl Fade {
+    /// The exponent at a speed, pixels a picture. It is also the greatest distance in pixels between the places of two
+    /// surfaces that count as one: so one that is gone trails one that moves by no more than a pixel while it fades.
+    fn at(&self, speed: f64) -> f64 {
+        self.still + (self.moving - self.still) * (speed / MOVING).min(1.0)
+    }
+}
+
+/// An earlier picture.
+#[derive(Debug)]
+pub struct Past<'a> {
+    image: Image<'a>,
+    lens: Lens,
+    rays: Rays,
+    /// 1/range of each pixel.
+    inverse: Vec<f64>,
+}
+
+/// Which distances at a place of the earlier picture agree with a pixel of the later one.
+enum Test {
+    /// A surface at the inverse distance s would be shown |e (s − s₀) / (a s + b)| pixels from the pixel; `farthest` is the
+    /// greatest distance at which it agrees.
+    Parallax { e: f64, s: f64, a: f64, b: f64, farthest: f64 },
+    /// The distance is the same.
+    Distance { s: f64 },
+}
+
+impl Test {
+    fn holds(&self, inverse: f64) -> bool {
+        match *self {
+            Self::Parallax { e, s, a, b, farthest } => e * (inverse - s).abs() <= farthest * (a * inverse + b),
+            Self::Distance { s } => (inverse - s).abs() <= SAME_DISTANCE * s,
+        }
+    }
+}
+
+impl<'a> Past<'a> {
+    /// Prepares an earlier picture.
+    pub fn new(image: Image<'a>) -> Result<Self> {
+        image.check("past")?;
+        let inverse = image.range.par_iter().map(|range| 1.0 / f64::from(*range)).collect();
+        Ok(Self { image, lens: Lens::new(image.camera), rays: image.camera.rays(), inverse })
+    }
+
+    /// Mixes a picture with this one where both show the same surface; elsewhere the picture stays.
+    ///
+    /// A surface that is seen at the place where a pixel's surface was before is the same if it would now be shown near
+    /// the pixel: then it should be seen there, whatever its distance. `motion` says by how many pixels to the right and
+    /// down surfaces have moved, which may move by themselves; then distances must be the same. `agrees` says where
+    /// surfaces are the same.
+    pub fn blend(
+        &self,
+        now: &Image<'_>,
+        motion: Option<&[[f32; 2]]>,
+        fade: Fade,
+        mixed: &mut [Color],
+        agrees: &mut [bool],
+        progress: &Progress,
+    ) -> Result<()> {
+        now.check("now")?;
+        let count = now.color.len();
+        for (name, length) in
+            [("motion", motion.map_or(count, <[_]>::len)), ("mixed", mixed.len()), ("agrees", agrees.len())]
+        {
+            if length != count {
+                return Err(Error::value(name, format!("{count} pixels"), length));
+            }
+        }
+        let (lens, rays, width) = (Lens::new(now.camera), now.camera.rays(), now.camera.width as usize);
+        let rows = mixed.par_chunks_mut(width).zip(agrees.par_chunks_mut(width)).enumerate();
+        rows.try_for_each(|(row, (mixed, agrees))| {
+            for column in 0..width {
+                let pixel = row * width + column;
+                let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
+                let (start, way) = rays.at(at.x, at.y);
+                let point = (now.camera.position + start - self.lens.eye, way, 1.0 / f64::from(now.range[pixel]));
+                let found = match motion {
+                    None => self.found(&lens, &fade, at, point),
+                    Some(motion) => self.moved(at - DVec2::from_array(motion[pixel].map(f64::from)), point),
+                };
+                let before = found.and_then(|(place, test)| Some((place, self.color(place, &test)?)));
+                let color = now.color[pixel];
+                agrees[column] = before.is_some();
+                mixed[column] = before.map_or(color, |(place, before)| {
+                    let weight = (-fade.at(at.distance(place))).exp() as f32;
+                    std::array::from_fn(|i| color[i] + (before[i] - color[i]) * weight)
+                });
+            }
+            progress.check()
+        })
+    }
+
+    /// Where a point of a later picture was, and what must be there. The point lies at 1/`inverse` along `way` from `from`,
+    /// which is relative to the earlier eye; `lens` shows it at the place `at`.
+    fn found(
+        &self,
+        lens: &Lens,
+        fade: &Fade,
+        at: DVec2,
+        (from, way, inverse): (DVec3, DVec3, f64),
+    ) -> Option<(DVec2, Test)> {
+        let offset = from * inverse + way;
+        let place = self.lens.shows(offset, inverse).place()?;
+        let (start, toward, s) = if self.lens.is_parallel {
+            let (start, toward) = self.rays.at(place.x, place.y);
+            (self.image.camera.position + start, toward, inverse / self.lens.along(offset))
+        } else {
+            let length = offset.length();
+            (self.lens.eye, offset / length, inverse / length)
+        };
+        // The later lens shows the point at 1/s from `start` at (A s + B)/(a s + b).
+        let (one, other) = (lens.shows(start - lens.eye, 1.0), lens.shows(toward, 0.0));
+        let e = (one.plane - at * one.weight).length();
+        let farthest = fade.at(at.distance(place)).min(MOST_PARALLAX);
+        Some((place, Test::Parallax { e, s, a: one.weight, b: other.weight, farthest }))
+    }
+
+    /// What must be at the place from which a point has moved; see `found`.
+    fn moved(&self, place: DVec2, (from, way, inverse): (DVec3, DVec3, f64)) -> Option<(DVec2, Test)> {
+        let offset = from * inverse + way;
+        let distance = if self.lens.is_parallel { self.lens.along(offset) } else { offset.length() };
+        place.is_finite().then_some((place, Test::Distance { s: inverse / distance }))
+    }
+
+    /// The colour at a place, of the pixels that agree; none outside of the picture, and where too few agree.
+    fn color(&self, place: DVec2, test: &Test) -> Option<Color> {
+        let (width, height) = (self.image.camera.width as usize, self.image.camera.height as usize);
+        let is_inside = (0.0..=width as f64).contains(&place.x) && (0.0..=height as f64).contains(&place.y);
+        if !is_inside {
+            return None;
+        }
+        let (across, down) = (Taps::new(place.x, width), Taps::new(place.y, height));
+        let holds = |i: usize, j: usize| test.holds(self.inverse[down.pixels[j] * width + across.pixels[i]]);
+        let pixel = |i: usize, j: usize| self.image.color[down.pixels[j] * width + across.pixels[i]];
+        if (0..4).all(|j| (0..4).all(|i| holds(i, j))) {
+            let color = cubic(self.image.color, width, place.to_array());
+            // A cubic that overshoots would draw a line along edges, which would grow from picture to picture.
+            let around = [pixel(1, 1), pixel(2, 1), pixel(1, 2), pixel(2, 2)];
+            return Some(std::array::from_fn(|c| {
+                let (low, high) = around
+                    .iter()
+                    .fold((f32::MAX, f32::MIN), |(low, high), color| (low.min(color[c]), high.max(color[c])));
+                color[c].clamp(low, high)
+            }));
+        }
+        let (mut sum, mut total) = ([0.0; 3], 0.0);
+        for (i, j) in [(1, 1), (2, 1), (1, 2), (2, 2)] {
+            if holds(i, j) {
+                let weight = across.share(i) * down.share(j);
+                let color = pixel(i, j);
+                (0..3).for_each(|c| sum[c] += f64::from(color[c]) * weight);
+                total += weight;
+            }
+        }
+        (total >= LEAST_WEIGHT).then(|| sum.map(|value| (value / total) as f32))
+    }
+}
+
+/// The four pixels around a coordinate; outside of the picture those of its edge.
+struct Taps {
+    pixels: [usize; 4],
+    /// Where the coordinate is between the middles of the second and the third.
+    between: f64,
+}
+
+impl Taps {
+    fn new(at: f64, count: usize) -> Self {
+        let first = (at - 0.5).floor();
+        let last = count as i64 - 1;
+        let pixels = std::array::from_fn(|n| (first as i64 - 1 + n as i64).clamp(0, last) as usize);
+        Self { pixels, between: at - 0.5 - first }
+    }
+
+    /// Weight of the second or the third pixel.
+    fn share(&self, tap: usize) -> f64 {
+        if tap == 1 { 1.0 - self.between } else { self.between }
+    }
+}
