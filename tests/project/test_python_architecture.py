@@ -39,7 +39,7 @@ STAGES: dict[str, set[str]] = {
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
     "orthoview": {"_camera", "_render", "_scene", "_source", "_trace"},
     "stream": {"_camera", "_cubemap", "_metrics", "_partition", "_reduce", "_render", "_scene", "_trace"},
-    "view": {"_camera", "_cubemap", "_partition", "_reduce", "_scene", "stream"},
+    "view": {"_camera", "_cubemap", "_partition", "_reduce", "_scene", "orthoview", "stream"},
     "serve": {"_scene", "_trace", "stream", "view"},
 }
 

@@ -77,7 +77,7 @@ test('splats are read', { skip }, async () => {
   const { layout } = records;
   for (const { camera, views, error, around } of told.cases) await whole(store, camera, views, error, around);
   const reader = createReader(base, layout, () => undefined);
-  const read = told.views.map(async ([level, place, direction]) => {
+  const read = async ([level, place, direction]: Told['views'][number]) => {
     const generation = cells.at(level, place)?.generation ?? 0;
     const named = channelsOf(layout).map((channel) => {
       const array = arrayOf(layout, level, direction, channel);
@@ -86,6 +86,11 @@ test('splats are read', { skip }, async () => {
     const wanted = { level, place, direction, generation, shards: named.filter((shard) => shard !== undefined) };
     const layers = await reader.read(wanted, new AbortController().signal);
     return layers.map(({ words, parts }) => ({ words: [...words], parts }));
-  });
-  await writeFile(told.output, JSON.stringify(await Promise.all(read)));
+  };
+  const found: Awaited<ReturnType<typeof read>>[] = [];
+  // Some at once, as the page does: small servers take no more.
+  for (let first = 0; first < told.views.length; first += 4) {
+    found.push(...(await Promise.all(told.views.slice(first, first + 4).map(read))));
+  }
+  await writeFile(told.output, JSON.stringify(found));
 });

@@ -1,0 +1,345 @@
+var Ft=Object.defineProperty;var i=(t,e)=>Ft(t,"name",{value:e,configurable:!0});function N(t,e,r){return Math.min(Math.max(t,e),r)}i(N,"bounded");function le(t){return t-2*Math.PI*Math.round(t/(2*Math.PI))}i(le,"wrapped");function Le({yaw:t,pitch:e}){return[-Math.sin(t)*Math.cos(e),Math.sin(e),-Math.cos(t)*Math.cos(e)]}i(Le,"ahead");function Oe(t){return[Math.cos(t),0,-Math.sin(t)]}i(Oe,"rightOf");function z(t,e,r){return[t[0]+r*e[0],t[1]+r*e[1],t[2]+r*e[2]]}i(z,"moved");var Dt=512,It=3e7,Ut=/^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d{1,3})?$/i;function H(t){if(t.length>Dt)return null;let e=new URLSearchParams(t.replace(/^#/,"")),[r,o,n,...s]=(e.get("p")??"").split(",").map(ce);if(!de(r)||!de(o)||!de(n)||s.length>0)return null;let[a,l]=[ce(e.get("yaw")??"0"),ce(e.get("pitch")??"0")];return a===null||l===null?null:{position:[r,o,n],yaw:le(a),pitch:N(l,-1.5,1.5)}}i(H,"readLink");function Ne({position:t,yaw:e,pitch:r}){return`#p=${t.map(n=>ue(n,3)).join(",")}&yaw=${ue(le(e),4)}&pitch=${ue(r,4)}`}i(Ne,"writeLink");function ce(t){let e=Ut.test(t)?Number(t):Number.NaN;return Number.isFinite(e)?e:null}i(ce,"numberIn");function de(t){return t!=null&&Math.abs(t)<=It}i(de,"isPlace");function ue(t,e){return String(Number(t.toFixed(e)))}i(ue,"rounded");function Ce(t=()=>performance.now()/1e3){let e=0,r=[],o=[];return{receive(n){e+=n,r.push({time:t(),bytes:n})},frame(n){o.push(n);let s=o.reduce((a,l)=>a+l,0);for(;o.length>1&&s>1;)s-=o.shift()??0},restart(){e=0,r=[],o=[]},read(){let n=t()-1;r=r.filter(({time:l})=>l>n);let s=r.reduce((l,c)=>l+c.bytes,0),a=o.reduce((l,c)=>l+c,0)/Math.max(o.length,1);return{received:e,rate:s>0?8*s/1:null,frame:1e3*a,longest:1e3*Math.max(0,...o)}}}}i(Ce,"createMeter");function g(t,e={},...r){let o=document.createElement(t);return he(o,e),o.append(...r),o}i(g,"make");var Fe="http://www.w3.org/2000/svg";function $(t){let e=document.createElementNS(Fe,"svg");he(e,{viewBox:"0 0 24 24",class:"icon","aria-hidden":"true",focusable:"false"});let r=document.createElementNS(Fe,"path");return he(r,{d:t}),e.append(r),e}i($,"icon");function De(t,e){t.textContent!==e&&(t.textContent=e)}i(De,"write");function he(t,e){for(let[r,o]of Object.entries(e))o!==void 0&&o!==!1&&t.setAttribute(r,o===!0?"":o)}i(he,"setAll");var W={walk:"M13 4.5a1.5 1.5 0 1 0 0-.01M9.5 21l2-5.5-2-3 1-4.5 3 .5 2 3 2.5 1M7 12.5l.5-3 3-1.5M12.5 13l2.5 3.5.5 4.5",orbit:"M12 14a2 2 0 1 0 0-4 2 2 0 0 0 0 4M17 8c2.5.8 4 2.2 4 4 0 2.8-4 5-9 5s-9-2.2-9-5 4-5 9-5M9.5 4L13 7l-3.5 3",split:"M12 3v18M4 6h5M4 6v12h5M20 6h-5M20 6v12h-5",photo:"M4 8h3.5L9 5.5h6L16.5 8H20v11H4zM12 16.5a3.25 3.25 0 1 0 0-6.5 3.25 3.25 0 0 0 0 6.5",link:"M10 14a4 4 0 0 0 5.7 0l3-3a4 4 0 0 0-5.7-5.7l-1 1M14 10a4 4 0 0 0-5.7 0l-3 3a4 4 0 0 0 5.7 5.7l1-1",home:"M4 11.5L12 5l8 6.5M6 10v9h4v-5h4v5h4v-9",next:"M12 21c-4-4.6-6-7.9-6-10.5a6 6 0 0 1 12 0C18 13.1 16 16.4 12 21M10 8.5l2.5 2-2.5 2",panel:"M4 5h16v14H4zM7 9h6M7 12h10M7 15h8",help:"M9 9a3 3 0 1 1 4.5 2.6c-1 .6-1.5 1.2-1.5 2.4M12 17.5v.01M12 21a9 9 0 1 0 0-18 9 9 0 0 0 0 18",headset:"M3 8.5h18v8h-5.5L13.5 14h-3l-2 2.5H3zM7.5 12v.01M16.5 12v.01",close:"M6 6l12 12M18 6L6 18",grip:"M9 7l-5 5 5 5M15 7l5 5-5 5"};var fe=3;function me(t,e,{detail:r,retry:o}={}){let n=g("h1",{tabindex:"-1",id:"message-title"},t),s=g("div",{class:"fatal-card"},g("p",{class:"fatal-brand"},"nearfar"),n);s.append(g("p",{},e)),r&&s.append(g("p",{class:"fatal-detail"},r)),o&&s.append(Ue("Try again","button-main",o));let a=be();a.replaceChildren(s),a.dataset.kind="fatal";for(let l of document.querySelectorAll("canvas, [data-behind]"))l.setAttribute("inert","");n.focus({preventScroll:!0})}i(me,"showFatal");function pe(t,e){let r=be();if(r.dataset.kind==="fatal")return;let o=g("ul",{},...t.slice(0,fe).map(a=>g("li",{},a)));t.length>fe&&o.append(g("li",{},`and ${t.length-fe} more`));let n=g("button",{type:"button",class:"button-icon","aria-label":"Dismiss",title:"Dismiss"});n.append($(W.close)),n.addEventListener("click",Ie);let s=g("div",{class:"banner-text"},g("strong",{},"Not all of the scene is shown"),o);t.length===0?Ie():(r.replaceChildren(s,Ue("Try again","button-main",e),n),r.dataset.kind="banner")}i(pe,"showProblems");function Ie(){let t=be();t.replaceChildren(),delete t.dataset.kind;for(let e of document.querySelectorAll("canvas, [data-behind]"))e.removeAttribute("inert")}i(Ie,"clearMessage");function Ue(t,e,r){let o=g("button",{type:"button",class:e},t);return o.addEventListener("click",r),o}i(Ue,"button");function be(){let t=document.getElementById("message");if(t)return t;let e=g("div",{id:"message",role:"alert"});return document.body.append(e),e}i(be,"message");var L={right:0,ahead:0,turn:0,look:0,isHasty:!1};function G(...t){let e=i(a=>t.reduce((l,c)=>l+a(c),0),"sum"),[r,o]=B(e(a=>a.right),e(a=>a.ahead)),[n,s]=B(e(a=>a.turn),e(a=>a.look));return{right:r,ahead:o,turn:n,look:s,isHasty:t.some(a=>a.isHasty)}}i(G,"together");function B(t,e){let r=Math.max(Math.hypot(t,e),1);return[t/r,e/r]}i(B,"within");function D(t,e,r){let o=Math.hypot(t,e);if(!(o>r))return[0,0];let n=Math.min((o-r)/(1-r),1)/o;return[t*n,e*n]}i(D,"beyondRest");var[zt,Ht,$t]=[300,400,16];function ze(t){let e=new Map,r=null,o=i((n,s)=>Math.hypot(n.clientX-s.clientX,n.clientY-s.clientY)<=$t,"isNear");return{down(n){e.size>0&&(r=null),e.set(n.pointerId,n)},up(n){let s=e.get(n.pointerId),a=e.size===1;if(e.delete(n.pointerId),!(s&&a&&n.timeStamp-s.timeStamp<=zt&&o(s,n))){r=null;return}let c=r!==null&&n.timeStamp-r.timeStamp<=Ht&&o(r,n);r=c?null:n,c&&t(n)}}}i(ze,"createTaps");var[K,He]=[1.6,Math.PI],ye=1.5,Wt=.0015,Bt=[1,16,400],V=56,Gt=.12;function $e(t,e){let r=new Map,o=new AbortController,n=L,s=ze(h),a=!1,l=i(()=>1/Math.max(t.clientHeight,1),"scale"),c=i(()=>t.ownerDocument.pointerLockElement===t,"isLocked");function h({clientX:p,clientY:x}){let{left:T,top:E,width:_,height:R}=t.getBoundingClientRect();c()?e.go(.5,.5):e.go((p-T)/Math.max(_,1),(x-E)/Math.max(R,1))}i(h,"go");function u(p){if(c())return;a=p.pointerType==="touch";let x=p.pointerType==="mouse",T=p.button===0&&!p.shiftKey;if(e.mode()==="walk"&&x&&!T)return;t.setPointerCapture(p.pointerId),a&&s.down(p);let E=d(p)?"step":T?"turn":"pan";r.set(p.pointerId,{x:p.clientX,y:p.clientY,task:E}),E==="step"&&m({x:p.clientX,y:p.clientY},p)}i(u,"down");function d({pointerType:p,clientX:x}){if(e.mode()!=="walk"||p!=="touch"||[...r.values()].some(({task:_})=>_==="step"))return!1;let{left:T,width:E}=t.getBoundingClientRect();return x-T<E/2}i(d,"isThumb");function f(p){let x=r.get(p.pointerId);if(!x){c()&&e.look(-p.movementX*K*l(),-p.movementY*K*l());return}if(x.task==="step"){m(x,p);return}let T={...x,x:p.clientX,y:p.clientY},E=[...r].find(([F,{task:ae}])=>F!==p.pointerId&&ae!=="step")?.[1],[_,R]=[(T.x-x.x)*l(),(T.y-x.y)*l()];r.set(p.pointerId,T),e.mode()==="walk"?e.look(_*K,R*K):E?b(x,T,E):x.task==="pan"?e.pan(-_*ye,R*ye):e.rotate(-_*He,-R*He)}i(f,"move");function m({x:p,y:x},{clientX:T,clientY:E}){let[_,R]=D((T-p)/V,(E-x)/V,Gt);n={...L,right:_,ahead:0-R},e.thumb({x:p,y:x,right:T-p,down:E-x})}i(m,"step");function b(p,x,T){let[E,_]=[p,x].map(({x:F,y:ae})=>Math.hypot(F-T.x,ae-T.y));E&&_&&e.zoom(E/_);let R=.5*ye*l();e.pan(-(x.x-p.x)*R,(x.y-p.y)*R)}i(b,"pinch");function y(p){p.pointerType==="touch"&&s.up(p),r.get(p.pointerId)?.task==="step"&&w(),r.delete(p.pointerId)}i(y,"up");function w(){n=L,e.thumb(null)}i(w,"rest");function M(p){e.mode()==="orbit"&&(p.preventDefault(),e.zoom(Math.exp(Wt*p.deltaY*(Bt[p.deltaMode]??1)*(p.ctrlKey?6:1))))}i(M,"wheel");function S(){e.mode()==="walk"&&Promise.resolve(t.requestPointerLock()).catch(()=>{})}i(S,"lock");let{signal:v}=o;t.addEventListener("pointerdown",u,{signal:v}),t.addEventListener("pointermove",f,{signal:v}),t.addEventListener("pointerup",y,{signal:v}),t.addEventListener("pointercancel",y,{signal:v}),t.addEventListener("dblclick",p=>a||h(p),{signal:v}),t.addEventListener("wheel",M,{signal:v,passive:!1}),t.addEventListener("contextmenu",p=>p.preventDefault(),{signal:v});function P(){r.clear(),w(),c()&&t.ownerDocument.exitPointerLock()}return i(P,"release"),{get drive(){return n},lock:S,release:P,dispose(){P(),o.abort()}}}i($e,"createPointers");function We(t){let e=g("div",{class:"thumb",hidden:!0,"aria-hidden":"true"},g("span",{}));return t.append(e),{show(r){if(e.hidden=r===null,!r)return;let{x:o,y:n,right:s,down:a}=r,l=Math.min(1,V/Math.max(Math.hypot(s,a),1)),c={"--x":o,"--y":n,"--right":s*l,"--down":a*l};for(let[h,u]of Object.entries(c))e.style.setProperty(h,`${u}px`)},dispose:i(()=>e.remove(),"dispose")}}i(We,"createThumbMark");var Be=.18,Kt=[4,10];function Ge(t){let e=t.filter(r=>r!==null&&r.connected&&r.mapping==="standard");return e.length===0?L:G(...e.map(r=>r?Vt(r):L))}i(Ge,"readPads");function Vt({axes:t,buttons:e}){let[r,o]=D(t[0]??0,t[1]??0,Be),[n,s]=D(t[2]??0,t[3]??0,Be),a=Kt.some(l=>e[l]?.pressed??!1);return{right:r,ahead:0-o,turn:0-n,look:0-s,isHasty:a}}i(Vt,"wishOf");var Ke={KeyW:[0,1,0,0],KeyS:[0,-1,0,0],KeyA:[-1,0,0,0],KeyD:[1,0,0,0],ArrowUp:[0,1,0,0],ArrowDown:[0,-1,0,0],ArrowLeft:[0,0,1,0],ArrowRight:[0,0,-1,0],PageUp:[0,0,0,1],PageDown:[0,0,0,-1]};function qt(t){return Object.hasOwn(Ke,t)}i(qt,"isMoving");function we(t){if(t.defaultPrevented||t.ctrlKey||t.metaKey||t.altKey)return!0;let{target:e}=t;return typeof Element<"u"&&e instanceof Element&&e.closest(jt)!==null}i(we,"isElsewhere");var jt="input, textarea, select, [contenteditable], dialog[open]";function Ve(t){let e=new Set,r=new AbortController,o=i((s,a)=>t.addEventListener(s,a,{signal:r.signal}),"listen"),n=!1;return o("keydown",s=>{let a=s;n=a.shiftKey,!(!qt(a.code)||we(a))&&(e.add(a.code),a.preventDefault())}),o("keyup",s=>{n=s.shiftKey,e.delete(s.code),s.key==="Meta"&&e.clear()}),o("blur",()=>{e.clear(),n=!1}),{get drive(){let s=[0,0,0,0];for(let f of e)Ke[f]?.forEach((m,b)=>s[b]=(s[b]??0)+m);let[a=0,l=0,c=0,h=0]=s,[u,d]=B(a,l);return{right:u,ahead:d,turn:Math.sign(c),look:Math.sign(h),isHasty:n}},dispose:i(()=>r.abort(),"dispose")}}i(Ve,"createKeys");var[Yt,Xt]=[.6,3],[Qt,qe,Jt]=[4,5,.004],je=1.2,Zt=.25,Ye={KeyE:1,Space:1,KeyQ:-1,KeyC:-1};function er(t,e,r,o,n,s){let a=t.yaw+je*e.turn*s,l=N(t.pitch+je*e.look*s,-1.5,1.5),c=Math.max(t.position[1]-n,Xt),h=Yt*c*2**o*(e.isHasty?Qt:1)*s,u=z(t.position,Le({yaw:a,pitch:l}),h*e.ahead);return u=z(u,Oe(a),h*e.right),{position:z(u,[0,1,0],h*r),yaw:a,pitch:l}}i(er,"flown");function Xe(t,e,r,o){let n=e,s=0,a=new Set,l=Ve(window),c=i((d,f)=>{n={...n,yaw:n.yaw+d,pitch:N(n.pitch+f,-1.5,1.5)}},"turn"),h=i(()=>{},"none"),u=$e(t,{mode:i(()=>"walk","mode"),look:c,rotate:h,pan:h,zoom:h,thumb:o,go:h});return window.addEventListener("keydown",d=>{!Object.hasOwn(Ye,d.code)||we(d)||(a.add(d.code),d.target instanceof HTMLButtonElement||d.preventDefault())}),window.addEventListener("keyup",({code:d})=>a.delete(d)),window.addEventListener("blur",()=>a.clear()),t.addEventListener("wheel",d=>{d.preventDefault(),s=N(s-Jt*d.deltaY*(d.deltaMode===1?16:1),-qe,qe)},{passive:!1}),{get pose(){return n},get power(){return s},update(d){let f=d>0?Math.min(d,Zt):0,m=G(l.drive,u.drive,Ge(tr())),b=Math.sign([...a].reduce((w,M)=>w+(Ye[M]??0),0));return b===0&&[m.right,m.ahead,m.turn,m.look].every(w=>w===0)||(n=er(n,m,b,s,r(),f)),n},setPose(d){n=d}}}i(Xe,"createFly");function tr(){try{return navigator.getGamepads?.()??[]}catch{return[]}}i(tr,"padsOf");var[rr,ve]=[.55,.45];function Qe({origin:t,cell:e,counts:r}){let o=t.map((a,l)=>a+e*r[l]/2),n=rr*e*Math.max(r[0],r[2]);return{position:[o[0],t[1]+n*Math.sin(ve),o[2]+n*Math.cos(ve)],yaw:0,pitch:-ve}}i(Qe,"startOf");function Je({position:t,yaw:e,pitch:r},o,n,s){let[a,l,c,h]=[Math.sin(e),Math.cos(e),Math.sin(r),Math.cos(r)],u=Math.tan(o/2),d=u*n/s;return{position:t,right:[l,0,-a],up:[a*c,h,l*c],back:[a*h,-c,l*h],fov:{left:-d,right:d,down:-u,up:u},width:n,height:s}}i(Je,"cameraOf");function q({right:t,up:e,back:r,fov:o,width:n,height:s},a,l){let c=o.left+(o.right-o.left)*a/n,h=o.up+(o.down-o.up)*l/s;return[0,1,2].map(u=>{let[d,f,m]=[t[u],e[u],r[u]];return c*d+h*f-m})}i(q,"directionAt");function O(t,e){return t[0]*e[0]+t[1]*e[1]+t[2]*e[2]}i(O,"dot");function ge(t,e){return[t[1]*e[2]-t[2]*e[1],t[2]*e[0]-t[0]*e[2],t[0]*e[1]-t[1]*e[0]]}i(ge,"cross");function C(t){let e=Math.sqrt(O(t,t));return e>0?[t[0]/e,t[1]/e,t[2]/e]:[0,1,0]}i(C,"unit");var Ze=["","k","M","G","T"];function j(t){return nt(t,"B")}i(j,"bytes");function et(t){return t===null?"idle":nt(t,"b/s")}i(et,"rate");function tt(t){return Y(t)?t>=9995e5?`${(t/1e9).toFixed(2)}\xA0billion`:t>=999999.5?`${(t/1e6).toFixed(2)}\xA0million`:Math.round(t).toLocaleString("en"):"\u2013"}i(tt,"count");function rt(t){return Y(t)?`${t.toFixed(t<99.95?1:0)}\xA0ms`:"\u2013"}i(rt,"milliseconds");function xe(t){return Y(t)?t>=999.5?`${(t/1e3).toFixed(1)}\xA0km`:`${t.toFixed(t<.995?2:t<99.95?1:0)}\xA0m`:"\u2013"}i(xe,"metres");function nt(t,e){if(!Y(t))return"\u2013";let r=nr(t);return`${or(t,r)}\xA0${Ze[r]}${e}`}i(nt,"scaled");function nr(t){let e=0;for(;e<Ze.length-1&&t/1e3**e>=999.5;)e+=1;return e}i(nr,"powerOf");function or(t,e){let r=t/1e3**e;return r.toFixed(e>1&&r<99.95?1:0)}i(or,"digits");function Y(t){return Number.isFinite(t)&&t>=0}i(Y,"isAmount");var sr={frame:"Frame",splats:"Splats",views:"Views",waiting:"Waiting",loaded:"Loaded",memory:"On the GPU",height:"Height"};function ot(t,e){let r=new Map,o=Object.entries(sr).map(([u,d])=>{let f=g("dd",{},"\u2013");return r.set(u,f),g("div",{},g("dt",{},d),f)}),n=g("div",{class:"panel card",role:"region","aria-label":"Figures"}),s=Te("Figures","chip card",()=>h(!0)),a=g("button",{type:"button","aria-label":"Hide the figures",title:"Hide"},$(W.close));a.addEventListener("click",()=>h(!1)),n.append(g("header",{},g("h1",{},"nearfar"),a),g("div",{class:"panel-body"},g("dl",{class:"figures"},...o)));let l=g("p",{class:"note card"}),c=g("div",{class:"tools"},Te("Home","tool",e),Te("Help","tool",()=>l.hidden=!l.hidden));l.textContent=ir,l.hidden=!0,t.append(g("div",{class:"frame"},g("div",{class:"top"},n,s),g("div",{class:"bottom"},l,c)));function h(u){n.hidden=!u,s.hidden=u}return i(h,"show"),h(window.innerWidth>600),{update({facts:u,frame:d,received:f,rate:m,height:b,power:y}){let w=i((M,S)=>De(r.get(M),S),"put");w("frame",rt(d)),w("splats",tt(u.splats)),w("views",u.standIns>0?`${u.views}, ${u.standIns} coarser`:String(u.views)),w("waiting",u.waiting>0?`${u.waiting} views`:"nothing"),w("loaded",m===null?j(f):`${j(f)}, ${et(m)}`),w("memory",j(u.bytes)),w("height",y===0?xe(b):`${xe(b)}, speed \xD7 ${(2**y).toFixed(y<0?2:1)}`)}}}i(ot,"createPanel");var ir="Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, the arrow keys turn, Shift is four times as fast, the wheel changes the speed. The address leads back to this place.";function Te(t,e,r){let o=g("button",{type:"button",class:e},t);return o.addEventListener("click",r),o}i(Te,"button");function st({kind:t}){return t==="refused"||t==="unreachable"}i(st,"isPassing");var Ee=["color","depth","normal"],ar="behind_";var lr="nearfar";function it({depthBits:t}){return Math.floor((2**t-1)/6)*6}i(it,"stepsOf");function I({cell:t},e){return t*2**e}i(I,"sideAt");function X(t,e,[r,o,n]){let[s,[a,l,c]]=[I(t,e),t.origin];return[a+r*s,l+o*s,c+n*s]}i(X,"cornerOf");function Me({subtree:t},e){return 2**(t-e%t)}i(Me,"shardSide");function Q(t,e,[r,o,n]){let s=Me(t,e),a=[Math.floor(r/s),Math.floor(o/s),Math.floor(n/s)];return{tier:Math.floor(e/t.subtree),place:a}}i(Q,"subtreeOf");function at(t){return t===0?"":`${lr}/generations/${t}/`}i(at,"overlay");function lt({names:t},e,r,o){return`${e}/${t[r]}/${o}`}i(lt,"arrayOf");function ct(t,e,r,o){return`${o}/c/${Q(t,e,r).place.join("/")}/0/0/0`}i(ct,"shardOf");function dt({layers:t}){return t===2?[...Ee,...Ee.map(e=>ar+e)]:Ee}i(dt,"channelsOf");function k(t,[e,r,o]){return`${t}/${e}/${r}/${o}`}i(k,"nameOf");function Se([t,e,r]){return Array.from({length:8},(o,n)=>[2*t+(n>>2),2*e+(n>>1&1),2*r+(n&1)])}i(Se,"childrenOf");function ut([t,e,r],o){let n=2**o;return[Math.floor(t/n),Math.floor(e/n),Math.floor(r/n)]}i(ut,"above");var cr={mask:0,generation:0},J=class{constructor(e){this.layout=e}layout;static{i(this,"Cells")}#e=new Map;add(e){this.#e.set(k(e.tier,e.place),e)}knows(e,r){return this.#e.has(k(e,r))}at(e,r){let{tier:o,place:n}=Q(this.layout,e,r),s=this.#e.get(k(o,n));if(!s)return null;let a=Me(this.layout,e),[l,c,h]=r.map((b,y)=>b-n[y]*a),u=(l*a+c)*a+h,d=e%this.layout.subtree,[f,m]=[s.masks[d]?.[u],s.generations[d]?.[u]];return f===void 0||m===void 0?cr:{mask:f,generation:m}}};var ht=3;function _e(t){let e=t[0]===0&&t[2]===0?[1,0,0]:[t[2],0,-t[0]],r=[e,ge(t,e),t],o=r.map(n=>(Math.abs(n[0])+Math.abs(n[1])+Math.abs(n[2]))/Math.hypot(...n));return{axes:[C(r[0]),C(r[1]),C(r[2])],extents:o}}i(_e,"frameOf");var[ke,U]=[1.27,.5],Pe=.25,Z=10;function ft(t,e,r,o){let n=I(t,e),s=X(t,e,r),a=_e(t.directions[o]),l=a.extents.map(y=>y*n),c=[l[0]/t.size,l[1]/t.size,l[2]/it(t)],[h,u,d]=a.axes,f=s.map((y,w)=>y+n/2+(-h[w]*l[0]+u[w]*l[1]+d[w]*l[2])/2),m=i((y,w)=>[y[0]*w,y[1]*w,y[2]*w],"scaled"),b=[m(h,c[0]),m(u,-c[1]),m(d,-c[2])];return{frame:a,pitch:c,start:f,steps:b,normalBits:t.normalBits/2}}i(ft,"modelOf");function mt(t){let{position:e,right:r,up:o,back:n,fov:s,width:a,height:l}=t,[c,h]=[a/(s.right-s.left),l/(s.up-s.down)],u=i(b=>[b(0),b(1),b(2)],"row"),d=[u(b=>c*(r[b]+s.left*n[b])),u(b=>-h*(o[b]+s.up*n[b])),u(b=>-n[b])],f=q(t,0,0),m=i((b,y)=>{let w=q(t,b,y);return[w[0]-f[0],w[1]-f[1],w[2]-f[2]]},"step");return{eye:e,rows:d,rays:[f,m(1,0),m(0,1)],width:a,height:l}}i(mt,"projectorOf");function pt(t,{eye:e,rows:r}){let{start:o,steps:n,pitch:s}=t,a=[o[0]-e[0],o[1]-e[1],o[2]-e[2]],l=i(f=>[O(r[0],f),O(r[1],f),O(r[2],f)],"along"),[c,h]=[ke*Math.sqrt(U),bt(t)],u=i(f=>Math.max(c,h/f)-.5,"across"),d=c*(s[0]+s[1])/Pe;return{start:l(a),steps:[l(n[0]),l(n[1]),l(n[2])],least:Math.max(s[0],s[1]),margin:[u(s[0]),u(s[1]),Math.max(d,h)/s[2]]}}i(pt,"sightOf");function bt({pitch:t}){return Math.hypot(t[0],t[1])/2}i(bt,"ballOf");function yt({start:t,steps:e,least:r,margin:o},{low:n,high:s},a,l){let[c,h,u,d,f]=[!0,!0,!0,!0,!0];for(let m=0;m<8;m++){let b=n.map((v,P)=>m>>P&1?s[P]+o[P]:v-o[P]),y=i(v=>t[v]+b[0]*e[0][v]+b[1]*e[1][v]+b[2]*e[2][v],"value"),[w,M,S]=[y(0),y(1),y(2)];c&&=w<-S,h&&=w>(a+1)*S,u&&=M<-S,d&&=M>(l+1)*S,f&&=S<r}return!(c||h||u||d||f)}i(yt,"isSeen");function wt(t,{low:e,high:r}){return t.every(([o,n,s,a])=>{let l=[o,n,s].map((h,u)=>{let[d,f]=[h*e[u],h*r[u]];return[Math.min(d,f),Math.max(d,f)]}),c=i(h=>l.reduce((u,d)=>u+d[h],a),"sum");return c(0)<1&&c(1)>=0})}i(wt,"isIn");function vt(t,e,r){if(!r)return[0,1,2].map(()=>[0,0,0,.5]);let o=I(e,r.level),n=X(e,r.level,r.place);return[0,1,2].map(s=>{let a=i(l=>t.steps[l][s]/o,"factor");return[a(0),a(1),a(2),(t.start[s]-n[s])/o]})}i(vt,"rowsOf");function gt(t,e,r,o){let{frame:n,pitch:s}=e,[a,l,c]=n.axes,h=2/(2**e.normalBits-2),u=i((f,[m,b,y],w)=>t.set([m,b,y,w],4*f),"put"),d=i((f,m)=>[f[0]*m,f[1]*m,f[2]*m],"scaled");u(0,r.start,r.least),u(1,r.steps[0],h),u(2,r.steps[1],bt(e)/Math.sqrt(U)),u(3,r.steps[2],0),u(4,d(a,s[0]/s[2]),0),u(5,d(l,s[1]/s[2]),0),u(6,c,0),o.forEach((f,m)=>t.set(f,4*(7+m)))}i(gt,"writeView");function Re(t,e,r){let o=t.createProgram();for(let[s,a]of[[t.VERTEX_SHADER,e],[t.FRAGMENT_SHADER,r]]){let l=t.createShader(s);if(!l)throw new Error("the browser has taken the graphics away");t.shaderSource(l,a),t.compileShader(l),t.attachShader(o,l),t.deleteShader(l)}if(t.linkProgram(o),!t.getProgramParameter(o,t.LINK_STATUS)){let s=(t.getAttachedShaders(o)??[]).map(a=>t.getShaderInfoLog(a));throw new Error(`a shader does not compile: ${[...s,t.getProgramInfoLog(o)].filter(Boolean).join(" ")}`)}let n=new Map;return{program:o,at(s){return n.has(s)||n.set(s,t.getUniformLocation(o,s)),n.get(s)??null}}}i(Re,"programOf");function xt(t,e,r){let[o,n,s]=[t.createFramebuffer(),t.createTexture(),t.createRenderbuffer()];return t.bindTexture(t.TEXTURE_2D,n),t.texStorage2D(t.TEXTURE_2D,1,t.SRGB8_ALPHA8,e,r),t.texParameteri(t.TEXTURE_2D,t.TEXTURE_MIN_FILTER,t.NEAREST),t.texParameteri(t.TEXTURE_2D,t.TEXTURE_MAG_FILTER,t.NEAREST),t.bindRenderbuffer(t.RENDERBUFFER,s),t.renderbufferStorage(t.RENDERBUFFER,t.DEPTH_COMPONENT32F,e,r),t.bindFramebuffer(t.FRAMEBUFFER,o),t.framebufferTexture2D(t.FRAMEBUFFER,t.COLOR_ATTACHMENT0,t.TEXTURE_2D,n,0),t.framebufferRenderbuffer(t.FRAMEBUFFER,t.DEPTH_ATTACHMENT,t.RENDERBUFFER,s),t.bindFramebuffer(t.FRAMEBUFFER,null),{frame:o,color:n,width:e,height:r,dispose(){t.deleteFramebuffer(o),t.deleteTexture(n),t.deleteRenderbuffer(s)}}}i(xt,"targetOf");var Tt=`// The morph of nearfar in GLSL: where the user is shown a point of the world. Licence: MIT or Apache-2.0.
+// Written by \`python -m scripts.shaders.write\` from morph.wgsl and world.wgsl; docs/engines.md tells how to use it.
+//
+// Call nearfar_morph or nearfar_morph_cylinder in the vertex stage; and, if points are morphed by the cylinder,
+// nearfar_range_cylinder where the far map's range is read. Their parameters:
+//   p              a point of the world, any unit of length; y is up
+//   user           the position U of the eye that the picture is for, same unit and axes; each eye has its own
+//   center         the centre O of the reduction, from which the far map was baked, same unit and axes
+//   r1, r2         radii of the near zone and of all geometry, same unit
+//   strength       1; below it, near points move to where the centre sees them (0), so that they can appear smoothly
+//   direction      a unit vector, in which the map is looked up
+//   range          what the map holds there: the distance from the centre, same unit
+
+// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. The renderer and the kernel of arrays
+// share these functions, so that what the kernel is tested with tests the renderer too.
+
+// A blend of unit vectors below this has no digits left.
+const float OPPOSED = 1e-6;
+
+// Weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2; slope is 1 / (r2 - r1).
+float user_weight(float rho, float r2, float slope) {
+    return clamp((r2 - rho) * slope, 0.0, 1.0);
+}
+
+// Eq. 1-3 as written: the direction in which the user is shown a point, and in w its distance.
+vec4 blended(vec3 from_user, vec3 from_center, float w) {
+    float by_user = length(from_user);
+    float by_center = length(from_center);
+    vec3 user_direction = from_user / max(by_user, 1e-30);
+    vec3 mixed = w * user_direction + (1.0 - w) * from_center / max(by_center, 1e-30);
+    float size = length(mixed);
+    vec3 direction = user_direction;
+    if (size > OPPOSED) {
+        direction = mixed / size;
+    }
+    return vec4(direction, w * by_user + (1.0 - w) * by_center);
+}
+
+// The user's place on the ground relative to the axis, and its distance from it.
+struct Place {
+    vec2 at;
+    float rho;
+};
+
+// Of a user relative to the centre.
+Place ground_place(vec3 offset) {
+    return Place(offset.xz, length(offset.xz));
+}
+
+// Distance from the user along a unit direction to where it leaves the cylinder of radius rho about the axis; negative
+// where the user stands outside or the direction never leaves. The larger root in the form that does not cancel.
+float leave_cylinder(Place user, vec3 direction, float rho) {
+    float a = dot(direction.xz, direction.xz);
+    if (rho <= user.rho || a == 0.0) {
+        return -1.0;
+    }
+    float b = dot(direction.xz, user.at);
+    // Negative inside the cylinder, so that the discriminant is not.
+    float c = (user.rho - rho) * (user.rho + rho);
+    float q = sqrt(b * b - a * c);
+    if (b > 0.0) {
+        return -c / (b + q);
+    }
+    return (q - b) / a;
+}
+
+// The blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
+vec4 on_cylinder(Place user, vec3 from_user, vec3 from_center, float w, float rho) {
+    vec4 to = blended(from_user, from_center, w);
+    float exit = leave_cylinder(user, to.xyz, rho);
+    return vec4(to.xyz, ((exit >= 0.0) ? exit : to.w));
+}
+
+// How far away the user is shown along a unit direction what the centre sees there at a distance beyond r2, if points
+// are shown on their cylinders. (Blended points keep that distance.) Infinite distances stay.
+float range_on_cylinder(Place user, vec3 direction, float from_center) {
+    if (from_center > 1e30) {
+        return from_center;
+    }
+    float exit = leave_cylinder(user, direction, from_center * length(direction.xz));
+    return ((exit >= 0.0) ? exit : from_center);
+}
+
+// The morph of a point of the world, for the kernel of arrays and for engines. Lengths in one unit, y up, either hand.
+
+// Squares beyond this come near to float32's end.
+const float FAR_SQUARED = 1e28;
+
+// Radius within which points stay (negative: none does), r2, 1 / (r2 - r1), and the strength of the morph.
+struct Zones {
+    float stays;
+    float r2;
+    float slope;
+    float strength;
+};
+
+// At strengths below 1 no point stays where it is. Where r2 is 0 nothing is near.
+Zones zones_of(float r1, float r2, float strength) {
+    Zones zones = Zones(-1.0, r2, 0.0, strength);
+    if (r2 > r1) {
+        zones.slope = 1.0 / (r2 - r1);
+    }
+    if (r2 > 0.0 && strength >= 1.0) {
+        zones.stays = r1;
+    }
+    return zones;
+}
+
+// Q - P of the blend. With A = |P-U|, B = |P-O|, v = U-O, e = (A-B)^2, h = w(1-w)/(AB) and n^2 = 1 - h (|v|^2 - e) (the
+// squared length of the blend of both directions), Q = P + a (P-O) + b v, where a = h (e + (|v|^2-e)/(1+n))/n and
+// b = 1 - w (w + (1-w) B/A)/n. Both are of the size of |v|, so that rounding is relative to the user's offset.
+vec3 shift_of_blend(vec3 from_center, vec3 offset, float w) {
+    float b_squared = dot(from_center, from_center);
+    // The limit for points far above: both directions are one.
+    if (w == 0.0 || b_squared > FAR_SQUARED) {
+        return (1.0 - w) * offset;
+    }
+    vec3 from_user = from_center - offset;
+    float offset_squared = dot(offset, offset);
+    float a = length(from_user);
+    float b = sqrt(b_squared);
+    if (offset_squared > a * b) {
+        vec4 to = blended(from_user, from_center, w);
+        return offset + to.w * to.xyz - from_center;
+    }
+    float difference = (offset_squared - 2.0 * dot(from_center, offset)) / (a + b);
+    float e = difference * difference;
+    float turn = offset_squared - e;
+    float h = w * (1.0 - w) / (a * b);
+    float n = sqrt(1.0 - h * turn);
+    float along = h * (e + turn / (1.0 + n)) / n;
+    float by_offset = 1.0 - w * (w + (1.0 - w) * b / a) / n;
+    return along * from_center + by_offset * offset;
+}
+
+// Q - P on the cylinder of radius rho.
+vec3 shift_on_cylinder(vec3 from_center, vec3 offset, float w, float rho) {
+    if (dot(from_center, from_center) > FAR_SQUARED) {
+        return offset;
+    }
+    vec4 to = on_cylinder(ground_place(offset), from_center - offset, from_center, w, rho);
+    return offset + to.w * to.xyz - from_center;
+}
+
+// Where the user is shown a point p of the world: on its own cylinder, or by the blend. The point and the user are given
+// relative to the centre, too: where coordinates are large, subtract in more digits than float32 has.
+vec3 shown_in_world(vec3 p, vec3 from_center, vec3 offset, Zones zones, bool keeps_rho) {
+    float rho = length(from_center.xz);
+    if (rho <= zones.stays) {
+        return p;
+    }
+    float w = zones.strength * user_weight(rho, zones.r2, zones.slope);
+    if (keeps_rho) {
+        return p + shift_on_cylinder(from_center, offset, w, rho);
+    }
+    return p + shift_of_blend(from_center, offset, w);
+}
+
+// Where the user is shown the point p of the world, by the blend (2022).
+vec3 nearfar_morph(vec3 p, vec3 user, vec3 center, float r1, float r2, float strength) {
+    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
+}
+
+// The same by the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
+vec3 nearfar_morph_cylinder(vec3 p, vec3 user, vec3 center, float r1, float r2, float strength) {
+    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
+}
+
+// How far away the user is shown what the far map holds in a unit direction at a range, with the cylinder.
+float nearfar_range_cylinder(vec3 direction, float range, vec3 user, vec3 center) {
+    return range_on_cylinder(ground_place(user - center), direction, range);
+}
+`;var dr=`
+precision highp float;
+precision highp int;
+precision highp samplerCube;
+precision highp usamplerCube;
+`,ur=`
+// The eye, from the centre: each eye of a headset has its own.
+uniform vec3 cameraPosition;
+// r1, r2, 1 / (r2 - r1), and the strength of the morph; a strength below 0 stands for no morph at all.
+uniform vec4 radii;
+
+bool is_morphed() {
+  return radii.w >= 0.0;
+}
+`,Et=`
+vec3 srgb_of(vec3 linear) {
+  vec3 c = clamp(linear, 0.0, 1.0);
+  return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThanEqual(c, vec3(0.0031308))));
+}
+`,Zn=dr+Tt+ur;var te=`#version 300 es
+precision highp float;
+precision highp int;
+`,ee=i(t=>Number.isInteger(t)?t.toFixed(1):String(t),"float"),hr=`
+const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);
+const vec3 SUN = vec3(0.60, 0.56, 0.50);
+const vec3 SKY_DIRECTION = vec3(-0.2062843, 0.9282791, 0.3094264);
+const vec3 SKY_LOW = vec3(0.130, 0.135, 0.150);
+const vec3 SKY_HIGH = vec3(0.380, 0.420, 0.480);
+
+vec3 irradiance(vec3 n) {
+  float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
+  return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
+}
+
+vec3 linear_of(vec3 c) {
+  return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045))));
+}
+`,Mt=`${te}
+layout(location = 0) in uvec3 splat;
+uniform vec4 view[${Z}];
+// The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
+uniform vec3 gradients[3];
+uniform vec3 rays[3];
+// Width and height of the picture in samples, and the greatest size of a point.
+uniform vec3 screen;
+flat out vec4 v_inverse;
+flat out vec2 v_middle;
+flat out vec3 v_nearness;
+flat out vec3 v_color;
+const float RADIUS = ${ee(Math.sqrt(U))};
+const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
+${hr}
+// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+float disc(vec3 own, float place, float over) {
+  return length((own - place * gradients[2]) * over) * view[2].w;
+}
+
+void main() {
+  float depth = float((splat.x >> 24) << 8 | splat.y >> 24) - 0.5;
+  vec3 at = vec3(float(splat.z & 4095u) + 0.5, float(splat.z >> 12 & 4095u) + 0.5, depth);
+  vec3 inside = vec3(dot(view[7].xyz, at) + view[7].w, dot(view[8].xyz, at) + view[8].w, dot(view[9].xyz, at) + view[9].w);
+  vec3 function = view[0].xyz + at.x * view[1].xyz + at.y * view[2].xyz + at.z * view[3].xyz;
+  float over = 1.0 / function.z;
+  vec2 middle = function.xy * over;
+
+  // The normal, and the depth steps by which its plane falls for each pixel.
+  vec2 code = vec2(float(splat.y & 4095u), float(splat.y >> 12 & 4095u)) * view[1].w - 1.0;
+  vec3 normal = vec3(code, 1.0 - abs(code.x) - abs(code.y));
+  float fold = max(-normal.z, 0.0);
+  normal.xy -= vec2(normal.x < 0.0 ? -fold : fold, normal.y < 0.0 ? -fold : fold);
+  normal = normalize(normal);
+  float facing = 1.0 / max(dot(view[6].xyz, normal), ${ee(Pe)});
+  vec3 u = view[1].xyz + dot(view[4].xyz, normal) * facing * view[3].xyz;
+  vec3 v = view[2].xyz - dot(view[5].xyz, normal) * facing * view[3].xyz;
+  bool is_surfel = (splat.z >> 24 & 1u) == 1u;
+  float factor = is_surfel ? ((splat.z >> 25 & 1u) == 1u ? 1.0 : ${ee(ke)}) : 0.0;
+
+  // The ellipse's axes in the picture, and the changes of nearness along them.
+  vec2 du = (u.xy - middle * u.z) * over * factor;
+  vec2 dv = (v.xy - middle * v.z) * over * factor;
+  vec2 slope = -vec2(u.z, v.z) * over * over * factor;
+  float determinant = du.x * dv.y - dv.x * du.y;
+  vec2 half_size;
+  if (is_surfel) {
+    // A surfel that is seen from its edge is a line: only the sample of its middle shows it.
+    bool is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
+    float inverse = is_flat ? 0.0 : 1.0 / determinant;
+    v_inverse = is_flat ? vec4(1e9) : vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
+    vec4 change = vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
+    v_nearness = vec3(over, slope.x * change.x + slope.y * change.z, slope.x * change.y + slope.y * change.w);
+    half_size = is_flat ? vec2(0.0) : RADIUS * sqrt(vec2(du.x * du.x + dv.x * dv.x, du.y * du.y + dv.y * dv.y));
+  } else {
+    vec2 ball = vec2(disc(gradients[0], middle.x, over), disc(gradients[1], middle.y, over));
+    v_inverse = vec4(1.0 / ball.x, 0.0, 0.0, 1.0 / ball.y);
+    v_nearness = vec3(over, 0.0, 0.0);
+    half_size = RADIUS * ball;
+  }
+  v_middle = middle;
+
+  // A view sees the insides of what a cell's side cuts open: normals are turned towards the viewer.
+  vec3 ray = rays[0] + middle.x * rays[1] + middle.y * rays[2];
+  normal = dot(normal, ray) > 0.0 ? -normal : normal;
+  vec3 albedo = linear_of(vec3(splat.x & 255u, splat.x >> 8 & 255u, splat.x >> 16 & 255u) / 255.0);
+  v_color = albedo * irradiance(normal);
+
+  // Near the eye the derivative at the middle would sweep ellipses across the picture.
+  bool is_shown = function.z - RADIUS * factor * length(vec2(u.z, v.z)) >= view[0].w;
+  is_shown = is_shown && all(greaterThanEqual(inside, vec3(0.0))) && all(lessThan(inside, vec3(1.0)));
+  is_shown = is_shown && all(lessThan(abs(middle - 0.5 * screen.xy), 0.5 * screen.xy + max(half_size, 0.5)));
+  // Points whose middles lie outside are clipped, however large: such ones begin at the picture's side.
+  vec2 start = clamp(middle, vec2(0.0), screen.xy);
+  vec2 reach = half_size + abs(start - middle);
+  gl_PointSize = clamp(2.0 * max(reach.x, reach.y), 1.0, screen.z);
+  vec2 place = start / screen.xy * 2.0 - 1.0;
+  gl_Position = is_shown ? vec4(place.x, -place.y, 0.0, 1.0) : NOWHERE;
+}
+`,St=`${te}
+uniform vec3 screen;
+// Metres at which the depth buffer ends.
+uniform float nearest;
+flat in vec4 v_inverse;
+flat in vec2 v_middle;
+flat in vec3 v_nearness;
+flat in vec3 v_color;
+out vec4 shade;
+
+void main() {
+  vec2 at = vec2(gl_FragCoord.x, screen.y - gl_FragCoord.y);
+  vec2 p = at - v_middle;
+  vec2 q = vec2(dot(v_inverse.xy, p), dot(v_inverse.zw, p));
+  bool is_inside = dot(q, q) <= ${ee(U)};
+  // The sample that holds a splat's middle always belongs to it.
+  if (!is_inside && any(notEqual(floor(at), floor(v_middle)))) {
+    discard;
+  }
+  float nearness = v_nearness.x + (is_inside ? dot(v_nearness.yz, p) : 0.0);
+  // Exact on a plane. What is nearer has more, so that float32 keeps its digits far away.
+  gl_FragDepth = nearest * nearness;
+  shade = vec4(v_color, 1.0);
+}
+`,_t=`${te}
+void main() {
+  gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
+}
+`,kt=`${te}
+uniform sampler2D samples;
+// Samples along each axis of a pixel.
+uniform int grid;
+uniform vec3 screen;
+uniform vec3 rays[3];
+out vec4 shade;
+${Et}
+vec3 background(vec3 direction) {
+  const vec3 HORIZON = vec3(0.66, 0.74, 0.82);
+  vec3 end = direction.y < 0.0 ? vec3(0.24, 0.25, 0.26) : vec3(0.16, 0.34, 0.66);
+  return mix(HORIZON, end, sqrt(abs(direction.y)));
+}
+
+void main() {
+  ivec2 first = ivec2(gl_FragCoord.xy) * grid;
+  vec3 sum = vec3(0.0);
+  for (int row = 0; row < grid; row++) {
+    for (int column = 0; column < grid; column++) {
+      ivec2 at = first + ivec2(column, row);
+      vec4 found = texelFetch(samples, at, 0);
+      vec2 place = vec2(float(at.x) + 0.5, screen.y - float(at.y) - 0.5);
+      vec3 ray = rays[0] + place.x * rays[1] + place.y * rays[2];
+      sum += found.a > 0.0 ? found.rgb : background(normalize(ray));
+    }
+  }
+  shade = vec4(srgb_of(sum / float(grid * grid)), 1.0);
+}
+`;var re=class{constructor(e,r){this.canvas=e;this.layout=r;let o=e.getContext("webgl2",{alpha:!1,antialias:!1,depth:!1});if(!o)throw new Error("this browser has no WebGL 2");this.#e=o,this.#r=Re(this.#e,Mt,St),this.#t=Re(this.#e,_t,kt),this.#n=this.#e.getParameter(this.#e.ALIASED_POINT_SIZE_RANGE)[1]??1}canvas;layout;static{i(this,"Drawer")}#e;#r;#t;#i=new Float32Array(4*Z);#n;#o=null;#s=null;upload(e,{words:r,parts:o}){let n=this.#e,[s,a]=[n.createVertexArray(),n.createBuffer()];return n.bindVertexArray(s),n.bindBuffer(n.ARRAY_BUFFER,a),n.bufferData(n.ARRAY_BUFFER,r,n.STATIC_DRAW),n.enableVertexAttribArray(0),n.vertexAttribIPointer(0,ht,n.UNSIGNED_INT,0,0),n.bindVertexArray(null),{model:e,parts:o,array:s,buffer:a,bytes:r.byteLength}}drop({array:e,buffer:r}){this.#e.deleteVertexArray(e),this.#e.deleteBuffer(r)}draw(e,r,o){let n=this.#e,s={...r,width:r.width*o,height:r.height*o},a=mt(s),l=this.#c(s.width,s.height);n.bindFramebuffer(n.FRAMEBUFFER,l.frame),n.viewport(0,0,l.width,l.height),n.enable(n.DEPTH_TEST),n.depthFunc(n.GREATER),n.clearColor(0,0,0,0),n.clearDepth(0),n.clear(n.COLOR_BUFFER_BIT|n.DEPTH_BUFFER_BIT),n.useProgram(this.#r.program);let c=Math.min(...e.map(({layer:d})=>Math.max(d.model.pitch[0],d.model.pitch[1])),1e6);this.#a(this.#r,a),n.uniform1f(this.#r.at("nearest"),c/2);let[h,u]=[0,0];for(let d of e){let f=this.#d(d,a);h+=f.splats,u+=f.calls}return n.bindVertexArray(null),this.#l(l,a,r,o),{splats:h,calls:u}}get isDone(){let e=this.#e;return this.#s&&e.getSyncParameter(this.#s,e.SYNC_STATUS)!==e.SIGNALED?!1:(e.deleteSync(this.#s),this.#s=null,!0)}finish(){this.#e.readPixels(0,0,1,1,this.#e.RGBA,this.#e.UNSIGNED_BYTE,new Uint8Array(4))}#d({layer:e,box:r},o){let n=this.#e,s=pt(e.model,o),a=vt(e.model,this.layout,r),l=e.parts.filter(u=>yt(s,u,o.width,o.height)&&(!r||wt(a,u)));if(l.length===0)return{splats:0,calls:0};gt(this.#i,e.model,s,a),n.uniform4fv(this.#r.at("view"),this.#i),n.bindVertexArray(e.array);let[c,h]=[0,0];for(let u=0;u<l.length;){let{first:d}=l[u],f=d;for(;l[u]?.first===f;u++)f+=l[u].count;n.drawArrays(n.POINTS,d,f-d),c+=f-d,h+=1}return{splats:c,calls:h}}#a(e,{rows:r,rays:o,width:n,height:s}){let a=this.#e;a.uniform3fv(e.at("gradients"),r.flat()),a.uniform3fv(e.at("rays"),o.flat()),a.uniform3f(e.at("screen"),n,s,this.#n)}#l(e,r,{width:o,height:n},s){let a=this.#e;a.bindFramebuffer(a.FRAMEBUFFER,null),a.viewport(0,0,o,n),a.disable(a.DEPTH_TEST),a.useProgram(this.#t.program),this.#a(this.#t,r),a.uniform1i(this.#t.at("grid"),s),a.activeTexture(a.TEXTURE0),a.bindTexture(a.TEXTURE_2D,e.color),a.uniform1i(this.#t.at("samples"),0),a.drawArrays(a.TRIANGLES,0,3),a.deleteSync(this.#s),this.#s=a.fenceSync(a.SYNC_GPU_COMMANDS_COMPLETE,0),a.flush()}#c(e,r){return(this.#o?.width!==e||this.#o.height!==r)&&(this.#o?.dispose(),this.#o=xt(this.#e,e,r)),this.#o}};var[fr,mr]=[1,30],ne=class{constructor(e){this.settings=e}settings;static{i(this,"Queue")}#e=new Map;#r=new Map;#t=new Set;#i=new Map;#n=0;get waiting(){return[...this.#i.keys()].filter(e=>this.#r.get(e)?.again!==Number.POSITIVE_INFINITY).length}want(e){this.#i=e;for(let[r,o]of this.#e)o.isCancelled||e.has(o.name)||(o.isCancelled=!0,this.settings.cancel(r));this.fill()}fill(){let e=new Set([...this.#e.values()].map(({name:o})=>o)),r=this.settings.now();for(let[o,n]of this.#i){if(this.#e.size>=this.settings.atOnce)return;if(e.has(o)||(this.#r.get(o)?.again??0)>r)continue;let s=++this.#n;this.#e.set(s,{name:o,job:n,isCancelled:!1}),this.settings.send(s,n)}}done(e){let r=this.#o(e);return r&&(this.#r.delete(r.name),this.#i.delete(r.name)),r?.job??null}cancelled(e){this.#o(e),this.fill()}failed(e,r){let o=this.#o(e);if(o){let n=Math.min(2*(this.#r.get(o.name)?.pause??fr/2),mr),s=st(r)?this.settings.now()+n:Number.POSITIVE_INFINITY;this.#r.set(o.name,{again:s,pause:n}),this.#t.has(r.message)||this.settings.failed(r),this.#t.add(r.message)}this.fill()}retry(){this.#r.clear(),this.#t.clear(),this.fill()}#o(e){let r=this.#e.get(e);return this.#e.delete(e),r??null}};function Pt(t,e,r,o,n){let s=new Map,a=Array.from({length:e},()=>new Worker(t,{type:"module"}));for(let l of a)l.onmessage=({data:c})=>{switch(c.kind){case"view":s.delete(c.id),n.view(c.id,c.layers);break;case"failed":s.delete(c.id),n.failed(c.id,c.failure);break;case"cancelled":s.delete(c.id),n.cancelled(c.id);break;case"received":n.received(c.bytes)}},l.onerror=({message:c})=>{let h={kind:"other",message:`a worker stopped: ${c||"the browser gives no reason"}`};for(let[u,d]of s)d===l&&n.failed(u,h)},Ae(l,{kind:"open",base:r.href,layout:o});return{read(l,c){let h=a[pr(c.shards[0]?.[0]??"")%a.length];s.set(l,h),Ae(h,{kind:"read",id:l,wanted:c})},cancel(l){let c=s.get(l);c&&Ae(c,{kind:"cancel",id:l})}}}i(Pt,"startReaders");function Ae(t,e){t.postMessage(e)}i(Ae,"send");function pr(t){let e=2166136261;for(let r=0;r<t.length;r++)e=Math.imul(e^t.charCodeAt(r),16777619);return e>>>0}i(pr,"hash");var oe=class{constructor(e,r,o){this.layout=e;this.uploader=r;this.most=o}layout;uploader;most;static{i(this,"Resident")}#e=new Map;#r=new Map;#t=0;bytes=0;get count(){return this.#e.size}add(e,r,o,n){let s=`${k(e,r)}/${o}`;if(this.#e.has(s))return;let a=ft(this.layout,e,r,o),l=n.map(h=>this.uploader.upload(a,h)),c=l.reduce((h,u)=>h+u.bytes,0);this.#e.set(s,{level:e,place:r,direction:o,layers:l,bytes:c,used:this.#t}),this.#r.set(k(e,r),[...this.there(e,r),o]),this.bytes+=c}there(e,r){return this.#r.get(k(e,r))??[]}begin(){this.#t+=1}use(e,r,o){let n=`${k(e,r)}/${o}`,s=this.#e.get(n);return s?(s.used!==this.#t&&(s.used=this.#t,this.#e.delete(n),this.#e.set(n,s)),s.layers):[]}trim(e){for(let[r,o]of this.#e){if(this.bytes<=this.most)break;o.used===this.#t||e(o.level,o.place)||this.#i(r,o)}}#i(e,{level:r,place:o,direction:n,layers:s,bytes:a}){s.forEach(h=>this.uploader.drop(h)),this.#e.delete(e),this.bytes-=a;let l=k(r,o),c=this.there(r,o).filter(h=>h!==n);c.length>0?this.#r.set(l,c):this.#r.delete(l)}};function Rt(t,{views:e}){let[r,o]=[0,t];for(;o!==0;o&=o-1)r+=1;return Math.min(r,e)}i(Rt,"countOf");var br=3;function At({cells:t},e,r,o){let n=[],s=[],a=0,l=i((d,f,m=null)=>r(d,f).map(b=>({level:d,place:f,direction:b,box:m})),"all"),c=i((d,f)=>{let m=e.at(d,f)?.mask??0;return m!==0&&r(d,f).length>=Rt(m,{views:o})},"isFull");function h(d,f,m){if(d===0||m===0)return null;let b=[];for(let y of Se(f)){let w=e.at(d-1,y);if(!w)return null;if(w.mask===0)continue;let M=c(d-1,y)?l(d-1,y).slice(-o):h(d-1,y,m-1);if(!M)return null;b.push(...M)}return b}i(h,"below");function u(d){let f=[];for(let m=d.level+1;m<e.layout.levels;m++){let b=ut(d.place,m-d.level),y={level:d.level,place:d.place};if(c(m,b))return l(m,b,y).slice(-o);f.length===0&&(f=l(m,b,y))}return f}i(u,"standIn");for(let d of t){let{level:f,place:m,directions:b}=d,y=new Set(r(f,m)),w=b.filter(v=>y.has(v));for(let v of b)y.has(v)||s.push({level:f,place:m,direction:v});if(w.length===b.length){n.push(...w.map(v=>({level:f,place:m,direction:v,box:null})));continue}let M=c(f,m)?yr(w,y,b.length):null;if(M){n.push(...M.map(v=>({level:f,place:m,direction:v,box:null})));continue}let S=h(f,m,br)??u(d);S.length===0&&(S=l(f,m)),S.length===0&&(a+=1),n.push(...S)}return{shown:wr(n),missing:s,holes:a}}i(At,"choose");function yr(t,e,r){let o=[...e].filter(n=>!t.includes(n));return[...t,...o.slice(o.length-(r-t.length))]}i(yr,"fill");function wr(t){let e=new Map;for(let r of t){let o=r.box?k(r.box.level,r.box.place):"";e.set(`${k(r.level,r.place)}/${r.direction}/${o}`,r)}return[...e.values()]}i(wr,"unique");var vr=6,[gr,xr]=[50,.5],Tr={views:0,standIns:0,waiting:0,holes:0,splats:0,calls:0,bytes:0,kept:0,isComplete:!1},se=class{constructor(e,r){this.canvas=e;this.#e=r,this.#r=new Worker(r.scripts.cutter,{type:"module"}),this.#r.onmessage=({data:o})=>this.#T(o),this.#r.onerror=({message:o})=>r.failed({kind:"other",message:`a worker stopped: ${o}`},!0),this.#t=new ne({atOnce:vr*r.workers,send:i((o,n)=>this.#o?.read(o,n),"send"),cancel:i(o=>this.#o?.cancel(o),"cancel"),failed:i(o=>r.failed(o,!1),"failed"),now:i(()=>performance.now()/1e3,"now")}),this.#b({kind:"open",base:r.base.href})}canvas;static{i(this,"Viewer")}#e;#r;#t;#i=new Map;#n=null;#o=null;#s=null;#d=null;#a=null;#l=!1;#c=!1;#h=!0;#u=!0;#f=0;#m=0;#p=!1;facts=Tr;frame(e){if(!this.#n||((!this.#a||!Er(this.#a,e))&&(this.#a=e,this.#c=this.#h=!0),this.#c&&!this.#l&&this.#x(e),this.#t.fill(),!this.#s||!this.#g(this.#n.drawer)))return!1;let r=performance.now()-this.#m>=Math.max(gr,this.took/xr-this.took);return this.#h||this.#u&&(r||this.#t.waiting===0)?(this.#v(e),!0):!1}get took(){return Math.max(this.#m-this.#f,0)}time(){return!this.#a||!this.#n?0:(this.#v(this.#a),this.#n.drawer.finish(),performance.now()-this.#f)}#g(e){return this.#p?e.isDone?(this.#m=performance.now(),this.#p=!1,!0):!1:!0}retry(){this.#t.retry(),this.#b({kind:"retry"})}#x(e){let{views:r,error:o}=this.#e,n={views:r,error:o,isAround:!1};[this.#l,this.#c]=[!0,!1],this.#b({kind:"look",camera:e,settings:n})}#T(e){switch(e.kind){case"opened":this.#E(e.layout,e.shards);break;case"learned":this.#n?.cells.add(e.subtree),this.#y(e.subtree.shards);break;case"base":this.#d=e.cut;break;case"cut":this.#s=e.cut,this.#l=!1,this.#u=!0,this.#M();break;case"received":this.#e.received(e.bytes);break;case"failed":this.#e.failed(e.failure,e.isFatal)}}#E(e,r){let o=new re(this.canvas,e);this.#n={cells:new J(e),drawer:o,resident:new oe(e,o,this.#e.bytes)},this.#y(r);let{scripts:n,workers:s,base:a}=this.#e;this.#o=Pt(n.reader,s,a,e,{view:i((l,c)=>{let h=this.#t.done(l);h&&this.#n?.resident.add(h.level,h.place,h.direction,c),this.#u=!0,this.#t.fill()},"view"),failed:i((l,c)=>this.#t.failed(l,c),"failed"),cancelled:i(l=>this.#t.cancelled(l),"cancelled"),received:this.#e.received}),this.#e.opened(e)}#y(e){for(let r of e)this.#i.set(r[0],r)}#w(e){let{cells:r,resident:o}=this.#n;return At(e,r,(n,s)=>o.there(n,s),this.#e.views)}#v(e){if(!this.#n||!this.#s)return;let{drawer:r,resident:o}=this.#n;this.#h=this.#u=!1,this.#f=performance.now(),this.#p=!0;let n=this.#w(this.#s);o.begin();let s=n.shown.flatMap(({level:d,place:f,direction:m,box:b})=>o.use(d,f,m).map(y=>({layer:y,box:b}))),{splats:a,calls:l}=r.draw(s,e,this.#e.grid),c=new Set(this.#d?.cells.map(({level:d,place:f})=>k(d,f)));o.trim((d,f)=>c.has(k(d,f)));let[{waiting:h},u]=[this.#t,!this.#l&&!this.#c];this.facts={views:n.shown.length,standIns:n.shown.filter(({box:d})=>d!==null).length,waiting:h,holes:n.holes,splats:a,calls:l,bytes:o.bytes,kept:o.count,isComplete:u&&h===0&&this.#s.unknown.length===0}}#M(){let e=[this.#d,this.#s].flatMap(o=>o?this.#w(o).missing:[]),r=new Map;for(let{level:o,place:n,direction:s}of e){let a=`${k(o,n)}/${s}`;r.has(a)||r.set(a,this.#S(o,n,s))}this.#t.want(r)}#S(e,r,o){let{cells:n}=this.#n,s=n.at(e,r)?.generation??0,a=dt(n.layout).map(l=>{let c=lt(n.layout,e,o,l);return this.#i.get(at(s)+ct(n.layout,e,r,c))});return{level:e,place:r,direction:o,generation:s,shards:a.filter(l=>l!==void 0)}}#b(e){this.#r.postMessage(e)}};function Er(t,e){let r=i(({position:n,right:s,up:a,fov:l,width:c,height:h})=>[...n,...s,...a,...Object.values(l),c,h],"numbers"),o=r(e);return r(t).every((n,s)=>n===o[s])}i(Er,"isSame");var Mr=Math.PI/3,Sr=1.5,[Lt,_r]=[.25,.5],Ot=1<<29;function kr(){let t=new URLSearchParams(location.search),[e,r]=[Nt("canvas",HTMLCanvasElement),Nt("#ui",HTMLElement)],o=Math.min(screen.width,screen.height)<600,n=Ce(),s=i(({kind:v,message:P})=>{let{title:p,text:x}=Ct[v];me(p,x,{detail:P,retry:i(()=>location.reload(),"retry")})},"fatal"),a=[],l=new se(e,{base:Rr(new URL(t.get("store")??".",location.href)),scripts:{cutter:new URL("orthoview-cut.js",import.meta.url),reader:new URL("orthoview-read.js",import.meta.url)},views:ie(t,"views",3,1,8),error:ie(t,"error",1,.1,64),grid:Math.round(Math.sqrt(ie(t,"samples",1,1,16))),bytes:ie(t,"megabytes",(o?Ot/4:Ot)>>20,1,16384)*2**20,workers:Math.min(Math.max((navigator.hardwareConcurrency||2)-1,1),4),received:n.receive,opened:f,failed(v,P){if(P){s(v);return}a.push(v.message),pe(a,m)}}),[c,h]=[0,{position:[0,0,0],yaw:0,pitch:0}],u=Xe(e,H(location.hash)??h,()=>c,We(r).show),d=ot(r,()=>u.setPose(h));window.addEventListener("hashchange",()=>u.setPose(H(location.hash)??u.pose)),e.addEventListener("webglcontextlost",()=>s({kind:"other",message:Pr}));function f(v){c=v.origin[1],h=Qe(v),H(location.hash)||u.setPose(h)}i(f,"opened");function m(){a.length=0,pe(a,m),l.retry()}i(m,"retry");let[b,y,w]=[performance.now(),Lt,0],M="";window.orthoview={get facts(){return l.facts},get pose(){return u.pose},get received(){return n.read().received},setPose:u.setPose,time:i(()=>l.time(),"time")};function S(v){let P=Math.max(v-b,0)/1e3;b=v;let p=u.update(P),x=Math.min(window.devicePixelRatio||1,Sr),[T,E]=[e.clientWidth,e.clientHeight].map(R=>Math.max(Math.round(R*x),1));if((e.width!==T||e.height!==E)&&([e.width,e.height]=[T,E]),l.frame(Je(p,Mr,e.width,e.height)),y+=P,w+=P,y>=Lt){y=0;let{received:R,rate:F}=n.read();d.update({facts:l.facts,frame:l.took,received:R,rate:F,height:p.position[1]-c,power:u.power})}let _=Ne(p);w>=_r&&_!==M&&([w,M]=[0,_],history.replaceState(null,"",_)),requestAnimationFrame(S)}i(S,"frame"),requestAnimationFrame(S)}i(kr,"main");var Pr="The browser has taken the graphics away.",Ct={gone:{title:"There is no tree at this address",text:"The page shows the store of orthoviews in whose folder it lies, or the one that ?store= names."},refused:{title:"The server refuses the tree",text:"Tell whoever runs the server what stands below."},unreachable:{title:"The tree cannot be reached",text:"Check the connection and the address, and try again."},damaged:{title:"The tree is damaged",text:"A file is not what the build has written. Check it with nearfar orthoview verify."},newer:{title:"The tree needs a newer nearfar",text:"It was written in a later format than this page reads."},other:{title:"The tree cannot be shown",text:"Reload the page. If that does not help, tell whoever sent you here what stands below."}};function Rr(t){return t.pathname.endsWith("/")||(t.pathname+="/"),t.hash="",t}i(Rr,"folderOf");function ie(t,e,r,o,n){let s=t.get(e),a=s===null||s===""?r:Number(s);return Number.isFinite(a)?Math.min(Math.max(a,o),n):r}i(ie,"number");function Nt(t,e){let r=document.querySelector(t);if(!(r instanceof e))throw new Error(`the page has no ${t}`);return r}i(Nt,"element");try{kr()}catch(t){let{title:e,text:r}=Ct.other;me(e,r,{detail:t instanceof Error?t.message:String(t)})}
