@@ -3,8 +3,8 @@ import { copyFile, mkdir, readdir, rm } from 'node:fs/promises';
 import { build } from 'esbuild';
 
 const PACKAGE = '../python/nearfar/view/dist';
-// Codecs that zarrita loads when an array has them; ours have not.
-const UNUSED = ['numcodecs/blosc', 'numcodecs/lz4'];
+// Codecs that zarrita loads when an array has them. Ours have others: numcodecs compiles scripts, which pages may not.
+const UNUSED = ['numcodecs/blosc', 'numcodecs/lz4', 'numcodecs/zstd'];
 const common = { bundle: true, format: 'esm', target: 'es2022', legalComments: 'none', logLevel: 'warning' };
 
 async function page(folder) {

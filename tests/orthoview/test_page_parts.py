@@ -59,7 +59,9 @@ def words_of(tree: nf.orthoview.OrthoTree, key: ViewKey) -> list[NDArray[np.uint
     found = []
     for prefix in ("", BEHIND)[: layout.layers]:
         names = [(level, place, layout.array(level, direction, prefix + channel)) for channel in CHANNELS]
-        chunks = {(direction, name): chunk for name, chunk in zip(CHANNELS, tree._chunks.read(names), strict=True) if chunk}
+        chunks = {
+            (direction, name): chunk for name, chunk in zip(CHANNELS, tree._chunks.read(names), strict=True) if chunk
+        }
         if not chunks:
             continue
         views, bits = _codec.decoded(chunks, layout, (direction,))
@@ -109,7 +111,9 @@ def in_rows(layer: dict[str, Any]) -> NDArray[np.uint32]:
 
 def check(tree: nf.orthoview.OrthoTree, folder: Path, url: str, count: int) -> None:
     some = cameras(tree, count, seed=3)
-    keys = sorted({key for camera in some[:6] for key in tree.cut(camera, geometry=False).keys()})[:: max(count // 40, 1)]
+    keys = sorted({key for camera in some[:6] for key in tree.cut(camera, geometry=False).keys()})[
+        :: max(count // 40, 1)
+    ]
     cases = cases_of(tree, some)
     assert len({cell[0] for case in cases for cell in case["cells"]}) >= tree.levels - 1
     layers = in_node(folder, url, cases, keys)

@@ -8,6 +8,7 @@ import { Cells, shapesOf } from '../src/orthoview/cut/cells';
 import type { Cut } from '../src/orthoview/cut/cut';
 import { crc32c, statedSize } from '../src/orthoview/decode/codecs';
 import type { Splats } from '../src/orthoview/decode/pack';
+import { xxh64 } from '../src/orthoview/decode/xxh64';
 import { Queue } from '../src/orthoview/show/queue';
 import { Resident } from '../src/orthoview/show/resident';
 import { choose } from '../src/orthoview/show/stand_in';
@@ -101,7 +102,8 @@ test('some views are more than none', () => {
 });
 
 function queued(atOnce = 2) {
-  const told: { sent: [number, string][]; cancelled: number[]; failed: string[]; now: number } = {
+  const told: { sent: [number, string][]; cancelled: number[]; failed: string[]; recovered: number; now: number } = {
+    recovered: 0,
     sent: [],
     cancelled: [],
     failed: [],
@@ -112,6 +114,7 @@ function queued(atOnce = 2) {
     send: (id, job) => told.sent.push([id, job]),
     cancel: (id) => told.cancelled.push(id),
     failed: ({ message }) => told.failed.push(message),
+    recovered: () => (told.recovered += 1),
     now: () => told.now,
   });
   const want = (...names: string[]): void => queue.want(new Map(names.map((name) => [name, name])));
@@ -139,18 +142,25 @@ const AWAY: Failure = { kind: 'unreachable', message: 'no answer' };
 
 test('what fails in passing is asked for again, later each time, and told once', () => {
   const { queue, told, want } = queued();
+  want('a', 'b');
+  queue.failed(2, { ...AWAY, message: 'no answer for b' });
+  assert.deepEqual(told.failed, ['no answer for b']);
+  told.failed = [];
   want('a');
   const starts = [0];
-  for (let id = 1; id < 4; id++) {
+  for (const id of [1, 3, 4]) {
     queue.failed(id, AWAY);
-    while (told.sent.length === id) {
+    const { length } = told.sent;
+    while (told.sent.length === length) {
       told.now += 0.5;
       queue.fill();
     }
     starts.push(told.now);
   }
   assert.deepEqual(starts, [0, 1, 3, 7]);
-  assert.deepEqual(told.failed, ['no answer']);
+  assert.deepEqual(told.failed, []);
+  assert.equal(queue.done(5), 'a');
+  assert.equal(told.recovered, 1);
 });
 
 test('what is damaged is not asked for again until the user asks', () => {
@@ -190,6 +200,11 @@ test('checksums and sizes are read', () => {
   // RFC 3720, B.4.
   assert.equal(crc32c(new Uint8Array(32)), 0x8a9136aa);
   assert.equal(crc32c(Uint8Array.from({ length: 32 }, (_, n) => n)), 0x46dd794e);
+  // Of the reference implementation, seed 0.
+  const text = (letters: string): Uint8Array => new TextEncoder().encode(letters);
+  assert.equal(xxh64(text('')), 0xef46db3751d8e999n);
+  assert.equal(xxh64(text('abc')), 0x44bc2cf5ad770999n);
+  assert.equal(xxh64(text('xxhash')), 0x32dd38952c4bc720n);
   const frame = (...bytes: number[]): Uint8Array => Uint8Array.from([0x28, 0xb5, 0x2f, 0xfd, ...bytes, ...Array(12).fill(0)]);
   assert.equal(statedSize(frame(0x20, 77)), 77);
   assert.equal(statedSize(frame(0x60, 1, 2)), 256 + 0x201);

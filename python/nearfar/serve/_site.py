@@ -82,9 +82,7 @@ class Site:
 def _check_folder(path: str | os.PathLike[str]) -> None:
     """FileNotFoundError for a folder that is there, but has nothing to show."""
     if not is_url(path) and Path(path).is_dir() and not (Path(path) / MANIFEST).exists():
-        what = (
-            "expected a folder that `nearfar export` or `nearfar reduce` wrote; it has no manifest.json, reduced.json or store of orthoviews"
-        )
+        what = "expected a folder that `nearfar export` or `nearfar reduce` wrote; it has no manifest.json, reduced.json or store of orthoviews"
         raise FileNotFoundError(errno.ENOENT, what, os.fspath(path))
 
 

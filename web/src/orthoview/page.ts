@@ -9,7 +9,7 @@ import { startOf } from './controls/start';
 import { cameraOf } from './cut/camera';
 import { createPanel } from './panel';
 import { type Facts, Viewer } from './show/viewer';
-import type { Failure } from './store/error';
+import { type Failure, isPassing } from './store/error';
 import type { Layout } from './store/layout';
 
 /** Vertical field of view, radians. */
@@ -44,7 +44,11 @@ function main(): void {
     const { title, text } = FATAL[kind];
     showFatal(title, text, { detail: message, retry: () => location.reload() });
   };
-  const problems: string[] = [];
+  let problems: readonly Failure[] = [];
+  const show = (now: readonly Failure[]): void => {
+    problems = now;
+    showProblems(problems.map(({ message }) => message), retry);
+  };
   const viewer = new Viewer(canvas, {
     base: folderOf(new URL(query.get('store') ?? '.', location.href)),
     scripts: { cutter: new URL('orthoview-cut.js', import.meta.url), reader: new URL('orthoview-read.js', import.meta.url) },
@@ -60,9 +64,11 @@ function main(): void {
         fatal(failure);
         return;
       }
-      problems.push(failure.message);
-      showProblems(problems, retry);
+      const told: Failure = isPassing(failure) ? { ...failure, message: `${failure.message}; ${AGAIN}` } : failure;
+      const isKnown = problems.some(({ kind, message }) => (isPassing(told) ? kind === told.kind : message === told.message));
+      if (!isKnown) show([...problems, told]);
     },
+    recovered: () => show(problems.filter((failure) => !isPassing(failure))),
   });
   let [ground, home]: [number, Pose] = [0, { position: [0, 0, 0], yaw: 0, pitch: 0 }];
   const fly = createFly(canvas, readLink(location.hash) ?? home, () => ground, createThumbMark(root).show);
@@ -77,8 +83,7 @@ function main(): void {
   }
 
   function retry(): void {
-    problems.length = 0;
-    showProblems(problems, retry);
+    show([]);
     viewer.retry();
   }
 
@@ -124,6 +129,7 @@ function main(): void {
   requestAnimationFrame(frame);
 }
 
+const AGAIN = 'what has come stays, and the rest is asked for again';
 const LOST = 'The browser has taken the graphics away.';
 
 /** Failures after which there is nothing to show. */

@@ -8,7 +8,7 @@ import { Cells, nameOf } from './cells';
 import { type Cut, cut, type Settings } from './cut';
 import type { FromCutter, ToCutter } from './messages';
 
-/** How much coarser cells are that are kept all around. */
+/** How much coarser the finest cells are that are kept all around. */
 const COARSER = 6;
 /** Milliseconds after which a subtree that failed is asked for again. */
 const AGAIN = 3000;
@@ -49,12 +49,24 @@ async function open(base: URL): Promise<void> {
 function look(): void {
   if (!looking || !cells) return;
   const { camera, settings } = looking;
-  const base = cut(cells, camera, { ...settings, error: COARSER * settings.error, isAround: true });
+  const base = baseOf(cells, camera, settings);
   tell({ kind: 'base', cut: base });
   const found = cut(cells, camera, settings);
   tell({ kind: 'cut', cut: found });
   ask(base);
   ask(found);
+}
+
+/** Coarse cells all around, those of all levels above them first. */
+function baseOf(known: Cells, camera: Camera, settings: Settings): Cut {
+  const cuts = Array.from({ length: known.layout.levels }, (_, finer) => {
+    const error = settings.error * COARSER * 2 ** (known.layout.levels - 1 - finer);
+    return cut(known, camera, { ...settings, error, isAround: true });
+  });
+  // At this one nothing but the whole world is drawn.
+  const whole = cut(known, camera, { ...settings, error: Number.MAX_VALUE, isAround: true });
+  const finest = cuts.at(-1) ?? whole;
+  return { ...finest, cells: [whole, ...cuts].flatMap(({ cells: drawn }) => drawn) };
 }
 
 function ask({ unknown }: Cut): void {

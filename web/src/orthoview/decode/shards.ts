@@ -41,7 +41,7 @@ export class Shards {
     // A chunk of length 0 stands in updates for one that is there no more.
     if (length === 0) return undefined;
     if (first < 0 || first + length > shard.size) throw new StoreError('damaged', `${path}: its index leads beyond its end`);
-    const whole = this.#whole.get(path) ?? (shard.size <= SMALL ? this.#keep(path, this.#read(path, shard.version)) : null);
+    const whole = this.#whole.get(path) ?? (shard.size <= SMALL ? this.#keep(path, this.#read(path, shard)) : null);
     if (whole) return cut(await whole, first, length);
     // Others may wait for the same index, which zarrita reads once.
     const signal = 'offset' in range ? options.signal : undefined;
@@ -52,9 +52,11 @@ export class Shards {
     return found.bytes;
   }
 
-  async #read(path: string, version: string): Promise<Bytes> {
-    const found = await this.files.read({ path, version });
+  async #read(path: string, { size, version }: { size: number; version: string }): Promise<Bytes> {
+    // As a part, so that no server packs again what is packed.
+    const found = await this.files.read({ path, version, part: [0, size] });
     if (!found) throw gone(path);
+    if (found.bytes.length !== size) throw new StoreError('damaged', `${path}: expected ${size} bytes, got ${found.bytes.length}`);
     return found.bytes;
   }
 

@@ -4,13 +4,18 @@ import { type Failure, isPassing } from '../store/error';
 /** Seconds until a view that failed is asked for again: doubled each time. */
 const [SOONEST, LATEST] = [1, 30] as const;
 
+/** Stands for all failures that pass: a server that is gone fails for each view. */
+const PASSING = '';
+
 export interface QueueSettings<Job> {
   /** Views that are asked for at once. */
   readonly atOnce: number;
   send(id: number, job: Job): void;
   cancel(id: number): void;
-  /** A view failed; told once for each message. */
+  /** A view failed; told once for each message, and once for all that may help themselves. */
   failed(failure: Failure): void;
+  /** A view has come after some failed in passing. */
+  recovered(): void;
   now(): number;
 }
 
@@ -70,6 +75,7 @@ export class Queue<Job> {
     if (found) {
       this.#failed.delete(found.name);
       this.#wanted.delete(found.name);
+      if (this.#told.delete(PASSING)) this.settings.recovered();
     }
     return found?.job ?? null;
   }
@@ -86,8 +92,9 @@ export class Queue<Job> {
       const pause = Math.min(2 * (this.#failed.get(found.name)?.pause ?? SOONEST / 2), LATEST);
       const again = isPassing(failure) ? this.settings.now() + pause : Number.POSITIVE_INFINITY;
       this.#failed.set(found.name, { again, pause });
-      if (!this.#told.has(failure.message)) this.settings.failed(failure);
-      this.#told.add(failure.message);
+      const told = isPassing(failure) ? PASSING : failure.message;
+      if (!this.#told.has(told)) this.settings.failed(failure);
+      this.#told.add(told);
     }
     this.fill();
   }

@@ -27,6 +27,8 @@ export interface ViewerSettings {
   opened(layout: Layout): void;
   received(bytes: number): void;
   failed(failure: Failure, isFatal: boolean): void;
+  /** The server answers again. */
+  recovered(): void;
 }
 
 /** Views that are asked for at once, for each worker: while some are decoded, others are on their way. */
@@ -103,6 +105,7 @@ export class Viewer {
       send: (id, wanted) => this.#readers?.read(id, wanted),
       cancel: (id) => this.#readers?.cancel(id),
       failed: (failure) => settings.failed(failure, false),
+      recovered: settings.recovered,
       now: () => performance.now() / 1000,
     });
     this.#tell({ kind: 'open', base: settings.base.href });
