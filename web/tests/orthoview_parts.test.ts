@@ -20,7 +20,11 @@ const DESCRIBED = {
   cell: 10,
   counts: [4, 4, 4],
   levels: 3,
-  directions: [[0, 0, 1], [1, 0, 0], [0, 1, 0]],
+  directions: [
+    [0, 0, 1],
+    [1, 0, 0],
+    [0, 1, 0],
+  ],
   names: ['pz', 'px', 'py'],
   size: 8,
   depth_bits: 12,
@@ -43,12 +47,24 @@ function cellsOf(layout: Layout, empty: readonly string[] = []): Cells {
     const side = 2 ** (3 - level);
     (masks[level] as Uint32Array)[(x * side + y) * side + z] = 0;
   }
-  cells.add({ tier: 0, place: [0, 0, 0], masks, generations: shapes.map((count) => new Uint16Array(count)), shards: [] });
+  cells.add({
+    tier: 0,
+    place: [0, 0, 0],
+    masks,
+    generations: shapes.map((count) => new Uint16Array(count)),
+    shards: [],
+  });
   return cells;
 }
 
 function cutOf(...cells: readonly (readonly [number, Triple, readonly number[]])[]): Cut {
-  const drawn = cells.map(([level, place, directions], distance) => ({ level, place, directions, distance, isInPicture: true }));
+  const drawn = cells.map(([level, place, directions], distance) => ({
+    level,
+    place,
+    directions,
+    distance,
+    isInPicture: true,
+  }));
   return { cells: drawn, reach: 1, unknown: [] };
 }
 
@@ -85,7 +101,9 @@ test('a cell above stands in within the box of the cell that is missing', () => 
 });
 
 test('cells below stand in if they cover all of it', () => {
-  const children = Object.fromEntries([...Array(8).keys()].map((n) => [`0/${n >> 2}/${(n >> 1) & 1}/${n & 1}`, [0, 1]]));
+  const children = Object.fromEntries(
+    [...Array(8).keys()].map((n) => [`0/${n >> 2}/${(n >> 1) & 1}/${n & 1}`, [0, 1]]),
+  );
   const cut = cutOf([1, [0, 0, 0], [0, 1]]);
   assert.equal(chosen(cut, { ...children, [ROOT]: [0, 1] }).shown.length, 16);
   const { '0/1/1/1': _, ...some } = children;
@@ -124,7 +142,10 @@ function queued(atOnce = 2) {
 test('the most wanted views are asked for first, so many at once', () => {
   const { queue, told, want } = queued();
   want('a', 'b', 'c');
-  assert.deepEqual(told.sent, [[1, 'a'], [2, 'b']]);
+  assert.deepEqual(told.sent, [
+    [1, 'a'],
+    [2, 'b'],
+  ]);
   assert.equal(queue.done(1), 'a');
   queue.fill();
   assert.deepEqual(told.sent.at(-1), [3, 'c']);
@@ -178,10 +199,14 @@ test('what is damaged is not asked for again until the user asks', () => {
 test('views that were used the longest ago give way, none that a picture shows', () => {
   const dropped: number[] = [];
   const array = {} as WebGLVertexArrayObject & WebGLBuffer;
-  const resident = new Resident(LAYOUT, {
-    upload: (model, { words }) => ({ model, parts: [], array, buffer: array, bytes: words.byteLength }),
-    drop: ({ bytes }) => dropped.push(bytes),
-  }, 100);
+  const resident = new Resident(
+    LAYOUT,
+    {
+      upload: (model, { words }) => ({ model, parts: [], array, buffer: array, bytes: words.byteLength }),
+      drop: ({ bytes }) => dropped.push(bytes),
+    },
+    100,
+  );
   const splats = (count: number): Splats => ({ words: new Uint32Array(count), parts: [], count });
   [10, 11, 12].forEach((count, direction) => resident.add(0, [1, 2, 3], direction, [splats(count)]));
   assert.equal(resident.bytes, 4 * 33);
@@ -205,7 +230,8 @@ test('checksums and sizes are read', () => {
   assert.equal(xxh64(text('')), 0xef46db3751d8e999n);
   assert.equal(xxh64(text('abc')), 0x44bc2cf5ad770999n);
   assert.equal(xxh64(text('xxhash')), 0x32dd38952c4bc720n);
-  const frame = (...bytes: number[]): Uint8Array => Uint8Array.from([0x28, 0xb5, 0x2f, 0xfd, ...bytes, ...Array(12).fill(0)]);
+  const frame = (...bytes: number[]): Uint8Array =>
+    Uint8Array.from([0x28, 0xb5, 0x2f, 0xfd, ...bytes, ...Array(12).fill(0)]);
   assert.equal(statedSize(frame(0x20, 77)), 77);
   assert.equal(statedSize(frame(0x60, 1, 2)), 256 + 0x201);
   assert.equal(statedSize(frame(0xa4, 1, 2, 3, 0)), 0x30201);
@@ -215,7 +241,14 @@ test('checksums and sizes are read', () => {
 });
 
 test('layouts that do not fit together are refused', () => {
-  for (const wrong of [{ size: 10 }, { levels: 2 }, { directions: [[0, 0, 2]] }, { names: ['pz'] }, { cell: 0 }, { subtree: 9 }]) {
+  for (const wrong of [
+    { size: 10 },
+    { levels: 2 },
+    { directions: [[0, 0, 2]] },
+    { names: ['pz'] },
+    { cell: 0 },
+    { subtree: 9 },
+  ]) {
     assert.throws(() => parseLayout({ ...DESCRIBED, ...wrong }), /zarr\.json/);
   }
 });

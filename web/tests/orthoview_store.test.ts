@@ -1,4 +1,4 @@
-/** The page's reading of trees of orthoviews beside Python's, which writes a file of what it found and serves the stores. */
+/** The page's reading of trees beside Python's, which writes a file of what it found and serves the stores. */
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { test } from 'node:test';
@@ -43,7 +43,13 @@ async function opened({ url }: Told) {
 
 type Opened = Awaited<ReturnType<typeof opened>>;
 
-async function whole({ records, cells, shards }: Opened, camera: Camera, views: number, error: number, isAround: boolean): Promise<Cut> {
+async function whole(
+  { records, cells, shards }: Opened,
+  camera: Camera,
+  views: number,
+  error: number,
+  isAround: boolean,
+): Promise<Cut> {
   for (;;) {
     const found = cut(cells, camera, { views, error, isAround });
     for (const { tier, place } of found.unknown) {
@@ -61,12 +67,19 @@ test('cuts are those of tree.cut', { skip }, async () => {
   for (const { camera, views, error, around, reach, cells } of told.cases) {
     const found = await whole(store, camera, views, error, around);
     assert.ok(Math.abs(found.reach / reach - 1) < 1e-12);
-    const drawn = found.cells.map(({ level, place, isInPicture, directions }) => [level, place, isInPicture, directions]);
+    const drawn = found.cells.map(({ level, place, isInPicture, directions }) => [
+      level,
+      place,
+      isInPicture,
+      directions,
+    ]);
     assert.deepEqual(
       drawn,
       cells.map(([level, place, , isInPicture, directions]) => [level, place, isInPicture, directions]),
     );
-    found.cells.forEach(({ distance }, at) => assert.ok(Math.abs(distance - (cells[at]?.[2] as number)) < 1e-9 * (1 + distance)));
+    found.cells.forEach(({ distance }, at) =>
+      assert.ok(Math.abs(distance - (cells[at]?.[2] as number)) < 1e-9 * (1 + distance)),
+    );
   }
 });
 

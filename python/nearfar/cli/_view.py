@@ -18,7 +18,7 @@ def view(
     folder: Annotated[
         str,
         typer.Argument(
-            help="Folder that `nearfar export`, `nearfar reduce` or `nearfar orthoview build` wrote, or a bundle's URL.",
+            help="Folder that `nearfar export`, `reduce` or `orthoview build` wrote, or a bundle's URL.",
             show_default=False,
         ),
     ],

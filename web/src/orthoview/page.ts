@@ -47,11 +47,17 @@ function main(): void {
   let problems: readonly Failure[] = [];
   const show = (now: readonly Failure[]): void => {
     problems = now;
-    showProblems(problems.map(({ message }) => message), retry);
+    showProblems(
+      problems.map(({ message }) => message),
+      retry,
+    );
   };
   const viewer = new Viewer(canvas, {
     base: folderOf(new URL(query.get('store') ?? '.', location.href)),
-    scripts: { cutter: new URL('orthoview-cut.js', import.meta.url), reader: new URL('orthoview-read.js', import.meta.url) },
+    scripts: {
+      cutter: new URL('orthoview-cut.js', import.meta.url),
+      reader: new URL('orthoview-read.js', import.meta.url),
+    },
     views: number(query, 'views', 3, 1, 8),
     error: number(query, 'error', 1, 0.1, 64),
     grid: Math.round(Math.sqrt(number(query, 'samples', 1, 1, 16))),
@@ -65,7 +71,9 @@ function main(): void {
         return;
       }
       const told: Failure = isPassing(failure) ? { ...failure, message: `${failure.message}; ${AGAIN}` } : failure;
-      const isKnown = problems.some(({ kind, message }) => (isPassing(told) ? kind === told.kind : message === told.message));
+      const isKnown = problems.some(({ kind, message }) =>
+        isPassing(told) ? kind === told.kind : message === told.message,
+      );
       if (!isKnown) show([...problems, told]);
     },
     recovered: () => show(problems.filter((failure) => !isPassing(failure))),
@@ -108,15 +116,25 @@ function main(): void {
     last = now;
     const pose = fly.update(seconds);
     const ratio = Math.min(window.devicePixelRatio || 1, SHARPEST);
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.max(Math.round(size * ratio), 1));
-    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width as number, height as number];
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) =>
+      Math.max(Math.round(size * ratio), 1),
+    );
+    if (canvas.width !== width || canvas.height !== height)
+      [canvas.width, canvas.height] = [width as number, height as number];
     viewer.frame(cameraOf(pose, ANGLE, canvas.width, canvas.height));
     sincePanel += seconds;
     sinceLink += seconds;
     if (sincePanel >= PANEL_EVERY) {
       sincePanel = 0;
       const { received, rate } = meter.read();
-      panel.update({ facts: viewer.facts, frame: viewer.took, received, rate, height: pose.position[1] - ground, power: fly.power });
+      panel.update({
+        facts: viewer.facts,
+        frame: viewer.took,
+        received,
+        rate,
+        height: pose.position[1] - ground,
+        power: fly.power,
+      });
     }
     const link = writeLink(pose);
     if (sinceLink >= LINK_EVERY && link !== linked) {
@@ -140,9 +158,15 @@ const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly
   },
   refused: { title: 'The server refuses the tree', text: 'Tell whoever runs the server what stands below.' },
   unreachable: { title: 'The tree cannot be reached', text: 'Check the connection and the address, and try again.' },
-  damaged: { title: 'The tree is damaged', text: 'A file is not what the build has written. Check it with nearfar orthoview verify.' },
+  damaged: {
+    title: 'The tree is damaged',
+    text: 'A file is not what the build has written. Check it with nearfar orthoview verify.',
+  },
   newer: { title: 'The tree needs a newer nearfar', text: 'It was written in a later format than this page reads.' },
-  other: { title: 'The tree cannot be shown', text: 'Reload the page. If that does not help, tell whoever sent you here what stands below.' },
+  other: {
+    title: 'The tree cannot be shown',
+    text: 'Reload the page. If that does not help, tell whoever sent you here what stands below.',
+  },
 };
 
 /** The same address as that of a folder. */

@@ -46,11 +46,21 @@ export function createPanel(root: HTMLElement, home: () => void): Panel {
     make('div', { class: 'panel-body' }, make('dl', { class: 'figures' }, ...rows)),
   );
   const help = make('p', { class: 'note card' });
-  const tools = make('div', { class: 'tools' }, button('Home', 'tool', home), button('Help', 'tool', () => (help.hidden = !help.hidden)));
+  const tools = make(
+    'div',
+    { class: 'tools' },
+    button('Home', 'tool', home),
+    button('Help', 'tool', () => (help.hidden = !help.hidden)),
+  );
   help.textContent = HELP;
   help.hidden = true;
   root.append(
-    make('div', { class: 'frame' }, make('div', { class: 'top' }, figures, chip), make('div', { class: 'bottom' }, help, tools)),
+    make(
+      'div',
+      { class: 'frame' },
+      make('div', { class: 'top' }, figures, chip),
+      make('div', { class: 'bottom' }, help, tools),
+    ),
   );
 
   function show(isShown: boolean): void {
@@ -69,13 +79,16 @@ export function createPanel(root: HTMLElement, home: () => void): Panel {
       put('waiting', facts.waiting > 0 ? `${facts.waiting} views` : 'nothing');
       put('loaded', bits === null ? bytes(received) : `${bytes(received)}, ${rate(bits)}`);
       put('memory', bytes(facts.bytes));
-      put('height', power === 0 ? metres(height) : `${metres(height)}, speed × ${(2 ** power).toFixed(power < 0 ? 2 : 1)}`);
+      put(
+        'height',
+        power === 0 ? metres(height) : `${metres(height)}, speed × ${(2 ** power).toFixed(power < 0 ? 2 : 1)}`,
+      );
     },
   };
 }
 
 const HELP =
-  'Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, the arrow keys turn, Shift is four times ' +
+  'Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four times ' +
   'as fast, the wheel changes the speed. The address leads back to this place.';
 
 function button(label: string, kind: string, action: () => void): HTMLButtonElement {

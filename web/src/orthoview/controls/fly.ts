@@ -1,4 +1,4 @@
-/** Flying: level motion, up and down, and turns, at a speed that grows with the height; plain arithmetic without a browser. */
+/** Flying along the view, aside, up and down, at a speed that grows with the height. */
 import { type Drive, together } from '../../control/drive';
 import { readPads } from '../../control/gamepad';
 import { createKeys, isElsewhere } from '../../control/keys';
@@ -18,7 +18,7 @@ const LONGEST = 0.25;
 /** By the place of a key: up is positive. */
 const RISE: Readonly<Record<string, number>> = { KeyE: 1, Space: 1, KeyQ: -1, KeyC: -1 };
 
-/** The pose after some seconds of wishes. `ground` is the height at which the world begins, metres. */
+/** The pose after some seconds of wishes, of which `rise` is up. `ground` is the height at which the world begins, metres. */
 export function flown(pose: Pose, wishes: Drive, rise: number, power: number, ground: number, seconds: number): Pose {
   const yaw = pose.yaw + TURN * wishes.turn * seconds;
   const pitch = bounded(pose.pitch + TURN * wishes.look * seconds, -STEEPEST, STEEPEST);
@@ -39,7 +39,12 @@ export interface Fly {
 }
 
 /** Let an element, which should be focusable, steer a pose. */
-export function createFly(element: HTMLElement, start: Pose, ground: () => number, onThumb: (thumb: Thumb | null) => void): Fly {
+export function createFly(
+  element: HTMLElement,
+  start: Pose,
+  ground: () => number,
+  onThumb: (thumb: Thumb | null) => void,
+): Fly {
   let pose = start;
   let power = 0;
   const held = new Set<string>();
@@ -48,7 +53,15 @@ export function createFly(element: HTMLElement, start: Pose, ground: () => numbe
     pose = { ...pose, yaw: pose.yaw + left, pitch: bounded(pose.pitch + up, -STEEPEST, STEEPEST) };
   };
   const none = (): void => undefined;
-  const pointers = createPointers(element, { mode: () => 'walk', look: turn, rotate: none, pan: none, zoom: none, thumb: onThumb, go: none });
+  const pointers = createPointers(element, {
+    mode: () => 'walk',
+    look: turn,
+    rotate: none,
+    pan: none,
+    zoom: none,
+    thumb: onThumb,
+    go: none,
+  });
 
   window.addEventListener('keydown', (event) => {
     if (!Object.hasOwn(RISE, event.code) || isElsewhere(event)) return;

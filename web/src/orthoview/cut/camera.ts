@@ -42,7 +42,7 @@ export function cameraOf(
   };
 }
 
-/** The direction through a place in the picture, pixels from its upper left, as long as its part along the axis is 1. */
+/** The direction through a place in the picture, pixels from its upper left; its part along the axis is 1. */
 export function directionAt({ right, up, back, fov, width, height }: Camera, x: number, y: number): Triple {
   const across = fov.left + ((fov.right - fov.left) * x) / width;
   const above = fov.up + ((fov.down - fov.up) * y) / height;

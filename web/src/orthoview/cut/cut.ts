@@ -52,7 +52,8 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     if (mask === 0 || (lies === 'outside' && !settings.isAround)) return;
     const distance = distanceOf(camera.position, corner, side);
     const found = { level, place, distance, isInPicture: lies !== 'outside' };
-    const draw = (): number => drawn.push({ ...found, directions: nearest(units, camera.position, center, mask, settings.views) });
+    const draw = (): number =>
+      drawn.push({ ...found, directions: nearest(units, camera.position, center, mask, settings.views) });
     if (level === 0 || distance >= reach * 2 ** level) draw();
     else if (!refine(level - 1, place, lies)) draw();
   }
@@ -95,8 +96,13 @@ function distanceOf(eye: Triple, corner: Triple, side: number): number {
 /** Of the directions of a mask those nearest to the viewer's; of equally near ones the first. */
 function nearest(units: readonly Triple[], eye: Triple, center: Triple, mask: number, most: number): number[] {
   const toward = unit([eye[0] - center[0], eye[1] - center[1], eye[2] - center[2]]);
-  const shown = units.map((axis, number) => ({ number, cosine: dot(axis, toward) })).filter(({ number }) => (mask >>> number) & 1);
-  return shown.sort((one, other) => other.cosine - one.cosine).slice(0, most).map(({ number }) => number);
+  const shown = units
+    .map((axis, number) => ({ number, cosine: dot(axis, toward) }))
+    .filter(({ number }) => (mask >>> number) & 1);
+  return shown
+    .sort((one, other) => other.cosine - one.cosine)
+    .slice(0, most)
+    .map(({ number }) => number);
 }
 
 /** The views of a cell that shows something: as many as are wanted and there. */

@@ -48,7 +48,8 @@ export function unpacked(frame: Uint8Array): Uint8Array {
   const found = decompress(frame, new Uint8Array(size));
   const sum = new DataView(frame.buffer, frame.byteOffset + frame.length - 4).getUint32(0, true);
   // fzstd leaves it out.
-  if (found.length !== size || Number(xxh64(found) & 0xffff_ffffn) !== sum) throw damaged('a chunk', 'its checksum is wrong');
+  if (found.length !== size || Number(xxh64(found) & 0xffff_ffffn) !== sum)
+    throw damaged('a chunk', 'its checksum is wrong');
   return found;
 }
 
@@ -85,7 +86,8 @@ export function registerCodecs(): void {
 async function pixelsOf(bytes: Bytes, shape: readonly number[]): Promise<Uint8Array> {
   const image = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
   const { width, height } = image;
-  if (3 * width * height !== shape.reduce((a, b) => a * b, 1)) throw damaged('a chunk', `an image of ${width} × ${height}`);
+  if (3 * width * height !== shape.reduce((a, b) => a * b, 1))
+    throw damaged('a chunk', `an image of ${width} × ${height}`);
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
   if (!context) throw new Error('the browser gives no canvas to a worker');
   context.drawImage(image, 0, 0);

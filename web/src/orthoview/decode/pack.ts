@@ -19,7 +19,7 @@ export interface Part {
 /**
  * The pixels of a view that show a surface, three words each:
  * 24 bits of colour and 8 upper ones of the depth; 24 bits of the normal and 8 lower ones of the depth;
- * 12 bits each of column and row, whether it is a surfel (bit 24), and whether all its neighbours are connected (bit 25).
+ * 12 bits each of column and row, whether it is a surfel (bit 24), and whether all neighbours are connected (bit 25).
  */
 export interface Splats {
   readonly words: Uint32Array<ArrayBuffer>;
@@ -83,8 +83,12 @@ function shownOf(depth: Numbers): number {
 /** Both numbers of a normal in 24 bits; those of 8 bits as they are. */
 function normalOf(normal: Numbers, pixel: number, bits: number): number {
   if (bits === 16) return (normal[2 * pixel] as number) | ((normal[2 * pixel + 1] as number) << 12);
-  const [high, middle, low] = [normal[3 * pixel], normal[3 * pixel + 1], normal[3 * pixel + 2]] as [number, number, number];
-  return ((high << 4) | (middle >> 4)) | ((((middle & 15) << 8) | low) << 12);
+  const [high, middle, low] = [normal[3 * pixel], normal[3 * pixel + 1], normal[3 * pixel + 2]] as [
+    number,
+    number,
+    number,
+  ];
+  return (high << 4) | (middle >> 4) | ((((middle & 15) << 8) | low) << 12);
 }
 
 /** Number of neighbours that are connected with each pixel. */

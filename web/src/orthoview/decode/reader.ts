@@ -56,13 +56,18 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
       const folder = overlay(generation);
       const layer = async (prefix: string): Promise<Splats | null> => {
         const name = (channel: string): string => folder + arrayOf(layout, level, direction, prefix + channel);
-        const [color, depth, normal] = await Promise.all(CHANNELS.map((channel) => valuesOf(name(channel), place, signal)));
+        const [color, depth, normal] = await Promise.all(
+          CHANNELS.map((channel) => valuesOf(name(channel), place, signal)),
+        );
         if (!color || !depth || !normal) return null;
         return pack(color, depth, normal, layout);
       };
       const first = await layer('');
       if (!first?.count) {
-        throw damaged(folder + arrayOf(layout, level, direction, ''), `the chunk of the cell ${place.join(', ')} is missing`);
+        throw damaged(
+          folder + arrayOf(layout, level, direction, ''),
+          `the chunk of the cell ${place.join(', ')} is missing`,
+        );
       }
       const hasSecond = shards.some(([path]) => path.includes(`/${BEHIND}depth/`));
       const second = hasSecond ? await layer(BEHIND) : null;

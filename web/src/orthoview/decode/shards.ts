@@ -30,17 +30,21 @@ export class Shards {
     const found = /^\/(?:nearfar\/generations\/\d+\/)?(\d+)\/[a-z_]+\/([a-z_]+)\/zarr\.json$/.exec(key);
     if (!found) return Promise.resolve(undefined);
     const [, level, channel] = found;
-    return Promise.resolve(new TextEncoder().encode(JSON.stringify(metadataOf(this.layout, Number(level), channel ?? ''))));
+    return Promise.resolve(
+      new TextEncoder().encode(JSON.stringify(metadataOf(this.layout, Number(level), channel ?? ''))),
+    );
   }
 
   async getRange(key: string, range: Range, options: { signal?: AbortSignal } = {}): Promise<Bytes | undefined> {
     const path = key.slice(1);
     const shard = this.known.get(path);
     if (!shard) throw new StoreError('gone', `${path}: no record lists this shard`);
-    const [first, length] = 'offset' in range ? [range.offset, range.length] : [shard.size - range.suffixLength, range.suffixLength];
+    const [first, length] =
+      'offset' in range ? [range.offset, range.length] : [shard.size - range.suffixLength, range.suffixLength];
     // A chunk of length 0 stands in updates for one that is there no more.
     if (length === 0) return undefined;
-    if (first < 0 || first + length > shard.size) throw new StoreError('damaged', `${path}: its index leads beyond its end`);
+    if (first < 0 || first + length > shard.size)
+      throw new StoreError('damaged', `${path}: its index leads beyond its end`);
     const whole = this.#whole.get(path) ?? (shard.size <= SMALL ? this.#keep(path, this.#read(path, shard)) : null);
     if (whole) return cut(await whole, first, length);
     // Others may wait for the same index, which zarrita reads once.
@@ -56,7 +60,8 @@ export class Shards {
     // As a part, so that no server packs again what is packed.
     const found = await this.files.read({ path, version, part: [0, size] });
     if (!found) throw gone(path);
-    if (found.bytes.length !== size) throw new StoreError('damaged', `${path}: expected ${size} bytes, got ${found.bytes.length}`);
+    if (found.bytes.length !== size)
+      throw new StoreError('damaged', `${path}: expected ${size} bytes, got ${found.bytes.length}`);
     return found.bytes;
   }
 

@@ -26,7 +26,10 @@ async function read(id: number, wanted: Wanted): Promise<void> {
   running.set(id, control);
   try {
     const layers = await reader.read(wanted, control.signal);
-    tell({ kind: 'view', id, layers }, layers.map(({ words }) => words.buffer));
+    tell(
+      { kind: 'view', id, layers },
+      layers.map(({ words }) => words.buffer),
+    );
   } catch (reason) {
     if (control.signal.aborted) tell({ kind: 'cancelled', id });
     else tell({ kind: 'failed', id, failure: failureOf(reason) });

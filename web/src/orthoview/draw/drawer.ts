@@ -3,7 +3,18 @@ import type { Camera } from '../cut/camera';
 import type { Part, Splats } from '../decode/pack';
 import { WORDS } from '../decode/pack';
 import type { Layout } from '../store/layout';
-import { type Box, isIn, isSeen, type Model, type Projector, projectorOf, rowsOf, sightOf, VECTORS, writeView } from '../splats/sight';
+import {
+  type Box,
+  isIn,
+  isSeen,
+  type Model,
+  type Projector,
+  projectorOf,
+  rowsOf,
+  sightOf,
+  VECTORS,
+  writeView,
+} from '../splats/sight';
 import { type Program, programOf, type Target, targetOf } from './gl';
 import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, WHOLE_VERTEX } from './shaders';
 
@@ -120,7 +131,7 @@ export class Drawer {
     gl.uniform4fv(this.#splats.at('view'), this.#numbers);
     gl.bindVertexArray(layer.array);
     let [splats, calls] = [0, 0];
-    for (let n = 0; n < seen.length; ) {
+    for (let n = 0; n < seen.length;) {
       const { first } = seen[n] as Part;
       let end = first;
       // Parts beside one another in the buffer are one call.

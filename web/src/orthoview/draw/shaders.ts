@@ -29,8 +29,8 @@ vec3 linear_of(vec3 c) {
 `;
 
 /**
- * A splat is a point: a square around its ellipse. Its middle, the inverse of the ellipse's axes, and its nearness 1/W with
- * the changes along both axes go on to the fragments as they are.
+ * A splat is a point: a square around its ellipse. Its middle, the inverse of the ellipse's axes, and its nearness 1/W
+ * with the changes along both axes go on to the fragments as they are.
  */
 export const SPLAT_VERTEX = /* glsl */ `${HEAD}
 layout(location = 0) in uvec3 splat;
@@ -55,7 +55,8 @@ float disc(vec3 own, float place, float over) {
 void main() {
   float depth = float((splat.x >> 24) << 8 | splat.y >> 24) - 0.5;
   vec3 at = vec3(float(splat.z & 4095u) + 0.5, float(splat.z >> 12 & 4095u) + 0.5, depth);
-  vec3 inside = vec3(dot(view[7].xyz, at) + view[7].w, dot(view[8].xyz, at) + view[8].w, dot(view[9].xyz, at) + view[9].w);
+  vec3 inside = vec3(dot(view[7].xyz, at), dot(view[8].xyz, at), dot(view[9].xyz, at));
+  inside += vec3(view[7].w, view[8].w, view[9].w);
   vec3 function = view[0].xyz + at.x * view[1].xyz + at.y * view[2].xyz + at.z * view[3].xyz;
   float over = 1.0 / function.z;
   vec2 middle = function.xy * over;

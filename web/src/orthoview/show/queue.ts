@@ -1,4 +1,4 @@
-/** Requests for views: the most wanted first, cancelled when nobody wants them, asked again when they failed in passing. */
+/** Requests for views: the most wanted first, cancelled when nobody wants them, asked again if that may help. */
 import { type Failure, isPassing } from '../store/error';
 
 /** Seconds until a view that failed is asked for again: doubled each time. */

@@ -41,7 +41,10 @@ export function startReaders(script: URL, count: number, base: URL, layout: Layo
       }
     };
     worker.onerror = ({ message }): void => {
-      const failure: Failure = { kind: 'other', message: `a worker stopped: ${message || 'the browser gives no reason'}` };
+      const failure: Failure = {
+        kind: 'other',
+        message: `a worker stopped: ${message || 'the browser gives no reason'}`,
+      };
       for (const [id, own] of ids) if (own === worker) listener.failed(id, failure);
     };
     send(worker, { kind: 'open', base: base.href, layout });

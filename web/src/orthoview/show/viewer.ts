@@ -99,7 +99,8 @@ export class Viewer {
     this.#settings = settings;
     this.#cutter = new Worker(settings.scripts.cutter, { type: 'module' });
     this.#cutter.onmessage = ({ data }: MessageEvent<FromCutter>): void => this.#hear(data);
-    this.#cutter.onerror = ({ message }): void => settings.failed({ kind: 'other', message: `a worker stopped: ${message}` }, true);
+    this.#cutter.onerror = ({ message }): void =>
+      settings.failed({ kind: 'other', message: `a worker stopped: ${message}` }, true);
     this.#queue = new Queue<Wanted>({
       atOnce: AT_ONCE * settings.workers,
       send: (id, wanted) => this.#readers?.read(id, wanted),

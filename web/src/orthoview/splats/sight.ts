@@ -1,4 +1,4 @@
-/** A view before a camera: the linear functions of its pixels and depth steps that the shader takes, and what is culled. */
+/** A view before a camera: the linear functions of its pixels and depth steps, and which of its parts are seen. */
 import { type Camera, directionAt, dot } from '../cut/camera';
 import { type Frame, frameOf } from '../cut/directions';
 import type { Part } from '../decode/pack';
@@ -38,9 +38,18 @@ export function modelOf(layout: Layout, level: number, place: Triple, direction:
   const [right, up, toward] = frame.axes;
   const start = corner.map(
     (low, axis) =>
-      low + side / 2 + (-(right[axis] as number) * extents[0] + (up[axis] as number) * extents[1] + (toward[axis] as number) * extents[2]) / 2,
+      low +
+      side / 2 +
+      (-(right[axis] as number) * extents[0] +
+        (up[axis] as number) * extents[1] +
+        (toward[axis] as number) * extents[2]) /
+        2,
   ) as unknown as Triple;
-  const scaled = (vector: Triple, factor: number): Triple => [vector[0] * factor, vector[1] * factor, vector[2] * factor];
+  const scaled = (vector: Triple, factor: number): Triple => [
+    vector[0] * factor,
+    vector[1] * factor,
+    vector[2] * factor,
+  ];
   const steps = [scaled(right, pitch[0]), scaled(up, -pitch[1]), scaled(toward, -pitch[2])] as const;
   return { frame, pitch, start, steps, normalBits: layout.normalBits / 2 };
 }
@@ -104,14 +113,22 @@ function ballOf({ pitch }: Model): number {
 }
 
 /** Whether a picture may show a part of a view. */
-export function isSeen({ start, steps, least, margin }: Sight, { low, high }: Part, width: number, height: number): boolean {
+export function isSeen(
+  { start, steps, least, margin }: Sight,
+  { low, high }: Part,
+  width: number,
+  height: number,
+): boolean {
   let [left, right, above, below, behind] = [true, true, true, true, true];
   for (let corner = 0; corner < 8; corner++) {
     const at = low.map((lowest, axis) =>
       (corner >> axis) & 1 ? (high[axis] as number) + (margin[axis] as number) : lowest - (margin[axis] as number),
     );
     const value = (of: 0 | 1 | 2): number =>
-      start[of] + (at[0] as number) * steps[0][of] + (at[1] as number) * steps[1][of] + (at[2] as number) * steps[2][of];
+      start[of] +
+      (at[0] as number) * steps[0][of] +
+      (at[1] as number) * steps[1][of] +
+      (at[2] as number) * steps[2][of];
     const [x, y, w] = [value(0), value(1), value(2)];
     // A pixel more on each side, for that of a splat's middle. As products, so that corners behind the eye count right.
     left &&= x < -w;
@@ -146,7 +163,12 @@ export function rowsOf(model: Model, layout: Layout, box: Box | null): readonly 
   const corner = cornerOf(layout, box.level, box.place);
   return [0, 1, 2].map((axis) => {
     const factor = (n: 0 | 1 | 2): number => (model.steps[n][axis] as number) / side;
-    return [factor(0), factor(1), factor(2), ((model.start[axis] as number) - (corner[axis] as number)) / side] as const;
+    return [
+      factor(0),
+      factor(1),
+      factor(2),
+      ((model.start[axis] as number) - (corner[axis] as number)) / side,
+    ] as const;
   });
 }
 
@@ -156,7 +178,11 @@ export function writeView(target: Float32Array, model: Model, sight: Sight, rows
   const [right, up, toward] = frame.axes;
   const scale = 2 / (2 ** model.normalBits - 2);
   const put = (at: number, [x, y, z]: Triple, w: number): void => target.set([x, y, z, w], 4 * at);
-  const scaled = (vector: Triple, factor: number): Triple => [vector[0] * factor, vector[1] * factor, vector[2] * factor];
+  const scaled = (vector: Triple, factor: number): Triple => [
+    vector[0] * factor,
+    vector[1] * factor,
+    vector[2] * factor,
+  ];
   put(0, sight.start, sight.least);
   put(1, sight.steps[0], scale);
   put(2, sight.steps[1], ballOf(model) / Math.sqrt(SQUARED_RADIUS));

@@ -11,11 +11,6 @@ export class StoreError extends Error {
     super(message);
     this.name = 'StoreError';
   }
-
-  /** Whether asking again later may help. */
-  get isPassing(): boolean {
-    return this.kind === 'refused' || this.kind === 'unreachable';
-  }
 }
 
 export function damaged(file: string, reason: string): StoreError {

@@ -42,7 +42,8 @@ export function createFiles(base: URL, receive: (bytes: number) => void): Files 
       if (!version) init.cache = 'no-cache';
       const response = await answered(() => fetch(url, init), path, signal);
       if (response.status === 404 || response.status === 410) return null;
-      if (!response.ok) throw new StoreError('refused', `${path}: the server answers ${response.status} ${response.statusText}`);
+      if (!response.ok)
+        throw new StoreError('refused', `${path}: the server answers ${response.status} ${response.statusText}`);
       const bytes: Bytes = new Uint8Array(await answered(() => response.arrayBuffer(), path, signal));
       receive(bytes.length);
       if (!part || response.status === 206) return { bytes, isWhole: !part };

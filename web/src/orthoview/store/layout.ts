@@ -46,7 +46,9 @@ export function parseLayout(described: unknown): Layout {
     cell: number(from['cell'], 'cell', (value) => Number.isFinite(value) && value > 0),
     counts: triple(from['counts'], 'counts', (value) => isWhole(value, 1, 2 ** 31)),
     levels: number(from['levels'], 'levels', (value) => isWhole(value, 1, 32)),
-    directions: list(from['directions'], 'directions').map((each) => triple(each, 'directions', (n) => isWhole(n, -1, 1))),
+    directions: list(from['directions'], 'directions').map((each) =>
+      triple(each, 'directions', (n) => isWhole(n, -1, 1)),
+    ),
     names: list(from['names'], 'names').map(String),
     size: number(from['size'], 'size', (value) => isWhole(value, 4, 4096) && value % 4 === 0),
     depthBits: number(from['depth_bits'], 'depth_bits', (value) => isWhole(value, 8, 16)),
@@ -56,9 +58,11 @@ export function parseLayout(described: unknown): Layout {
     layers: number(from['layers'], 'layers', (value) => isWhole(value, 1, 2)),
   };
   const { counts, levels, directions, names } = layout;
-  const are26 = directions.length > 0 && directions.length <= 26 && directions.every((each) => each.some((n) => n !== 0));
+  const are26 =
+    directions.length > 0 && directions.length <= 26 && directions.every((each) => each.some((n) => n !== 0));
   const isNamed = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
-  if (!are26 || !isNamed || 2 ** (levels - 1) < Math.max(...counts)) throw damaged('zarr.json', 'its layout does not fit together');
+  if (!are26 || !isNamed || 2 ** (levels - 1) < Math.max(...counts))
+    throw damaged('zarr.json', 'its layout does not fit together');
   return layout;
 }
 
@@ -121,7 +125,8 @@ function list(value: unknown, name: string): readonly unknown[] {
 }
 
 function number(value: unknown, name: string, isGood: (value: number) => boolean): number {
-  if (typeof value !== 'number' || !isGood(value)) throw damaged('zarr.json', `layout.${name} cannot be ${JSON.stringify(value)}`);
+  if (typeof value !== 'number' || !isGood(value))
+    throw damaged('zarr.json', `layout.${name} cannot be ${JSON.stringify(value)}`);
   return value;
 }
 

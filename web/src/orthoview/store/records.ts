@@ -44,8 +44,12 @@ export async function openRecords(files: Files): Promise<Records> {
   const layout = parseLayout(attributes['layout']);
   if (attributes['complete'] !== true) throw damaged('zarr.json', 'the tree is not complete; build it again');
   const generation = Number(attributes['generation']);
-  if (!Number.isInteger(generation) || generation < 0) throw damaged('zarr.json', 'expected the number of a generation');
-  const digests = fields((await document(files, `${FOLDER}/records.json`, 'orthoview_records'))['records'], 'records.json');
+  if (!Number.isInteger(generation) || generation < 0)
+    throw damaged('zarr.json', 'expected the number of a generation');
+  const digests = fields(
+    (await document(files, `${FOLDER}/records.json`, 'orthoview_records'))['records'],
+    'records.json',
+  );
   const overlays: Overlay[] = [];
   const shards: Shard[] = [];
   // The newest one first.
@@ -55,7 +59,12 @@ export async function openRecords(files: Files): Promise<Records> {
     overlays.push({ number, cells: fields(found['cells'], path) });
     shards.push(...shardsOf(found['shards'], overlay(number), path));
   }
-  return { layout, generation, shards, subtree: (tier, place) => subtreeOf(files, layout, overlays, digests, tier, place) };
+  return {
+    layout,
+    generation,
+    shards,
+    subtree: (tier, place) => subtreeOf(files, layout, overlays, digests, tier, place),
+  };
 }
 
 async function subtreeOf(
@@ -134,18 +143,21 @@ async function masksOf(
   shapes: readonly number[],
   file: string,
 ): Promise<Uint32Array[]> {
-  if (!Array.isArray(views) || views.length !== shapes.length) throw damaged(file, `expected views of ${shapes.length} levels`);
+  if (!Array.isArray(views) || views.length !== shapes.length)
+    throw damaged(file, `expected views of ${shapes.length} levels`);
   const masks = await Promise.all(shapes.map((count, level) => numbersOf(views[level], count, file)));
   const most = 2 ** directions.length;
   const isWrong = (bits: number): boolean => bits >= most && bits !== AS_BEFORE;
-  if (masks.some((mask) => mask.some(isWrong))) throw damaged(file, `views: expected bits of ${directions.length} directions`);
+  if (masks.some((mask) => mask.some(isWrong)))
+    throw damaged(file, `views: expected bits of ${directions.length} directions`);
   return masks;
 }
 
 function shardsOf(listed: unknown, folder: string, file: string): Shard[] {
   return Object.entries(fields(listed, file)).map(([path, entry]) => {
     const [size, digest]: unknown[] = Array.isArray(entry) ? entry : [];
-    if (typeof size !== 'number' || typeof digest !== 'string') throw damaged(file, `${path}: expected a size and a hash`);
+    if (typeof size !== 'number' || typeof digest !== 'string')
+      throw damaged(file, `${path}: expected a size and a hash`);
     return [folder + path, size, versionOf(digest)];
   });
 }

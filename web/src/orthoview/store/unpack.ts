@@ -42,7 +42,12 @@ function bytesOf(text: unknown, file: string): Bytes {
 }
 
 /** The object of a JSON document of a kind and a version. */
-export function documentOf(bytes: Bytes, file: string, kind: string, version: number): Readonly<Record<string, unknown>> {
+export function documentOf(
+  bytes: Bytes,
+  file: string,
+  kind: string,
+  version: number,
+): Readonly<Record<string, unknown>> {
   let found: unknown;
   try {
     found = JSON.parse(new TextDecoder().decode(bytes));
@@ -60,6 +65,7 @@ export function checked(
   version: number,
 ): Readonly<Record<string, unknown>> {
   if (found['format'] !== `nearfar.${kind}`) throw damaged(file, `expected a document nearfar.${kind}`);
-  if (found['version'] !== version) throw new StoreError('newer', `${file}: version ${JSON.stringify(found['version'])}`);
+  if (found['version'] !== version)
+    throw new StoreError('newer', `${file}: version ${JSON.stringify(found['version'])}`);
   return found;
 }
