@@ -30,7 +30,7 @@ Pose = dict[str, Any]
 
 SIZE = (240, 160)
 ANGLE = 60.0
-AIR = {"position": [0.0, 45.0, 110.0], "yaw": 0.0, "pitch": -0.4}
+AIR: Pose = {"position": [0.0, 45.0, 110.0], "yaw": 0.0, "pitch": -0.4}
 STREET = {"position": [20.0, 3.0, 22.0], "yaw": 0.7, "pitch": 0.0}
 FAR = {"position": [0.0, 300.0, 900.0], "yaw": 0.0, "pitch": -0.3}
 CORNER = {"position": [-55.0, 30.0, -55.0], "yaw": -2.4, "pitch": -0.5}
@@ -137,7 +137,7 @@ def test_colours_as_webp_are_drawn(chromium: Any, world: nf.Scene, tmp_path: Pat
         with Server.of_bundle(tree.path) as server, opened(chromium, *SIZE) as page:
             flown(page, f"{server.url}{link(pose)}")
             pictures.append(picture(page))
-    np.testing.assert_array_equal(*pictures)
+    np.testing.assert_array_equal(pictures[0], pictures[1])
     assert len(np.unique(pictures[0].reshape(-1, 3), axis=0)) > 50
 
 
@@ -155,7 +155,7 @@ class Host:
 @contextmanager
 def hosted(folder: Path) -> Iterator[Host]:
     class Handler(RangeHandler):
-        def do_GET(self) -> None:
+        def do_GET(self) -> None:  # noqa: N802 - the base class's name
             if host.status and "/c/" in self.path:
                 self.send_error(host.status)
             else:
@@ -269,13 +269,16 @@ def test_keys_fly_and_the_address_leads_back(chromium: Any, city: nf.orthoview.O
     def pose(page: Any) -> Pose:
         return dict(page.evaluate("() => window.orthoview.pose"))
 
+    def has_gone(page: Any, before: list[float], axis: int, sign: int) -> bool:
+        return bool(sign * (pose(page)["position"][axis] - before[axis]) > 1)
+
     with Server.of_bundle(city.path) as server, opened(chromium, 800, 600) as page:
         flown(page, f"{server.url}?error=8{link(AIR)}")
         assert pose(page)["position"] == AIR["position"]
         for key, axis, sign in (("w", 2, -1), ("e", 1, 1), ("d", 0, 1)):
             before = pose(page)["position"]
             page.keyboard.down(key)
-            wait_until(page, lambda b=before, a=axis, s=sign: s * (pose(page)["position"][a] - b[a]) > 1)
+            wait_until(page, partial(has_gone, page, before, axis, sign))
             page.keyboard.up(key)
         before = pose(page)
         page.mouse.move(400, 200)

@@ -111,9 +111,8 @@ def in_rows(layer: dict[str, Any]) -> NDArray[np.uint32]:
 
 def check(tree: nf.orthoview.OrthoTree, folder: Path, url: str, count: int) -> None:
     some = cameras(tree, count, seed=3)
-    keys = sorted({key for camera in some[:6] for key in tree.cut(camera, geometry=False).keys()})[
-        :: max(count // 40, 1)
-    ]
+    cuts = [tree.cut(camera, geometry=False) for camera in some[:6]]
+    keys = sorted({key for cut in cuts for key in cut.keys()})[:: max(count // 40, 1)]  # noqa: SIM118 - no mapping
     cases = cases_of(tree, some)
     assert len({cell[0] for case in cases for cell in case["cells"]}) >= tree.levels - 1
     layers = in_node(folder, url, cases, keys)

@@ -45,7 +45,7 @@ class Site:
 
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str]) -> Site:
-        """Show a bundle, a reduced scene or a tree of orthoviews; errors as the functions that open them raise them."""
+        """Show a bundle, a reduced scene or a tree of orthoviews; errors as the functions that open them."""
         if (tree := tree_folder(path)) is not None:
             return cls({**tree_files(tree), **tree_page()}, title="orthoviews", has_page=False)
         if reduced_folder(path) is not None:
@@ -82,7 +82,10 @@ class Site:
 def _check_folder(path: str | os.PathLike[str]) -> None:
     """FileNotFoundError for a folder that is there, but has nothing to show."""
     if not is_url(path) and Path(path).is_dir() and not (Path(path) / MANIFEST).exists():
-        what = "expected a folder that `nearfar export` or `nearfar reduce` wrote; it has no manifest.json, reduced.json or store of orthoviews"
+        what = (
+            "expected a folder that `nearfar export` or `nearfar reduce` wrote, or a store of orthoviews; "
+            "it has no manifest.json, reduced.json or zarr.json"
+        )
         raise FileNotFoundError(errno.ENOENT, what, os.fspath(path))
 
 
