@@ -79,7 +79,8 @@ function main(): void {
     recovered: () => show(problems.filter((failure) => !isPassing(failure))),
   });
   let [ground, home]: [number, Pose] = [0, { position: [0, 0, 0], yaw: 0, pitch: 0 }];
-  const fly = createFly(canvas, readLink(location.hash) ?? home, () => ground, createThumbMark(root).show);
+  const begun = readLink(location.hash);
+  const fly = createFly(canvas, begun ?? home, () => ground, createThumbMark(root).show);
   const panel = createPanel(root, () => fly.setPose(home));
   window.addEventListener('hashchange', () => fly.setPose(readLink(location.hash) ?? fly.pose));
   canvas.addEventListener('webglcontextlost', () => fatal({ kind: 'other', message: LOST }));
@@ -87,7 +88,8 @@ function main(): void {
   function opened(layout: Layout): void {
     ground = layout.origin[1];
     home = startOf(layout);
-    if (!readLink(location.hash)) fly.setPose(home);
+    if (!begun) fly.setPose(home);
+    isOpen = true;
   }
 
   function retry(): void {
@@ -96,7 +98,7 @@ function main(): void {
   }
 
   let [last, sincePanel, sinceLink]: [number, number, number] = [performance.now(), PANEL_EVERY, 0];
-  let linked = '';
+  let [linked, isOpen] = ['', false];
   window.orthoview = {
     get facts() {
       return viewer.facts;
@@ -137,7 +139,7 @@ function main(): void {
       });
     }
     const link = writeLink(pose);
-    if (sinceLink >= LINK_EVERY && link !== linked) {
+    if (isOpen && sinceLink >= LINK_EVERY && link !== linked) {
       // Browsers refuse more than some hundred changes of the address in half a minute.
       [sinceLink, linked] = [0, link];
       history.replaceState(null, '', link);
