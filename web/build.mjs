@@ -3,6 +3,8 @@ import { copyFile, mkdir, readdir, rm } from 'node:fs/promises';
 import { build } from 'esbuild';
 
 const PACKAGE = '../python/nearfar/view/dist';
+// Codecs that zarrita loads when an array has them. Ours have others: numcodecs compiles scripts, which pages may not.
+const UNUSED = ['numcodecs/blosc', 'numcodecs/lz4', 'numcodecs/zstd'];
 const common = { bundle: true, format: 'esm', target: 'es2022', legalComments: 'none', logLevel: 'warning' };
 
 async function page(folder) {
@@ -19,6 +21,27 @@ async function page(folder) {
   await build({ entryPoints: ['src/page.css'], outdir: folder, bundle: true, minify: true, logLevel: 'warning' });
   await copyFile('src/index.html', `${folder}/index.html`);
   await widget(`${folder}/widget`);
+  await orthoview(`${folder}/orthoview`);
+}
+
+/** The page that flies trees of orthoviews: it may lie in a store's folder. */
+async function orthoview(folder) {
+  const from = 'src/orthoview';
+  await build({
+    ...common,
+    entryPoints: {
+      orthoview: `${from}/page.ts`,
+      'orthoview-cut': `${from}/cut/worker.ts`,
+      'orthoview-read': `${from}/decode/worker.ts`,
+    },
+    outdir: folder,
+    external: UNUSED,
+    minify: true,
+    keepNames: true,
+  });
+  const style = { entryPoints: { orthoview: `${from}/page.css` }, outdir: folder, bundle: true, minify: true };
+  await build({ ...style, logLevel: 'warning' });
+  await copyFile(`${from}/index.html`, `${folder}/index.html`);
 }
 
 /** The view for notebooks: one script, with that of the workers in it. */
@@ -49,6 +72,7 @@ async function tests(folder) {
     outdir: folder,
     outExtension: { '.js': '.mjs' },
     platform: 'node',
+    external: UNUSED,
     sourcemap: 'inline',
   });
 }

@@ -14,10 +14,10 @@ ANGLE = 75.0
 """Vertical field of view of the page, degrees."""
 
 
-def camera(eye: ArrayLike, yaw: float, pitch: float, size: tuple[int, int]) -> nf.Camera:
+def camera(eye: ArrayLike, yaw: float, pitch: float, size: tuple[int, int], angle: float = ANGLE) -> nf.Camera:
     """The page's camera for a pose."""
     ahead = np.array([-np.sin(yaw) * np.cos(pitch), np.sin(pitch), -np.cos(yaw) * np.cos(pitch)])
-    across = np.degrees(2 * np.arctan(np.tan(np.radians(ANGLE) / 2) * size[0] / size[1]))
+    across = np.degrees(2 * np.arctan(np.tan(np.radians(angle) / 2) * size[0] / size[1]))
     fov = nf.Fov.symmetric(float(across), aspect=size[0] / size[1])
     return nf.Camera.look_at(eye, np.add(eye, ahead), fov=fov, size=size)
 

@@ -8,6 +8,7 @@ import pytest
 
 import nearfar.view
 from nearfar.view._page import page_files
+from nearfar.view._tree import tree_page
 from tests.support import need
 from tests.support.web_cases import run
 
@@ -40,3 +41,4 @@ def test_the_page_is_small() -> None:
 
     assert sum(len(gzip.compress(content)) for content in page_files().values()) <= MOST_BYTES
     assert sum(len(gzip.compress(path.read_bytes())) for path in (STORED / "widget").iterdir()) <= MOST_BYTES
+    assert sum(len(gzip.compress(content)) for content in tree_page().values()) <= 60_000

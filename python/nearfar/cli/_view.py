@@ -1,4 +1,4 @@
-"""`nearfar view`: shows a bundle or a reduced scene in the browser."""
+"""`nearfar view`: shows a bundle, a reduced scene or a tree of orthoviews in the browser."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ def view(
     folder: Annotated[
         str,
         typer.Argument(
-            help="Folder that `nearfar export` or `nearfar reduce` wrote, or a bundle's URL.", show_default=False
+            help="Folder that `nearfar export`, `reduce` or `orthoview build` wrote, or a bundle's URL.",
+            show_default=False,
         ),
     ],
     port: Annotated[int, option("--port", "NUMBER", "Port on 127.0.0.1; 0 for any that is free.")] = 0,
@@ -28,7 +29,7 @@ def view(
         typer.Option("--write", help="Write the page into the folder for any web server instead, and serve nothing."),
     ] = False,
 ) -> None:
-    """Show a bundle or a reduced scene in the browser: at once from its centre, then refined. Ctrl-C ends it."""
+    """Show a bundle, a reduced scene or a tree of orthoviews in the browser. Ctrl-C ends it."""
     if write:
         nf.view.write_page(folder)
         typer.echo(f"{folder}/index.html shows it from any web server.")

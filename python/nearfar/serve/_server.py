@@ -105,7 +105,7 @@ class Server:
 
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str], *, port: int = 0) -> Server:
-        """Serve one bundle or reduced scene; errors also as `stream.open` and `ReducedScene.load` raise them."""
+        """Serve one bundle, reduced scene or tree of orthoviews; errors also as the functions that open them."""
         check.integer("port", port, 0, 65535)
         return cls({"": Site.of_bundle(path)}, port=port)
 

@@ -15,6 +15,7 @@ from nearfar.stream._on_demand import OnDemand, next_part
 from nearfar.stream._store import FOLDER, MANIFEST
 from nearfar.view._content import of_bundle, opened, reduced_folder
 from nearfar.view._page import INDEX, TYPES, page_files
+from nearfar.view._tree import tree_files, tree_folder, tree_page
 
 CACHE_BYTES = 2 * 10**9
 """Bytes of a scene's regions on disk, by default."""
@@ -44,7 +45,9 @@ class Site:
 
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str]) -> Site:
-        """Show a bundle or a reduced scene; errors as `nearfar.stream.open` and `ReducedScene.load` raise them."""
+        """Show a bundle, a reduced scene or a tree of orthoviews; errors as the functions that open them."""
+        if (tree := tree_folder(path)) is not None:
+            return cls({**tree_files(tree), **tree_page()}, title="orthoviews", has_page=False)
         if reduced_folder(path) is not None:
             return cls(opened(path), title="reduced scene")
         _check_folder(path)
@@ -80,7 +83,8 @@ def _check_folder(path: str | os.PathLike[str]) -> None:
     """FileNotFoundError for a folder that is there, but has nothing to show."""
     if not is_url(path) and Path(path).is_dir() and not (Path(path) / MANIFEST).exists():
         what = (
-            "expected a folder that `nearfar export` or `nearfar reduce` wrote; it has no manifest.json or reduced.json"
+            "expected a folder that `nearfar export` or `nearfar reduce` wrote, or a store of orthoviews; "
+            "it has no manifest.json, reduced.json or zarr.json"
         )
         raise FileNotFoundError(errno.ENOENT, what, os.fspath(path))
 

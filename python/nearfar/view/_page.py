@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from functools import cache
 from importlib import resources
+from pathlib import Path
 
 from nearfar._base import files, remote
 from nearfar.stream import _store
-from nearfar.view import _content
+from nearfar.view import _content, _tree
 
 INDEX = "index.html"
 
@@ -49,20 +51,20 @@ def page_files() -> dict[str, bytes]:
 
 
 def write_page(path: str | os.PathLike[str]) -> None:
-    """Write the page's files into the folder of a bundle or a reduced scene, so that any web server shows it.
+    """Write the page's files into the folder of what it shows, so that any web server shows it.
 
     Parameters
     ----------
     path
-        A local folder that `nearfar.stream.export` or `ReducedScene.save` wrote. Its address shows the scene then; the
-        page needs no server of nearfar, and no other host. Headsets show it immersively over https only. Beside a
-        reduced scene it also needs the scene's parts as a bundle has them, which are written, too: `manifest.json`,
-        `tileset.json` and `files/`.
+        A local folder that `nearfar.stream.export`, `ReducedScene.save` or `nearfar.orthoview.build` wrote. Its address
+        shows the scene then; the page needs no server of nearfar, and no other host. Headsets show bundles immersively
+        over https only. Beside a reduced scene the page also needs the scene's parts as a bundle has them, which are
+        written, too: `manifest.json`, `tileset.json` and `files/`.
 
     Raises
     ------
     OSError
-        If the folder has neither, or cannot be written.
+        If the folder has none of them, or cannot be written.
     FormatError
         For a reduced scene that is damaged; the message names the file.
     ValueError
@@ -70,6 +72,10 @@ def write_page(path: str | os.PathLike[str]) -> None:
     TypeError
         If `path` is no path.
     """
+    tree = _tree.tree_folder(path)
+    if tree is not None:
+        _write(tree, _tree.tree_page())
+        return
     saved = _content.reduced_folder(path)
     folder = remote.local(path) if saved is None else saved
     made: dict[str, bytes] = {}
@@ -78,6 +84,10 @@ def write_page(path: str | os.PathLike[str]) -> None:
     else:
         made = {name: read() for name, read in _content.opened(folder).items()}
         (folder / _store.FOLDER).mkdir(exist_ok=True)
-    for name, content in {**made, **page_files()}.items():
+    _write(folder, {**made, **page_files()})
+
+
+def _write(folder: Path, contents: Mapping[str, bytes]) -> None:
+    for name, content in contents.items():
         with files.atomic_file(folder / name) as file:
             file.write_bytes(content)

@@ -12,7 +12,7 @@ use sha2::{Digest, Sha256};
 use crate::demand::Demand;
 use crate::packed;
 
-/// Ends of names of files whose content is compressed.
+/// Ends of names of files whose content is compressed; that of files without an end, the shards of Zarr, is, too.
 const COMPRESSED: [&str; 2] = [".webp", ".range"];
 /// Hexadecimal digits of a hash in a tag.
 const DIGITS: usize = 32;
@@ -49,8 +49,9 @@ pub struct Document {
 impl Document {
     /// A document whose name is that of its content.
     pub fn named(name: &str, content: Content, media: &str) -> Self {
-        let tag = format!("\"{}\"", name.rsplit('/').next().unwrap_or(name));
-        let is_compressible = !COMPRESSED.iter().any(|end| name.ends_with(end));
+        let last = name.rsplit('/').next().unwrap_or(name);
+        let tag = format!("\"{last}\"");
+        let is_compressible = last.contains('.') && !COMPRESSED.iter().any(|end| name.ends_with(end));
         Document { content, media: media.to_owned(), is_immutable: true, is_compressible, tag }
     }
 
@@ -126,5 +127,9 @@ mod tests {
         assert_eq!(first.tag.len(), DIGITS + 2);
         let named = Document::named("files/0123.glb", first.content, "model/gltf-binary");
         assert_eq!(named.tag, "\"0123.glb\"");
+        assert!(named.is_compressible);
+        // Copies that are packed are kept by their tags, which shards share.
+        let shard = Document::named("0/py/depth/c/0/0/0/0/0/0", named.content, "application/octet-stream");
+        assert!(!shard.is_compressible);
     }
 }

@@ -1,0 +1,68 @@
+"""Files of a tree of orthoviews, as the page that flies it asks for them, and that page's own files."""
+
+from __future__ import annotations
+
+import os
+from functools import cache
+from importlib import resources
+from pathlib import Path
+
+from nearfar._base import formats, remote
+from nearfar._base.errors import FormatError
+from nearfar.orthoview import _store
+from nearfar.orthoview._files import Local
+from nearfar.orthoview._layout import FOLDER
+from nearfar.orthoview._subtree import DONE
+
+File = bytes | tuple[str, int]
+"""Content of a file, or its path and its size."""
+
+
+@cache
+def tree_page() -> dict[str, bytes]:
+    """Files by name of the page that flies a tree; it may lie in the folder of a store."""
+    folder = resources.files("nearfar.view") / "dist" / "orthoview"
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+def tree_folder(path: str | os.PathLike[str]) -> Path | None:
+    """The folder of a tree's store at a place; None if there is none."""
+    if remote.is_url(path):
+        return None
+    place = remote.local(path)
+    if not (place / _store.DOCUMENT).is_file():
+        return None
+    try:
+        _store.read(Local(place))
+    except FormatError:
+        return None
+    return place
+
+
+def tree_files(folder: Path) -> dict[str, File]:
+    """Documents and shards of a complete store by their paths below it.
+
+    Raises
+    ------
+    ValueError
+        A store that is not complete.
+    FormatError
+        A record that is missing or damaged.
+    """
+    store = Local(folder)
+    attributes = _store.read(store)
+    if not attributes["complete"]:
+        raise ValueError(f"path: {folder} is not complete, build it again")
+    found: dict[str, File] = {}
+    documents = [_store.DOCUMENT, f"{FOLDER}/records.json"]
+    with formats.guarded(folder):
+        for recorded in _store.recorded(store, int(attributes["generation"])):
+            if recorded.folder:
+                documents.append(f"{recorded.folder}generation.json")
+            elif recorded.name:
+                documents.append(f"{FOLDER}/{DONE}/{recorded.name}.json")
+            found |= {
+                recorded.folder + path: (os.fspath(folder.resolve() / recorded.folder / path), size)
+                for path, (size, _) in recorded.shards.items()
+            }
+    return found | {name: (folder / name).read_bytes() for name in documents}

@@ -1,0 +1,61 @@
+"""The page beside a store: served by nearfar's own server, and written for any other one."""
+
+from __future__ import annotations
+
+import gzip
+import urllib.error
+import urllib.request
+from pathlib import Path
+
+import pytest
+
+import nearfar as nf
+from nearfar.serve._server import Server
+from nearfar.view._tree import tree_page
+from tests.support.cli_cases import command
+
+
+def asked(url: str, **headers: str) -> tuple[int, bytes]:
+    with urllib.request.urlopen(urllib.request.Request(url, headers=headers), timeout=60) as answer:
+        content = answer.read()
+        is_packed = answer.headers.get("content-encoding") == "gzip"
+        return answer.status, gzip.decompress(content) if is_packed else content
+
+
+def test_all_files_that_the_page_reads_are_served(copied: Path) -> None:
+    tree = nf.orthoview.open(copied)
+    tree.update(tree.bounds - [[0, 0, 0], tree.bounds[1] - tree.bounds[0] - 5], nf.datasets.city(blocks=1, detail=0))
+    shards = [path for path in copied.rglob("*") if path.is_file() and "c" in path.relative_to(copied).parts]
+    patterns = ("zarr.json", "nearfar/records.json", "nearfar/done/*.json", "nearfar/generations/1/generation.json")
+    documents = [path for pattern in patterns for path in copied.glob(pattern)]
+    assert len(documents) > len(patterns)
+    with Server.of_bundle(copied) as server:
+        for path in (*documents, *shards):
+            name = path.relative_to(copied).as_posix()
+            # Packed copies are of the file itself, although all shards have the same last name.
+            assert asked(server.url + name, **{"Accept-Encoding": "gzip"}) == (200, path.read_bytes())
+        name = shards[0].relative_to(copied).as_posix()
+        assert asked(f"{server.url}{name}?v=1", Range="bytes=3-9") == (206, shards[0].read_bytes()[3:10])
+        for name, content in tree_page().items():
+            assert asked(server.url + name) == (200, content)
+        assert asked(server.url) == (200, tree_page()["index.html"])
+        with pytest.raises(urllib.error.HTTPError, match="404"):
+            asked(f"{server.url}geometry/tileset.json")
+    assert any("generations" in path.parts for path in shards)
+
+
+def test_the_page_is_written_into_a_store(copied: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = nf.orthoview.open(copied).verify()
+    assert command(capsys, "view", copied, "--write")[0] == 0
+    assert {name: (copied / name).read_bytes() for name in tree_page()} == tree_page()
+    assert nf.orthoview.open(copied).verify() == before
+
+
+def test_stores_that_cannot_be_shown_are_refused(copied: Path, tmp_path: Path) -> None:
+    (tmp_path / "zarr.json").write_text('{"node_type": "group", "attributes": {}}')
+    with pytest.raises(FileNotFoundError, match="store of orthoviews"):
+        Server.of_bundle(tmp_path)
+    record = next((copied / "nearfar" / "done").glob("*.json"))
+    record.write_text(record.read_text() + " ")
+    with pytest.raises(nf.FormatError, match=record.name):
+        Server.of_bundle(copied)

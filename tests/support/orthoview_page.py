@@ -1,0 +1,79 @@
+"""What Node needs to compare the page's reading of trees with Python's."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from nearfar.orthoview._grid import Place
+from tests.support.web_cases import run
+
+ViewKey = tuple[int, Place, int]
+
+
+def cameras(tree: nf.orthoview.OrthoTree, count: int, seed: int) -> list[nf.Camera]:
+    """Perspective cameras in and around a tree, with fields of view of all kinds."""
+    rng = np.random.default_rng(seed)
+    low, high = tree.bounds
+    side = (high - low).max()
+    found = []
+    for _ in range(count):
+        eye = low + rng.uniform(-0.4, 1.4, 3) * (high - low)
+        target = low + rng.uniform(0, 1, 3) * (high - low)
+        left, right, down, up = rng.uniform(0.05, 1.3, 4)
+        fov = nf.Fov(-left, right, -down, up)
+        size = tuple(int(n) for n in rng.integers(20, 4 * tree.size, 2))
+        found.append(nf.Camera.look_at(eye + 1e-3 * side, target, fov=fov, size=(size[0], size[1])))
+    return found
+
+
+def axes_of(camera: nf.Camera) -> list[list[float]]:
+    """World directions of a camera's axes: the columns of its orientation's matrix."""
+    x, y, z, w = map(float, camera.orientation)
+    return [
+        [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
+        [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)],
+        [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)],
+    ]
+
+
+def camera_of(camera: nf.Camera) -> dict[str, Any]:
+    """A camera as the page has it."""
+    fov = camera.fov
+    assert isinstance(fov, nf.Fov)
+    right, up, back = axes_of(camera)
+    width, height = camera.size
+    axes = {"right": right, "up": up, "back": back}
+    sides = {name: float(getattr(fov, name)) for name in ("left", "right", "down", "up")}
+    return {"position": list(map(float, camera.position)), **axes, "fov": sides, "width": width, "height": height}
+
+
+def cases_of(tree: nf.orthoview.OrthoTree, some: Sequence[nf.Camera]) -> list[dict[str, Any]]:
+    """Cuts of a tree, with other settings for each camera."""
+    found = []
+    for number, camera in enumerate(some):
+        views, error, around = 1 + number % 4, (0.5, 1.0, 2.0)[number % 3], number % 5 == 0
+        cut = tree.cut(camera, views=views, error_px=error, geometry=False, around=around)
+        directions = [[n for n in row if n >= 0] for row in cut.directions.tolist()]
+        rows = zip(cut.level, cut.place, cut.distance, cut.in_picture, directions, strict=True)
+        cells = [[int(a), b.tolist(), float(c), bool(d), e] for a, b, c, d, e in rows]
+        settings = {"views": views, "error": error, "around": around}
+        found.append({"camera": camera_of(camera), **settings, "reach": cut.reach, "cells": cells})
+    return found
+
+
+def in_node(
+    folder: Path, url: str, cases: Sequence[dict[str, Any]], views: Sequence[ViewKey]
+) -> list[list[dict[str, Any]]]:
+    """Run the page's tests on a tree at an address; returns the splats of each view's layers."""
+    tests, told, output = folder / "tests", folder / "told.json", folder / "splats.json"
+    told.write_text(json.dumps({"url": url, "cases": list(cases), "views": views, "output": str(output)}))
+    run("node", "build.mjs", "--tests", str(tests))
+    run("node", "--test", str(tests / "orthoview_store.test.mjs"), NEARFAR_ORTHOVIEW=str(told))
+    layers: list[list[dict[str, Any]]] = json.loads(output.read_text())
+    return layers

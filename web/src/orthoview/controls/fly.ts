@@ -1,0 +1,111 @@
+/** Flying along the view, aside, up and down, at a speed that grows with the height. */
+import { type Drive, together } from '../../control/drive';
+import { readPads } from '../../control/gamepad';
+import { createKeys, isElsewhere } from '../../control/keys';
+import { createPointers, type Thumb } from '../../control/pointers';
+import type { Pose } from '../../control/pose';
+import { ahead, bounded, moved, rightOf, STEEPEST, type Vector } from '../../control/vector';
+
+/** Metres a second for each metre above the ground, and the least height that counts, metres. */
+const [SPEED, LOWEST] = [0.6, 3] as const;
+/** Factor with Shift; powers of two by which the wheel changes the speed, and those for a pixel of it. */
+const [HASTE, FASTEST, WHEEL] = [4, 5, 0.004] as const;
+/** Radians a second. */
+const TURN = 1.2;
+/** Longest time that one update stands for, seconds: a tab that was hidden goes on where it was. */
+const LONGEST = 0.25;
+
+/** By the place of a key: up is positive. */
+const RISE: Readonly<Record<string, number>> = { KeyE: 1, Space: 1, KeyQ: -1, KeyC: -1 };
+
+/** The pose after some seconds of wishes, of which `rise` is up. `ground` is the height at which the world begins, metres. */
+export function flown(pose: Pose, wishes: Drive, rise: number, power: number, ground: number, seconds: number): Pose {
+  const yaw = pose.yaw + TURN * wishes.turn * seconds;
+  const pitch = bounded(pose.pitch + TURN * wishes.look * seconds, -STEEPEST, STEEPEST);
+  const height = Math.max(pose.position[1] - ground, LOWEST);
+  const way = SPEED * height * 2 ** power * (wishes.isHasty ? HASTE : 1) * seconds;
+  let position: Vector = moved(pose.position, ahead({ yaw, pitch }), way * wishes.ahead);
+  position = moved(position, rightOf(yaw), way * wishes.right);
+  return { position: moved(position, [0, 1, 0], way * rise), yaw, pitch };
+}
+
+export interface Fly {
+  readonly pose: Pose;
+  /** Power of two of the speed. */
+  readonly power: number;
+  /** The pose after some seconds more. */
+  update(seconds: number): Pose;
+  setPose(pose: Pose): void;
+}
+
+/** Let an element, which should be focusable, steer a pose. */
+export function createFly(
+  element: HTMLElement,
+  start: Pose,
+  ground: () => number,
+  onThumb: (thumb: Thumb | null) => void,
+): Fly {
+  let pose = start;
+  let power = 0;
+  const held = new Set<string>();
+  const keys = createKeys(window);
+  const turn = (left: number, up: number): void => {
+    pose = { ...pose, yaw: pose.yaw + left, pitch: bounded(pose.pitch + up, -STEEPEST, STEEPEST) };
+  };
+  const none = (): void => undefined;
+  const pointers = createPointers(element, {
+    mode: () => 'walk',
+    look: turn,
+    rotate: none,
+    pan: none,
+    zoom: none,
+    thumb: onThumb,
+    go: none,
+  });
+
+  window.addEventListener('keydown', (event) => {
+    if (!Object.hasOwn(RISE, event.code) || isElsewhere(event)) return;
+    held.add(event.code);
+    // The space bar presses buttons, else.
+    if (!(event.target instanceof HTMLButtonElement)) event.preventDefault();
+  });
+  window.addEventListener('keyup', ({ code }) => held.delete(code));
+  window.addEventListener('blur', () => held.clear());
+  element.addEventListener(
+    'wheel',
+    (event) => {
+      event.preventDefault();
+      power = bounded(power - WHEEL * event.deltaY * (event.deltaMode === 1 ? 16 : 1), -FASTEST, FASTEST);
+    },
+    { passive: false },
+  );
+
+  return {
+    get pose() {
+      return pose;
+    },
+    get power() {
+      return power;
+    },
+    update(seconds) {
+      const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
+      const wishes = together(keys.drive, pointers.drive, readPads(padsOf()));
+      const rise = Math.sign([...held].reduce((sum, code) => sum + (RISE[code] ?? 0), 0));
+      const isStill = rise === 0 && [wishes.right, wishes.ahead, wishes.turn, wishes.look].every((part) => part === 0);
+      if (!isStill) pose = flown(pose, wishes, rise, power, ground(), spent);
+      return pose;
+    },
+    setPose(next) {
+      pose = next;
+    },
+  };
+}
+
+function padsOf(): readonly (Gamepad | null)[] {
+  // Pages without https or with a policy against gamepads have none.
+  try {
+    return navigator.getGamepads?.() ?? [];
+  } catch {
+    return [];
+  }
+}

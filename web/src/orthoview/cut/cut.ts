@@ -1,0 +1,113 @@
+/** Cuts through the octree: which cells a viewer sees at which level, from which directions. */
+import { cornerOf, sideAt, subtreeOf, type Triple } from '../store/layout';
+import { type Camera, dot, pixelSize, unit } from './camera';
+import { type Cells, childrenOf } from './cells';
+import { frameOf, widest } from './directions';
+import { frustumOf, type Side, sideOf } from './frustum';
+
+export interface Settings {
+  /** Number of views of a cell: those whose directions are nearest to the viewer's. */
+  readonly views: number;
+  /** Greatest width of a view's pixels, in pixels of the picture. */
+  readonly error: number;
+  /** Whether cells outside of the picture count, too. */
+  readonly isAround: boolean;
+}
+
+/** A cell that is drawn. */
+export interface Drawn {
+  readonly level: number;
+  readonly place: Triple;
+  /** Distance of its nearest point, metres. */
+  readonly distance: number;
+  readonly isInPicture: boolean;
+  /** Numbers of the directions that it is drawn from, the nearest one first. */
+  readonly directions: readonly number[];
+}
+
+export interface Cut {
+  /** The nearest ones first. */
+  readonly cells: readonly Drawn[];
+  /** Distance from which on leaves are as fine as wanted, metres; cells of level k from 2ᵏ times as far. */
+  readonly reach: number;
+  /** Subtrees that are not known, in whose place the cells above are drawn. */
+  readonly unknown: readonly { readonly tier: number; readonly place: Triple }[];
+}
+
+/** Cut a tree for a viewer, with the subtrees that are known; leaves are drawn from views at any distance. */
+export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
+  const { layout } = cells;
+  const pitch = (layout.cell * widest(layout.directions)) / layout.size;
+  const reach = pitch / (pixelSize(camera) * settings.error);
+  const planes = frustumOf(camera);
+  const units = layout.directions.map((direction) => frameOf(direction).axes[2]);
+  const drawn: Drawn[] = [];
+  const unknown = new Map<string, { tier: number; place: Triple }>();
+
+  function visit(level: number, place: Triple, mask: number, above: Side): void {
+    const side = sideAt(layout, level);
+    const corner = cornerOf(layout, level, place);
+    const center: Triple = [corner[0] + side / 2, corner[1] + side / 2, corner[2] + side / 2];
+    const lies = above === 'across' ? sideOf(planes, center, side) : above;
+    if (mask === 0 || (lies === 'outside' && !settings.isAround)) return;
+    const distance = distanceOf(camera.position, corner, side);
+    const found = { level, place, distance, isInPicture: lies !== 'outside' };
+    const draw = (): number =>
+      drawn.push({ ...found, directions: nearest(units, camera.position, center, mask, settings.views) });
+    if (level === 0 || distance >= reach * 2 ** level) draw();
+    else if (!refine(level - 1, place, lies)) draw();
+  }
+
+  /** Visit the children of a cell; false if they are not known. */
+  function refine(level: number, parent: Triple, lies: Side): boolean {
+    const children = childrenOf(parent).map((place) => ({ place, cell: cells.at(level, place) }));
+    for (const { place, cell } of children) {
+      if (cell) continue;
+      // All children of a cell lie in one subtree.
+      miss(level, place);
+      return false;
+    }
+    for (const { place, cell } of children) if (cell) visit(level, place, cell.mask, lies);
+    return true;
+  }
+
+  function miss(level: number, place: Triple): void {
+    const found = subtreeOf(layout, level, place);
+    unknown.set(`${found.tier}/${found.place}`, found);
+  }
+
+  const top = layout.levels - 1;
+  const root = cells.at(top, [0, 0, 0]);
+  if (root) visit(top, [0, 0, 0], root.mask, 'across');
+  else miss(top, [0, 0, 0]);
+  drawn.sort((one, other) => one.distance - other.distance);
+  return { cells: drawn, reach, unknown: [...unknown.values()] };
+}
+
+/** Distance of a cube's nearest point. */
+function distanceOf(eye: Triple, corner: Triple, side: number): number {
+  const along = eye.map((at, axis) => {
+    const low = corner[axis] as number;
+    return at - Math.min(Math.max(at, low), low + side);
+  }) as unknown as Triple;
+  return Math.sqrt(dot(along, along));
+}
+
+/** Of the directions of a mask those nearest to the viewer's; of equally near ones the first. */
+function nearest(units: readonly Triple[], eye: Triple, center: Triple, mask: number, most: number): number[] {
+  const toward = unit([eye[0] - center[0], eye[1] - center[1], eye[2] - center[2]]);
+  const shown = units
+    .map((axis, number) => ({ number, cosine: dot(axis, toward) }))
+    .filter(({ number }) => (mask >>> number) & 1);
+  return shown
+    .sort((one, other) => other.cosine - one.cosine)
+    .slice(0, most)
+    .map(({ number }) => number);
+}
+
+/** The views of a cell that shows something: as many as are wanted and there. */
+export function countOf(mask: number, { views }: Pick<Settings, 'views'>): number {
+  let [count, left] = [0, mask];
+  for (; left !== 0; left &= left - 1) count += 1;
+  return Math.min(count, views);
+}

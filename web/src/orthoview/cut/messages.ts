@@ -1,0 +1,23 @@
+/** What the page and the worker that cuts the tree tell each other. */
+import type { Failure } from '../store/error';
+import type { Layout } from '../store/layout';
+import type { Shard, Subtree } from '../store/records';
+import type { Camera } from './camera';
+import type { Cut, Settings } from './cut';
+
+export type ToCutter =
+  | { readonly kind: 'open'; readonly base: string }
+  /** Look from here, until another camera comes: the cut comes at once, and again when more of the tree is known. */
+  | { readonly kind: 'look'; readonly camera: Camera; readonly settings: Settings }
+  /** Read again what failed. */
+  | { readonly kind: 'retry' };
+
+export type FromCutter =
+  | { readonly kind: 'opened'; readonly layout: Layout; readonly generation: number; readonly shards: readonly Shard[] }
+  | { readonly kind: 'learned'; readonly subtree: Subtree }
+  | { readonly kind: 'cut'; readonly cut: Cut }
+  /** The cells around the viewer, so coarse that they are few: what is shown first where a viewer turns. */
+  | { readonly kind: 'base'; readonly cut: Cut }
+  | { readonly kind: 'received'; readonly bytes: number }
+  /** `isFatal`: there is nothing to show. */
+  | { readonly kind: 'failed'; readonly failure: Failure; readonly isFatal: boolean };

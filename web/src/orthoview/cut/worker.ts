@@ -1,0 +1,101 @@
+/** A worker that reads what a store tells of its cells, and cuts the tree for where the viewer is. */
+import { failureOf, isPassing } from '../store/error';
+import { createFiles } from '../store/files';
+import type { Triple } from '../store/layout';
+import { openRecords, type Records } from '../store/records';
+import type { Camera } from './camera';
+import { Cells, nameOf } from './cells';
+import { type Cut, cut, type Settings } from './cut';
+import type { FromCutter, ToCutter } from './messages';
+
+/** How much coarser the finest cells are that are kept all around. */
+const COARSER = 6;
+/** Milliseconds after which a subtree that failed is asked for again. */
+const AGAIN = 3000;
+
+let records: Records | null = null;
+let cells: Cells | null = null;
+let looking: { camera: Camera; settings: Settings } | null = null;
+/** Subtrees that are being read, or that failed. */
+const asked = new Set<string>();
+
+self.onmessage = ({ data }: MessageEvent<ToCutter>): void => {
+  switch (data.kind) {
+    case 'open':
+      void open(new URL(data.base));
+      break;
+    case 'look':
+      looking = { camera: data.camera, settings: data.settings };
+      look();
+      break;
+    case 'retry':
+      asked.clear();
+      look();
+  }
+};
+
+async function open(base: URL): Promise<void> {
+  try {
+    records = await openRecords(createFiles(base, (bytes) => tell({ kind: 'received', bytes })));
+    cells = new Cells(records.layout);
+    const { layout, generation, shards } = records;
+    tell({ kind: 'opened', layout, generation, shards });
+    look();
+  } catch (reason) {
+    tell({ kind: 'failed', failure: failureOf(reason), isFatal: true });
+  }
+}
+
+function look(): void {
+  if (!looking || !cells) return;
+  const { camera, settings } = looking;
+  const base = baseOf(cells, camera, settings);
+  tell({ kind: 'base', cut: base });
+  const found = cut(cells, camera, settings);
+  tell({ kind: 'cut', cut: found });
+  ask(base);
+  ask(found);
+}
+
+/** Coarse cells all around, those of all levels above them first. */
+function baseOf(known: Cells, camera: Camera, settings: Settings): Cut {
+  const cuts = Array.from({ length: known.layout.levels }, (_, finer) => {
+    const error = settings.error * COARSER * 2 ** (known.layout.levels - 1 - finer);
+    return cut(known, camera, { ...settings, error, isAround: true });
+  });
+  // At this one nothing but the whole world is drawn.
+  const whole = cut(known, camera, { ...settings, error: Number.MAX_VALUE, isAround: true });
+  const finest = cuts.at(-1) ?? whole;
+  return { ...finest, cells: [whole, ...cuts].flatMap(({ cells: drawn }) => drawn) };
+}
+
+function ask({ unknown }: Cut): void {
+  for (const { tier, place } of unknown) {
+    const name = nameOf(tier, place);
+    if (asked.has(name)) continue;
+    asked.add(name);
+    void learn(tier, place, name);
+  }
+}
+
+async function learn(tier: number, place: Triple, name: string): Promise<void> {
+  if (!records || !cells) return;
+  try {
+    const subtree = await records.subtree(tier, place);
+    cells.add(subtree);
+    tell({ kind: 'learned', subtree });
+    look();
+  } catch (reason) {
+    const failure = failureOf(reason);
+    tell({ kind: 'failed', failure, isFatal: false });
+    if (!isPassing(failure)) return;
+    setTimeout(() => {
+      asked.delete(name);
+      look();
+    }, AGAIN);
+  }
+}
+
+function tell(message: FromCutter): void {
+  self.postMessage(message);
+}

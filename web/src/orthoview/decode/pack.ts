@@ -1,0 +1,112 @@
+/** A view's pixels as splats, in parts that are culled as a whole. */
+import { CONNECTION_BITS, type Layout } from '../store/layout';
+
+/** Numbers of 32 bits of a splat. */
+export const WORDS = 3;
+/** Parts along each axis of a view. */
+const PARTS = 4;
+/** Greatest number of connected neighbours of a ball; all neighbours. */
+const [MOST_OF_BALL, ALL] = [4, 8] as const;
+
+/** Splats [first, first + count), and the columns, rows and depth steps that they take; `high` is exclusive. */
+export interface Part {
+  readonly first: number;
+  readonly count: number;
+  readonly low: readonly [number, number, number];
+  readonly high: readonly [number, number, number];
+}
+
+/**
+ * The pixels of a view that show a surface, three words each:
+ * 24 bits of colour and 8 upper ones of the depth; 24 bits of the normal and 8 lower ones of the depth;
+ * 12 bits each of column and row, whether it is a surfel (bit 24), and whether all neighbours are connected (bit 25).
+ */
+export interface Splats {
+  readonly words: Uint32Array<ArrayBuffer>;
+  readonly parts: readonly Part[];
+  readonly count: number;
+}
+
+type Numbers = ArrayLike<number>;
+
+export function pack(color: Numbers, depth: Numbers, normal: Numbers, layout: Layout): Splats {
+  const { size } = layout;
+  const neighbours = neighboursOf(depth, size);
+  const words = new Uint32Array(WORDS * shownOf(depth));
+  const parts: Part[] = [];
+  const along = Math.ceil(size / PARTS);
+  let count = 0;
+
+  function put(x: number, y: number): number {
+    const pixel = y * size + x;
+    const steps = (depth[pixel] as number) >>> CONNECTION_BITS;
+    if (steps === 0) return 0;
+    const at = WORDS * count;
+    const [r, g, b] = [color[3 * pixel], color[3 * pixel + 1], color[3 * pixel + 2]] as [number, number, number];
+    words[at] = r | (g << 8) | (b << 16) | ((steps >>> 8) << 24);
+    words[at + 1] = normalOf(normal, pixel, layout.normalBits) | ((steps & 255) << 24);
+    const near = neighbours[pixel] as number;
+    words[at + 2] = x | (y << 12) | (near > MOST_OF_BALL ? 1 << 24 : 0) | (near === ALL ? 1 << 25 : 0);
+    count += 1;
+    return steps;
+  }
+
+  for (let row = 0; row < size; row += along) {
+    for (let column = 0; column < size; column += along) {
+      const first = count;
+      const low: [number, number, number] = [size, size, 2 ** 16];
+      const high: [number, number, number] = [0, 0, 0];
+      for (let y = row; y < Math.min(row + along, size); y++) {
+        for (let x = column; x < Math.min(column + along, size); x++) {
+          const steps = put(x, y);
+          if (steps === 0) continue;
+          if (x < low[0]) low[0] = x;
+          if (y < low[1]) low[1] = y;
+          if (steps - 1 < low[2]) low[2] = steps - 1;
+          if (x >= high[0]) high[0] = x + 1;
+          if (y >= high[1]) high[1] = y + 1;
+          if (steps > high[2]) high[2] = steps;
+        }
+      }
+      if (count > first) parts.push({ first, count: count - first, low, high });
+    }
+  }
+  return { words, parts, count };
+}
+
+function shownOf(depth: Numbers): number {
+  let count = 0;
+  for (let pixel = 0; pixel < depth.length; pixel++) if ((depth[pixel] as number) >>> CONNECTION_BITS) count += 1;
+  return count;
+}
+
+/** Both numbers of a normal in 24 bits; those of 8 bits as they are. */
+function normalOf(normal: Numbers, pixel: number, bits: number): number {
+  if (bits === 16) return (normal[2 * pixel] as number) | ((normal[2 * pixel + 1] as number) << 12);
+  const [high, middle, low] = [normal[3 * pixel], normal[3 * pixel + 1], normal[3 * pixel + 2]] as [
+    number,
+    number,
+    number,
+  ];
+  return (high << 4) | (middle >> 4) | ((((middle & 15) << 8) | low) << 12);
+}
+
+/** Number of neighbours that are connected with each pixel. */
+function neighboursOf(depth: Numbers, size: number): Uint8Array {
+  const counts = new Uint8Array(size * size);
+  const steps = [1, size, size + 1, size - 1];
+  for (let y = 0, pixel = 0; y < size; y++) {
+    for (let x = 0; x < size; x++, pixel++) {
+      const bits = (depth[pixel] as number) & 15;
+      for (let bit = 0; bit < 4; bit++) {
+        // Bits that lead out of the picture are none of ours.
+        const isOut = (bit !== 1 && (bit === 3 ? x === 0 : x === size - 1)) || (bit > 0 && y === size - 1);
+        if (!((bits >> bit) & 1) || isOut) continue;
+        const other = pixel + (steps[bit] as number);
+        counts[pixel] = (counts[pixel] as number) + 1;
+        counts[other] = (counts[other] as number) + 1;
+      }
+    }
+  }
+  return counts;
+}

@@ -1,0 +1,77 @@
+/** Reads the views of a store by zarrita. */
+import * as zarr from 'zarrita';
+import { damaged, StoreError } from '../store/error';
+import { createFiles } from '../store/files';
+import { arrayOf, BEHIND, CHANNELS, type Layout, overlay, type Triple } from '../store/layout';
+import type { Shard } from '../store/records';
+import { registerCodecs } from './codecs';
+import { pack, type Splats } from './pack';
+import { Shards } from './shards';
+
+/** A view to be read. */
+export interface Wanted {
+  readonly level: number;
+  readonly place: Triple;
+  readonly direction: number;
+  readonly generation: number;
+  /** The shards that have its chunks; a second layer has none where the tree needs none. */
+  readonly shards: readonly Shard[];
+}
+
+type Values = Uint8Array | Uint16Array | Uint32Array;
+
+export interface Reader {
+  /** The splats of a view's layers; those that show nothing are left out. */
+  read(wanted: Wanted, signal: AbortSignal): Promise<Splats[]>;
+}
+
+export function createReader(base: URL, layout: Layout, receive: (bytes: number) => void): Reader {
+  registerCodecs();
+  const known = new Map<string, { size: number; version: string }>();
+  const store = new Shards(createFiles(base, receive), layout, known);
+  const root = zarr.root(store);
+  const arrays = new Map<string, Promise<zarr.Array<zarr.DataType>>>();
+
+  function opened(name: string): Promise<zarr.Array<zarr.DataType>> {
+    const found = arrays.get(name) ?? zarr.open.v3(root.resolve(name), { kind: 'array' });
+    arrays.set(name, found);
+    return found;
+  }
+
+  async function valuesOf(name: string, place: Triple, signal: AbortSignal): Promise<Values> {
+    try {
+      const { data } = await (await opened(name)).getChunk([...place, 0, 0, 0], { signal });
+      return data as Values;
+    } catch (reason) {
+      if (signal.aborted || reason instanceof StoreError) throw reason;
+      // What zarrita's codecs complain of.
+      const why = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
+      throw damaged(name, `the chunk of the cell ${place.join(', ')}: ${why}`);
+    }
+  }
+
+  return {
+    async read({ level, place, direction, generation, shards }, signal) {
+      for (const [path, size, version] of shards) known.set(path, { size, version });
+      const folder = overlay(generation);
+      const layer = async (prefix: string): Promise<Splats | null> => {
+        const name = (channel: string): string => folder + arrayOf(layout, level, direction, prefix + channel);
+        const [color, depth, normal] = await Promise.all(
+          CHANNELS.map((channel) => valuesOf(name(channel), place, signal)),
+        );
+        if (!color || !depth || !normal) return null;
+        return pack(color, depth, normal, layout);
+      };
+      const first = await layer('');
+      if (!first?.count) {
+        throw damaged(
+          folder + arrayOf(layout, level, direction, ''),
+          `the chunk of the cell ${place.join(', ')} is missing`,
+        );
+      }
+      const hasSecond = shards.some(([path]) => path.includes(`/${BEHIND}depth/`));
+      const second = hasSecond ? await layer(BEHIND) : null;
+      return second?.count ? [first, second] : [first];
+    },
+  };
+}

@@ -1,0 +1,43 @@
+/** A worker that reads and decodes views. */
+import { failureOf } from '../store/error';
+import type { FromReader, ToReader } from './messages';
+import { createReader, type Reader, type Wanted } from './reader';
+
+let reader: Reader | null = null;
+/** Views that are being read. */
+const running = new Map<number, AbortController>();
+
+self.onmessage = ({ data }: MessageEvent<ToReader>): void => {
+  switch (data.kind) {
+    case 'open':
+      reader = createReader(new URL(data.base), data.layout, (bytes) => tell({ kind: 'received', bytes }));
+      break;
+    case 'read':
+      void read(data.id, data.wanted);
+      break;
+    case 'cancel':
+      running.get(data.id)?.abort();
+  }
+};
+
+async function read(id: number, wanted: Wanted): Promise<void> {
+  if (!reader) return;
+  const control = new AbortController();
+  running.set(id, control);
+  try {
+    const layers = await reader.read(wanted, control.signal);
+    tell(
+      { kind: 'view', id, layers },
+      layers.map(({ words }) => words.buffer),
+    );
+  } catch (reason) {
+    if (control.signal.aborted) tell({ kind: 'cancelled', id });
+    else tell({ kind: 'failed', id, failure: failureOf(reason) });
+  } finally {
+    running.delete(id);
+  }
+}
+
+function tell(message: FromReader, transfer: Transferable[] = []): void {
+  self.postMessage(message, { transfer });
+}

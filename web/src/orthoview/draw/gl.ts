@@ -1,0 +1,70 @@
+/** Programs and the target of samples in WebGL 2. */
+
+export interface Program {
+  readonly program: WebGLProgram;
+  /** The place of a uniform. */
+  at(name: string): WebGLUniformLocation | null;
+}
+
+export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: string): Program {
+  const program = gl.createProgram();
+  for (const [kind, source] of [
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, fragment],
+  ] as const) {
+    const shader = gl.createShader(kind);
+    if (!shader) throw new Error('the browser has taken the graphics away');
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+    gl.deleteShader(shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+    const logs = (gl.getAttachedShaders(program) ?? []).map((shader) => gl.getShaderInfoLog(shader));
+    throw new Error(`a shader does not compile: ${[...logs, gl.getProgramInfoLog(program)].filter(Boolean).join(' ')}`);
+  }
+  const places = new Map<string, WebGLUniformLocation | null>();
+  return {
+    program,
+    at(name) {
+      if (!places.has(name)) places.set(name, gl.getUniformLocation(program, name));
+      return places.get(name) ?? null;
+    },
+  };
+}
+
+/** Colours of samples, whose alpha says whether a splat shows them, and their depths. */
+export interface Target {
+  readonly frame: WebGLFramebuffer;
+  readonly color: WebGLTexture;
+  readonly width: number;
+  readonly height: number;
+  dispose(): void;
+}
+
+export function targetOf(gl: WebGL2RenderingContext, width: number, height: number): Target {
+  const [frame, color, depth] = [gl.createFramebuffer(), gl.createTexture(), gl.createRenderbuffer()];
+  gl.bindTexture(gl.TEXTURE_2D, color);
+  // Linear light in 8 bits of sRGB.
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.SRGB8_ALPHA8, width, height);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
+  gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, width, height);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, color, 0);
+  gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  return {
+    frame,
+    color,
+    width,
+    height,
+    dispose() {
+      gl.deleteFramebuffer(frame);
+      gl.deleteTexture(color);
+      gl.deleteRenderbuffer(depth);
+    },
+  };
+}

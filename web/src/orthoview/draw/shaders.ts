@@ -1,0 +1,179 @@
+/** GLSL of splats, of light and of the picture's samples. */
+import { SRGB } from '../../shaders/shared';
+import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../splats/sight';
+
+const HEAD = /* glsl */ `#version 300 es
+precision highp float;
+precision highp int;
+`;
+
+/** A number as GLSL writes it. */
+const float = (value: number): string => (Number.isInteger(value) ? value.toFixed(1) : String(value));
+
+/** The shading formula of docs/render.md. */
+const LIGHT = /* glsl */ `
+const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);
+const vec3 SUN = vec3(0.60, 0.56, 0.50);
+const vec3 SKY_DIRECTION = vec3(-0.2062843, 0.9282791, 0.3094264);
+const vec3 SKY_LOW = vec3(0.130, 0.135, 0.150);
+const vec3 SKY_HIGH = vec3(0.380, 0.420, 0.480);
+
+vec3 irradiance(vec3 n) {
+  float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
+  return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
+}
+
+vec3 linear_of(vec3 c) {
+  return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045))));
+}
+`;
+
+/**
+ * A splat is a point: a square around its ellipse. Its middle, the inverse of the ellipse's axes, and its nearness 1/W
+ * with the changes along both axes go on to the fragments as they are.
+ */
+export const SPLAT_VERTEX = /* glsl */ `${HEAD}
+layout(location = 0) in uvec3 splat;
+uniform vec4 view[${VECTORS}];
+// The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
+uniform vec3 gradients[3];
+uniform vec3 rays[3];
+// Width and height of the picture in samples, and the greatest size of a point.
+uniform vec3 screen;
+flat out vec4 v_inverse;
+flat out vec2 v_middle;
+flat out vec3 v_nearness;
+flat out vec3 v_color;
+const float RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
+const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
+${LIGHT}
+// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+float disc(vec3 own, float place, float over) {
+  return length((own - place * gradients[2]) * over) * view[2].w;
+}
+
+void main() {
+  float depth = float((splat.x >> 24) << 8 | splat.y >> 24) - 0.5;
+  vec3 at = vec3(float(splat.z & 4095u) + 0.5, float(splat.z >> 12 & 4095u) + 0.5, depth);
+  vec3 inside = vec3(dot(view[7].xyz, at), dot(view[8].xyz, at), dot(view[9].xyz, at));
+  inside += vec3(view[7].w, view[8].w, view[9].w);
+  vec3 function = view[0].xyz + at.x * view[1].xyz + at.y * view[2].xyz + at.z * view[3].xyz;
+  float over = 1.0 / function.z;
+  vec2 middle = function.xy * over;
+
+  // The normal, and the depth steps by which its plane falls for each pixel.
+  vec2 code = vec2(float(splat.y & 4095u), float(splat.y >> 12 & 4095u)) * view[1].w - 1.0;
+  vec3 normal = vec3(code, 1.0 - abs(code.x) - abs(code.y));
+  float fold = max(-normal.z, 0.0);
+  normal.xy -= vec2(normal.x < 0.0 ? -fold : fold, normal.y < 0.0 ? -fold : fold);
+  normal = normalize(normal);
+  float facing = 1.0 / max(dot(view[6].xyz, normal), ${float(LEAST_COSINE)});
+  vec3 u = view[1].xyz + dot(view[4].xyz, normal) * facing * view[3].xyz;
+  vec3 v = view[2].xyz - dot(view[5].xyz, normal) * facing * view[3].xyz;
+  bool is_surfel = (splat.z >> 24 & 1u) == 1u;
+  float factor = is_surfel ? ((splat.z >> 25 & 1u) == 1u ? 1.0 : ${float(BORDER)}) : 0.0;
+
+  // The ellipse's axes in the picture, and the changes of nearness along them.
+  vec2 du = (u.xy - middle * u.z) * over * factor;
+  vec2 dv = (v.xy - middle * v.z) * over * factor;
+  vec2 slope = -vec2(u.z, v.z) * over * over * factor;
+  float determinant = du.x * dv.y - dv.x * du.y;
+  vec2 half_size;
+  if (is_surfel) {
+    // A surfel that is seen from its edge is a line: only the sample of its middle shows it.
+    bool is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
+    float inverse = is_flat ? 0.0 : 1.0 / determinant;
+    v_inverse = is_flat ? vec4(1e9) : vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
+    vec4 change = vec4(dv.y, -dv.x, -du.y, du.x) * inverse;
+    v_nearness = vec3(over, slope.x * change.x + slope.y * change.z, slope.x * change.y + slope.y * change.w);
+    half_size = is_flat ? vec2(0.0) : RADIUS * sqrt(vec2(du.x * du.x + dv.x * dv.x, du.y * du.y + dv.y * dv.y));
+  } else {
+    vec2 ball = vec2(disc(gradients[0], middle.x, over), disc(gradients[1], middle.y, over));
+    v_inverse = vec4(1.0 / ball.x, 0.0, 0.0, 1.0 / ball.y);
+    v_nearness = vec3(over, 0.0, 0.0);
+    half_size = RADIUS * ball;
+  }
+  v_middle = middle;
+
+  // A view sees the insides of what a cell's side cuts open: normals are turned towards the viewer.
+  vec3 ray = rays[0] + middle.x * rays[1] + middle.y * rays[2];
+  normal = dot(normal, ray) > 0.0 ? -normal : normal;
+  vec3 albedo = linear_of(vec3(splat.x & 255u, splat.x >> 8 & 255u, splat.x >> 16 & 255u) / 255.0);
+  v_color = albedo * irradiance(normal);
+
+  // Near the eye the derivative at the middle would sweep ellipses across the picture.
+  bool is_shown = function.z - RADIUS * factor * length(vec2(u.z, v.z)) >= view[0].w;
+  is_shown = is_shown && all(greaterThanEqual(inside, vec3(0.0))) && all(lessThan(inside, vec3(1.0)));
+  is_shown = is_shown && all(lessThan(abs(middle - 0.5 * screen.xy), 0.5 * screen.xy + max(half_size, 0.5)));
+  // Points whose middles lie outside are clipped, however large: such ones begin at the picture's side.
+  vec2 start = clamp(middle, vec2(0.0), screen.xy);
+  vec2 reach = half_size + abs(start - middle);
+  gl_PointSize = clamp(2.0 * max(reach.x, reach.y), 1.0, screen.z);
+  vec2 place = start / screen.xy * 2.0 - 1.0;
+  gl_Position = is_shown ? vec4(place.x, -place.y, 0.0, 1.0) : NOWHERE;
+}
+`;
+
+export const SPLAT_FRAGMENT = /* glsl */ `${HEAD}
+uniform vec3 screen;
+// Metres at which the depth buffer ends.
+uniform float nearest;
+flat in vec4 v_inverse;
+flat in vec2 v_middle;
+flat in vec3 v_nearness;
+flat in vec3 v_color;
+out vec4 shade;
+
+void main() {
+  vec2 at = vec2(gl_FragCoord.x, screen.y - gl_FragCoord.y);
+  vec2 p = at - v_middle;
+  vec2 q = vec2(dot(v_inverse.xy, p), dot(v_inverse.zw, p));
+  bool is_inside = dot(q, q) <= ${float(SQUARED_RADIUS)};
+  // The sample that holds a splat's middle always belongs to it.
+  if (!is_inside && any(notEqual(floor(at), floor(v_middle)))) {
+    discard;
+  }
+  float nearness = v_nearness.x + (is_inside ? dot(v_nearness.yz, p) : 0.0);
+  // Exact on a plane. What is nearer has more, so that float32 keeps its digits far away.
+  gl_FragDepth = nearest * nearness;
+  shade = vec4(v_color, 1.0);
+}
+`;
+
+/** A triangle that covers the picture. */
+export const WHOLE_VERTEX = /* glsl */ `${HEAD}
+void main() {
+  gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
+}
+`;
+
+/** The mean of a pixel's samples in linear light, before the sky of docs/render.md. */
+export const RESOLVE_FRAGMENT = /* glsl */ `${HEAD}
+uniform sampler2D samples;
+// Samples along each axis of a pixel.
+uniform int grid;
+uniform vec3 screen;
+uniform vec3 rays[3];
+out vec4 shade;
+${SRGB}
+vec3 background(vec3 direction) {
+  const vec3 HORIZON = vec3(0.66, 0.74, 0.82);
+  vec3 end = direction.y < 0.0 ? vec3(0.24, 0.25, 0.26) : vec3(0.16, 0.34, 0.66);
+  return mix(HORIZON, end, sqrt(abs(direction.y)));
+}
+
+void main() {
+  ivec2 first = ivec2(gl_FragCoord.xy) * grid;
+  vec3 sum = vec3(0.0);
+  for (int row = 0; row < grid; row++) {
+    for (int column = 0; column < grid; column++) {
+      ivec2 at = first + ivec2(column, row);
+      vec4 found = texelFetch(samples, at, 0);
+      vec2 place = vec2(float(at.x) + 0.5, screen.y - float(at.y) - 0.5);
+      vec3 ray = rays[0] + place.x * rays[1] + place.y * rays[2];
+      sum += found.a > 0.0 ? found.rgb : background(normalize(ray));
+    }
+  }
+  shade = vec4(srgb_of(sum / float(grid * grid)), 1.0);
+}
+`;

@@ -1,0 +1,198 @@
+/** The page that flies a tree of orthoviews. */
+import { readLink, writeLink } from '../control/link';
+import type { Pose } from '../control/pose';
+import { createMeter } from '../show/meter';
+import { showFatal, showProblems } from '../ui/messages';
+import { createThumbMark } from '../ui/thumb';
+import { createFly } from './controls/fly';
+import { startOf } from './controls/start';
+import { cameraOf } from './cut/camera';
+import { createPanel } from './panel';
+import { type Facts, Viewer } from './show/viewer';
+import { type Failure, isPassing } from './store/error';
+import type { Layout } from './store/layout';
+
+/** Vertical field of view, radians. */
+const ANGLE = Math.PI / 3;
+/** Greatest number of the canvas's pixels for one of the page's: finer ones take more splats than phones draw. */
+const SHARPEST = 1.5;
+/** Seconds between two updates of the panel and of the address. */
+const [PANEL_EVERY, LINK_EVERY] = [0.25, 0.5] as const;
+/** Bytes of the GPU for views, by default: 512 MiB, on small screens a quarter. */
+const BYTES = 1 << 29;
+
+declare global {
+  interface Window {
+    /** For scripts and tests. */
+    orthoview?: {
+      readonly facts: Facts;
+      readonly pose: Pose;
+      readonly received: number;
+      setPose(pose: Pose): void;
+      /** Draw the last picture again; the milliseconds until it is there. */
+      time(): number;
+    };
+  }
+}
+
+function main(): void {
+  const query = new URLSearchParams(location.search);
+  const [canvas, root] = [element('canvas', HTMLCanvasElement), element('#ui', HTMLElement)];
+  const isSmall = Math.min(screen.width, screen.height) < 600;
+  const meter = createMeter();
+  const fatal = ({ kind, message }: Failure): void => {
+    const { title, text } = FATAL[kind];
+    showFatal(title, text, { detail: message, retry: () => location.reload() });
+  };
+  let problems: readonly Failure[] = [];
+  const show = (now: readonly Failure[]): void => {
+    problems = now;
+    showProblems(
+      problems.map(({ message }) => message),
+      retry,
+    );
+  };
+  const viewer = new Viewer(canvas, {
+    base: folderOf(new URL(query.get('store') ?? '.', location.href)),
+    scripts: {
+      cutter: new URL('orthoview-cut.js', import.meta.url),
+      reader: new URL('orthoview-read.js', import.meta.url),
+    },
+    views: number(query, 'views', 3, 1, 8),
+    error: number(query, 'error', 1, 0.1, 64),
+    grid: Math.round(Math.sqrt(number(query, 'samples', 1, 1, 16))),
+    bytes: number(query, 'megabytes', (isSmall ? BYTES / 4 : BYTES) >> 20, 1, 1 << 14) * 2 ** 20,
+    workers: Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4),
+    received: meter.receive,
+    opened,
+    failed(failure, isFatal) {
+      if (isFatal) {
+        fatal(failure);
+        return;
+      }
+      const told: Failure = isPassing(failure) ? { ...failure, message: `${failure.message}; ${AGAIN}` } : failure;
+      const isKnown = problems.some(({ kind, message }) =>
+        isPassing(told) ? kind === told.kind : message === told.message,
+      );
+      if (!isKnown) show([...problems, told]);
+    },
+    recovered: () => show(problems.filter((failure) => !isPassing(failure))),
+  });
+  let [ground, home]: [number, Pose] = [0, { position: [0, 0, 0], yaw: 0, pitch: 0 }];
+  const begun = readLink(location.hash);
+  const fly = createFly(canvas, begun ?? home, () => ground, createThumbMark(root).show);
+  const panel = createPanel(root, () => fly.setPose(home));
+  window.addEventListener('hashchange', () => fly.setPose(readLink(location.hash) ?? fly.pose));
+  canvas.addEventListener('webglcontextlost', () => fatal({ kind: 'other', message: LOST }));
+
+  function opened(layout: Layout): void {
+    ground = layout.origin[1];
+    home = startOf(layout);
+    if (!begun) fly.setPose(home);
+    isOpen = true;
+  }
+
+  function retry(): void {
+    show([]);
+    viewer.retry();
+  }
+
+  let [last, sincePanel, sinceLink]: [number, number, number] = [performance.now(), PANEL_EVERY, 0];
+  let [linked, isOpen] = ['', false];
+  window.orthoview = {
+    get facts() {
+      return viewer.facts;
+    },
+    get pose() {
+      return fly.pose;
+    },
+    get received() {
+      return meter.read().received;
+    },
+    setPose: fly.setPose,
+    time: () => viewer.time(),
+  };
+
+  function frame(now: number): void {
+    const seconds = Math.max(now - last, 0) / 1000;
+    last = now;
+    const pose = fly.update(seconds);
+    const ratio = Math.min(window.devicePixelRatio || 1, SHARPEST);
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) =>
+      Math.max(Math.round(size * ratio), 1),
+    );
+    if (canvas.width !== width || canvas.height !== height)
+      [canvas.width, canvas.height] = [width as number, height as number];
+    viewer.frame(cameraOf(pose, ANGLE, canvas.width, canvas.height));
+    sincePanel += seconds;
+    sinceLink += seconds;
+    if (sincePanel >= PANEL_EVERY) {
+      sincePanel = 0;
+      const { received, rate } = meter.read();
+      panel.update({
+        facts: viewer.facts,
+        frame: viewer.took,
+        received,
+        rate,
+        height: pose.position[1] - ground,
+        power: fly.power,
+      });
+    }
+    const link = writeLink(pose);
+    if (isOpen && sinceLink >= LINK_EVERY && link !== linked) {
+      // Browsers refuse more than some hundred changes of the address in half a minute.
+      [sinceLink, linked] = [0, link];
+      history.replaceState(null, '', link);
+    }
+    requestAnimationFrame(frame);
+  }
+  requestAnimationFrame(frame);
+}
+
+const AGAIN = 'what has come stays, and the rest is asked for again';
+const LOST = 'The browser has taken the graphics away.';
+
+/** Failures after which there is nothing to show. */
+const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly text: string }>> = {
+  gone: {
+    title: 'There is no tree at this address',
+    text: 'The page shows the store of orthoviews in whose folder it lies, or the one that ?store= names.',
+  },
+  refused: { title: 'The server refuses the tree', text: 'Tell whoever runs the server what stands below.' },
+  unreachable: { title: 'The tree cannot be reached', text: 'Check the connection and the address, and try again.' },
+  damaged: {
+    title: 'The tree is damaged',
+    text: 'A file is not what the build has written. Check it with nearfar orthoview verify.',
+  },
+  newer: { title: 'The tree needs a newer nearfar', text: 'It was written in a later format than this page reads.' },
+  other: {
+    title: 'The tree cannot be shown',
+    text: 'Reload the page. If that does not help, tell whoever sent you here what stands below.',
+  },
+};
+
+/** The same address as that of a folder. */
+function folderOf(url: URL): URL {
+  if (!url.pathname.endsWith('/')) url.pathname += '/';
+  url.hash = '';
+  return url;
+}
+
+function number(query: URLSearchParams, name: string, usual: number, least: number, greatest: number): number {
+  const given = query.get(name);
+  const value = given === null || given === '' ? usual : Number(given);
+  return Number.isFinite(value) ? Math.min(Math.max(value, least), greatest) : usual;
+}
+
+function element<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
+  const found = document.querySelector(selector);
+  if (!(found instanceof kind)) throw new Error(`the page has no ${selector}`);
+  return found;
+}
+
+try {
+  main();
+} catch (reason) {
+  const { title, text } = FATAL.other;
+  showFatal(title, text, { detail: reason instanceof Error ? reason.message : String(reason) });
+}

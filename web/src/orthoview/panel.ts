@@ -1,0 +1,98 @@
+/** The page's figures, and the buttons below the picture. */
+import { icon, make, write } from '../ui/dom';
+import { bytes, count, metres, milliseconds, rate } from '../ui/format';
+import { ICONS } from '../ui/icons';
+import type { Facts } from './show/viewer';
+
+const NAMES = {
+  frame: 'Frame',
+  splats: 'Splats',
+  views: 'Views',
+  waiting: 'Waiting',
+  loaded: 'Loaded',
+  memory: 'On the GPU',
+  height: 'Height',
+} as const;
+
+export interface Figures {
+  readonly facts: Facts;
+  /** Milliseconds that the last picture took. */
+  readonly frame: number;
+  readonly received: number;
+  /** Bits a second; null while nothing comes. */
+  readonly rate: number | null;
+  /** Above the ground, metres. */
+  readonly height: number;
+  readonly power: number;
+}
+
+export interface Panel {
+  update(figures: Figures): void;
+}
+
+export function createPanel(root: HTMLElement, home: () => void): Panel {
+  const values = new Map<string, HTMLElement>();
+  const rows = Object.entries(NAMES).map(([key, name]) => {
+    const value = make('dd', {}, '–');
+    values.set(key, value);
+    return make('div', {}, make('dt', {}, name), value);
+  });
+  const figures = make('div', { class: 'panel card', role: 'region', 'aria-label': 'Figures' });
+  const chip = button('Figures', 'chip card', () => show(true));
+  const hide = make('button', { type: 'button', 'aria-label': 'Hide the figures', title: 'Hide' }, icon(ICONS.close));
+  hide.addEventListener('click', () => show(false));
+  figures.append(
+    make('header', {}, make('h1', {}, 'nearfar'), hide),
+    make('div', { class: 'panel-body' }, make('dl', { class: 'figures' }, ...rows)),
+  );
+  const help = make('p', { class: 'note card' });
+  const tools = make(
+    'div',
+    { class: 'tools' },
+    button('Home', 'tool', home),
+    button('Help', 'tool', () => (help.hidden = !help.hidden)),
+  );
+  help.textContent = HELP;
+  help.hidden = true;
+  root.append(
+    make(
+      'div',
+      { class: 'frame' },
+      make('div', { class: 'top' }, figures, chip),
+      make('div', { class: 'bottom' }, help, tools),
+    ),
+  );
+
+  function show(isShown: boolean): void {
+    figures.hidden = !isShown;
+    chip.hidden = isShown;
+  }
+  // On a phone the picture comes first.
+  show(window.innerWidth > 600);
+
+  return {
+    update({ facts, frame, received, rate: bits, height, power }) {
+      const put = (name: keyof typeof NAMES, text: string): void => write(values.get(name) as HTMLElement, text);
+      put('frame', milliseconds(frame));
+      put('splats', count(facts.splats));
+      put('views', facts.standIns > 0 ? `${facts.views}, ${facts.standIns} coarser` : String(facts.views));
+      put('waiting', facts.waiting > 0 ? `${facts.waiting} views` : 'nothing');
+      put('loaded', bits === null ? bytes(received) : `${bytes(received)}, ${rate(bits)}`);
+      put('memory', bytes(facts.bytes));
+      put(
+        'height',
+        power === 0 ? metres(height) : `${metres(height)}, speed × ${(2 ** power).toFixed(power < 0 ? 2 : 1)}`,
+      );
+    },
+  };
+}
+
+const HELP =
+  'Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four times ' +
+  'as fast, the wheel changes the speed. The address leads back to this place.';
+
+function button(label: string, kind: string, action: () => void): HTMLButtonElement {
+  const made = make('button', { type: 'button', class: kind }, label);
+  made.addEventListener('click', action);
+  return made;
+}

@@ -1,0 +1,34 @@
+/** Why a part of a store cannot be shown. */
+
+/** `gone`: the server has no such file. `refused`: it answers with an error. `unreachable`: it does not answer. */
+export type Kind = 'gone' | 'refused' | 'unreachable' | 'damaged' | 'newer';
+
+export class StoreError extends Error {
+  constructor(
+    readonly kind: Kind,
+    message: string,
+  ) {
+    super(message);
+    this.name = 'StoreError';
+  }
+}
+
+export function damaged(file: string, reason: string): StoreError {
+  return new StoreError('damaged', `${file}: ${reason}`);
+}
+
+/** What a worker tells of an error: classes do not survive messages. */
+export interface Failure {
+  readonly kind: Kind | 'other';
+  readonly message: string;
+}
+
+export function failureOf(reason: unknown): Failure {
+  if (reason instanceof StoreError) return { kind: reason.kind, message: reason.message };
+  return { kind: 'other', message: reason instanceof Error ? reason.message : String(reason) };
+}
+
+/** Whether asking again later may help. */
+export function isPassing({ kind }: Failure): boolean {
+  return kind === 'refused' || kind === 'unreachable';
+}

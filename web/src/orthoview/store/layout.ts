@@ -1,0 +1,141 @@
+/** Cells, directions and format of a tree of orthoviews, as its store's attributes say. */
+import { damaged } from './error';
+
+export type Triple = readonly [number, number, number];
+
+export const CHANNELS = ['color', 'depth', 'normal'] as const;
+export type Channel = (typeof CHANNELS)[number];
+
+/** Prefix of the second layer's channels. */
+export const BEHIND = 'behind_';
+
+/** Bits below a depth's: connected with the neighbour to the right, below, below to the right, below to the left. */
+export const CONNECTION_BITS = 4;
+
+/** Folder of a store for what Zarr does not know. */
+export const FOLDER = 'nearfar';
+
+export interface Layout {
+  /** Least corner of leaf (0, 0, 0), metres. */
+  readonly origin: Triple;
+  /** Side of a leaf, metres. */
+  readonly cell: number;
+  /** Number of leaves along each axis. */
+  readonly counts: Triple;
+  /** Level 0 has the leaves, the last one a single cell. */
+  readonly levels: number;
+  readonly directions: readonly Triple[];
+  /** Names of the directions, such as `px_py`. */
+  readonly names: readonly string[];
+  /** Width and height of a view, pixels. */
+  readonly size: number;
+  readonly depthBits: number;
+  /** Bits of both of a normal's numbers. */
+  readonly normalBits: number;
+  /** Levels of a subtree. */
+  readonly subtree: number;
+  readonly color: 'zstd' | 'webp';
+  readonly layers: number;
+}
+
+/** The layout of a group's attribute; an error for what cannot be drawn. */
+export function parseLayout(described: unknown): Layout {
+  const from = fields(described, 'layout');
+  const layout: Layout = {
+    origin: triple(from['origin'], 'origin', Number.isFinite),
+    cell: number(from['cell'], 'cell', (value) => Number.isFinite(value) && value > 0),
+    counts: triple(from['counts'], 'counts', (value) => isWhole(value, 1, 2 ** 31)),
+    levels: number(from['levels'], 'levels', (value) => isWhole(value, 1, 32)),
+    directions: list(from['directions'], 'directions').map((each) =>
+      triple(each, 'directions', (n) => isWhole(n, -1, 1)),
+    ),
+    names: list(from['names'], 'names').map(String),
+    size: number(from['size'], 'size', (value) => isWhole(value, 4, 4096) && value % 4 === 0),
+    depthBits: number(from['depth_bits'], 'depth_bits', (value) => isWhole(value, 8, 16)),
+    normalBits: number(from['normal_bits'], 'normal_bits', (value) => value === 16 || value === 24),
+    subtree: number(from['subtree'], 'subtree', (value) => isWhole(value, 1, 8)),
+    color: from['color'] === 'webp' ? 'webp' : 'zstd',
+    layers: number(from['layers'], 'layers', (value) => isWhole(value, 1, 2)),
+  };
+  const { counts, levels, directions, names } = layout;
+  const are26 =
+    directions.length > 0 && directions.length <= 26 && directions.every((each) => each.some((n) => n !== 0));
+  const isNamed = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
+  if (!are26 || !isNamed || 2 ** (levels - 1) < Math.max(...counts))
+    throw damaged('zarr.json', 'its layout does not fit together');
+  return layout;
+}
+
+/** Number of steps of a depth: such that sixths of a range are whole steps. */
+export function stepsOf({ depthBits }: Layout): number {
+  return Math.floor((2 ** depthBits - 1) / 6) * 6;
+}
+
+/** Side of a level's cells, metres. */
+export function sideAt({ cell }: Layout, level: number): number {
+  return cell * 2 ** level;
+}
+
+/** Least corner of a cell, metres. */
+export function cornerOf(layout: Layout, level: number, [x, y, z]: Triple): Triple {
+  const [side, [a, b, c]] = [sideAt(layout, level), layout.origin];
+  return [a + x * side, b + y * side, c + z * side];
+}
+
+/** Cells of a level's shards along each axis. */
+export function shardSide({ subtree }: Layout, level: number): number {
+  return 2 ** (subtree - (level % subtree));
+}
+
+/** Tier and place of the subtree that has a cell; the place is that of its shards, too. */
+export function subtreeOf(layout: Layout, level: number, [x, y, z]: Triple): { tier: number; place: Triple } {
+  const side = shardSide(layout, level);
+  const place: Triple = [Math.floor(x / side), Math.floor(y / side), Math.floor(z / side)];
+  return { tier: Math.floor(level / layout.subtree), place };
+}
+
+/** Folder of a generation below the store, with a slash at its end; the first one is the store itself. */
+export function overlay(generation: number): string {
+  return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;
+}
+
+/** Name of an array below its generation's folder. */
+export function arrayOf({ names }: Layout, level: number, direction: number, channel: string): string {
+  return `${level}/${names[direction]}/${channel}`;
+}
+
+/** Path of the shard that holds a cell's chunk, below the generation's folder. */
+export function shardOf(layout: Layout, level: number, place: Triple, array: string): string {
+  return `${array}/c/${subtreeOf(layout, level, place).place.join('/')}/0/0/0`;
+}
+
+/** The channels of all layers. */
+export function channelsOf({ layers }: Layout): readonly string[] {
+  return layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND + channel)] : CHANNELS;
+}
+
+export function fields(value: unknown, file: string): Readonly<Record<string, unknown>> {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw damaged(file, 'expected an object');
+  return value as Readonly<Record<string, unknown>>;
+}
+
+function list(value: unknown, name: string): readonly unknown[] {
+  if (!Array.isArray(value)) throw damaged('zarr.json', `layout.${name} is no list`);
+  return value;
+}
+
+function number(value: unknown, name: string, isGood: (value: number) => boolean): number {
+  if (typeof value !== 'number' || !isGood(value))
+    throw damaged('zarr.json', `layout.${name} cannot be ${JSON.stringify(value)}`);
+  return value;
+}
+
+function triple(value: unknown, name: string, isGood: (value: number) => boolean): Triple {
+  const [x, y, z, ...rest] = list(value, name);
+  if (rest.length > 0) throw damaged('zarr.json', `layout.${name} has more than three numbers`);
+  return [number(x, name, isGood), number(y, name, isGood), number(z, name, isGood)];
+}
+
+function isWhole(value: number, least: number, greatest: number): boolean {
+  return Number.isInteger(value) && value >= least && value <= greatest;
+}

@@ -1,0 +1,168 @@
+/** The documents of a store: its layout, its generations, and which cells of a subtree show something. */
+import { damaged, StoreError } from './error';
+import type { Bytes, Files } from './files';
+import { fields, FOLDER, type Layout, overlay, parseLayout, type Triple } from './layout';
+import { checked, documentOf, numbersOf, sha256 } from './unpack';
+import { shapesOf } from '../cut/cells';
+
+/** Stands for a cell that is as in the generations before. */
+const AS_BEFORE = 0x8000_0000;
+
+const VERSION = 1;
+
+/** A shard's path with the folder of its generation, its size and the begin of its SHA-256. */
+export type Shard = readonly [path: string, size: number, version: string];
+
+/** The cells of a subtree, as its records tell. */
+export interface Subtree {
+  readonly tier: number;
+  readonly place: Triple;
+  /** For each level, the lowest one first, the bits of the directions from which cells show something, z fastest. */
+  readonly masks: readonly Uint32Array[];
+  /** Number of the generation in which each of these cells was computed. */
+  readonly generations: readonly Uint16Array[];
+  readonly shards: readonly Shard[];
+}
+
+export interface Records {
+  readonly layout: Layout;
+  readonly generation: number;
+  /** Shards of all generations but the first one. */
+  readonly shards: readonly Shard[];
+  /** Read a subtree, given by its tier and its place. */
+  subtree(tier: number, place: Triple): Promise<Subtree>;
+}
+
+interface Overlay {
+  readonly number: number;
+  readonly cells: Readonly<Record<string, unknown>>;
+}
+
+/** Open a complete store. */
+export async function openRecords(files: Files): Promise<Records> {
+  const attributes = await attributesOf(files);
+  const layout = parseLayout(attributes['layout']);
+  if (attributes['complete'] !== true) throw damaged('zarr.json', 'the tree is not complete; build it again');
+  const generation = Number(attributes['generation']);
+  if (!Number.isInteger(generation) || generation < 0)
+    throw damaged('zarr.json', 'expected the number of a generation');
+  const digests = fields(
+    (await document(files, `${FOLDER}/records.json`, 'orthoview_records'))['records'],
+    'records.json',
+  );
+  const overlays: Overlay[] = [];
+  const shards: Shard[] = [];
+  // The newest one first.
+  for (let number = generation; number > 0; number--) {
+    const path = `${overlay(number)}generation.json`;
+    const found = await document(files, path, 'orthoview_generation');
+    overlays.push({ number, cells: fields(found['cells'], path) });
+    shards.push(...shardsOf(found['shards'], overlay(number), path));
+  }
+  return {
+    layout,
+    generation,
+    shards,
+    subtree: (tier, place) => subtreeOf(files, layout, overlays, digests, tier, place),
+  };
+}
+
+async function subtreeOf(
+  files: Files,
+  layout: Layout,
+  overlays: readonly Overlay[],
+  digests: Readonly<Record<string, unknown>>,
+  tier: number,
+  place: Triple,
+): Promise<Subtree> {
+  const name = `${tier}_${place.join('_')}`;
+  const shapes = shapesOf(layout, tier);
+  const masks = shapes.map((count) => new Uint32Array(count).fill(AS_BEFORE));
+  const generations = shapes.map((count) => new Uint16Array(count));
+  const put = async (views: unknown, number: number, file: string): Promise<void> => {
+    const known = await masksOf(views, layout, shapes, file);
+    known.forEach((own, level) => {
+      const [mask, generation] = [masks[level], generations[level]];
+      own.forEach((bits, at) => {
+        if (!mask || !generation || mask[at] !== AS_BEFORE || bits === AS_BEFORE) return;
+        mask[at] = bits;
+        generation[at] = number;
+      });
+    });
+  };
+  for (const { number, cells } of overlays) {
+    if (!Object.hasOwn(cells, name)) continue;
+    const file = `${overlay(number)}generation.json`;
+    await put(fields(cells[name], file)['views'], number, file);
+  }
+  const digest = digests[`${name}.json`];
+  let shards: readonly Shard[] = [];
+  if (digest !== undefined) {
+    const file = `${FOLDER}/done/${name}.json`;
+    const record = await document(files, file, 'orthoview_subtree', String(digest));
+    await put(record['views'], 0, file);
+    shards = shardsOf(record['shards'], '', file);
+  }
+  for (const mask of masks) mask.forEach((bits, at) => bits === AS_BEFORE && (mask[at] = 0));
+  return { tier, place, masks, generations, shards };
+}
+
+async function attributesOf(files: Files): Promise<Readonly<Record<string, unknown>>> {
+  const file = 'zarr.json';
+  const found = await files.read({ path: file });
+  if (!found) throw new StoreError('gone', `${file}: there is no store of orthoviews at this address`);
+  let group: unknown;
+  try {
+    group = JSON.parse(new TextDecoder().decode(found.bytes));
+  } catch {
+    throw damaged(file, 'expected JSON');
+  }
+  return checked(fields(fields(fields(group, file)['attributes'], file)['nearfar'], file), file, 'orthoview', VERSION);
+}
+
+async function document(
+  files: Files,
+  path: string,
+  kind: string,
+  digest?: string,
+): Promise<Readonly<Record<string, unknown>>> {
+  const found = await files.read(digest === undefined ? { path } : { path, version: versionOf(digest) });
+  if (!found) throw new StoreError('gone', `${path}: the store refers to this file, and the server does not have it`);
+  if (digest !== undefined) await compare(found.bytes, path, digest);
+  return documentOf(found.bytes, path, kind, VERSION);
+}
+
+async function compare(bytes: Bytes, path: string, digest: string): Promise<void> {
+  const found = await sha256(bytes);
+  if (found !== null && found !== digest) throw damaged(path, `its SHA-256 is not ${digest}`);
+}
+
+async function masksOf(
+  views: unknown,
+  { directions }: Layout,
+  shapes: readonly number[],
+  file: string,
+): Promise<Uint32Array[]> {
+  if (!Array.isArray(views) || views.length !== shapes.length)
+    throw damaged(file, `expected views of ${shapes.length} levels`);
+  const masks = await Promise.all(shapes.map((count, level) => numbersOf(views[level], count, file)));
+  const most = 2 ** directions.length;
+  const isWrong = (bits: number): boolean => bits >= most && bits !== AS_BEFORE;
+  if (masks.some((mask) => mask.some(isWrong)))
+    throw damaged(file, `views: expected bits of ${directions.length} directions`);
+  return masks;
+}
+
+function shardsOf(listed: unknown, folder: string, file: string): Shard[] {
+  return Object.entries(fields(listed, file)).map(([path, entry]) => {
+    const [size, digest]: unknown[] = Array.isArray(entry) ? entry : [];
+    if (typeof size !== 'number' || typeof digest !== 'string')
+      throw damaged(file, `${path}: expected a size and a hash`);
+    return [folder + path, size, versionOf(digest)];
+  });
+}
+
+/** The part of a hash that stands in addresses. */
+function versionOf(digest: string): string {
+  return digest.slice(0, 16);
+}

@@ -1,0 +1,271 @@
+/** Parts of the page that flies trees: stand-ins for what is missing, requests, memory, codecs, flight. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { REST } from '../src/control/drive';
+import { flown } from '../src/orthoview/controls/fly';
+import { startOf } from '../src/orthoview/controls/start';
+import { Cells, shapesOf } from '../src/orthoview/cut/cells';
+import type { Cut } from '../src/orthoview/cut/cut';
+import { crc32c, statedSize } from '../src/orthoview/decode/codecs';
+import type { Splats } from '../src/orthoview/decode/pack';
+import { xxh64 } from '../src/orthoview/decode/xxh64';
+import { Queue } from '../src/orthoview/show/queue';
+import { Resident } from '../src/orthoview/show/resident';
+import { choose } from '../src/orthoview/show/stand_in';
+import type { Failure } from '../src/orthoview/store/error';
+import { type Layout, parseLayout, type Triple } from '../src/orthoview/store/layout';
+
+const DESCRIBED = {
+  origin: [0, 0, 0],
+  cell: 10,
+  counts: [4, 4, 4],
+  levels: 3,
+  directions: [
+    [0, 0, 1],
+    [1, 0, 0],
+    [0, 1, 0],
+  ],
+  names: ['pz', 'px', 'py'],
+  size: 8,
+  depth_bits: 12,
+  normal_bits: 16,
+  subtree: 3,
+  color: 'zstd',
+  quality: null,
+  geometry: false,
+  layers: 1,
+};
+const LAYOUT = parseLayout(DESCRIBED);
+
+/** Cells of a tree of three levels, all of which show something from all directions, but for some. */
+function cellsOf(layout: Layout, empty: readonly string[] = []): Cells {
+  const cells = new Cells(layout);
+  const shapes = shapesOf(layout, 0);
+  const masks = shapes.map((count) => new Uint32Array(count).fill(7));
+  for (const name of empty) {
+    const [level, x, y, z] = name.split('/').map(Number) as [number, number, number, number];
+    const side = 2 ** (3 - level);
+    (masks[level] as Uint32Array)[(x * side + y) * side + z] = 0;
+  }
+  cells.add({
+    tier: 0,
+    place: [0, 0, 0],
+    masks,
+    generations: shapes.map((count) => new Uint16Array(count)),
+    shards: [],
+  });
+  return cells;
+}
+
+function cutOf(...cells: readonly (readonly [number, Triple, readonly number[]])[]): Cut {
+  const drawn = cells.map(([level, place, directions], distance) => ({
+    level,
+    place,
+    directions,
+    distance,
+    isInPicture: true,
+  }));
+  return { cells: drawn, reach: 1, unknown: [] };
+}
+
+const ROOT = '2/0/0/0';
+const NONE: Readonly<Record<string, readonly number[]>> = {};
+
+function chosen(cut: Cut, there: Readonly<Record<string, readonly number[]>>, cells = cellsOf(LAYOUT)) {
+  const { shown, missing, holes } = choose(cut, cells, (level, place) => there[[level, ...place].join('/')] ?? [], 2);
+  const name = ({ level, place, direction }: { level: number; place: Triple; direction: number }): string =>
+    `${[level, ...place].join('/')}:${direction}`;
+  return {
+    shown: shown.map((each) => name(each) + (each.box ? ` in ${[each.box.level, ...each.box.place].join('/')}` : '')),
+    missing: missing.map(name),
+    holes,
+  };
+}
+
+test('cells are drawn from their own views', () => {
+  const found = chosen(cutOf([1, [0, 0, 0], [0, 1]]), { '1/0/0/0': [2, 1, 0], [ROOT]: [0, 1] });
+  assert.deepEqual(found, { shown: ['1/0/0/0:0', '1/0/0/0:1'], missing: [], holes: 0 });
+});
+
+test('after a turn a cell is drawn from the views that it has', () => {
+  const found = chosen(cutOf([1, [0, 0, 0], [0, 2]]), { '1/0/0/0': [0, 1], [ROOT]: [0, 1] });
+  assert.deepEqual(found, { shown: ['1/0/0/0:0', '1/0/0/0:1'], missing: ['1/0/0/0:2'], holes: 0 });
+});
+
+test('a cell above stands in within the box of the cell that is missing', () => {
+  const cut = cutOf([0, [3, 2, 1], [0, 1]], [0, [0, 0, 0], [0, 1]]);
+  const found = chosen(cut, { '0/0/0/0': [0, 1], '1/1/1/0': [0], [ROOT]: [0, 1] });
+  // The cell between has one of two views: the one above it has no holes.
+  assert.deepEqual(found.shown, [`${ROOT}:0 in 0/3/2/1`, `${ROOT}:1 in 0/3/2/1`, '0/0/0/0:0', '0/0/0/0:1']);
+  assert.deepEqual(found.missing, ['0/3/2/1:0', '0/3/2/1:1']);
+});
+
+test('cells below stand in if they cover all of it', () => {
+  const children = Object.fromEntries(
+    [...Array(8).keys()].map((n) => [`0/${n >> 2}/${(n >> 1) & 1}/${n & 1}`, [0, 1]]),
+  );
+  const cut = cutOf([1, [0, 0, 0], [0, 1]]);
+  assert.equal(chosen(cut, { ...children, [ROOT]: [0, 1] }).shown.length, 16);
+  const { '0/1/1/1': _, ...some } = children;
+  assert.deepEqual(chosen(cut, { ...some, [ROOT]: [0, 1] }).shown, [`${ROOT}:0 in 1/0/0/0`, `${ROOT}:1 in 1/0/0/0`]);
+  // Nothing is to be seen in the one that is missing.
+  assert.equal(chosen(cut, { ...some, [ROOT]: [0, 1] }, cellsOf(LAYOUT, ['0/1/1/1'])).shown.length, 14);
+});
+
+test('some views are more than none', () => {
+  const cut = cutOf([1, [0, 0, 0], [0, 1]]);
+  assert.deepEqual(chosen(cut, { '1/0/0/0': [1] }).shown, ['1/0/0/0:1']);
+  assert.equal(chosen(cut, { '1/0/0/0': [1] }).holes, 0);
+  assert.equal(chosen(cut, NONE).holes, 1);
+});
+
+function queued(atOnce = 2) {
+  const told: { sent: [number, string][]; cancelled: number[]; failed: string[]; recovered: number; now: number } = {
+    recovered: 0,
+    sent: [],
+    cancelled: [],
+    failed: [],
+    now: 0,
+  };
+  const queue = new Queue<string>({
+    atOnce,
+    send: (id, job) => told.sent.push([id, job]),
+    cancel: (id) => told.cancelled.push(id),
+    failed: ({ message }) => told.failed.push(message),
+    recovered: () => (told.recovered += 1),
+    now: () => told.now,
+  });
+  const want = (...names: string[]): void => queue.want(new Map(names.map((name) => [name, name])));
+  return { queue, told, want };
+}
+
+test('the most wanted views are asked for first, so many at once', () => {
+  const { queue, told, want } = queued();
+  want('a', 'b', 'c');
+  assert.deepEqual(told.sent, [
+    [1, 'a'],
+    [2, 'b'],
+  ]);
+  assert.equal(queue.done(1), 'a');
+  queue.fill();
+  assert.deepEqual(told.sent.at(-1), [3, 'c']);
+  assert.equal(queue.waiting, 2);
+  want('b', 'd');
+  assert.deepEqual(told.cancelled, [3]);
+  // There is room when the cancelled request has ended.
+  assert.equal(told.sent.length, 3);
+  queue.cancelled(3);
+  assert.deepEqual(told.sent.at(-1), [4, 'd']);
+});
+
+const GONE: Failure = { kind: 'gone', message: 'a shard is gone' };
+const AWAY: Failure = { kind: 'unreachable', message: 'no answer' };
+
+test('what fails in passing is asked for again, later each time, and told once', () => {
+  const { queue, told, want } = queued();
+  want('a', 'b');
+  queue.failed(2, { ...AWAY, message: 'no answer for b' });
+  assert.deepEqual(told.failed, ['no answer for b']);
+  told.failed = [];
+  want('a');
+  const starts = [0];
+  for (const id of [1, 3, 4]) {
+    queue.failed(id, AWAY);
+    const { length } = told.sent;
+    while (told.sent.length === length) {
+      told.now += 0.5;
+      queue.fill();
+    }
+    starts.push(told.now);
+  }
+  assert.deepEqual(starts, [0, 1, 3, 7]);
+  assert.deepEqual(told.failed, []);
+  assert.equal(queue.done(5), 'a');
+  assert.equal(told.recovered, 1);
+});
+
+test('what is damaged is not asked for again until the user asks', () => {
+  const { queue, told, want } = queued();
+  want('a', 'b');
+  queue.failed(1, GONE);
+  told.now = 1e6;
+  queue.fill();
+  assert.equal(told.sent.length, 2);
+  assert.equal(queue.waiting, 1);
+  queue.retry();
+  assert.deepEqual(told.sent.at(-1), [3, 'a']);
+});
+
+test('views that were used the longest ago give way, none that a picture shows', () => {
+  const dropped: number[] = [];
+  const array = {} as WebGLVertexArrayObject & WebGLBuffer;
+  const resident = new Resident(
+    LAYOUT,
+    {
+      upload: (model, { words }) => ({ model, parts: [], array, buffer: array, bytes: words.byteLength }),
+      drop: ({ bytes }) => dropped.push(bytes),
+    },
+    100,
+  );
+  const splats = (count: number): Splats => ({ words: new Uint32Array(count), parts: [], count });
+  [10, 11, 12].forEach((count, direction) => resident.add(0, [1, 2, 3], direction, [splats(count)]));
+  assert.equal(resident.bytes, 4 * 33);
+  resident.begin();
+  assert.equal(resident.use(0, [1, 2, 3], 0).length, 1);
+  resident.trim(() => false);
+  // 132 bytes are 32 too many: the second view goes, since the first one is in the picture.
+  assert.deepEqual(dropped, [44]);
+  assert.deepEqual(resident.there(0, [1, 2, 3]), [0, 2]);
+  resident.add(0, [1, 2, 3], 1, [splats(20)]);
+  resident.trim(() => true);
+  assert.equal(resident.count, 3);
+});
+
+test('checksums and sizes are read', () => {
+  // RFC 3720, B.4.
+  assert.equal(crc32c(new Uint8Array(32)), 0x8a9136aa);
+  assert.equal(crc32c(Uint8Array.from({ length: 32 }, (_, n) => n)), 0x46dd794e);
+  // Of the reference implementation, seed 0.
+  const text = (letters: string): Uint8Array => new TextEncoder().encode(letters);
+  assert.equal(xxh64(text('')), 0xef46db3751d8e999n);
+  assert.equal(xxh64(text('abc')), 0x44bc2cf5ad770999n);
+  assert.equal(xxh64(text('xxhash')), 0x32dd38952c4bc720n);
+  const frame = (...bytes: number[]): Uint8Array =>
+    Uint8Array.from([0x28, 0xb5, 0x2f, 0xfd, ...bytes, ...Array(12).fill(0)]);
+  assert.equal(statedSize(frame(0x20, 77)), 77);
+  assert.equal(statedSize(frame(0x60, 1, 2)), 256 + 0x201);
+  assert.equal(statedSize(frame(0xa4, 1, 2, 3, 0)), 0x30201);
+  assert.equal(statedSize(frame(0xe0, 1, 0, 0, 0, 2, 0, 0, 0)), 2 ** 33 + 1);
+  assert.equal(statedSize(frame(0x80, 99, 5, 0, 0, 0)), 5);
+  assert.equal(statedSize(frame(0x00, 99)), null);
+});
+
+test('layouts that do not fit together are refused', () => {
+  for (const wrong of [
+    { size: 10 },
+    { levels: 2 },
+    { directions: [[0, 0, 2]] },
+    { names: ['pz'] },
+    { cell: 0 },
+    { subtree: 9 },
+  ]) {
+    assert.throws(() => parseLayout({ ...DESCRIBED, ...wrong }), /zarr\.json/);
+  }
+});
+
+test('flight is faster in the height, and follows the view', () => {
+  const start = { position: [0, 12, 0] as Triple, yaw: 0, pitch: 0 };
+  const low = flown(start, { ...REST, ahead: 1 }, 0, 0, 2, 0.5);
+  assert.deepEqual(low.position, [0, 12, -3]);
+  const high = flown({ ...start, position: [0, 102, 0] }, { ...REST, right: 1 }, 1, 1, 2, 0.1);
+  assert.ok(Math.hypot(high.position[0] - 12, high.position[1] - 114, high.position[2]) < 1e-9);
+  const dive = flown({ ...start, pitch: -Math.PI / 6 }, { ...REST, ahead: 1, isHasty: true }, 0, 0, 2, 0.5);
+  assert.ok(Math.abs(dive.position[1] - 6) < 1e-9);
+});
+
+test('a viewer without a link begins above the world and looks at its middle', () => {
+  const { position, pitch } = startOf(LAYOUT);
+  assert.equal(position[0], 20);
+  assert.ok(Math.abs((position[1] - 0) / (position[2] - 20) - Math.tan(-pitch)) < 1e-9);
+  assert.ok(position[1] > 0);
+});
