@@ -37,7 +37,7 @@ STAGES: dict[str, set[str]] = {
     "stereo": {"_camera", "_render", "_scene", "hmd"},
     "gpu": {"_camera", "_metrics", "_morph", "_render"},
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
-    "orthoview": {"_camera", "_render", "_scene", "_source", "_trace"},
+    "orthoview": {"_camera", "_render", "_scene", "_source", "_trace", "lod"},
     "stream": {"_camera", "_cubemap", "_metrics", "_partition", "_reduce", "_render", "_scene", "_trace"},
     "view": {"_camera", "_cubemap", "_partition", "_reduce", "_scene", "stream"},
     "serve": {"_scene", "_trace", "stream", "view"},

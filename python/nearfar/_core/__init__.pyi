@@ -38,8 +38,11 @@ from nearfar._core.lod import (
 from nearfar._core.orthoview import (
     OrthoCells as OrthoCells,
     OrthoParent as OrthoParent,
+    OrthoRule as OrthoRule,
     OrthoSplats as OrthoSplats,
     OrthoViews as OrthoViews,
+    blend_orthoviews as blend_orthoviews,
+    expected_orthoviews as expected_orthoviews,
     orthoview_axes as orthoview_axes,
     orthoview_steps as orthoview_steps,
     orthoview_surfels as orthoview_surfels,

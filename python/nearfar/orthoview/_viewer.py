@@ -15,6 +15,7 @@ from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._render.renderable import Images
 from nearfar._scene.scene import Scene
+from nearfar.orthoview._budget import Fitter
 from nearfar.orthoview._cut import Cutter, Settings, grid_of
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
@@ -32,7 +33,7 @@ class _Parts:
     splats: list[_core.OrthoSplats]
     near: Scene | None
     """Leaves that are drawn as geometry."""
-    counts: dict[str, int]
+    counts: dict[str, float]
     """Of the cut."""
 
 
@@ -51,6 +52,7 @@ class Viewer:
 
     def __init__(self, cutter: Cutter, views: Views, near: Near) -> None:
         self.cutter, self.views, self.near = cutter, views, near
+        self._fitter = Fitter(cutter, views)
         self._lock = threading.Lock()
 
     @property
@@ -103,11 +105,10 @@ class Viewer:
     def _gathered(self, camera: Camera, settings: Settings) -> _Parts:
         """Read a picture's parts, one picture after the other: threads may share the viewer."""
         with self._lock:
-            cut = self.cutter.whole(camera, settings)
-            near = self.near.scene(self.cutter.with_guests(cut.leaf_places()))
-            keys = cut.keys()
-            counts = {"cells": len(cut), "views": len(keys), "leaves": len(cut.leaves)}
-            return _Parts(self.views.get(keys), near, counts)
+            fitted = self._fitter.fit(camera, settings)
+            near = self.near.scene(self.cutter.with_guests(fitted.cut.leaf_places()))
+            counts = {"cells": len(fitted.cut), "views": len(fitted.layers), "leaves": len(fitted.cut.leaves)}
+            return _Parts(fitted.splats, near, {**counts, "error_px": fitted.error_px})
 
 
 def _geometry(scene: Scene | None, camera: Camera, shot: Shot, grid: int) -> dict[str, Any] | None:

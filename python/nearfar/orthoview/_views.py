@@ -17,6 +17,12 @@ from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
 ViewKey = tuple[int, Place, int]
 """Level, place and direction of a view."""
 
+_SHOWN = 0.125
+"""Share of the pixels that show something in views of which none was read."""
+
+_ALL = -1
+"""Stands for all levels."""
+
 _AT_ONCE = 64
 """Views whose chunks are asked for at once."""
 
@@ -39,6 +45,8 @@ class Views:
     def __init__(self, place: str, chunks: Chunks, layout: Layout, most: int) -> None:
         self._place, self._chunks, self._layout, self._most = place, chunks, layout, most
         self._kept: OrderedDict[ViewKey, tuple[_core.OrthoSplats, ...]] = OrderedDict()
+        self._counts: dict[ViewKey, int] = {}
+        self._of_level: dict[int, tuple[int, int]] = {}
         self.bytes = 0
         """Bytes of memory of the views that are kept."""
         self.read_bytes = 0
@@ -50,14 +58,34 @@ class Views:
         """Whether a view is kept."""
         return key in self._kept
 
+    def kept(self, key: ViewKey) -> tuple[_core.OrthoSplats, ...]:
+        """The layers of a view; none if it is not kept."""
+        return self._kept.get(key, ())
+
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
         """The splats of views, of both layers, which are read where they are not kept."""
+        return [splats for layers in self.layers(keys) for splats in layers]
+
+    def expected(self, key: ViewKey) -> float:
+        """Number of a view's splats: of one that was never read the mean of its level, or of all views."""
+        known = self._counts.get(key)
+        if known is not None:
+            return known
+        total, views = self._of_level.get(key[0]) or self._of_level.get(_ALL) or (self._layout.size**2 * _SHOWN, 1)
+        return total / views
+
+    def is_counted(self, key: ViewKey) -> bool:
+        """Whether a view was read once."""
+        return key in self._counts
+
+    def layers(self, keys: Sequence[ViewKey]) -> list[tuple[_core.OrthoSplats, ...]]:
+        """The splats of views layer by layer, which are read where they are not kept."""
         missing = [key for key in keys if key not in self._kept]
         for first in range(0, len(missing), _AT_ONCE):
             self._read(missing[first : first + _AT_ONCE])
         for key in keys:
             self._kept.move_to_end(key)
-        found = [splats for key in keys for splats in self._kept[key]]
+        found = [self._kept[key] for key in keys]
         self._drop(len(keys))
         return found
 
@@ -75,7 +103,15 @@ class Views:
             for key, splats in zip(keys, side_by_side.results(jobs), strict=True):
                 self._kept[key] = splats
                 self.bytes += sum(layer.bytes for layer in splats)
+                self._count(key, sum(layer.count for layer in splats))
         self.reads += len(keys)
+
+    def _count(self, key: ViewKey, splats: int) -> None:
+        if key not in self._counts:
+            self._counts[key] = splats
+            for level in (key[0], _ALL):
+                total, views = self._of_level.get(level, (0, 0))
+                self._of_level[level] = total + splats, views + 1
 
     def _taken(self, key: ViewKey, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
         """Chunks by their channels, of the layers of the next view that show something: the first one does."""
