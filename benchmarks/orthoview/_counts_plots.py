@@ -22,8 +22,8 @@ def save_counts(
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.8), layout="constrained", width_ratios=(3, 2))
     for name, column in zip(NAMES, counts.T, strict=True):
         left.plot(column, label=name)
-    left.set(yscale="log", xlabel="frame of the walk", ylabel="splats")
-    left.legend(loc="center right")
+    left.set(yscale="log", ylim=(counts.min() / 2, counts.max() * 8), xlabel="frame of the walk", ylabel="splats")
+    left.legend(loc="upper right")
     distance, cells = within
     right.step(distance[distance > 0] / 1e3, cells[distance > 0], where="post", label="Tokyo: within this distance, km")
     right.plot(*flat, "o-", label="flat worlds of this width, leaves")
@@ -39,7 +39,7 @@ def save_changes(errors: NDArray[Any], lines: Mapping[str, NDArray[Any]], path: 
     for name, changes in lines.items():
         axis.plot(errors, changes, "o-", markersize=3, label=name)
     axis.set(xlabel="error_px of a camera that does not move", ylabel="RMS change, codes of 255")
-    axis.legend()
+    figure.legend(loc="outside upper center", ncols=2)
     finish(figure, (axis,), path)
 
 

@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.orthoview._swaps import moved
 from tests.support import need
 from tests.support.orthoview_stores import world_of
 
@@ -75,6 +76,15 @@ def test_two_levels_leave_no_more_holes_than_one(shown: Tree, scene: nf.Scene, d
         ]
         assert holes(frames[1], truth) <= holes(frames[0], truth) + 0.004
         assert frames[1].stats["splats"] != frames[0].stats["splats"]
+
+
+def test_half_a_pixel_of_error_moves_splats_by_less_than_one_where_levels_change(shown: Tree) -> None:
+    """Middles of four pixels lie √2/4 of their parent's from its own; those of steep surfaces lie farther away."""
+    found = [moved(shown, camera_at(shown, distance, angle), 0.5) for distance, angle in ((200, 0.3), (400, 2.1))]
+    pixels = np.concatenate(found)
+    assert len(pixels) > 10_000
+    assert 0.25 < np.median(pixels) / (0.5 * np.sqrt(2) / 4) < 1.5
+    assert np.quantile(pixels, 0.99) < 1
 
 
 def flight(tree: Tree) -> list[nf.Camera]:
