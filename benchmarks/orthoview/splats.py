@@ -141,9 +141,8 @@ def cuts(repeat: int) -> str:
         camera = nf.Camera((side / 2, 1.5, side / 2), fov=FOV, size=SIZE)
 
         def cut(cells: _core.OrthoCells = cells, camera: nf.Camera = camera) -> Any:
-            return cells.cut(
-                camera._core, pitch=0.0024, error=1.0, directions=DIRECTIONS, views=3, geometry=True, around=True
-            )
+            rule = _core.OrthoRule(camera._core, pitch=0.0024, error=1.0)
+            return cells.cut(camera._core, rule, directions=DIRECTIONS, views=3, geometry=True, around=True)
 
         arrays, reach, unknown = cut()
         assert not unknown

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from hypothesis import given, reject, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.orthoview._cut import OrthoCut
+from nearfar.orthoview._cut import BAND, OrthoCut
 from nearfar.orthoview._grid import Grid
 from tests.support import cut_oracle as oracle, need
 from tests.support.orthoview_cases import CORNER, boxes
@@ -80,18 +81,29 @@ def cells_of(cut: OrthoCut) -> dict[oracle.Cell, bool]:
 
 
 def check(
-    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, camera: nf.Camera, error_px: float, geometry: bool
+    tree: nf.orthoview.OrthoTree,
+    shown: Shown,
+    grid: Grid,
+    camera: nf.Camera,
+    error_px: float,
+    geometry: bool,
+    continuous: bool = False,
+    gaze: tuple[float, float] | None = None,
 ) -> oracle.Expected:
     """Compare the cuts of a viewer, within the picture and around, with those of the oracle."""
-    right = oracle.expected(shown, grid, camera, PITCH, error_px, geometry=geometry)
+    band = BAND if continuous else None
+    right = oracle.expected(shown, grid, camera, PITCH, error_px, geometry=geometry, band=band, gaze=gaze)
     if right.is_doubtful:
         raise oracle.DoubtfulError
-    around = tree.cut(camera, error_px=error_px, geometry=geometry, around=True)
-    within = tree.cut(camera, error_px=error_px, geometry=geometry)
+    settings: dict[str, Any] = {"error_px": error_px, "geometry": geometry, "continuous": continuous, "gaze": gaze}
+    around = tree.cut(camera, around=True, **settings)
+    within = tree.cut(camera, **settings)
     assert around.unknown == within.unknown == []
     assert math.isclose(around.reach, right.reach, rel_tol=1e-12)
     drawn = zip(around.level.tolist(), rows(around.place), strict=True)
     assert (set(drawn), set(rows(around.leaves))) == (right.cells, right.leaves)
+    partial = zip(around.level[around.partial].tolist(), rows(around.place[around.partial]), strict=True)
+    assert set(partial) == right.partial
     for cell, is_in in cells_of(around).items():
         margin = oracle.margin(camera, oracle.corners_of(grid, cell))
         if abs(margin) < oracle.DOUBT:
@@ -124,12 +136,46 @@ def test_a_cut_is_that_of_a_recursion_over_all_cells(
     assert leaves > 0 or name == "far away"
 
 
+@pytest.mark.parametrize("name", CAMERAS)
+def test_cells_whose_levels_blend_are_those_of_the_recursion(
+    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, name: str
+) -> None:
+    partial = 0
+    for error_px, geometry in itertools.product((0.5, 1.0, 3.7, 8.0, 12.0), (True, False)):
+        right = check(tree, shown, grid, CAMERAS[name], error_px, geometry, continuous=True)
+        assert not any(level == 0 for level, _ in right.partial)
+        partial += len(right.partial)
+    assert partial > 0 or name.startswith(("a plan", "far away"))
+
+
+@pytest.mark.parametrize("name", [name for name in CAMERAS if not name.startswith("a plan")])
+@pytest.mark.parametrize("continuous", [False, True])
+def test_cuts_are_coarser_beside_the_gaze(
+    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, name: str, continuous: bool
+) -> None:
+    # Pixels of a degree or more are coarser than what the eye sees almost anywhere.
+    finer_by, fewer = 12, 0
+    width, height = CAMERAS[name].size
+    camera = replace(CAMERAS[name], size=(finer_by * width, finer_by * height))
+    for gaze, error_px in itertools.product([(100.0, 290.0), (181.0, 480.0)], (6.0, 24.0)):
+        right = check(tree, shown, grid, camera, error_px, False, continuous, gaze)
+        evenly = tree.cut(camera, error_px=error_px, geometry=False, continuous=continuous, around=True)
+        if not continuous:
+            fewer += len(evenly) - len(right.cells)
+            # Each of its cells has, or holds, cells of the cut that is equally fine everywhere.
+            finer = set(zip(evenly.level.tolist(), rows(evenly.place), strict=True))
+            for level, (x, y, z) in finer:
+                ups = range(tree.levels - level)
+                assert any((level + up, (x >> up, y >> up, z >> up)) in right.cells for up in ups)
+    assert fewer > 0 or continuous or name in ("far away", "outside, narrow")
+
+
 coordinate = st.floats(-150, 150)
 fov = st.sampled_from([WIDE, NARROW, ASKEW, PLAN, *map(nf.CubeFace, range(6))])
 turn = st.lists(st.floats(-1, 1), min_size=4, max_size=4).filter(lambda parts: np.linalg.norm(parts) > 0.1)
 
 
-@given(st.tuples(coordinate, coordinate, coordinate), turn, fov, st.floats(0.2, 30), st.booleans())
+@given(st.tuples(coordinate, coordinate, coordinate), turn, fov, st.floats(0.2, 30), st.booleans(), st.booleans())
 def test_a_cut_of_any_viewer(
     tree: nf.orthoview.OrthoTree,
     shown: Shown,
@@ -139,11 +185,12 @@ def test_a_cut_of_any_viewer(
     fov: Any,
     error_px: float,
     geometry: bool,
+    continuous: bool,
 ) -> None:
     eye = (MIDDLE + place).tolist()
     camera = nf.Camera(eye, np.array(turn) / np.linalg.norm(turn), fov=fov, size=(48, 48))
     try:
-        check(tree, shown, grid, camera, error_px, geometry)
+        check(tree, shown, grid, camera, error_px, geometry, continuous)
     except oracle.DoubtfulError:
         reject()
 
@@ -216,6 +263,11 @@ BAD: dict[str, tuple[dict[str, Any], type[Exception], str]] = {
     "a number for geometry": ({"geometry": 1}, TypeError, "geometry: expected"),
     "a number for around": ({"around": 0}, TypeError, "around: expected"),
     "a word for around": ({"around": "yes"}, TypeError, "around: expected"),
+    "a number for continuous": ({"continuous": 1}, TypeError, "continuous: expected"),
+    "a gaze of three numbers": ({"gaze": (1, 2, 3)}, ValueError, "gaze: expected two numbers or None, got"),
+    "a gaze of one number": ({"gaze": 3.0}, ValueError, "gaze: expected two numbers or None, got"),
+    "a gaze of NaN": ({"gaze": (1, math.nan)}, ValueError, "gaze: expected"),
+    "a gaze of a plan": ({"gaze": (1, 2), "camera": CAMERAS["a plan"]}, ValueError, "gaze: expected a camera with"),
 }
 
 

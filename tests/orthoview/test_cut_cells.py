@@ -27,9 +27,8 @@ def one_cell(mask: int) -> _core.OrthoCells:
 
 
 def directions_in(cells: _core.OrthoCells, camera: nf.Camera, directions: Sequence[Direction], views: int) -> list[int]:
-    arrays, _, unknown = cells.cut(
-        camera._core, pitch=1.0, error=1.0, directions=directions, views=views, geometry=False, around=True
-    )
+    rule = _core.OrthoRule(camera._core, pitch=1.0, error=1.0)
+    arrays, _, unknown = cells.cut(camera._core, rule, directions=directions, views=views, geometry=False, around=True)
     assert unknown == []
     (numbers,) = arrays["directions"].tolist()
     assert set(numbers[views:]) <= {-1}
@@ -94,8 +93,9 @@ def flat(leaves: int) -> _core.OrthoCells:
 def counted(leaves: int, pitch: float, height: float = 0.0) -> tuple[int, int]:
     """Cells and leaves of a cut for a viewer in the middle of a flat world."""
     camera = nf.Camera((leaves / 2, height, leaves / 2), fov=nf.Fov(-1, 1, -1, 1), size=(64, 64))
+    rule = _core.OrthoRule(camera._core, pitch=pitch, error=1.0)
     arrays, _, unknown = flat(leaves).cut(
-        camera._core, pitch=pitch, error=1.0, directions=directions_of(5), views=3, geometry=True, around=True
+        camera._core, rule, directions=directions_of(5), views=3, geometry=True, around=True
     )
     assert unknown == []
     return len(arrays["level"]), len(arrays["leaf_level"])

@@ -37,12 +37,12 @@ RUST_STAGES: dict[str, set[str]] = {
     "render": {"base", "scene", "camera", "cubemap", "trace", "partition", "morph", "bend", "tessellate"},
     "stereo": {"base", "scene", "camera", "trace", "render"},
     "export": {"base", "scene"},
-    "orthoview": {"base", "scene", "camera", "trace", "render"},
     "exr": {"base"},
     "metrics": {"base", "camera"},
     "bounds": {"base"},
     "lens": {"base", "camera", "bounds"},
     "lod": {"base", "camera", "trace", "bounds", "lens"},
+    "orthoview": {"base", "scene", "camera", "trace", "render", "lod"},
 }
 """Stages of the core crate and their dependencies, in the order of lib.rs."""
 

@@ -42,6 +42,8 @@ class Expected:
     reach: float
     cells: set[Cell] = field(default_factory=set)
     leaves: set[Place] = field(default_factory=set)
+    partial: set[Cell] = field(default_factory=set)
+    """Cells that are drawn in part, which are among `cells`."""
     is_doubtful: bool = False
     """Whether roundings decide about a level."""
 
@@ -70,27 +72,77 @@ def nearest(eye: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np
     return float(np.linalg.norm(np.maximum(0, np.maximum(low - eye, eye - high))))
 
 
+def seen_from(
+    camera: nf.Camera, low: NDArray[np.float64], high: NDArray[np.float64], sight: NDArray[np.float64] | None
+) -> tuple[float, float]:
+    """Bounds of the apparent distances of a box's points: those from the eye over the acuity beside the sight."""
+    eye = np.array(camera.position)
+    least, most = nearest(eye, low, high), max(float(np.linalg.norm(corner - eye)) for corner in box_corners(low, high))
+    if sight is None:
+        return least, most
+    middle = (low + high) / 2 - eye
+    away = math.degrees(math.acos(np.clip(middle @ sight / np.linalg.norm(middle) / np.linalg.norm(sight), -1, 1)))
+    radius = float(np.linalg.norm(high - low)) / 2
+    half = math.degrees(math.asin(radius / np.linalg.norm(middle))) if radius < np.linalg.norm(middle) else 180.0
+    pixel_deg = math.degrees(math.atan(pixel(camera)))
+    sharp, dull = nf.lod.acuity([max(away - half, 0), min(away + half, 180)], pixel_deg=pixel_deg)
+    return least / float(sharp), most / float(dull)
+
+
+def sight_through(camera: nf.Camera, gaze: tuple[float, float]) -> NDArray[np.float64]:
+    """The direction through a whole place in a picture: the mean of the four pixels about it at a depth of 1."""
+    (x, y), (_, ahead) = map(int, gaze), camera.rays()
+    through = ahead[y - 1 : y + 1, x - 1 : x + 1]
+    sight: NDArray[np.float64] = (through / (through @ camera_axis(camera))[..., None]).mean(axis=(0, 1))
+    return sight
+
+
+def camera_axis(camera: nf.Camera) -> NDArray[np.float64]:
+    """Where a camera looks."""
+    if isinstance(camera.fov, nf.CubeFace):
+        return np.array(FACES[camera.fov.face][2], np.float64)
+    x, y, z, w = camera.orientation
+    forward: NDArray[np.float64] = -trimesh.transformations.quaternion_matrix([w, x, y, z])[:3, 2]
+    return forward
+
+
+def box_corners(low: NDArray[np.float64], high: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    return [np.where(np.array(side), high, low) for side in itertools.product((False, True), repeat=3)]
+
+
 def expected(
-    shown: Mapping[Cell, int], grid: Grid, camera: nf.Camera, pitch: float, error_px: float, *, geometry: bool
+    shown: Mapping[Cell, int],
+    grid: Grid,
+    camera: nf.Camera,
+    pitch: float,
+    error_px: float,
+    *,
+    geometry: bool,
+    band: float | None = None,
+    gaze: tuple[float, float] | None = None,
 ) -> Expected:
     """The cut of a tree whose cells that are `shown` have something; `pitch` is the width of a leaf's pixel."""
     found = Expected(pitch / (pixel(camera) * error_px))
     is_parallel = isinstance(camera.fov, nf.Orthographic)
-    eye = np.array(camera.position)
+    sight = None if gaze is None else sight_through(camera, gaze)
 
     def visit(level: int, place: Place) -> None:
         if (level, place) not in shown:
             return
         low, high = grid.box(level, place)
         # For parallel rays a pixel of the picture is as wide anywhere as it is at 1 m for others.
-        distance = 1.0 if is_parallel else nearest(eye, low, high)
+        near, far = (1.0, 1.0) if is_parallel else seen_from(camera, low, high, sight)
         needed = 2**level * found.reach
-        found.is_doubtful |= abs(distance - needed) < DOUBT
-        if distance >= needed or (level == 0 and not geometry):
+        bounds = [needed] if band is None or level == 0 else [needed, needed * (1 + band)]
+        found.is_doubtful |= any(abs(at - bound) < DOUBT for at in (near, far) for bound in bounds)
+        if near >= bounds[-1] or (level == 0 and not geometry):
             found.cells.add((level, place))
         elif level == 0:
             found.leaves.add(place)
         else:
+            if len(bounds) == 2 and far >= needed:
+                found.cells.add((level, place))
+                found.partial.add((level, place))
             for _, child in grid.children(level, place):
                 visit(level - 1, child)
 

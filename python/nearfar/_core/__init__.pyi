@@ -38,10 +38,13 @@ from nearfar._core.lod import (
 from nearfar._core.orthoview import (
     OrthoCells as OrthoCells,
     OrthoParent as OrthoParent,
+    OrthoRule as OrthoRule,
     OrthoSplats as OrthoSplats,
     OrthoViews as OrthoViews,
+    blend_orthoviews as blend_orthoviews,
     blend_past as blend_past,
     blur_motion as blur_motion,
+    expected_orthoviews as expected_orthoviews,
     orthoview_axes as orthoview_axes,
     orthoview_steps as orthoview_steps,
     orthoview_surfels as orthoview_surfels,

@@ -70,6 +70,10 @@ class OrthoSplats:
     @property
     def bytes(self) -> int: ...
 
+_View = tuple[Sequence[OrthoSplats], int, Sequence[int], int, bool]
+
+def blend_orthoviews(views: Sequence[_View], rule: OrthoRule) -> list[list[OrthoSplats]]: ...
+def expected_orthoviews(views: Sequence[_View], rule: OrthoRule) -> float: ...
 def splat_orthoviews(
     views: Sequence[OrthoSplats],
     camera: Camera,
@@ -91,6 +95,18 @@ def blur_motion(picture: _Picture, poses: Sequence[Camera]) -> NDArray[np.float3
 
 # cuts ---------------------------------------------------------------------------------------------------------------
 @final
+class OrthoRule:
+    def __new__(
+        cls,
+        camera: Camera,
+        *,
+        pitch: float,
+        error: float,
+        band: float | None = None,
+        gaze: tuple[Sequence[float], float, float] | None = None,
+    ) -> OrthoRule: ...
+
+@final
 class OrthoCells:
     def __new__(cls, origin: Sequence[float], side: float, levels: int, subtree: int) -> OrthoCells: ...
     def add(self, tier: int, place: Sequence[int], levels: Sequence[NDArray[np.uint32]]) -> None: ...
@@ -99,9 +115,8 @@ class OrthoCells:
     def cut(
         self,
         camera: Camera,
+        rule: OrthoRule,
         *,
-        pitch: float,
-        error: float,
         directions: Sequence[_Direction],
         views: int,
         geometry: bool,

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._camera.camera import Camera
+from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
 from nearfar.orthoview._directions import widest
 from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._guests import Guests
@@ -20,6 +21,9 @@ from nearfar.orthoview._store import Cells
 
 MOST_VIEWS = 8
 """Greatest number of views of a cell."""
+
+BAND = 0.25
+"""Width of the band of distances in which a level's splats take the places of finer ones, over its nearest distance."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +36,12 @@ class Settings:
     """Greatest width of a view's pixels, in pixels of the picture."""
     geometry: bool = True
     """Whether leaves so near that their views are too coarse are drawn as geometry."""
+    continuous: bool = False
+    """Whether levels change splat by splat."""
+    gaze: tuple[float, float] | None = None
+    """Place in the picture that the viewer looks at, pixels; None for a picture that is equally fine everywhere."""
+    budget: int | None = None
+    """Greatest number of splats; None for any."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +58,8 @@ class OrthoCut:
     """Distance of its nearest point from the viewer (N,), metres."""
     in_picture: NDArray[np.bool_]
     """Whether it reaches into the picture (N,)."""
+    partial: NDArray[np.bool_]
+    """Whether only some of its splats are drawn, and those of cells below it in the places of the others (N,)."""
     leaves: NDArray[np.int64]
     """Places of the leaves that are drawn as geometry (M, 3)."""
     leaf_distance: NDArray[np.float64]
@@ -55,14 +67,19 @@ class OrthoCut:
     leaf_in_picture: NDArray[np.bool_]
     """Whether they reach into the picture (M,)."""
     reach: float
-    """Distance from which on leaves are drawn from views, metres; cells of level k from 2ᵏ times as far. For parallel
-    rays the width of a leaf's pixel in pixels of the picture, over `error_px`."""
+    """Distance from which on leaves are drawn from views, metres; cells of level k from 2ᵏ times as far, beside a gaze
+    from less. For parallel rays the width of a leaf's pixel in pixels of the picture, over `error_px`."""
     unknown: list[tuple[int, Place]] = field(default_factory=list, repr=False)
     """Tiers and places of subtrees that were not read: the cells above stand for theirs. Cuts of trees have none."""
 
     def __len__(self) -> int:
         """Number of cells that are drawn from views."""
         return len(self.level)
+
+    def parts(self) -> list[bool]:
+        """Of each view in `keys` whether only some of its splats are drawn."""
+        counts = (self.directions >= 0).sum(axis=1)
+        return list(np.repeat(self.partial, counts).tolist())
 
     def keys(self, in_picture: bool = False) -> list[tuple[int, Place, int]]:
         """Level, place and direction of each view, the nearest cells first; of those in the picture alone if asked."""
@@ -126,12 +143,21 @@ class Cutter:
         self._guests |= cells.guests
         self._known.add((tier, place))
 
+    def rule(self, camera: Camera, settings: Settings) -> _core.OrthoRule:
+        """From which distance on a level is drawn."""
+        return _core.OrthoRule(
+            camera._core,
+            pitch=self._pitch,
+            error=settings.error_px,
+            band=BAND if settings.continuous else None,
+            gaze=None if settings.gaze is None else (settings.gaze, ACUITY_SLOPE, ACUITY_LIMIT_DEG),
+        )
+
     def cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
         """The cut with the subtrees that are known."""
         arrays, reach, unknown = self._cells.cut(
             camera._core,
-            pitch=self._pitch,
-            error=settings.error_px,
+            self.rule(camera, settings),
             directions=self._layout.directions,
             views=settings.views,
             geometry=settings.geometry and self._layout.geometry,
@@ -156,6 +182,7 @@ def _cut_of(arrays: dict[str, Any], unknown: list[tuple[int, list[int]]], reach:
         directions=np.ascontiguousarray(arrays["directions"][:, :views]),
         distance=arrays["distance"],
         in_picture=arrays["in_picture"],
+        partial=arrays["partial"],
         leaves=arrays["leaf_place"],
         leaf_distance=arrays["leaf_distance"],
         leaf_in_picture=arrays["leaf_in_picture"],

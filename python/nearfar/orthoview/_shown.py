@@ -26,6 +26,9 @@ from nearfar.orthoview._open import Opened
 from nearfar.orthoview._stored import StoredTree
 from nearfar.orthoview._viewer import Viewer
 
+MOST_SPLATS = (1 << 32) - 2
+"""Greatest number of splats of a picture."""
+
 CACHE_BYTES = 1 << 30
 """Bytes of memory for views by default."""
 
@@ -115,6 +118,8 @@ class ShownTree(StoredTree, Renderable):
         error_px: SupportsFloat = 1.0,
         geometry: bool = True,
         around: bool = False,
+        continuous: bool = False,
+        gaze: tuple[SupportsFloat, SupportsFloat] | None = None,
     ) -> OrthoCut:
         """Return the cells that a viewer sees: leaves near it as geometry, others from views, the coarser the farther.
 
@@ -133,6 +138,12 @@ class ShownTree(StoredTree, Renderable):
             views are drawn at any distance.
         around
             Whether cells outside of the picture count, too: viewers turn faster than views arrive.
+        continuous
+            Whether levels change splat by splat: then cells of two levels are drawn in a band of distances, some splats
+            of each.
+        gaze
+            Place in the picture that the viewer looks at, pixels: `error_px` is over `nearfar.lod.acuity` beside it, at
+            the least angle of a cell's points. None for a picture that is equally fine everywhere.
 
         Returns
         -------
@@ -153,7 +164,7 @@ class ShownTree(StoredTree, Renderable):
         ----------
         Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.2.
         """
-        settings = settings_of(views, error_px, geometry)
+        settings = settings_of(views, error_px, geometry, continuous, gaze)
         own = check.instance("camera", camera, Camera)
         return self._viewer.cutter.whole(own, settings, around=check.flag("around", around))
 
@@ -164,6 +175,9 @@ class ShownTree(StoredTree, Renderable):
         views: SupportsIndex = 3,
         error_px: SupportsFloat = 1.0,
         geometry: bool = True,
+        continuous: bool = False,
+        gaze: tuple[SupportsFloat, SupportsFloat] | None = None,
+        budget: SupportsIndex | None = None,
         t_min: float = 0.0,
         t_max: float = math.inf,
         clip: Clip | None = None,
@@ -176,8 +190,11 @@ class ShownTree(StoredTree, Renderable):
         ----------
         camera
             The view, with any projection.
-        views, error_px, geometry
+        views, error_px, geometry, continuous, gaze
             As in `cut`.
+        budget
+            Greatest number of splats in `stats`, None for any: the error is the least one from `error_px` on for which
+            they are no more. Where no error is great enough, views are left out.
         t_min, t_max, clip
             As in `nearfar.render`; a splat is drawn if its middle is within them.
         samples
@@ -190,9 +207,10 @@ class ShownTree(StoredTree, Renderable):
         Returns
         -------
         Frame
-            The bytes are the same for any number of threads. `stats` counts the `cells` and `views` of the cut, its
-            `leaves` of geometry, all `splats` of the views, `splats_in_picture` of parts that reach into it,
-            `splats_seen` of those that are not hidden, and `splats_projected`, once for each tile of the screen.
+            The bytes are the same for any number of threads. `stats` has the `error_px` that was chosen and counts the
+            `cells` and `views` of the cut, its `leaves` of geometry, all `splats` of the views, `splats_in_picture` of
+            parts that reach into it, `splats_seen` of those that are not hidden, and `splats_projected`, once for each
+            tile of the screen.
 
         Raises
         ------
@@ -209,7 +227,10 @@ class ShownTree(StoredTree, Renderable):
         """
         shown = copy.copy(self)
         shown.__dict__["_viewer"] = self._viewer  # views that it reads are kept for the next picture
-        shown._settings = settings_of(views, error_px, geometry)
+        settings = settings_of(views, error_px, geometry, continuous, gaze)
+        shown._settings = replace(
+            settings, budget=None if budget is None else check.integer("budget", budget, 1, MOST_SPLATS)
+        )
         renderer = Renderer(shown, channels, samples, argument="tree")
         (frame,) = renderer.frames(renderer.shot([camera], None, t_min, t_max, clip), None, None)
         return frame
@@ -220,11 +241,25 @@ class ShownTree(StoredTree, Renderable):
         return self._viewer.draw(shot, self._settings, self._movers, report)
 
 
-def settings_of(views: SupportsIndex, error_px: SupportsFloat, geometry: bool) -> Settings:
+def settings_of(
+    views: SupportsIndex,
+    error_px: SupportsFloat,
+    geometry: bool,
+    continuous: bool = False,
+    gaze: tuple[SupportsFloat, SupportsFloat] | None = None,
+) -> Settings:
     """The settings that a caller asks for."""
-    return replace(
-        Settings(),
+    return Settings(
         views=check.integer("views", views, 1, MOST_VIEWS),
         error_px=check.positive("error_px", error_px),
         geometry=check.flag("geometry", geometry),
+        continuous=check.flag("continuous", continuous),
+        gaze=None if gaze is None else _pixel(gaze),
     )
+
+
+def _pixel(gaze: tuple[SupportsFloat, SupportsFloat]) -> tuple[float, float]:
+    if not isinstance(gaze, Sequence) or len(gaze) != 2:
+        raise ValueError(f"gaze: expected two numbers or None, got {check.shortened(repr(gaze))}")
+    x, y = gaze
+    return check.number("gaze", x), check.number("gaze", y)

@@ -16,6 +16,7 @@ from nearfar._camera.shot import Shot
 from nearfar._render.renderable import Images
 from nearfar._scene.joined import joined
 from nearfar._scene.scene import Scene
+from nearfar.orthoview._budget import Fitter
 from nearfar.orthoview._cut import Cutter, Settings, grid_of
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
@@ -35,7 +36,7 @@ class Parts:
     """Leaves that are drawn as geometry."""
     movers: Scene | None
     """What moves."""
-    counts: dict[str, int]
+    counts: dict[str, float]
     """Of the cut."""
 
 
@@ -54,6 +55,7 @@ class Viewer:
 
     def __init__(self, cutter: Cutter, views: Views, near: Near) -> None:
         self.cutter, self.views, self.near = cutter, views, near
+        self._fitter = Fitter(cutter, views)
         self._lock = threading.Lock()
 
     @property
@@ -107,11 +109,10 @@ class Viewer:
     def _gathered(self, camera: Camera, settings: Settings, movers: Scene | None) -> Parts:
         """Read a picture's parts, one picture after the other: threads may share the viewer."""
         with self._lock:
-            cut = self.cutter.whole(camera, settings)
-            near = self.near.scene(self.cutter.with_guests(cut.leaf_places()))
-            keys = cut.keys()
-            counts = {"cells": len(cut), "views": len(keys), "leaves": len(cut.leaves)}
-            return Parts(self.views.get(keys), near, movers, counts)
+            fitted = self._fitter.fit(camera, settings)
+            near = self.near.scene(self.cutter.with_guests(fitted.cut.leaf_places()))
+            counts = {"cells": len(fitted.cut), "views": len(fitted.layers), "leaves": len(fitted.cut.leaves)}
+            return Parts(fitted.splats, near, movers, {**counts, "error_px": fitted.error_px})
 
 
 def _geometry(

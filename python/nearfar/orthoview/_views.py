@@ -18,6 +18,12 @@ from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
 ViewKey = tuple[int, Place, int]
 """Level, place and direction of a view."""
 
+_SHOWN = 0.125
+"""Share of the pixels that show something in views of which none was read."""
+
+_ALL = -1
+"""Stands for all levels."""
+
 _AT_ONCE = 64
 """Views whose chunks are asked for at once."""
 
@@ -44,6 +50,8 @@ class Views:
         self._old: set[ViewKey] = set()
         """Views that an update has changed since they were read."""
         self._lock = threading.Lock()
+        self._counts: dict[ViewKey, int] = {}
+        self._of_level: dict[int, tuple[int, int]] = {}
         self.bytes = 0
         """Bytes of memory of the views that are kept."""
         self.read_bytes = 0
@@ -58,10 +66,26 @@ class Views:
 
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
         """The splats of views, of both layers, which are read where they are not kept."""
+        return [splats for layers in self.layers(keys) for splats in layers]
+
+    def layers(self, keys: Sequence[ViewKey]) -> list[tuple[_core.OrthoSplats, ...]]:
+        """The splats of views layer by layer, which are read where they are not kept."""
         self.load(keys)
-        found = [splats for key in keys for splats in self.kept(key)]
+        found = [self.kept(key) for key in keys]
         self.trim(set(keys))
         return found
+
+    def expected(self, key: ViewKey) -> float:
+        """Number of a view's splats: of one that was never read the mean of its level, or of all views."""
+        known = self._counts.get(key)
+        if known is not None:
+            return known
+        total, views = self._of_level.get(key[0]) or self._of_level.get(_ALL) or (self._layout.size**2 * _SHOWN, 1)
+        return total / views
+
+    def is_counted(self, key: ViewKey) -> bool:
+        """Whether a view was read once."""
+        return key in self._counts
 
     def load(self, keys: Sequence[ViewKey]) -> None:
         """Read the views that are not kept; threads may do so at the same time."""
@@ -70,8 +94,10 @@ class Views:
             self._read(missing[first : first + _AT_ONCE])
 
     def kept(self, key: ViewKey) -> tuple[_core.OrthoSplats, ...]:
-        """The splats of a view that is kept; it counts as used now."""
+        """The layers of a view, which counts as used now; none if it is not kept."""
         with self._lock:
+            if key not in self._kept:
+                return ()
             self._kept.move_to_end(key)
             return self._kept[key]
 
@@ -118,6 +144,7 @@ class Views:
             self._kept[key] = splats
             self.bytes += sum(layer.bytes for layer in splats)
             self._directions[level, place] = self._directions.get((level, place), frozenset()) | {direction}
+            self._count(key, sum(layer.count for layer in splats))
 
     def _read(self, keys: Sequence[ViewKey]) -> None:
         layers = ("", BEHIND)[: self._layout.layers]
@@ -133,6 +160,13 @@ class Views:
             jobs = [partial(self._decoded, key, channels) for key, channels in zip(keys, taken, strict=True)]
             for key, channels, splats in zip(keys, taken, side_by_side.results(jobs), strict=True):
                 self._keep(key, splats, sum(len(chunk) for layer in channels for chunk in layer.values()))
+
+    def _count(self, key: ViewKey, splats: int) -> None:
+        if key not in self._counts:
+            self._counts[key] = splats
+            for level in (key[0], _ALL):
+                total, views = self._of_level.get(level, (0, 0))
+                self._of_level[level] = total + splats, views + 1
 
     def _taken(self, key: ViewKey, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
         """Chunks by their channels, of the layers of the next view that show something: the first one does."""

@@ -22,12 +22,12 @@ pub mod tessellate;
 pub mod render;
 pub mod stereo;
 pub mod export;
-pub mod orthoview;
 pub mod exr;
 pub mod metrics;
 pub mod bounds;
 pub mod lens;
 pub mod lod;
+pub mod orthoview;
 
 #[cfg(test)]
 mod tests;

@@ -3,7 +3,7 @@
 use std::sync::{PoisonError, RwLock};
 
 use glam::{DVec3, UVec3};
-use nearfar_core::orthoview::cut::{Cells, Drawn, Grid, View, cut};
+use nearfar_core::orthoview::cut::{Cells, Drawn, Gaze, Grid, Rule, View, cut};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -17,6 +17,27 @@ use crate::convert::run;
 /// The cells of a tree in which something is, by the subtrees that were added.
 #[pyclass(frozen, module = "nearfar._core")]
 pub(crate) struct OrthoCells(RwLock<Cells>);
+
+/// From which distance on a level is drawn by a viewer; `band` is the width of the band in which its splats take the places
+/// of finer ones, and `gaze` has a place in the picture, and the slope and the limit of the eye's acuity.
+#[pyclass(frozen, module = "nearfar._core")]
+pub(crate) struct OrthoRule(pub Rule);
+
+#[pymethods]
+impl OrthoRule {
+    #[new]
+    #[pyo3(signature = (camera, *, pitch, error, band=None, gaze=None))]
+    fn new(
+        camera: &Camera,
+        pitch: f64,
+        error: f64,
+        band: Option<f64>,
+        gaze: Option<([f64; 2], f64, f64)>,
+    ) -> PyResult<Self> {
+        let gaze = gaze.map(|(pixel, slope, limit)| Gaze { pixel, slope, limit });
+        Rule::new(&camera.0, pitch, error, band, gaze.as_ref()).map(Self).map_err(to_python)
+    }
+}
 
 /// Tier and place of a subtree.
 type Subtree = (u32, [u32; 3]);
@@ -48,20 +69,19 @@ impl OrthoCells {
     /// "leaf_", of those that are drawn as geometry; the distance at which a leaf's pixels are as fine as
     /// wanted; and the subtrees that are to be added.
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-    #[pyo3(signature = (camera, *, pitch, error, directions, views, geometry, around))]
+    #[pyo3(signature = (camera, rule, *, directions, views, geometry, around))]
     fn cut<'py>(
         &self,
         py: Python<'py>,
         camera: &Camera,
-        pitch: f64,
-        error: f64,
+        rule: &OrthoRule,
         directions: Vec<[i8; 3]>,
         views: usize,
         geometry: bool,
         around: bool,
     ) -> PyResult<(Bound<'py, PyDict>, f64, Vec<Subtree>)> {
         let directions = directions_of(directions)?;
-        let view = View { camera: &camera.0, pitch, error, directions: &directions, views, geometry, around };
+        let view = View { camera: &camera.0, rule: rule.0, directions: &directions, views, geometry, around };
         let found = run::short(py, || cut(&self.0.read().unwrap_or_else(PoisonError::into_inner), &view))?;
         let arrays = PyDict::new(py);
         for (prefix, cells) in [("", &found.cells), ("leaf_", &found.leaves)] {
@@ -70,6 +90,8 @@ impl OrthoCells {
         let numbers = found.cells.iter().map(|cell| -> [i8; Drawn::MOST] {
             std::array::from_fn(|n| if n < cell.count { cell.directions[n] as i8 } else { -1 })
         });
+        let partial = found.cells.iter().map(|cell| cell.is_partial);
+        arrays.set_item("partial", PyArray1::from_iter(py, partial))?;
         arrays.set_item("directions", array_of_rows(py, numbers.collect())?)?;
         let unknown = found.unknown.into_iter().map(|(tier, place)| (tier, place.to_array())).collect();
         Ok((arrays, found.reach, unknown))

@@ -1,12 +1,14 @@
 //! Bindings of `orthoview::splat`.
 
-use glam::DVec3;
+use glam::{DVec3, UVec3};
 use nearfar_core::orthoview::Cell;
-use nearfar_core::orthoview::splat::{Picture, Splats, draw};
+use nearfar_core::orthoview::splat::{Picture, Placed, Splats, blended, draw, expected};
 use numpy::PyReadonlyArray4;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use super::cut::OrthoRule;
 use super::views::OrthoViews;
 use crate::camera::Camera;
 use crate::convert::errors::to_python;
@@ -55,6 +57,47 @@ impl OrthoSplats {
     fn bytes(&self) -> usize {
         self.0.bytes()
     }
+}
+
+/// A view of a cut: its layers, level, place and direction, and whether finer cells are drawn in the places of some of its
+/// splats.
+type View<'py> = (Vec<Bound<'py, OrthoSplats>>, u32, [u32; 3], u8, bool);
+
+fn placed<'a>(views: &'a [View<'_>]) -> PyResult<Vec<Placed<'a>>> {
+    let one = |(layers, level, place, direction, is_partial): &'a View<'_>| {
+        if layers.is_empty() {
+            return Err(PyValueError::new_err("views: expected at least one layer of each, got none"));
+        }
+        let layers = layers.iter().map(|layer| &layer.get().0).collect();
+        let cell = (*level, UVec3::from_array(*place));
+        Ok(Placed { cell, direction: *direction, is_partial: *is_partial, layers })
+    };
+    views.iter().map(one).collect()
+}
+
+/// The layers of a cut's views with those splats that are drawn where levels blend.
+#[pyfunction]
+pub(crate) fn blend_orthoviews<'py>(
+    py: Python<'py>,
+    views: Vec<View<'py>>,
+    rule: &OrthoRule,
+) -> PyResult<Vec<Vec<Bound<'py, OrthoSplats>>>> {
+    let found = {
+        let placed = placed(&views)?;
+        run::short(py, || Ok(blended(&placed, &rule.0)))?
+    };
+    let layer = |(whole, part): (Bound<'py, OrthoSplats>, Option<Splats>)| match part {
+        Some(part) => Bound::new(py, OrthoSplats(part)),
+        None => Ok(whole),
+    };
+    views.into_iter().zip(found).map(|(view, parts)| view.0.into_iter().zip(parts).map(layer).collect()).collect()
+}
+
+/// About how many splats `blend_orthoviews` would leave.
+#[pyfunction]
+pub(crate) fn expected_orthoviews(py: Python<'_>, views: Vec<View<'_>>, rule: &OrthoRule) -> PyResult<f64> {
+    let placed = placed(&views)?;
+    run::short(py, || Ok(expected(&placed, &rule.0)))
 }
 
 /// The images of a picture of views by name, and its counts as `stats`. `grid` is the number of samples along each axis of

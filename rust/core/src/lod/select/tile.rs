@@ -280,7 +280,7 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts
 
 impl Acuity {
     /// Factor by which acuity shrinks lengths at the nearest edge of a sphere with half angle μ.
-    fn scale(&self, offset: DVec3, mu: f64) -> f64 {
+    pub fn scale(&self, offset: DVec3, mu: f64) -> f64 {
         let offset = offset / offset.abs().max_element();
         let away = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;
         (self.best / (self.slope * away.max(0.0).to_degrees() + self.limit)).min(1.0)

@@ -2,7 +2,9 @@
 
 mod cells;
 mod frustum;
+mod rule;
 mod traverse;
 
 pub use cells::{Cells, Grid, Known};
+pub use rule::{Gaze, Rule};
 pub use traverse::{Cut, Drawn, View, cut};

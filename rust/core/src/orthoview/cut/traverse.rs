@@ -5,6 +5,7 @@ use glam::{DVec3, UVec3};
 
 use super::cells::{Cells, Known};
 use super::frustum::{Frustum, Side};
+use super::rule::Rule;
 use crate::base::{Error, Result};
 use crate::camera::Camera;
 use crate::orthoview::direction::Direction;
@@ -14,10 +15,8 @@ use crate::orthoview::direction::Direction;
 pub struct View<'a> {
     /// The camera.
     pub camera: &'a Camera,
-    /// Width of the pixels of a leaf's views, metres.
-    pub pitch: f64,
-    /// Greatest width of a view's pixels, in pixels of the picture.
-    pub error: f64,
+    /// From which distance on a level is drawn.
+    pub rule: Rule,
     /// The tree's directions.
     pub directions: &'a [Direction],
     /// Number of views of a cell.
@@ -39,6 +38,8 @@ pub struct Drawn {
     pub distance: f64,
     /// Whether it reaches into the picture.
     pub in_picture: bool,
+    /// Whether some of its splats are drawn only, and cells below it in the places of the others.
+    pub is_partial: bool,
     /// The numbers of directions, the nearest one first, from the first `count` of which it is drawn.
     pub directions: [u8; Self::MOST],
     /// Number of its views.
@@ -69,19 +70,14 @@ pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
     if !(1..=Drawn::MOST).contains(&view.views) {
         return Err(Error::value("views", format!("1 to {}", Drawn::MOST), view.views));
     }
-    for (name, value) in [("pitch", view.pitch), ("error_px", view.error)] {
-        if !value.is_finite() || value <= 0.0 {
-            return Err(Error::value(name, "a finite number above 0", value));
-        }
-    }
     if view.directions.len() > 32 {
         return Err(Error::value("directions", "at most 32", view.directions.len()));
     }
     let units = view.directions.iter().map(|direction| direction.frame().axes()[2]).collect();
     let frustum = Frustum::new(view.camera);
     let toward = view.camera.is_parallel().then(|| -view.camera.ray(0.0, 0.0).1);
-    let reach = view.pitch / (view.camera.pixel_size() * view.error);
-    let mut traversal = Traversal { cells, view, units, frustum, toward, cut: Cut { reach, ..Cut::default() } };
+    let cut = Cut { reach: view.rule.reach, ..Cut::default() };
+    let mut traversal = Traversal { cells, view, units, frustum, toward, cut };
     let top = cells.grid.levels - 1;
     match cells.at(top, UVec3::ZERO) {
         Known::Not => traversal.cut.unknown.push(cells.subtree_of(top, UVec3::ZERO)),
@@ -91,6 +87,14 @@ pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
     cut.cells.sort_by(|one, other| one.distance.total_cmp(&other.distance));
     cut.leaves.sort_by(|one, other| one.distance.total_cmp(&other.distance));
     Ok(cut)
+}
+
+/// Where a cell's pixels are as fine as wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fineness {
+    Whole,
+    Parts,
+    Nowhere,
 }
 
 struct Traversal<'a> {
@@ -113,29 +117,27 @@ impl Traversal<'_> {
         if mask == 0 || (lies == Side::Outside && !self.view.around) {
             return;
         }
-        let eye = self.view.camera.position;
-        let distance = (eye - eye.clamp(corner, corner + side)).length();
-        let drawn = self.drawn(level, place, distance, lies != Side::Outside);
-        if self.is_fine(level, distance) {
-            self.draw(drawn, center, mask);
-        } else if level == 0 {
-            if self.view.geometry {
-                self.cut.leaves.push(drawn);
-            } else {
-                self.draw(drawn, center, mask);
-            }
-        } else {
-            self.refine(drawn, center, mask, lies);
+        let drawn = self.drawn(level, place, self.view.rule.distance(corner, side), lies != Side::Outside);
+        match self.fineness(level, corner, side) {
+            Fineness::Whole => self.draw(drawn, center, mask),
+            Fineness::Parts => self.refine(Drawn { is_partial: true, ..drawn }, center, mask, lies),
+            Fineness::Nowhere if level > 0 => self.refine(drawn, center, mask, lies),
+            Fineness::Nowhere if self.view.geometry => self.cut.leaves.push(drawn),
+            Fineness::Nowhere => self.draw(drawn, center, mask),
         }
     }
 
-    /// Whether a cell's pixels are as fine as the picture's at a distance.
-    fn is_fine(&self, level: u32, distance: f64) -> bool {
-        let coarser = (1u64 << level) as f64;
-        if self.toward.is_some() { self.cut.reach * coarser <= 1.0 } else { distance >= self.cut.reach * coarser }
+    /// Where a cell's pixels are as fine as wanted. Leaves are drawn as wholes, since nothing finer blends with them.
+    fn fineness(&self, level: u32, corner: DVec3, side: f64) -> Fineness {
+        let ([nearest, farthest], start) = (self.view.rule.bounds(corner, side), self.view.rule.start(level));
+        match self.view.rule.band.filter(|_| level > 0) {
+            Some(band) if nearest < start * (1.0 + band) && farthest >= start => Fineness::Parts,
+            _ if nearest >= start => Fineness::Whole,
+            _ => Fineness::Nowhere,
+        }
     }
 
-    /// Visits the children of a cell, or draws it if they are not known.
+    /// Visits the children of a cell and draws it if it is partial; draws it as a whole if they are not known.
     fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, lies: Side) {
         let level = drawn.level - 1;
         let octants = (0..8u32).map(|n| UVec3::new(n >> 2, n >> 1 & 1, n & 1));
@@ -144,8 +146,11 @@ impl Traversal<'_> {
         if children.iter().any(|(_, known)| *known == Known::Not) {
             // All children of a cell lie in one subtree.
             self.cut.unknown.push(self.cells.subtree_of(level, children[0].0));
-            self.draw(drawn, center, mask);
+            self.draw(Drawn { is_partial: false, ..drawn }, center, mask);
             return;
+        }
+        if drawn.is_partial {
+            self.draw(drawn, center, mask);
         }
         for (place, known) in children {
             if let Known::Cell(mask) = known {
@@ -155,7 +160,7 @@ impl Traversal<'_> {
     }
 
     fn drawn(&self, level: u32, place: UVec3, distance: f64, in_picture: bool) -> Drawn {
-        Drawn { level, place, distance, in_picture, directions: [0; Drawn::MOST], count: 0 }
+        Drawn { level, place, distance, in_picture, is_partial: false, directions: [0; Drawn::MOST], count: 0 }
     }
 
     /// Draws a cell from the directions nearest to the viewer's, of those from which it shows something.

@@ -4,6 +4,7 @@
 //! screen is divided into tiles, each of which belongs to one thread: it draws the views' boxes nearest first, and leaves
 //! out those that lie behind what is drawn. Of all splats at a sample the nearest one counts.
 
+mod blend;
 mod draw;
 mod lanes;
 mod part;
@@ -13,6 +14,7 @@ mod resolve;
 mod screen;
 mod splats;
 
+pub use blend::{Placed, blended, expected};
 pub use draw::draw;
 pub use picture::{Counts, Picture};
 pub use splats::Splats;

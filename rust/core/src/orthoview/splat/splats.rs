@@ -182,6 +182,46 @@ impl Splats {
         (block.shown != 0).then_some(block)
     }
 
+    /// The splats of which `bits`, given their block, says that they stay.
+    pub(super) fn kept(&self, bits: impl Fn(&Block) -> u64) -> Self {
+        let mut kept = Self { boxes: vec![], blocks: vec![], texels: vec![], ..*self };
+        for contents in &self.boxes {
+            let (first, texel) = (kept.blocks.len(), kept.texels.len());
+            let mut extent = Extent::NOTHING;
+            for block in &self.blocks[contents.blocks[0] as usize..contents.blocks[1] as usize] {
+                let bits = bits(block) & block.shown;
+                if bits != 0 {
+                    let block = kept.keep(&self.texels[block.first as usize..], block, bits);
+                    extent.add(&block.extent);
+                    kept.blocks.push(block);
+                }
+            }
+            if first < kept.blocks.len() {
+                let blocks = [first as u32, kept.blocks.len() as u32];
+                kept.boxes.push(BoxOfBlocks { extent, blocks, count: (kept.texels.len() - texel) as u32 });
+            }
+        }
+        kept
+    }
+
+    /// Takes some splats of a block of another view.
+    fn keep(&mut self, texels: &[Packed], block: &Block, bits: u64) -> Block {
+        let first = self.texels.len() as u32;
+        let (mut shown, mut extent) = (block.shown, Extent::NOTHING);
+        for texel in &texels[..shown.count_ones() as usize] {
+            let bit = shown.trailing_zeros();
+            if bits >> bit & 1 == 1 {
+                let [x, y] =
+                    [block.corner[0] + (bit as usize % BLOCK) as u16, block.corner[1] + (bit as usize / BLOCK) as u16];
+                let depth = texel.depth();
+                extent.add(&Extent { low: [x, y, depth - 1], high: [x + 1, y + 1, depth] });
+                self.texels.push(*texel);
+            }
+            shown &= shown - 1;
+        }
+        Block { extent, first, shown: bits, ..*block }
+    }
+
     /// Number of splats.
     pub fn count(&self) -> usize {
         self.texels.len()

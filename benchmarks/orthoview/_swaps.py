@@ -1,0 +1,54 @@
+"""How far splats lie, in the picture, from the splats of their parents that take their places."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar.orthoview._view import OrthoView
+
+REACH = 4.0
+"""Pixels of a child behind its parent's surface within which its own belongs to it."""
+
+Tree = nf.orthoview.OrthoTree
+
+
+def moved(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDArray[np.float64]:
+    """Pixels between the middles of children's splats and their parents', were these as near as their level is drawn.
+
+    Of the parents in a cut, from the directions they are drawn from. Of children that lie behind their parent's surface
+    and do not belong to it, nothing takes the place.
+    """
+    cut, found = tree.cut(camera, error_px=error_px, geometry=False), []
+    keys = cut.keys()
+    for level, place, number in keys:
+        parent = tree.view(level, place, number) if level else None
+        for octant in itertools.product((0, 1), repeat=3) if parent is not None else ():
+            x, y, z = (2 * base + step for base, step in zip(place, octant, strict=True))
+            is_inside = all(at < count for at, count in zip((x, y, z), tree.cells(level - 1), strict=True))
+            child = tree.view(level - 1, (x, y, z), number) if is_inside else None
+            if child is not None and parent is not None:
+                found.append(between(camera, parent, child, 2**level * cut.reach))
+    return np.concatenate(found)
+
+
+def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, start: float) -> NDArray[np.float64]:
+    """Pixels between a child's splats in the picture and its parent's."""
+    points = child.points()[np.isfinite(child.depth)]
+    size, offset = len(parent.depth), points - parent.center
+    column = np.floor((offset @ parent.right / parent.extents[0] + 0.5) * size).astype(int)
+    row = np.floor((0.5 - offset @ parent.up / parent.extents[1]) * size).astype(int)
+    inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    points, above = points[inside], parent.points()[row[inside], column[inside]]
+    behind = (above - points) @ parent.toward
+    belongs = behind <= REACH * max(parent.extents[:2]) / (2 * size)
+    points, above = points[belongs], above[belongs]
+    one, other = camera.project(points)[:, :2], camera.project(above)[:, :2]
+    distance = np.linalg.norm(points - np.array(camera.position), axis=1)
+    pixels = np.linalg.norm(one - other, axis=1) * distance / start
+    width, height = camera.size
+    seen = ((one >= 0) & (one < (width, height))).all(axis=1) & np.isfinite(pixels)
+    return np.asarray(pixels[seen])

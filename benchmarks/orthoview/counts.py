@@ -1,0 +1,240 @@
+"""Splats of a walk, and what a continuous cut, a budget and a gaze do to them.
+
+    python -m benchmarks.orthoview.counts TREE walk growth still bands gaze budget swaps --out FOLDER
+
+The walk's counts are those of figure 10 of the paper: of the cut all around the viewer, of what reaches into the
+picture, and of what nothing hides. Leaves are drawn from views at any distance.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.timing import best, machine, table
+from benchmarks.orthoview import _counts_plots as plots, _swaps
+from benchmarks.orthoview.splats import DIRECTIONS, FOV, HEIGHTS, SIZE, eye, full
+from nearfar import _core
+from nearfar._camera.shot import Shot
+from nearfar.orthoview import _cut
+
+FRAMES, HEIGHT, SPEED = 200, 30.0, 15.0
+"""Of the walk; metres above the tree's lowest point, and metres from frame to frame."""
+NEAR = 5.0
+"""Degrees from the gaze."""
+STEPS = 40
+"""Steps from an error to its double."""
+BANDS = (0.05, 0.1, 0.25, 0.5)
+BUDGETS = (2_000_000, 1_000_000, 400_000)
+PITCH = 2**0.5 / 256
+"""Width of a leaf's pixel in flat worlds, leaves."""
+HEADSET = nf.Fov.symmetric(100, 1.0), (1440, 1440)
+
+Tree = nf.orthoview.OrthoTree
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("tree", type=Path, help="store that nf.orthoview.build wrote")
+    parser.add_argument("tables", nargs="*", help=f"of {', '.join(TABLES)}; by default all")
+    parser.add_argument("--out", type=Path, help="folder for plots")
+    given = parser.parse_args()
+    tree = nf.orthoview.open(given.tree, cache_bytes=3 << 30)
+    print(f"{machine()}, {_core.thread_count()} threads\n\n{tree}\n")
+    for name in given.tables or TABLES:
+        print(TABLES[name](tree, given.out), flush=True)
+
+
+def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
+    """A walk past the middle of a tree, that looks ahead and turns slowly."""
+    low, high = tree.bounds
+    middle = (low + high) / 2
+    for frame in range(frames):
+        along = (frame - frames / 2) * SPEED
+        place = np.array([middle[0] + along, low[1] + HEIGHT, middle[2] + 0.3 * along])
+        turn = 0.6 * math.sin(2 * math.pi * frame / FRAMES)
+        ahead = place + np.array([math.cos(turn), -0.05, math.sin(turn)])
+        yield nf.Camera.look_at(place, ahead, fov=FOV, size=SIZE)
+
+
+def walk(tree: Tree, out: Path | None) -> str:
+    """The three counts of each frame."""
+    counts = []
+    for camera in path(tree, FRAMES):
+        cut = tree.cut(camera, geometry=False, around=True)
+        splats = tree._viewer.views.get(cut.keys())
+        settings = Shot(cameras=(camera,), channels=("color",)).settings
+        stats = _core.splat_orthoviews(splats, camera._core, settings, origin=(0.0, 0.0, 0.0), grid=1)["stats"]
+        counts.append([stats[name] for name in ("splats", "splats_in_picture", "splats_seen")])
+    found = np.array(counts)
+    if out is not None:
+        plots.save_counts(found, cells_within(tree), flat_worlds(), out / "orthoview_counts.png")
+    rows = [
+        [name, *(f"{value / 1e3:,.0f}" for value in (column.min(), np.median(column), column.max()))]
+        for name, column in zip(("in memory", "in the picture", "seen"), found.T, strict=True)
+    ]
+    return table(f"Thousand splats of {FRAMES} frames", ["splats", "least", "median", "most"], rows)
+
+
+def cells_within(tree: Tree) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Distances, and the cells of a cut around the middle of a walk that begin within them."""
+    camera = next(itertools.islice(path(tree, FRAMES), FRAMES // 2, None))
+    distance = np.sort(tree.cut(camera, geometry=False, around=True).distance)
+    return distance, np.arange(1, len(distance) + 1)
+
+
+def flat_worlds() -> tuple[list[int], list[int]]:
+    """Sides of flat worlds in leaves, and the cells of cuts in their middle."""
+    sides, cells = [16, 32, 64, 128, 256, 512, 1024], []
+    for side in sides:
+        camera = nf.Camera((side / 2, 0.1, side / 2), fov=FOV, size=SIZE)
+        rule = _core.OrthoRule(camera._core, pitch=PITCH, error=1.0)
+        arrays, _, _ = full(side).cut(camera._core, rule, directions=DIRECTIONS, views=3, geometry=False, around=True)
+        cells.append(len(arrays["level"]))
+    return sides, cells
+
+
+def growth(tree: Tree, out: Path | None) -> str:
+    """Cells of cuts of flat worlds."""
+    del tree, out
+    rows = [[f"{side}²", str(cells)] for side, cells in zip(*flat_worlds(), strict=True)]
+    return table("Cells of a cut around a viewer in a flat world", ["leaves", "cells"], rows)
+
+
+def still(tree: Tree, out: Path | None) -> str:
+    """Changes from picture to picture while the error of a camera that does not move doubles."""
+    errors = np.geomspace(1.0, 2.0, STEPS + 1)
+    rows, lines = [], {}
+    for height, band in itertools.product(HEIGHTS, (None, 0.1, _cut.BAND)):
+        camera = eye(tree, height)
+        with blending(band) as settings:
+            pictures = (
+                tree.render(camera, error_px=error, channels=("color",), **settings).to_image().astype(np.float64)
+                for error in errors.tolist()
+            )
+            square = [((one - other) ** 2).mean() for one, other in itertools.pairwise(pictures)]
+        changes = np.sqrt(square)
+        if band in (None, _cut.BAND):
+            lines[f"{height:g} widths high, {'cells at once' if band is None else 'continuous'}"] = changes
+        numbers = [f"{value:.2f}" for value in (changes.max(), np.median(changes), changes.mean())]
+        rows.append([f"{height:g}", f"{band or '–'}", *numbers])
+    if out is not None:
+        plots.save_changes(errors[1:], lines, out / "orthoview_still.png")
+    title = f"RMS change of codes from picture to picture, {STEPS} steps of the error from 1 to 2"
+    return table(title, ["height, widths", "band", "greatest", "median", "mean"], rows)
+
+
+@contextmanager
+def blending(band: float | None) -> Iterator[dict[str, Any]]:
+    """Settings of pictures whose levels blend in a band, or not."""
+    default = _cut.BAND
+    try:
+        _cut.BAND = band or default
+        yield {"geometry": False, "continuous": band is not None}
+    finally:
+        _cut.BAND = default
+
+
+def bands(tree: Tree, out: Path | None) -> str:
+    """Splats and time of cuts with several bands, and without any."""
+    del out
+    rows = []
+    for height, band in itertools.product(HEIGHTS, (None, *BANDS)):
+        camera = eye(tree, height)
+        with blending(band) as settings:
+            stats = tree.render(camera, channels=("color",), **settings).stats
+            timing = best(partial(tree.render, camera, channels=("color",), **settings), repeat=5)
+        numbers = [f"{stats[name] / 1e3:,.0f}" for name in ("splats", "splats_in_picture", "splats_seen")]
+        views = [str(stats["cells"]), str(stats["views"])]
+        rows.append([f"{height:g}", f"{band or '–'}", *views, *numbers, f"{timing.cpu * 1e3:.0f}"])
+    header = ["height, widths", "band", "cells", "views", "thousand splats", "in the picture", "seen", "CPU ms"]
+    return table("Continuous cuts", header, rows)
+
+
+def gaze(tree: Tree, out: Path | None) -> str:
+    """Splats that a gaze at the middle saves, and PSNR within 5° of it and beyond."""
+    del out
+    rows = []
+    for height, (fov, size), error in itertools.product(HEIGHTS, ((FOV, SIZE), HEADSET), (1.0, 0.5)):
+        camera = replace(eye(tree, height), fov=fov, size=size)
+        draw = partial(tree.render, camera, geometry=False, channels=("color",), error_px=error)
+        evenly, foveated = draw(), draw(gaze=(size[0] / 2, size[1] / 2))
+        square = (evenly.to_image().astype(float) - foveated.to_image().astype(float)) ** 2
+        is_near = degrees_from_middle(camera) < NEAR
+        counts = [evenly.stats["splats"], foveated.stats["splats"]]
+        numbers = [
+            f"{error:g}",
+            *(f"{count / 1e3:,.0f}" for count in counts),
+            f"{100 * (1 - counts[1] / counts[0]):.0f}",
+        ]
+        rows.append([f"{height:g}", f"{size[0]} × {size[1]}", *numbers, psnr(square[is_near]), psnr(square[~is_near])])
+    names = ["thousand splats", "with a gaze", "saved, %", f"PSNR within {NEAR:g}°, dB", "beyond, dB"]
+    return table("A gaze at the middle", ["height, widths", "picture", "error_px", *names], rows)
+
+
+def degrees_from_middle(camera: nf.Camera) -> NDArray[np.float64]:
+    """Angle of each pixel from the middle of a picture of an even size."""
+    _, ahead = camera.rays()
+    row, column = camera.height // 2, camera.width // 2
+    sight = ahead[row - 1 : row + 1, column - 1 : column + 1].mean(axis=(0, 1))
+    cosine = ahead @ sight / np.linalg.norm(ahead, axis=-1) / np.linalg.norm(sight)
+    return np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+
+
+def psnr(square: NDArray[np.float64]) -> str:
+    return "∞" if not square.any() else f"{10 * math.log10(255**2 / square.mean()):.1f}"
+
+
+def budget(tree: Tree, out: Path | None) -> str:
+    """Errors that keep to a budget over a part of the walk."""
+    del out
+    rows = []
+    cameras = list(itertools.islice(path(tree, FRAMES), 0, None, 10))
+    for continuous, most in itertools.product((False, True), BUDGETS):
+        settings = _cut.Settings(geometry=False, continuous=continuous, budget=most)
+        found = [tree._viewer._fitter.fit(camera, settings) for camera in cameras]
+        errors, splats = np.array([one.error_px for one in found]), np.array([one.count for one in found])
+        timing = best(partial(tree._viewer._fitter.fit, cameras[0], settings), repeat=3)
+        numbers = [f"{splats.max():,}", f"{splats.mean():,.0f}", f"{errors.min():.2f} to {errors.max():.2f}"]
+        rows.append(["yes" if continuous else "no", f"{most:,}", *numbers, f"{timing.cpu * 1e3:.0f}"])
+    header = ["continuous", "budget", "most splats", "mean", "error_px", "CPU ms to choose"]
+    return table(f"A budget, {len(cameras)} frames of the walk", header, rows)
+
+
+def swaps(tree: Tree, out: Path | None) -> str:
+    """How far splats lie from the parent's that take their places."""
+    del out
+    rows = []
+    for height in HEIGHTS:
+        moved = _swaps.moved(tree, eye(tree, height))
+        rows.append(
+            [f"{height:g}", f"{len(moved):,}", *(f"{np.quantile(moved, q):.2f}" for q in (0.5, 0.9, 0.99, 0.999, 1))]
+        )
+    header = ["height, widths", "splats", "median", "90 %", "99 %", "99.9 %", "most"]
+    return table("Pixels that splats move where levels change, error_px=1", header, rows)
+
+
+TABLES = {
+    "walk": walk,
+    "growth": growth,
+    "still": still,
+    "bands": bands,
+    "gaze": gaze,
+    "budget": budget,
+    "swaps": swaps,
+}
+
+
+if __name__ == "__main__":
+    main()

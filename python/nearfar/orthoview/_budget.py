@@ -1,0 +1,147 @@
+"""The splats of a picture: those of the cut's views, where levels blend some of them, and no more than a budget."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from nearfar import _core
+from nearfar._camera.camera import Camera
+from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
+from nearfar.orthoview._views import ViewKey, Views
+
+MOST = 64.0
+"""Greatest error that a budget leads to, over the one that is given."""
+
+STEPS = 12
+"""Bisections of the error's logarithm: its last step is 0.1 %."""
+
+TRIES = 10
+"""Cuts that are tried: the numbers of splats of views are known only once these are read."""
+
+CLOSE = 0.98
+"""Share of the budget from which on a continuous cut is taken: where levels blend, numbers are estimates at first."""
+
+
+FINEST = 1.002
+"""Ratio of errors between which none is tried."""
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A cut and its splats."""
+
+    cut: OrthoCut
+    error_px: float
+    """Greatest width of a view's pixels in pixels of the picture, as it was chosen."""
+    layers: list[Sequence[_core.OrthoSplats]]
+    """Of each view that is drawn."""
+
+    @property
+    def splats(self) -> list[_core.OrthoSplats]:
+        """Those of all layers."""
+        return [layer for layers in self.layers for layer in layers]
+
+    @property
+    def count(self) -> int:
+        """Number of splats."""
+        return sum(layer.count for layer in self.splats)
+
+
+class Fitter:
+    """Chooses the splats of pictures.
+
+    Parameters
+    ----------
+    cutter
+        Cuts the tree.
+    views
+        Reads its views.
+    """
+
+    def __init__(self, cutter: Cutter, views: Views) -> None:
+        self._cutter, self._views = cutter, views
+
+    def fit(self, camera: Camera, settings: Settings) -> Fitted:
+        """The cut of the least error, at least that of the settings, whose splats are no more than the budget.
+
+        Where no error is great enough, views are left out: those of farther cells first, the third ones of all cells
+        before any second one.
+        """
+        budget = settings.budget
+        if budget is None:
+            return self._at(camera, settings)
+        low, high, best = settings.error_px, settings.error_px * MOST, None
+        error = self._least(camera, settings, budget)
+        for _ in range(TRIES):
+            found = replace(settings, error_px=error)
+            were_known = all(map(self._views.is_counted, self._cutter.whole(camera, found).keys()))
+            fitted = self._at(camera, found)
+            is_within = fitted.count <= budget
+            best = fitted if is_within else best
+            low, high = (low, error) if is_within else (error, high)
+            if not settings.continuous:
+                if were_known:
+                    break
+                error = self._least(camera, settings, budget)
+                continue
+            if (is_within and (fitted.count >= CLOSE * budget or error == settings.error_px)) or high <= low * FINEST:
+                break
+            # The number of splats falls with the square of the error.
+            error *= math.sqrt(max(fitted.count, 1) / budget) * FINEST
+            if not low < error < high:
+                error = math.sqrt(low * high)
+        return best or _without_some(fitted, budget)
+
+    def _at(self, camera: Camera, settings: Settings) -> Fitted:
+        cut = self._cutter.whole(camera, settings)
+        layers: list[Sequence[_core.OrthoSplats]] = list(self._views.layers(cut.keys()))
+        if settings.continuous:
+            rule = self._cutter.rule(camera, settings)
+            layers = list(_core.blend_orthoviews(_placed(cut, cut.keys(), layers), rule))
+        return Fitted(cut, settings.error_px, layers)
+
+    def _least(self, camera: Camera, settings: Settings, aim: int) -> float:
+        """The least error at which as many splats are expected."""
+        low, high = math.log(settings.error_px), math.log(settings.error_px * MOST)
+        if self._expected(camera, settings) <= aim:
+            return settings.error_px
+        for _ in range(STEPS):
+            middle = (low + high) / 2
+            is_enough = self._expected(camera, replace(settings, error_px=math.exp(middle))) <= aim
+            low, high = (low, middle) if is_enough else (middle, high)
+        return math.exp(high)
+
+    def _expected(self, camera: Camera, settings: Settings) -> float:
+        """About how many splats a cut has, with the views' numbers that are known so far."""
+        cut = self._cutter.whole(camera, settings)
+        keys = cut.keys()
+        if not settings.continuous:
+            return sum(map(self._views.expected, keys))
+        rule = self._cutter.rule(camera, settings)
+        kept = [self._views.kept(key) for key in keys]
+        share = _core.expected_orthoviews(_placed(cut, keys, kept), rule)
+        return share + sum(self._views.expected(key) for key, layers in zip(keys, kept, strict=True) if not layers)
+
+
+def _placed(
+    cut: OrthoCut, keys: Sequence[ViewKey], layers: Sequence[Sequence[_core.OrthoSplats]]
+) -> list[tuple[Sequence[_core.OrthoSplats], int, tuple[int, int, int], int, bool]]:
+    """The views that have layers as the core takes them."""
+    rows = zip(keys, layers, cut.parts(), strict=True)
+    return [(own, level, place, direction, part) for (level, place, direction), own, part in rows if own]
+
+
+def _without_some(fitted: Fitted, budget: int) -> Fitted:
+    """A picture with the first views of all cells, then the second ones and so on, while there is room."""
+    ranks = np.argwhere(fitted.cut.directions >= 0)[:, 1]
+    left, kept = budget, []
+    for number in np.argsort(ranks, kind="stable").tolist():
+        left -= sum(layer.count for layer in fitted.layers[number])
+        if left < 0:
+            break
+        kept.append(number)
+    return replace(fitted, layers=[fitted.layers[number] for number in sorted(kept)])

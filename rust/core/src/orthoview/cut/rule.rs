@@ -1,0 +1,98 @@
+//! From which distance on a level's pixels are as fine as wanted.
+
+use glam::DVec3;
+
+use crate::base::{Error, Result};
+use crate::camera::Camera;
+use crate::lod::Acuity;
+
+/// Where a viewer looks, and how the eye sees beside it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gaze {
+    /// Place in the picture, pixels.
+    pub pixel: [f64; 2],
+    /// Degrees of the least visible angle for each degree from the gaze.
+    pub slope: f64,
+    /// Least visible angle at the gaze, degrees.
+    pub limit: f64,
+}
+
+/// From which distance on a level's pixels are as fine as wanted: the `start` of that level.
+///
+/// Distances are *apparent* ones: those from the eye, over the factor by which the eye sees things smaller beside its
+/// gaze. For parallel rays, of which no distance changes a pixel's width, all of them are 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Rule {
+    eye: DVec3,
+    is_parallel: bool,
+    /// `start` of level 0.
+    pub reach: f64,
+    /// Width of the band beyond a level's `start` in which its splats take the places of finer ones one after another, in
+    /// shares of `start`; `None` where cells are drawn as wholes.
+    pub band: Option<f64>,
+    acuity: Option<Acuity>,
+}
+
+impl Rule {
+    /// The rule of a viewer: `pitch` is the width of the pixels of a leaf's views in metres, `error` the greatest width of a
+    /// view's pixels in pixels of the picture.
+    pub fn new(camera: &Camera, pitch: f64, error: f64, band: Option<f64>, gaze: Option<&Gaze>) -> Result<Self> {
+        for (name, value) in [("pitch", pitch), ("error_px", error)] {
+            if !value.is_finite() || value <= 0.0 {
+                return Err(Error::value(name, "a finite number above 0", value));
+            }
+        }
+        if let Some(width) = band.filter(|width| !(*width > 0.0 && *width <= 1.0)) {
+            return Err(Error::value("band", "a number above 0, at most 1", width));
+        }
+        let is_parallel = camera.is_parallel();
+        if gaze.is_some() && is_parallel {
+            return Err(Error::value("gaze", "a camera with perspective, or None", "parallel rays"));
+        }
+        let acuity = gaze.map(|gaze| Acuity {
+            gaze: camera.ray(gaze.pixel[0], gaze.pixel[1]).1.normalize(),
+            slope: gaze.slope,
+            limit: gaze.limit,
+            best: camera.pixel_size().atan().to_degrees().max(gaze.limit),
+        });
+        let reach = pitch / (camera.pixel_size() * error);
+        Ok(Self { eye: camera.position, is_parallel, reach, band, acuity })
+    }
+
+    /// Apparent distance from which on a level's pixels are as fine as wanted.
+    pub fn start(&self, level: u32) -> f64 {
+        self.reach * (1u64 << level) as f64
+    }
+
+    /// Apparent distance of a point.
+    pub fn apparent(&self, place: DVec3) -> f64 {
+        if self.is_parallel {
+            return 1.0;
+        }
+        let offset = place - self.eye;
+        offset.length() / self.acuity.map_or(1.0, |acuity| acuity.scale(offset, 0.0))
+    }
+
+    /// Distance of a cube's nearest point from the eye, metres.
+    pub fn distance(&self, corner: DVec3, side: f64) -> f64 {
+        (self.eye - self.eye.clamp(corner, corner + side)).length()
+    }
+
+    /// Bounds of the apparent distances of a cube's points. The angles from the gaze are those of the sphere about it.
+    pub fn bounds(&self, corner: DVec3, side: f64) -> [f64; 2] {
+        if self.is_parallel {
+            return [1.0; 2];
+        }
+        let center = corner + side / 2.0 - self.eye;
+        let nearest = self.distance(corner, side);
+        let farthest = (center.abs() + side / 2.0).length();
+        let Some(acuity) = self.acuity else { return [nearest, farthest] };
+        let sine = side * 3f64.sqrt() / 2.0 / center.length();
+        if sine < 1.0 {
+            let half = sine.asin();
+            [nearest / acuity.scale(center, half), farthest / acuity.scale(center, -half)]
+        } else {
+            [nearest, farthest / acuity.scale(-acuity.gaze, 0.0)]
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Levels that blend: in the band beyond a level's start some of its splats are drawn, and in the places of the others those
+//! of the levels below.
+//!
+//! A pixel of a view is *coarse enough* if its surface lies no nearer than start · (1 + band · h), where h is a number from
+//! 0 to 1 that the pixel's place decides alone. So the share of such pixels grows from 0 to 1 over the band. A pixel is
+//! *covered* if the one above it, in the view of its parent from the same direction, is coarse enough or covered. Drawn are
+//! those that are coarse enough and not covered. A pixel's surface is that of the view's first layer; the second one follows.
+
+use std::collections::{HashMap, HashSet};
+
+use glam::{DVec3, IVec3, UVec3};
+use rayon::prelude::*;
+
+use super::splats::{BLOCK, Block, Splats};
+use crate::base::random;
+use crate::orthoview::cut::Rule;
+
+/// A view of a cut.
+#[derive(Clone, Debug)]
+pub struct Placed<'a> {
+    /// The cell's level and place.
+    pub cell: (u32, UVec3),
+    /// Number of the direction.
+    pub direction: u8,
+    /// Whether finer cells are drawn in the places of some of its splats.
+    pub is_partial: bool,
+    /// Its layers, of which there is one at least.
+    pub layers: Vec<&'a Splats>,
+}
+
+/// Bits of a view's pixels, by blocks in rows.
+type Bits = Vec<u64>;
+
+/// The splats that are drawn of each layer of each view; `None` for those of which all are.
+pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
+    let mut found: Vec<Vec<Option<Splats>>> = views.iter().map(|view| vec![None; view.layers.len()]).collect();
+    let Some(band) = rule.band else { return found };
+    let partial = partial_cells(views);
+    let mut above: HashMap<(u32, UVec3, u8), Bits> = HashMap::new();
+    let top = views.iter().map(|view| view.cell.0).max().unwrap_or(0);
+    for level in (0..=top).rev() {
+        let one = |(number, view): (usize, &Placed<'_>)| {
+            let (own, parent) = (view.cell, parent_of(view.cell));
+            let has_parent = partial.contains(&parent);
+            if own.0 != level || !(view.is_partial || has_parent) {
+                return None;
+            }
+            let chooser = Chooser::new(view, rule, band, has_parent);
+            let chosen = chooser.choose(above.get(&(parent.0, parent.1, view.direction)));
+            let along = chooser.along;
+            let kept = |layer: &&Splats| Some(layer.kept(|block| chosen.drawn[number_of(block, along)]));
+            Some((number, view.layers.iter().map(kept).collect(), chosen.coarse))
+        };
+        let of_level: Vec<(usize, Vec<Option<Splats>>, Bits)> = views.par_iter().enumerate().filter_map(one).collect();
+        for (number, layers, coarse) in of_level {
+            let view = &views[number];
+            found[number] = layers;
+            if view.is_partial {
+                above.insert((view.cell.0, view.cell.1, view.direction), coarse);
+            }
+        }
+    }
+    found
+}
+
+/// About how many splats of views are drawn, by the distances of blocks' middles.
+pub fn expected(views: &[Placed<'_>], rule: &Rule) -> f64 {
+    let partial = partial_cells(views);
+    let of_view = |view: &Placed<'_>| -> f64 {
+        let whole = || view.layers.iter().map(|layer| layer.count() as f64).sum();
+        let has_parent = partial.contains(&parent_of(view.cell));
+        let Some(band) = rule.band.filter(|_| view.is_partial || has_parent) else { return whole() };
+        let share = |at: f64, level: u32| ((at / rule.start(level) - 1.0) / band).clamp(0.0, 1.0);
+        let of_block = |layer: &Splats, block: &Block| {
+            let middle = |axis: usize| f64::from(block.extent.low[axis] + block.extent.high[axis]) / 2.0;
+            let at = rule.apparent(layer.place(middle(0), middle(1), middle(2)));
+            let coarse = if view.is_partial { share(at, view.cell.0) } else { 1.0 };
+            let covered = if has_parent { share(at, view.cell.0 + 1) } else { 0.0 };
+            f64::from(block.shown.count_ones()) * (coarse - covered).max(0.0)
+        };
+        view.layers.iter().flat_map(|layer| layer.blocks.iter().map(move |block| of_block(layer, block))).sum()
+    };
+    // Sums in the order of the views do not depend on the number of threads.
+    views.par_iter().map(of_view).collect::<Vec<f64>>().iter().sum()
+}
+
+fn partial_cells(views: &[Placed<'_>]) -> HashSet<(u32, UVec3)> {
+    views.iter().filter(|view| view.is_partial).map(|view| view.cell).collect()
+}
+
+fn parent_of((level, place): (u32, UVec3)) -> (u32, UVec3) {
+    (level + 1, place / 2)
+}
+
+/// Number of a block in rows of `along`.
+fn number_of(block: &Block, along: usize) -> usize {
+    let [column, row] = block.corner.map(usize::from);
+    row / BLOCK * along + column / BLOCK
+}
+
+/// A number from 0 to 1 that the place of a pixel decides.
+#[inline(always)]
+fn luck((level, place): (u32, UVec3), direction: u8, pixel: usize) -> f64 {
+    let [x, y, z] = place.to_array().map(u64::from);
+    random::uniform(u64::from(level) << 8 | u64::from(direction), x | y << 21 | z << 42, pixel as u64)
+}
+
+/// What is drawn of a view.
+struct Chosen {
+    drawn: Bits,
+    /// Pixels that are coarse enough or covered.
+    coarse: Bits,
+}
+
+/// Chooses the pixels of a view.
+struct Chooser<'a> {
+    view: &'a Placed<'a>,
+    first: &'a Splats,
+    rule: &'a Rule,
+    band: f64,
+    /// Blocks of a row.
+    along: usize,
+    /// Whether the parent is drawn in part.
+    has_parent: bool,
+    /// First column and row in the parent's picture of twice its size.
+    offset: [usize; 2],
+    /// The middle of the first pixel, half a step before the front, and the steps to others.
+    start: DVec3,
+    steps: [DVec3; 3],
+}
+
+impl<'a> Chooser<'a> {
+    fn new(view: &'a Placed<'a>, rule: &'a Rule, band: f64, has_parent: bool) -> Self {
+        let first = view.layers[0];
+        let octant = IVec3::from_array((view.cell.1 % 2).to_array().map(|n| n as i32));
+        let (column, row) = first.frame.place(octant, first.format.size);
+        let along = first.format.size.div_ceil(BLOCK);
+        let (start, steps) = (first.place(0.5, 0.5, -0.5), first.steps());
+        Self { view, first, rule, band, along, has_parent, offset: [column, row], start, steps }
+    }
+
+    /// `above` has the pixels of the parent's view from the same direction that are coarse enough or covered. Where it is
+    /// not drawn, the surfaces of these pixels decide in place of the parent's.
+    fn choose(&self, above: Option<&Bits>) -> Chosen {
+        let count = self.along * self.along;
+        let mut chosen = Chosen { drawn: vec![0; count], coarse: vec![0; count] };
+        for block in &self.first.blocks {
+            let texels = &self.first.texels[block.first as usize..];
+            let (mut shown, mut coarse, mut covered) = (block.shown, 0u64, 0u64);
+            for texel in texels.iter().take(block.shown.count_ones() as usize) {
+                let bit = shown.trailing_zeros();
+                let [column, row] = [bit as usize % BLOCK, bit as usize / BLOCK];
+                let pixel = [usize::from(block.corner[0]) + column, usize::from(block.corner[1]) + row];
+                let at = self.apparent(pixel, texel.depth());
+                covered |= u64::from(self.has_parent && self.is_covered(pixel, at, above)) << bit;
+                coarse |= u64::from(!self.view.is_partial || self.is_coarse(self.view.cell, pixel, at)) << bit;
+                shown &= shown - 1;
+            }
+            let number = number_of(block, self.along);
+            (chosen.drawn[number], chosen.coarse[number]) = (coarse & !covered, coarse | covered);
+        }
+        chosen
+    }
+
+    fn apparent(&self, [column, row]: [usize; 2], depth: u16) -> f64 {
+        let [of_column, of_row, of_depth] = self.steps;
+        self.rule.apparent(self.start + of_column * column as f64 + of_row * row as f64 + of_depth * f64::from(depth))
+    }
+
+    fn is_coarse(&self, cell: (u32, UVec3), [column, row]: [usize; 2], at: f64) -> bool {
+        let pixel = row * self.first.format.size + column;
+        at >= self.rule.start(cell.0) * (1.0 + self.band * luck(cell, self.view.direction, pixel))
+    }
+
+    fn is_covered(&self, pixel: [usize; 2], at: f64, above: Option<&Bits>) -> bool {
+        let [column, row] = [0, 1].map(|axis| (self.offset[axis] + pixel[axis]) / 2);
+        let Some(bits) = above else { return self.is_coarse(parent_of(self.view.cell), [column, row], at) };
+        bits[row / BLOCK * self.along + column / BLOCK] >> (BLOCK * (row % BLOCK) + column % BLOCK) & 1 == 1
+    }
+}

@@ -1,0 +1,155 @@
+"""Tests of pictures whose levels change splat by splat, that keep to a budget of splats, and that follow a gaze."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.orthoview._swaps import moved
+from tests.support import need
+from tests.support.orthoview_stores import world_of
+
+need("zarr")
+
+Tree = nf.orthoview.OrthoTree
+
+
+@pytest.fixture(scope="module")
+def scene() -> nf.Scene:
+    return world_of(range(40))
+
+
+@pytest.fixture(scope="module")
+def shown(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    path = tmp_path_factory.mktemp("continuous") / "world.zarr"
+    return nf.orthoview.build(scene, path, cell=10, size=32, directions=9)
+
+
+def camera_at(tree: Tree, distance: float, angle: float = 0.3) -> nf.Camera:
+    """A view of the whole tree from above."""
+    middle = tree.bounds.mean(axis=0)
+    toward = np.array([np.cos(angle), 0.6, np.sin(angle)])
+    eye = middle + distance * toward / np.linalg.norm(toward)
+    return nf.Camera.look_at(eye, middle, fov=nf.Fov.symmetric(50), size=(96, 96))
+
+
+def holes(frame: nf.Frame, truth: nf.Frame) -> float:
+    """Share of the pixels that show something in truth and nothing in a frame."""
+    is_hit = np.isfinite(truth.require("range"))
+    return float((is_hit & np.isinf(frame.require("range"))).sum() / is_hit.sum())
+
+
+def changes(tree: Tree, camera: nf.Camera, errors: NDArray[np.float64], continuous: bool) -> NDArray[np.float64]:
+    """RMS changes of the picture from one error to the next."""
+    settings: dict[str, Any] = {"geometry": False, "continuous": continuous, "channels": ("color",)}
+    frames = (tree.render(camera, error_px=error, **settings).require("color") for error in errors.tolist())
+    return np.array([np.sqrt(((one - other) ** 2).mean()) for one, other in itertools.pairwise(frames)])
+
+
+@pytest.mark.parametrize("distance", [110.0, 170.0])
+def test_no_picture_changes_at_once_while_the_error_doubles(shown: Tree, distance: float) -> None:
+    """A camera that does not move: where cells change as wholes, some step changes most of what changes at all."""
+    camera, errors = camera_at(shown, distance), np.geomspace(1, 2, 41)
+    jumps, smooth = (changes(shown, camera, errors, continuous) for continuous in (False, True))
+    assert jumps.max() > 0.01
+    assert smooth.max() < 0.75 * jumps.max()
+    whole = changes(shown, camera, errors[[0, -1]], True)[0]
+    assert whole > 0.01
+    # Pixels change by chance, each about once: squares add up.
+    assert smooth.max() < 3 * whole / np.sqrt(len(errors) - 1)
+
+
+@pytest.mark.parametrize("distance", [90.0, 140.0])
+def test_two_levels_leave_no_more_holes_than_one(shown: Tree, scene: nf.Scene, distance: float) -> None:
+    for angle, error_px in itertools.product((0.3, 2.5), (1.0, 1.5)):
+        camera = camera_at(shown, distance, angle)
+        truth = nf.render(scene, camera, clip=nf.Clip(box=shown.bounds), channels=("range",))
+        frames = [
+            shown.render(camera, geometry=False, error_px=error_px, continuous=continuous, channels=("range",))
+            for continuous in (False, True)
+        ]
+        assert holes(frames[1], truth) <= holes(frames[0], truth) + 0.004
+        assert frames[1].stats["splats"] != frames[0].stats["splats"]
+
+
+def test_half_a_pixel_of_error_moves_splats_by_less_than_one_where_levels_change(shown: Tree) -> None:
+    """Middles of four pixels lie √2/4 of their parent's from its own; those of steep surfaces lie farther away."""
+    found = [moved(shown, camera_at(shown, distance, angle), 0.5) for distance, angle in ((200, 0.3), (400, 2.1))]
+    pixels = np.concatenate(found)
+    assert len(pixels) > 10_000
+    assert 0.25 < np.median(pixels) / (0.5 * np.sqrt(2) / 4) < 1.5
+    assert np.quantile(pixels, 0.99) < 1
+
+
+def flight(tree: Tree) -> list[nf.Camera]:
+    return [camera_at(tree, 150.0 - 4 * n, 0.3 + 0.1 * n) for n in range(12)]
+
+
+@pytest.mark.parametrize("continuous", [False, True])
+@pytest.mark.parametrize("budget", [8000, 4000])
+def test_a_flight_keeps_to_a_budget(shown: Tree, budget: int, continuous: bool) -> None:
+    tree = nf.orthoview.open(shown.path)
+    settings: dict[str, Any] = {"geometry": False, "continuous": continuous, "channels": ("color",)}
+    errors, splats = [], []
+    for camera in flight(shown):
+        frame = tree.render(camera, budget=budget, **settings)
+        error = frame.stats["error_px"]
+        errors.append(error)
+        splats.append(frame.stats["splats"])
+        # The same error without a budget has the same splats; a little less of an error has more than the budget.
+        assert tree.render(camera, error_px=error, **settings).stats["splats"] == splats[-1]
+        assert error > 1
+        if not continuous:
+            assert tree.render(camera, error_px=error / 1.003, **settings).stats["splats"] > budget
+    assert max(splats) <= budget
+    assert max(errors) > 1.2 * min(errors)
+    assert not continuous or min(splats) >= 0.9 * budget
+
+
+def test_a_budget_that_is_no_bound_changes_nothing(shown: Tree) -> None:
+    camera = camera_at(shown, 100)
+    whole = shown.render(camera, geometry=False)
+    bound = shown.render(camera, geometry=False, budget=int(whole.stats["splats"]))
+    assert bound.stats == whole.stats
+    assert bound.stats["error_px"] == 1
+    np.testing.assert_array_equal(bound.require("color"), whole.require("color"))
+
+
+def test_where_no_error_is_great_enough_views_are_left_out(shown: Tree) -> None:
+    """An eye in the world has leaves about it."""
+    middle = shown.bounds.mean(axis=0)
+    camera = nf.Camera.look_at(middle, middle + np.array([1, -0.2, 0.3]), fov=nf.Fov.symmetric(90), size=(64, 64))
+    least = shown.render(camera, geometry=False, error_px=64)
+    few = shown.render(camera, geometry=False, budget=int(least.stats["splats"]) // 4)
+    assert 0 < few.stats["splats"] <= least.stats["splats"] // 4
+    assert few.stats["views"] < least.stats["views"]
+    assert shown.render(camera, geometry=False, budget=1).stats["splats"] <= 1
+
+
+def test_the_gaze_is_drawn_as_finely_as_ever(shown: Tree) -> None:
+    camera, middle = replace(camera_at(shown, 45), size=(384, 384)), (192.0, 192.0)
+    settings: dict[str, Any] = {"geometry": False, "error_px": 4.0}
+    evenly, foveated = shown.render(camera, **settings), shown.render(camera, gaze=middle, **settings)
+    assert foveated.stats["splats"] < 0.95 * evenly.stats["splats"]
+    same = (evenly.require("color") == foveated.require("color")).all(axis=2)
+    assert same[180:204, 180:204].all()
+    assert not same.all()
+
+
+def test_bad_calls_are_named(shown: Tree) -> None:
+    camera, wrong = camera_at(shown, 100), shown.render
+    calls: list[tuple[dict[str, Any], type[Exception], str]] = [
+        ({"budget": 0}, ValueError, "budget: expected"),
+        ({"budget": 2.5}, TypeError, "budget: expected"),
+        ({"continuous": "yes"}, TypeError, "continuous: expected"),
+        ({"gaze": (1, 2, 3)}, ValueError, "gaze: expected two numbers or None"),
+    ]
+    for arguments, kind, message in calls:
+        with pytest.raises(kind, match=message):
+            wrong(camera, **arguments)
