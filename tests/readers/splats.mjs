@@ -25,14 +25,15 @@ async function load(file) {
 const canvas = document.createElement('canvas');
 const renderer = new THREE.WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
 const scene = new THREE.Scene();
-const spark = new SparkRenderer({ renderer, ...job.settings });
+const spark = new SparkRenderer({ renderer, autoUpdate: false, ...job.settings });
 scene.add(spark);
 const meshes = [];
 for (const file of job.files) meshes.push(await load(file));
 meshes.forEach((mesh) => scene.add(mesh));
 
 /** A picture as base64 of its RGBA rows, bottom up. */
-async function picture({ eye, target, up, angle, size, near, far }) {
+async function picture({ eye, target, up, angle, size, near, far, files }) {
+  meshes.forEach((mesh, number) => (mesh.visible = files?.includes(number) ?? true));
   const [width, height] = size;
   renderer.setSize(width, height, false);
   renderer.setClearColor(0x000000, 0);
@@ -43,12 +44,7 @@ async function picture({ eye, target, up, angle, size, near, far }) {
   camera.updateMatrixWorld();
   scene.updateMatrixWorld();
   const start = performance.now();
-  await spark.update({ scene, camera });
-  // The order of the splats comes from a worker, some pictures later.
-  for (let frame = 0; frame < (job.frames ?? 12); frame++) {
-    renderer.render(scene, camera);
-    await new Promise((done) => setTimeout(done, 100));
-  }
+  await spark.update({ scene, camera }); // and sort
   const gl = renderer.getContext();
   const pixels = new Uint8Array(4 * width * height);
   renderer.render(scene, camera);

@@ -6,7 +6,7 @@ A surfel's pixel spans u and v on its tangent plane (docs/orthoview_view.md). Th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +17,8 @@ from nearfar._scene.srgb import to_linear
 Floats = NDArray[np.float32]
 
 SIGMA = 0.6
-"""Standard deviation of a surfel in pixels of its view: of those that were tried the one nearest to `tree.render`."""
-
-BORDER = 1.27
-"""Factor of it where not all eight neighbours are connected, as in `tree.render`: there a gap may be wider."""
+"""Standard deviation of a surfel in pixels of its view, by measurement (docs/orthoview_export.md): with smaller ones
+what lies behind shines through between pixels, greater ones blur edges."""
 
 THIN = 0.1
 """Standard deviation across a surfel as a share of the smaller one along it."""
@@ -62,9 +60,12 @@ class Gaussians:
         low, high = (self.middle - reach).min(axis=0), (self.middle + reach).max(axis=0)
         return np.array([low, high], np.float64)
 
-    def kept(self, mask: NDArray[np.bool_]) -> Gaussians:
-        """Those that a mask (N,) names."""
-        return Gaussians(self.middle[mask], self.rotation[mask], self.scale[mask], self.color[mask])
+    def moved(self, shift: NDArray[np.float64]) -> Gaussians:
+        """The same in a frame whose origin lies elsewhere by minus a vector (3,), metres."""
+        return replace(self, middle=(self.middle + shift).astype(np.float32))
+
+
+NOTHING = Gaussians(*(np.zeros((0, width), np.float32) for width in (3, 4, 3)), np.zeros((0, 3), np.uint8))
 
 
 def joined(parts: list[Gaussians]) -> Gaussians:
@@ -89,14 +90,10 @@ class Surfaces:
     """Albedo, sRGB (N, 3)."""
     is_surfel: NDArray[np.bool_]
     """Others are balls (N,)."""
-    is_inner: NDArray[np.bool_]
-    """Whether all eight neighbours are connected (N,)."""
 
     def kept(self, mask: NDArray[np.bool_]) -> Surfaces:
         """Those that a mask (N,) names."""
-        return Surfaces(
-            self.middle[mask], self.normal[mask], self.color[mask], self.is_surfel[mask], self.is_inner[mask]
-        )
+        return Surfaces(self.middle[mask], self.normal[mask], self.color[mask], self.is_surfel[mask])
 
 
 def gaussians_of(
@@ -127,8 +124,7 @@ def gaussians_of(
     lengths = np.stack([np.linalg.norm(first, axis=1), np.linalg.norm(second, axis=1)], axis=1)
     first, second = first / lengths[:, :1], second / lengths[:, 1:]
     across = np.stack([first, second, np.cross(first, second)], axis=2)
-    sigma = np.where(shown.is_inner, np.float32(SIGMA), np.float32(SIGMA * BORDER))[:, None]
-    along = sigma * lengths
+    along = np.float32(SIGMA) * lengths
     scale = np.concatenate([along, THIN * along.min(axis=1, keepdims=True)], axis=1)
 
     balls = ~shown.is_surfel
@@ -152,10 +148,10 @@ def lit(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, float
 
 
 def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:
-    """Unit quaternions (N, 4) of rotation matrices (N, 3, 3) whose columns stand for axes, and the order (N, 3) of these.
+    """Unit quaternions (N, 4) of rotation matrices (N, 3, 3) whose columns are axes, and the order (N, 3) of these.
 
-    Axes have no sign, and the first two may change places. Of the turns that are the same for a Gaussian the one with the
-    greatest w is taken: formats that derive w from the others are exact about it, and those near the greatest code well.
+    Axes have no sign, and the first two may change places. Of the turns that are the same for a Gaussian the one with
+    the greatest w is taken: formats that derive w from the other numbers are exact where it is great.
     """
     swapped = np.stack([matrix[:, :, 1], -matrix[:, :, 0], matrix[:, :, 2]], axis=2)
     both = np.stack([_greatest(matrix), _greatest(swapped)])

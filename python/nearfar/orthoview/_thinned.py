@@ -1,9 +1,9 @@
 """Surfaces that several views of a cell show: which pixels are left out because another view shows them better.
 
-A pixel's *fineness* is the number of pixels on a square metre of its surface. A surfel is left out if all four pixels of
-another view about its place are surfels of the same plane and finer; of equal ones those of the first view count. Each
-pixel's fineness is fixed, so no two leave each other out, and what is left out lies between pixels that are better. A
-ball is left out where another view has a surfel at its place, or an earlier view a ball.
+A pixel's *fineness* is the number of pixels on a square metre of its surface. A surfel is left out if all four pixels
+of another view about its place are surfels of the same plane and finer; of equal ones those of the first view count.
+Each pixel's fineness is fixed, so no two leave each other out; what is left out lies between better pixels.
+A ball is left out where another view has a surfel at its place, or an earlier view a ball.
 
 Gaussians have no back. Where two sides of a surface lie closer than the pixels, one would shine through the other: of
 floors the upper side counts, of walls the one that more views show. So the ground has no lower side, and the insides of
@@ -49,7 +49,6 @@ class Picture:
     """Towards the viewer, world axes (size, size, 3)."""
     color: NDArray[np.uint8]
     is_surfel: NDArray[np.bool_]
-    is_inner: NDArray[np.bool_]
     fineness: Floats
     """Pixels on a square metre; 0 for balls, −1 where nothing is."""
 
@@ -78,7 +77,6 @@ class Picture:
             normal,
             views.colors()[0],
             is_surfel,
-            _inner(bits[0, ..., 0]),
             np.where(shown, fineness, np.float32(-1.0)),
         )
 
@@ -105,19 +103,7 @@ class Picture:
             self.normal[row, column],
             self.color[row, column],
             self.is_surfel[row, column],
-            self.is_inner[row, column],
         )
-
-
-def _inner(bits: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    """Which pixels (size, size) are connected with all eight neighbours."""
-    right, below, below_right, below_left = (np.pad((bits >> n & 1).astype(bool), 1) for n in range(4))
-    own, before, after = slice(1, -1), slice(0, -2), slice(2, None)
-    inner: NDArray[np.bool_] = (
-        right[own, own] & below[own, own] & below_right[own, own] & below_left[own, own]
-        & right[own, before] & below[before, own] & below_right[before, before] & below_left[before, after]
-    )  # fmt: skip
-    return inner
 
 
 def seen_better(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
