@@ -1,9 +1,17 @@
-// Prints the arrays of an SPZ file as the reference implementation (nianticlabs/spz, as WebAssembly) reads them.
-import { readFileSync } from 'node:fs';
+// The reference implementation of SPZ (nianticlabs/spz, as WebAssembly): the page reads /job.json and posts to /result the
+// arrays of each file. The package does not run in Node.
 import { loadSpz } from '@spz-loader/core';
 
-const cloud = await loadSpz(readFileSync(process.argv[2]), { unpackOptions: { coordinateSystem: 'UNSPECIFIED' } });
-const names = ['positions', 'scales', 'rotations', 'alphas', 'colors'];
-const coded = ({ buffer, byteOffset, byteLength }) => Buffer.from(buffer, byteOffset, byteLength).toString('base64');
-const arrays = Object.fromEntries(names.map((name) => [name, coded(cloud[name])]));
-console.log(JSON.stringify({ count: cloud.numPoints, degree: cloud.shDegree, arrays }));
+const NAMES = ['positions', 'scales', 'rotations', 'alphas', 'colors'];
+const job = await (await fetch('/job.json')).json();
+
+async function read(url) {
+  const data = new Uint8Array(await (await fetch(url)).arrayBuffer());
+  const cloud = await loadSpz(data, { unpackOptions: { coordinateSystem: 'UNSPECIFIED' } });
+  const arrays = Object.fromEntries(NAMES.map((name) => [name, Array.from(cloud[name])]));
+  return { count: cloud.numPoints, degree: cloud.shDegree, ...arrays };
+}
+
+const files = [];
+for (const url of job.files) files.push(await read(url));
+await fetch('/result', { method: 'POST', body: JSON.stringify({ files }) });
