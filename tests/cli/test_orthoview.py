@@ -66,8 +66,8 @@ def test_a_tree_is_written_for_splat_viewers(capsys: pytest.CaptureFixture[str],
     counts = nf.orthoview.open(store).export_splats(tmp_path / "b.spz", level=1, aabb=box, light=(1, 2, 0))
     assert document(out, "orthoview_info")["splats"] == counts
     assert (tmp_path / "a.spz").read_bytes() == (tmp_path / "b.spz").read_bytes()
-    options = ("--splats", "--level", "1", "--light", "none", "--compression", "spz")
-    status, out, _ = command(capsys, "orthoview", "export", store, "-o", tmp_path / "tiles", *options)
+    others = ("--splats", "--level", "1", "--light", "none", "--compression", "spz")
+    status, out, _ = command(capsys, "orthoview", "export", store, "-o", tmp_path / "tiles", *others)
     assert status == 0
     wanted = nf.orthoview.open(store).export_splats(tmp_path / "own", level=1, light=None, compression="spz")
     assert f"{wanted['splats']:,} for {wanted['pixels']:,} pixels, in {wanted['tiles']:,} tiles" in out

@@ -65,7 +65,9 @@ class Gaussians:
         return replace(self, middle=(self.middle + shift).astype(np.float32))
 
 
-NOTHING = Gaussians(*(np.zeros((0, width), np.float32) for width in (3, 4, 3)), np.zeros((0, 3), np.uint8))
+NOTHING = Gaussians(
+    np.zeros((0, 3), np.float32), np.zeros((0, 4), np.float32), np.zeros((0, 3), np.float32), np.zeros((0, 3), np.uint8)
+)
 
 
 def joined(parts: list[Gaussians]) -> Gaussians:
