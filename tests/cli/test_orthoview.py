@@ -58,6 +58,23 @@ def test_a_tree_is_built_looked_at_updated_checked_and_exported(
     assert (exported["generation"], exported["held"]) == (0, updated["held"])
 
 
+def test_a_tree_is_written_for_splat_viewers(capsys: pytest.CaptureFixture[str], tmp_path: Path, store: Path) -> None:
+    options = ("--splats", "--level", "1", "--box=-60,-60,20,20", "--light", "1,2,0")
+    box = np.array([[-60, -np.inf, -60], [20, np.inf, 20]])
+    status, out, _ = command(capsys, "orthoview", "export", store, "-o", tmp_path / "a.spz", *options, "--json")
+    assert status == 0
+    counts = nf.orthoview.open(store).export_splats(tmp_path / "b.spz", level=1, aabb=box, light=(1, 2, 0))
+    assert document(out, "orthoview_info")["splats"] == counts
+    assert (tmp_path / "a.spz").read_bytes() == (tmp_path / "b.spz").read_bytes()
+    others = ("--splats", "--level", "1", "--light", "none", "--compression", "spz")
+    status, out, _ = command(capsys, "orthoview", "export", store, "-o", tmp_path / "tiles", *others)
+    assert status == 0
+    wanted = nf.orthoview.open(store).export_splats(tmp_path / "own", level=1, light=None, compression="spz")
+    assert f"{wanted['splats']:,} for {wanted['pixels']:,} pixels, in {wanted['tiles']:,} tiles" in out
+    names = [{path.relative_to(tmp_path / own) for path in (tmp_path / own).rglob("*")} for own in ("tiles", "own")]
+    assert names[0] == names[1]
+
+
 def test_a_damaged_tree_is_a_sentence(capsys: pytest.CaptureFixture[str], tmp_path: Path, store: Path) -> None:
     copy = nf.orthoview.open(store).compact(tmp_path / "copy.zarr")
     shard = next(path for path in (Path(copy.path) / "0").rglob("0") if path.is_file())
@@ -81,6 +98,8 @@ def test_a_damaged_tree_is_a_sentence(capsys: pytest.CaptureFixture[str], tmp_pa
         (("update", "new", "-i", "city", "--box", "0,0,1,1"), "no store of orthoviews"),
         (("verify", "new"), "no store of orthoviews"),
         (("export", "new", "-o", "other"), "no store of orthoviews"),
+        (("export", "new", "-o", "other", "--light", "none"), "need --splats"),
+        (("export", "new", "-o", "other", "--splats"), "no store of orthoviews"),
     ],
 )
 def test_wrong_calls_are_sentences(

@@ -43,6 +43,7 @@ def orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.orthoview.OrthoTree.box": {"level": 0, "place": (0, 0, 0)},
         "nearfar.orthoview.OrthoTree.cells": {"level": 0},
         "nearfar.orthoview.OrthoTree.compact": {"path": valid.folder / "compact.zarr"},
+        "nearfar.orthoview.OrthoTree.export_splats": {"path": valid.folder / "splats"},
         "nearfar.orthoview.OrthoTree.cut": {"camera": valid.camera},
         "nearfar.orthoview.OrthoTree.fly": {"threads": 1},
         "nearfar.orthoview.OrthoTree.leaf_glb": {"place": (0, 0, 0)},

@@ -144,15 +144,43 @@ def verify(store: Store, as_json: options.Json = False) -> None:
 @app.command("export")
 def export(
     store: Store,
-    output: Annotated[Path, option("-o --output", "FOLDER", "Folder to write.")],
+    output: Annotated[Path, option("-o --output", "PLACE", "Folder to write; with --splats also a file .spz or .glb.")],
+    splats: Annotated[
+        bool, typer.Option("--splats", help="Write Gaussians for splat viewers: .spz, .glb or a folder of 3D Tiles.")
+    ] = False,
+    level: Annotated[int, option("--level", "N", "Level of the cells in a file, of the finest tiles.")] = 0,
+    box: Annotated[str | None, BOX] = None,
+    light: Annotated[
+        str, option("--light", "sun|none|X,Y,Z", "The light in the splats' colours: X,Y,Z points to the sun.")
+    ] = "sun",
+    compression: Annotated[str | None, option("--compression", "spz", "Put SPZ into .glb files and tiles.")] = None,
     as_json: options.Json = False,
 ) -> None:
-    """Write the newest generation of a tree as plain Zarr, for any reader; from a URL it is a download."""
+    """Write the newest generation of a tree as plain Zarr, for any reader, or for splat viewers."""
+    if not splats and (level, box, light, compression) != (0, None, "sun", None):
+        raise ValueError("--level, --box, --light and --compression need --splats")
     tree = nf.orthoview.open(store)
     clock = Clock()
+    if not splats:
+        with clock.step("export"):
+            compacted = tree.compact(output)
+        _show(compacted, as_json, source=store, seconds=clock.seconds)
+        return
+    aabb = None if box is None else read_box(box)
     with clock.step("export"):
-        compacted = tree.compact(output)
-    _show(compacted, as_json, source=store, seconds=clock.seconds)
+        counts = tree.export_splats(output, level=level, aabb=aabb, light=read_light(light), compression=compression)
+    _show(tree, as_json, source=store, seconds=clock.seconds, splats=counts)
+
+
+def read_light(text: str) -> str | tuple[float, ...] | None:
+    """The light that a word or three numbers name."""
+    if text in ("sun", "none"):
+        return None if text == "none" else text
+    try:
+        x, y, z = map(float, text.split(","))
+    except ValueError:
+        raise ValueError(f"--light: expected sun, none or X,Y,Z, got {check.shortened(text)}") from None
+    return x, y, z
 
 
 def read_directions(text: str) -> int | Literal["auto"]:
@@ -224,10 +252,22 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
     ]
     if "files" in facts:
         rows.append(("files", f"{count(facts['files'])}, all as they were written"))
+    if "splats" in facts:
+        rows += _splat_rows(facts["splats"])
     if not tree.is_complete:
         rows.append(("incomplete", f"{count(len(tree.failed))} leaves failed; the same call completes the tree"))
         rows += [("", f"{place}: {reason}") for place, reason in list(tree.failed.items())[:5]]
     show(document | facts, rows, title=tree.path, as_json=as_json)
+
+
+def _splat_rows(counts: dict[str, int]) -> list[tuple[str, str]]:
+    """Rows on what was written for splat viewers."""
+    (parts,) = (f"{count(counts[name])} {name}" for name in ("cells", "tiles") if name in counts)
+    each = bytes_text(counts["bytes"] / counts["splats"])
+    return [
+        ("splats", f"{count(counts['splats'])} for {count(counts['pixels'])} pixels, in {parts}"),
+        ("written", f"{bytes_text(counts['bytes'])}, {each} a splat"),
+    ]
 
 
 def _geometry_rows(facts: dict[str, Any] | None) -> list[tuple[str, str]]:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import card, check
 from nearfar._source.protocol import SceneSource, source_of
-from nearfar.orthoview import _compact, _preview, _update, _verify
+from nearfar.orthoview import _compact, _preview, _splat_export, _update, _verify
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._near_far import NearFarTree
 from nearfar.orthoview._shown import CACHE_BYTES
@@ -125,6 +125,75 @@ class OrthoTree(NearFarTree):
             raise ValueError("path: expected another place than that of the tree, whose readers go on")
         _compact.compact(self._files, self._attributes, target)
         return OrthoTree(target)
+
+    def export_splats(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        format: str | None = None,  # noqa: A002
+        level: SupportsIndex = 0,
+        aabb: ArrayLike | None = None,
+        light: str | ArrayLike | None = "sun",
+        compression: str | None = None,
+    ) -> dict[str, int]:
+        """Write this generation for viewers of Gaussian splats: each pixel of the views becomes a Gaussian.
+
+        What several views of a cell show is written once. One light is part of the colours. The files are written
+        aside and renamed.
+
+        Parameters
+        ----------
+        path
+            File or folder to make or replace; a folder must be empty or an older export.
+        format
+            "spz": one file of SPZ version 3, in world metres. "gltf": one GLB with KHR_gaussian_splatting. "tiles": a
+            folder with a tileset of 3D Tiles 1.1, of a GLB for each cell of each level. By default .spz and .glb name
+            the format, and a path without a suffix is a folder of tiles.
+        level
+            Of the cells in a file; of the finest tiles.
+        aabb
+            World box (2, 3) of the splats' middles, metres; by default everything.
+        light
+            "sun": that of all pictures. A vector (3,) towards the sun: the same light with the sun elsewhere. None:
+            colours without light.
+        compression
+            "spz" puts an SPZ file of version 2 into each GLB (KHR_gaussian_splatting_compression_spz_2, a draft). By
+            default the attributes are plain.
+
+        Returns
+        -------
+        dict
+            Numbers of `cells` or `tiles`, of `splats`, of the `pixels` that they stand for, and of `bytes`.
+
+        Raises
+        ------
+        ValueError
+            A store that is not complete, arguments out of range, a box without anything, and more splats than a file
+            holds: 10,000,000 in SPZ, 4 GiB in a GLB.
+        FormatError
+            A shard that is damaged.
+        OSError
+            Files that cannot be read or written.
+
+        References
+        ----------
+        Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering.
+        """
+        target, lowest = check.path("path", path), check.integer("level", level, 0, self.levels - 1)
+        box = np.array([[-np.inf] * 3, [np.inf] * 3]) if aabb is None else check.box("aabb", aabb)
+        if not self._is_complete:
+            raise ValueError(f"path: {self.path} is not complete, build it again")
+        return _splat_export.export(
+            self._files,
+            self._layout,
+            self.generation,
+            target,
+            format=format,
+            level=lowest,
+            box=box,
+            light=light,
+            compression=compression,
+        )
 
     def verify(self) -> int:
         """Read every shard and compare its size and hash with the store's records.

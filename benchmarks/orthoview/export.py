@@ -1,0 +1,180 @@
+"""Trees as splats for other viewers: sizes and times, the width of Gaussians, and Spark's pictures beside ours.
+
+    python -m benchmarks.orthoview.export sizes|sigma|pictures STORE --level N --out FOLDER
+
+STORE is a tree; `sigma` takes the cell of a level that shows the most, `pictures` the cells that `tree.render` draws,
+from the same cameras. Pictures need a browser and `npm ci --prefix tests/readers`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from nearfar.orthoview import _gaussians, _spz
+from nearfar.orthoview._splat_cells import Cells
+from nearfar.orthoview._splat_export import sun_of
+from tests.support.splat_pages import Look, spark
+
+EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
+SIGMAS = (0.4, 0.5, 0.55, 0.6, 0.7, 0.85)
+SIZE = (480, 320)
+VIEWS = 8
+"""Of a cell in `tree.render`: splats have all."""
+Array = NDArray[np.float64]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("name", choices=TABLES)
+    parser.add_argument("store", help="a tree")
+    parser.add_argument("--level", type=int, default=2, help="of the cells")
+    parser.add_argument("--error", type=float, default=2.0, help="error_px of the pictures")
+    parser.add_argument("--out", type=Path, help="folder for pictures")
+    given = parser.parse_args()
+    print(f"{machine()}\n")
+    TABLES[given.name](nf.orthoview.open(given.store), given)
+
+
+def sizes(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
+    """Splats before and after thinning, bytes, and seconds of a processor."""
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, compression in (("one.spz", None), ("one.glb", None), ("packed.glb", "spz")):
+            start = time.process_time()
+            counts = tree.export_splats(Path(folder, name), level=given.level, compression=compression)
+            seconds = time.process_time() - start
+            pixels, splats = counts["pixels"], counts["splats"]
+            rows.append(
+                [
+                    name,
+                    f"{counts['cells']}",
+                    f"{pixels / counts['cells']:,.0f}",
+                    f"{splats / counts['cells']:,.0f}",
+                    f"{pixels / splats:.2f}",
+                    f"{counts['bytes'] / splats:.1f}",
+                    f"{1e6 * seconds / splats:.1f}",
+                ]
+            )
+    held, views = tree.held, tree.held["chunks"] / 3
+    print(f"the store: {held['bytes']:,} bytes, {held['bytes'] / views:,.0f} a view\n")
+    header = ["file", "cells", "pixels a cell", "splats a cell", "ratio", "bytes a splat", "CPU s a million splats"]
+    print(table(f"{Path(tree.path).name}, level {given.level}", header, rows))
+
+
+def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
+    """One cell by Spark and by `tree.render`, for several widths of Gaussians."""
+    cells = cells_of(tree)
+    key = max(cells.at(given.level), key=lambda cell: cells.read(*cell).pixels)
+    box = tree.box(*key)
+    x, y, z = box.mean(axis=0).tolist()
+    side = box[1, 0] - box[0, 0]
+    # A pixel of the view is about one of the picture.
+    look = Look((x, y + 0.7 * side, z + 1.9 * side), (x, y - 0.4 * side, z), 30.0, (320, 240))
+    ours = tree.render(look.camera, samples=16, geometry=False, clip=nf.Clip(box=box), channels=("color", "coverage"))
+    rows, files, usual = [], [], _gaussians.SIGMA
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            for number, width in enumerate(SIGMAS):
+                _gaussians.SIGMA = width
+                cell = cells.read(*key)
+                path = Path(folder, f"{number}.spz")
+                path.write_bytes(_spz.encoded(cell.gaussians))
+                files.append((path, cell.center))
+        finally:
+            _gaussians.SIGMA = usual
+        _, pictures = spark(files, [(look, [number]) for number in range(len(SIGMAS))])
+    cover = np.asarray(ours.coverage)
+    for width, picture in zip(SIGMAS, pictures, strict=True):
+        alpha = picture[..., 3]
+        whole, grey = cover > 0.999, np.full((*cover.shape, 3), 0.5)
+        shown = np.where(whole[..., None], picture[..., :3] + (1 - alpha[..., None]) * 0.5, grey)
+        right = np.where(whole[..., None], ours.to_image() / 255.0, grey)
+        shares = [f"{100 * (alpha[whole] < 0.9).mean():.1f}", f"{100 * alpha[cover == 0].mean():.2f}"]
+        rows.append([f"{width:g}", *alike(right, shown), *shares])
+    header = ["σ, pixels", "PSNR, dB", "SSIM", "surface with alpha < 0.9, %", "mean alpha beside, %"]
+    print(table(f"{Path(tree.path).name}, cell {key}", header, rows))
+
+
+def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
+    """The cells of a cut by Spark, by `tree.render` and by rays."""
+    scene = nf.Scene.load(Path(tree.path, "geometry", "tileset.json"))
+    rows, sheet = [], []
+    for name, look in looks(tree).items():
+        camera = look.camera
+        cut = tree.cut(camera, error_px=given.error, geometry=False)
+        keys = [
+            (level, tuple(place))
+            for level, place, seen in zip(cut.level.tolist(), cut.place.tolist(), cut.in_picture, strict=True)
+            if seen
+        ]
+        ours = tree.render(camera, views=VIEWS, samples=16, geometry=False, error_px=given.error, channels=("color",))
+        truth = nf.render(scene, camera, samples=16, channels=("color", "coverage"))
+        drawn, count = by_spark(tree, look, keys)
+        sky = tree.render(camera, t_max=1e-3, channels=("color",)).to_image() / 255.0
+        theirs = drawn[..., :3] + (1 - drawn[..., 3:]) * sky
+        right = truth.to_image() / 255.0
+        solid = np.asarray(truth.coverage) > 0.999
+        own, holes = ours.to_image() / 255.0, (drawn[..., 3] < 0.5) & solid
+        splats, share = f"{count / 1e6:.2f}", f"{100 * holes.sum() / solid.sum():.2f}"
+        rows.append([name, "tree.render beside rays", f"{len(keys)}", "", *alike(right, own), ""])
+        rows.append([name, "Spark beside rays", f"{len(keys)}", splats, *alike(right, theirs), share])
+        rows.append([name, "Spark beside tree.render", f"{len(keys)}", splats, *alike(own, theirs), ""])
+        sheet.append(np.concatenate([own, theirs], axis=1))
+    header = ["camera", "program", "cells", "million splats", "PSNR, dB", "SSIM", "holes, %"]
+    print(table(f"{Path(tree.path).name}, error_px = {given.error:g}, {VIEWS} views, no geometry", header, rows))
+    if given.out is not None:
+        codes = np.rint(255 * np.concatenate(sheet).clip(0, 1)).astype(np.uint8)
+        Image.fromarray(codes).save(given.out / "orthoview_splats.png")
+
+
+def alike(right: Array, shown: Array) -> list[str]:
+    """PSNR and SSIM of pictures in 0..1."""
+    return [f"{nf.psnr(right, shown, data_range=1.0):.1f}", f"{nf.ssim(right, shown, data_range=1.0):.3f}"]
+
+
+def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tuple[int, ...]]]) -> tuple[Array, int]:
+    """Spark's picture of some cells, and the number of their splats."""
+    cells, count, files = cells_of(tree), 0, []
+    with tempfile.TemporaryDirectory() as folder:
+        for number, (level, (x, y, z)) in enumerate(keys):
+            cell = cells.read(level, (x, y, z))
+            path = Path(folder, f"{number}.spz")
+            path.write_bytes(_spz.encoded(cell.gaussians))
+            files.append((path, cell.center))
+            count += len(cell.gaussians)
+        _, (picture,) = spark(files, [(look, range(len(files)))])
+    return picture, count
+
+
+def cells_of(tree: nf.orthoview.OrthoTree) -> Cells:
+    return Cells(tree._files, tree._layout, tree.generation, EVERYWHERE, sun_of("sun"))
+
+
+def looks(tree: nf.orthoview.OrthoTree) -> dict[str, Look]:
+    """Cameras over a world and beside it."""
+    (x, low, z), (_, _, _), side = tree.bounds[0], tree.bounds[1], float(np.ptp(tree.bounds[:, 0]))
+    middle = (x + side / 2, low, z + side / 2)
+    return {
+        "high": Look((x + 0.5 * side, low + 0.45 * side, z + 1.35 * side), middle, 40.0, SIZE),
+        "low": Look((x + 0.25 * side, low + 0.15 * side, z + 1.4 * side), middle, 30.0, SIZE),
+    }
+
+
+TABLES: dict[str, Callable[[nf.orthoview.OrthoTree, argparse.Namespace], None]] = {
+    "sizes": sizes,
+    "sigma": sigma,
+    "pictures": pictures,
+}
+
+if __name__ == "__main__":
+    main()

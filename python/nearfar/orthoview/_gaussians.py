@@ -1,0 +1,195 @@
+"""Pixels of views as Gaussians, as splat viewers take them.
+
+A surfel's pixel spans u and v on its tangent plane (docs/orthoview_view.md). The Gaussian of the covariance
+σ² (u uᵀ + v vᵀ), σ in pixels, has the same main axes as the ellipse of `tree.render`. Across the plane it is thin.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._scene.srgb import to_linear
+
+Floats = NDArray[np.float32]
+
+SIGMA = 0.6
+"""Standard deviation of a surfel in pixels of its view, by measurement (docs/orthoview_export.md): with smaller ones
+what lies behind shines through between pixels, greater ones blur edges."""
+
+THIN = 0.1
+"""Standard deviation across a surfel as a share of the smaller one along it."""
+
+LEAST_COSINE = 0.25
+"""Least cosine between a surfel's normal and the direction of its view, as in `tree.render`."""
+
+SUN = (0.526_315_8, 0.789_473_7, 0.315_789_5)
+"""Unit vector towards the sun of all pictures."""
+
+_SUN_COLOR = np.array([0.60, 0.56, 0.50], np.float32)
+_SKY = np.array([-0.206_284_3, 0.928_279_1, 0.309_426_4], np.float32)
+_SKY_COLORS = np.array([[0.130, 0.135, 0.150], [0.380, 0.420, 0.480]], np.float32)
+_LINEAR = to_linear(np.arange(256) / 255.0).astype(np.float32)
+
+
+@dataclass(frozen=True, eq=False)
+class Gaussians:
+    """Gaussians in one frame; the opacity of all is 1."""
+
+    middle: Floats
+    """(N, 3), metres from the frame's origin."""
+    rotation: Floats
+    """Unit quaternions (N, 4) x, y, z, w, of whose numbers w is the greatest: the columns of the matrices are the main
+    axes, the third one the normal."""
+    scale: Floats
+    """Standard deviations along the axes (N, 3), metres."""
+    color: NDArray[np.uint8]
+    """sRGB (N, 3)."""
+
+    def __len__(self) -> int:
+        """Number of Gaussians."""
+        return len(self.middle)
+
+    def box(self) -> NDArray[np.float64]:
+        """The box (2, 3) of their ellipsoids of three standard deviations, metres."""
+        axes = matrices(self.rotation) * self.scale[:, None, :]
+        reach = 3.0 * np.sqrt(np.einsum("nij,nij->ni", axes, axes))
+        low, high = (self.middle - reach).min(axis=0), (self.middle + reach).max(axis=0)
+        return np.array([low, high], np.float64)
+
+    def moved(self, shift: NDArray[np.float64]) -> Gaussians:
+        """The same in a frame whose origin lies elsewhere by minus a vector (3,), metres."""
+        return replace(self, middle=(self.middle + shift).astype(np.float32))
+
+
+NOTHING = Gaussians(
+    np.zeros((0, 3), np.float32), np.zeros((0, 4), np.float32), np.zeros((0, 3), np.float32), np.zeros((0, 3), np.uint8)
+)
+
+
+def joined(parts: list[Gaussians]) -> Gaussians:
+    """Gaussians of one frame, one after the other."""
+    return Gaussians(
+        np.concatenate([part.middle for part in parts]),
+        np.concatenate([part.rotation for part in parts]),
+        np.concatenate([part.scale for part in parts]),
+        np.concatenate([part.color for part in parts]),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Surfaces:
+    """Pixels of a view that show something, in their order."""
+
+    middle: Floats
+    """(N, 3), metres from the cell's centre."""
+    normal: Floats
+    """Unit normals (N, 3) towards the viewer."""
+    color: NDArray[np.uint8]
+    """Albedo, sRGB (N, 3)."""
+    is_surfel: NDArray[np.bool_]
+    """Others are balls (N,)."""
+
+    def kept(self, mask: NDArray[np.bool_]) -> Surfaces:
+        """Those that a mask (N,) names."""
+        return Surfaces(self.middle[mask], self.normal[mask], self.color[mask], self.is_surfel[mask])
+
+
+def gaussians_of(
+    shown: Surfaces, axes: Floats, pitch: tuple[float, float], sun: tuple[float, float, float] | None
+) -> Gaussians:
+    """Gaussians of the pixels of a view.
+
+    Parameters
+    ----------
+    shown
+        The pixels.
+    axes
+        Rows (3, 3): to the right, up, towards the viewer.
+    pitch
+        Width and height of a pixel, metres.
+    sun
+        Unit vector towards the sun; None for colours without light.
+    """
+    right, up, toward = axes
+    facing = np.maximum(shown.normal @ toward, np.float32(LEAST_COSINE))
+    u = np.float32(pitch[0]) * (right - ((shown.normal @ right) / facing)[:, None] * toward)
+    v = np.float32(pitch[1]) * (up - ((shown.normal @ up) / facing)[:, None] * toward)
+    # Turned in the plane of pixels until the images are perpendicular, u and v are the main axes of u uᵀ + v vᵀ.
+    uu, vv, uv = (np.einsum("ni,ni->n", a, b) for a, b in ((u, u), (v, v), (u, v)))
+    turn = 0.5 * np.arctan2(2.0 * uv, uu - vv)
+    cosine, sine = np.cos(turn)[:, None], np.sin(turn)[:, None]
+    first, second = cosine * u + sine * v, cosine * v - sine * u
+    lengths = np.stack([np.linalg.norm(first, axis=1), np.linalg.norm(second, axis=1)], axis=1)
+    first, second = first / lengths[:, :1], second / lengths[:, 1:]
+    across = np.stack([first, second, np.cross(first, second)], axis=2)
+    along = np.float32(SIGMA) * lengths
+    scale = np.concatenate([along, THIN * along.min(axis=1, keepdims=True)], axis=1)
+
+    balls = ~shown.is_surfel
+    across[balls] = np.eye(3, dtype=np.float32)
+    # A ball's disc bounds the pixel, whose corners lie on the ellipse of a surfel with the radius √½ in pixels.
+    scale[balls] = SIGMA * np.hypot(*pitch) / np.sqrt(2.0)
+    rotation, order = _quaternions(across)
+    scale = np.take_along_axis(scale, order, axis=1).astype(np.float32)
+    return Gaussians(shown.middle, rotation, scale, lit(shown.color, shown.normal, sun))
+
+
+def lit(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, float] | None) -> NDArray[np.uint8]:
+    """Colours (N, 3) in the light of all pictures, whose sun may stand elsewhere; sRGB in and out."""
+    if sun is None:
+        return color
+    sky = (0.5 + 0.5 * (normal @ _SKY))[:, None]
+    light = _SKY_COLORS[0] + (_SKY_COLORS[1] - _SKY_COLORS[0]) * sky
+    light = light + _SUN_COLOR * np.maximum(normal @ np.array(sun, np.float32), 0.0)[:, None]
+    linear = (_LINEAR[color] * light).astype(np.float32)
+    return _core.encode_srgb(linear.ravel()).reshape(linear.shape)
+
+
+def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:
+    """Unit quaternions (N, 4) of rotation matrices (N, 3, 3) whose columns are axes, and the order (N, 3) of these.
+
+    Axes have no sign, and the first two may change places. Of the turns that are the same for a Gaussian the one with
+    the greatest w is taken: formats that derive w from the other numbers are exact where it is great.
+    """
+    swapped = np.stack([matrix[:, :, 1], -matrix[:, :, 0], matrix[:, :, 2]], axis=2)
+    both = np.stack([_greatest(matrix), _greatest(swapped)])
+    better = both[1, :, 3] > both[0, :, 3]
+    order = np.where(better[:, None], np.array([1, 0, 2]), np.array([0, 1, 2]))
+    return np.where(better[:, None], both[1], both[0]), order
+
+
+def _greatest(matrix: Floats) -> Floats:
+    """The quaternion of each matrix after that half turn about one of its axes, or none, whose w is the greatest."""
+    x, y, z = (matrix[:, axis, axis] for axis in range(3))
+    # 4 w², 4 x², 4 y², 4 z². Half turns about the axes permute the numbers up to their signs.
+    squares = np.stack([1 + x + y + z, 1 + x - y - z, 1 - x + y - z, 1 - x - y + z], axis=1)
+    turn = squares.argmax(axis=1)
+    # A half turn about axis k turns the signs of the two other columns.
+    signs = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], np.float32)[turn]
+    turned = matrix * signs[:, None, :]
+    w = 0.5 * np.sqrt(np.maximum(squares.max(axis=1), 1.0))
+    over = 0.25 / w
+    return np.stack(
+        [
+            (turned[:, 2, 1] - turned[:, 1, 2]) * over,
+            (turned[:, 0, 2] - turned[:, 2, 0]) * over,
+            (turned[:, 1, 0] - turned[:, 0, 1]) * over,
+            w,
+        ],
+        axis=1,
+    ).astype(np.float32)
+
+
+def matrices(rotation: Floats) -> Floats:
+    """Rotation matrices (N, 3, 3) of unit quaternions (N, 4)."""
+    x, y, z, w = rotation.T
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.stack([np.stack(row, axis=1) for row in rows], axis=1).astype(np.float32)

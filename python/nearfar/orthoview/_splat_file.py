@@ -1,0 +1,184 @@
+"""The cells of a level as one file of Gaussians, SPZ or GLB, whose parts gather aside: memory holds few cells."""
+
+from __future__ import annotations
+
+import gzip
+import os
+import shutil
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import aside, progress, side_by_side
+from nearfar.orthoview import _splat_gltf as gltf, _spz as spz
+from nearfar.orthoview._gaussians import SIGMA, Gaussians
+from nearfar.orthoview._splat_cells import Cell, Cells
+
+_PIECE = 1 << 22
+"""Bytes between two looks for Ctrl-C."""
+
+_LEVEL = 6
+"""Of gzip."""
+
+
+class _Gathered:
+    """Sections of a file, each in a temporary file of its own."""
+
+    def __init__(self, folder: Path, names: tuple[str, ...]) -> None:
+        self._paths = {name: folder / str(number) for number, name in enumerate(names)}
+        self._files: dict[str, BinaryIO] = {name: path.open("wb") for name, path in self._paths.items()}
+        self.count = 0
+        self.pixels = 0
+        self.cells = 0
+        self.extent = np.array([[np.inf] * 3, [-np.inf] * 3])
+        """Least and greatest coordinates (2, 3) of middles."""
+
+    def add(self, sections: Mapping[str, bytes], cell: Cell) -> None:
+        """Take the sections of a cell's Gaussians."""
+        for name, data in sections.items():
+            self._files[name].write(data)
+        self.cells += 1
+        self.count += len(cell.gaussians)
+        self.pixels += cell.pixels
+
+    def widen(self, extent: NDArray[np.float64]) -> None:
+        """Take the extent of a cell's middles."""
+        self.extent = np.array([np.minimum(self.extent[0], extent[0]), np.maximum(self.extent[1], extent[1])])
+
+    def close(self) -> None:
+        """Close all temporary files."""
+        for file in self._files.values():
+            file.close()
+
+    def pour(self, target: Any) -> None:
+        """Write all sections, one after the other."""
+        self.close()
+        for path in self._paths.values():
+            with path.open("rb") as file:
+                while piece := file.read(_PIECE):
+                    progress.look()
+                    target.write(piece)
+
+
+def write(
+    path: Path, target: Path, cells: Cells, level: int, *, packed: bool, is_gltf: bool, extras: Mapping[str, Any]
+) -> dict[str, int]:
+    """Write the cells of a level into an empty file.
+
+    Parameters
+    ----------
+    path, target
+        The file, and the one whose place it takes.
+    cells
+        Of the tree.
+    level
+        Of the cells.
+    packed, is_gltf
+        Both for SPZ in a GLB, one of them for SPZ alone or a GLB with plain attributes.
+    extras
+        Facts about all, for a GLB.
+
+    Returns
+    -------
+    dict
+        Numbers of `cells`, `splats`, `pixels` that they stand for, and `bytes`; no splats if nothing is there.
+
+    Raises
+    ------
+    ValueError
+        More splats than a file holds.
+    """
+    bounds = cells.bounds()
+    center = np.rint(bounds.mean(axis=0)) if is_gltf else np.zeros(3)
+    with _beside(target) as folder:
+        if not packed:
+            gathered = _gather(cells, level, center, folder, tuple(gltf.ATTRIBUTES), gltf.columns)
+            if gathered.count:
+                with path.open("wb") as file:
+                    file.write(gltf.plain_start(gathered.count, gathered.extent, center, extras))
+                    gathered.pour(file)
+        else:
+            pitch = cells.layout.grid.side(level) / cells.layout.size
+            bits = spz.fraction_bits(float(np.abs(bounds - center).max()), SIGMA * pitch)
+            version = 2 if is_gltf else 3
+            encode = partial(spz.sections, bits=bits, version=version)
+            gathered = _gather(cells, level, center, folder, spz.SECTIONS, encode, most=spz.MOST)
+            if gathered.count:
+                inner = folder / "spz" if is_gltf else path
+                _compress(inner, spz.Header(version, gathered.count, bits), gathered)
+                if is_gltf:
+                    _wrap(inner, path, gathered, center, extras)
+    size = path.stat().st_size
+    return {"cells": gathered.cells, "splats": gathered.count, "pixels": gathered.pixels, "bytes": size}
+
+
+@contextmanager
+def _beside(target: Path) -> Iterator[Path]:
+    """A folder for a file's parts beside it, where there is room; the next call clears what a kill left."""
+    parts = target.with_name(f"{target.name[:100]}.parts")
+    aside.clear(parts)
+    with aside.held(parts, folder=True) as folder:
+        try:
+            yield folder
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _gather(
+    cells: Cells,
+    level: int,
+    center: NDArray[np.float64],
+    folder: Path,
+    names: tuple[str, ...],
+    encode: Callable[[Gaussians], dict[str, bytes]],
+    most: int = (1 << 32) - 1,
+) -> _Gathered:
+    """Gather the sections of all cells of a level, relative to a common centre."""
+
+    def made(chunks: Any, place: Any) -> tuple[Cell, dict[str, bytes], Gaussians]:
+        cell = cells.made(level, place, chunks)
+        moved = cell.gaussians.moved(cell.center - center)
+        return cell, encode(moved), moved
+
+    def jobs() -> Iterator[Any]:
+        for _, place in cells.at(level):
+            yield partial(made, cells.chunks(level, place), place)
+
+    grid, gathered = cells.layout.grid, _Gathered(folder, names)
+    total, done = grid.leaves(grid.levels - 1, (0, 0, 0)), 0
+    try:
+        with progress.bar("exporting") as report:
+            for cell, sections, moved in side_by_side.results(jobs()):
+                if len(moved):
+                    gathered.add(sections, cell)
+                    gathered.widen(gltf.extent_of(moved))
+                if gathered.count > most:
+                    raise ValueError(
+                        f"level: expected one with at most {most:,} splats in the box, level {level} has more; "
+                        'take a higher one, a smaller aabb or format="tiles"'
+                    )
+                done += grid.leaves(level, cell.place)
+                report(done, total)
+    finally:
+        gathered.close()
+    return gathered
+
+
+def _compress(path: Path, header: spz.Header, gathered: _Gathered) -> None:
+    with path.open("wb") as file, gzip.GzipFile("", "wb", _LEVEL, file, mtime=0) as target:
+        target.write(header.packed())
+        gathered.pour(target)
+
+
+def _wrap(inner: Path, path: Path, gathered: _Gathered, center: NDArray[np.float64], extras: Mapping[str, Any]) -> None:
+    """Put an SPZ file into a GLB."""
+    size = os.stat(inner).st_size
+    with inner.open("rb") as file, path.open("wb") as target:
+        target.write(gltf.packed_start(gathered.count, size, gathered.extent, center, extras))
+        shutil.copyfileobj(file, target, _PIECE)
+        target.write(bytes(gltf.padding(size)))

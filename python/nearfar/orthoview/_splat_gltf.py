@@ -1,0 +1,173 @@
+"""Gaussians as GLB files: the glTF extension KHR_gaussian_splatting, with plain attributes or an SPZ file inside."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base.errors import UnusableError
+from nearfar._base.version import __version__
+from nearfar._scene.srgb import to_linear
+from nearfar.orthoview import _spz
+from nearfar.orthoview._gaussians import Gaussians
+
+SPLATS = "KHR_gaussian_splatting"
+PACKED = "KHR_gaussian_splatting_compression_spz_2"
+"""Draft; the SPZ file has version 2."""
+
+ATTRIBUTES: dict[str, tuple[int, str, int, bool]] = {
+    "POSITION": (5126, "VEC3", 12, False),
+    f"{SPLATS}:ROTATION": (5122, "VEC4", 8, True),
+    f"{SPLATS}:SCALE": (5126, "VEC3", 12, False),
+    f"{SPLATS}:OPACITY": (5126, "SCALAR", 4, False),
+    f"{SPLATS}:SH_DEGREE_0_COEF_0": (5126, "VEC3", 12, False),
+    "COLOR_0": (5121, "VEC4", 4, True),
+}
+"""Types of components and elements, bytes, and whether whole numbers stand for 0..1 or −1..1."""
+
+_PLACEHOLDERS: dict[str, tuple[int, str, bool]] = {
+    "POSITION": (5126, "VEC3", False),
+    "COLOR_0": (5121, "VEC4", True),
+    f"{SPLATS}:SCALE": (5126, "VEC3", False),
+    f"{SPLATS}:ROTATION": (5126, "VEC4", False),
+}
+"""Attributes that a reader takes from an SPZ file."""
+
+MOST_BYTES = (1 << 32) - 1
+"""Greatest size of a GLB."""
+
+_HARMONIC = 0.282_094_791_773_878_1
+_CODES = np.arange(256) / 255.0
+_COEFFICIENTS = ((_CODES - 0.5) / _HARMONIC).astype("<f4")
+_LINEAR = np.rint(to_linear(_CODES) * 255.0).astype(np.uint8)
+
+Extent = NDArray[np.float64]
+"""Least and greatest coordinates (2, 3) of middles."""
+
+
+def columns(gaussians: Gaussians) -> dict[str, bytes]:
+    """The bytes of attributes of some Gaussians."""
+    solid = np.full((len(gaussians), 1), 255, np.uint8)
+    values = {
+        "POSITION": gaussians.middle.astype("<f4"),
+        f"{SPLATS}:ROTATION": np.rint(gaussians.rotation * 32767.0).astype("<i2"),
+        f"{SPLATS}:SCALE": gaussians.scale.astype("<f4"),
+        f"{SPLATS}:OPACITY": np.ones(len(gaussians), "<f4"),
+        f"{SPLATS}:SH_DEGREE_0_COEF_0": _COEFFICIENTS[gaussians.color],
+        "COLOR_0": np.concatenate([_LINEAR[gaussians.color], solid], axis=1),
+    }
+    return {name: np.ascontiguousarray(values[name]).tobytes() for name in ATTRIBUTES}
+
+
+def plain_start(count: int, extent: Extent, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
+    """All of a GLB before the attributes of `columns`, which follow one after the other.
+
+    Parameters
+    ----------
+    count, extent
+        Of the Gaussians.
+    center
+        World position (3,) that they are relative to, metres.
+    extras
+        Facts about them.
+    """
+    views, accessors, at = [], [], 0
+    for number, (component, kind, width, is_normalized) in enumerate(ATTRIBUTES.values()):
+        views.append({"buffer": 0, "byteOffset": at, "byteLength": width * count, "target": 34962})
+        accessor: dict[str, Any] = {"bufferView": number, "componentType": component, "count": count, "type": kind}
+        accessors.append(accessor | ({"normalized": True} if is_normalized else {}))
+        at += width * count
+    accessors[0] |= _corners(extent)
+    body = {"accessors": accessors, "bufferViews": views, "buffers": [{"byteLength": at}]}
+    return _start(_document({}, list(ATTRIBUTES), center, extras) | body, at)
+
+
+def plain(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
+    """A GLB of some Gaussians with plain attributes."""
+    start = plain_start(len(gaussians), extent_of(gaussians), center, extras)
+    return b"".join([start, *columns(gaussians).values()])
+
+
+def packed_start(
+    count: int, size: int, extent: Extent, center: NDArray[np.float64], extras: Mapping[str, Any]
+) -> bytes:
+    """All of a GLB before an SPZ file of some size, which `padding` bytes follow."""
+    accessors: list[dict[str, Any]] = [
+        {"componentType": component, "count": count, "type": kind} | ({"normalized": True} if is_normalized else {})
+        for component, kind, is_normalized in _PLACEHOLDERS.values()
+    ]
+    accessors[0] |= _corners(extent)
+    whole = size + padding(size)
+    body = {
+        "accessors": accessors,
+        "bufferViews": [{"buffer": 0, "byteLength": size}],
+        "buffers": [{"byteLength": whole}],
+        "extensionsRequired": [SPLATS, PACKED],
+    }
+    own = {"extensions": {PACKED: {"bufferView": 0}}}
+    return _start(_document(own, list(_PLACEHOLDERS), center, extras) | body, whole)
+
+
+def packed(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
+    """A GLB of some Gaussians as an SPZ file."""
+    data = _spz.encoded(gaussians, version=2)
+    start = packed_start(len(gaussians), len(data), extent_of(gaussians), center, extras)
+    return start + data + bytes(padding(len(data)))
+
+
+def padding(size: int) -> int:
+    """Bytes that fill a chunk up to whole words."""
+    return -size % 4
+
+
+def extent_of(gaussians: Gaussians) -> Extent:
+    """Least and greatest coordinates of middles."""
+    return np.array([gaussians.middle.min(axis=0), gaussians.middle.max(axis=0)], np.float64)
+
+
+def _corners(extent: Extent) -> dict[str, Any]:
+    return {"min": extent[0].tolist(), "max": extent[1].tolist()}
+
+
+def _document(
+    own: dict[str, Any], attributes: list[str], center: NDArray[np.float64], extras: Mapping[str, Any]
+) -> dict[str, Any]:
+    """What all files have: one node with one mesh of points."""
+    splats = {
+        "kernel": "ellipse",
+        "colorSpace": "srgb_rec709_display",
+        "sortingMethod": "cameraDistance",
+        "projection": "perspective",
+    }
+    primitive = {
+        "attributes": {name: number for number, name in enumerate(attributes)},
+        "mode": 0,
+        "extensions": {SPLATS: splats | own},
+    }
+    # Some viewers read a node's matrix and no other form of its place.
+    matrix = np.eye(4)
+    matrix[3, :3] = center
+    return {
+        "asset": {"version": "2.0", "generator": f"nearfar {__version__}", "extras": dict(extras)},
+        "extensionsUsed": [SPLATS, *([PACKED] if own else [])],
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "matrix": matrix.ravel().tolist()}],
+        "meshes": [{"primitives": [primitive]}],
+    }
+
+
+def _start(document: dict[str, Any], size: int) -> bytes:
+    """A GLB's header, its document, and the header of a chunk of so many bytes."""
+    text = json.dumps(document, separators=(",", ":"), allow_nan=False).encode()
+    text += b" " * padding(len(text))
+    whole = 12 + 8 + len(text) + 8 + size
+    if whole > MOST_BYTES:
+        raise UnusableError(f"a GLB holds at most {MOST_BYTES:,} bytes, expected fewer than {whole:,}")
+    head = struct.pack("<4sII", b"glTF", 2, whole) + struct.pack("<I4s", len(text), b"JSON")
+    return head + text + struct.pack("<I4s", size, b"BIN\0")

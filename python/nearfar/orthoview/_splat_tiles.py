@@ -1,0 +1,187 @@
+"""A tree as tiles of Gaussians: a tileset of 3D Tiles 1.1 with a GLB for each cell of each level.
+
+A cell's children take its place. So that no document grows with the world, one lists the tiles of four levels at most
+and refers to others below. Cells are written after those below them, and only what their parents need is kept.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import files, formats, progress, side_by_side
+from nearfar._base.version import __version__
+from nearfar.orthoview import _splat_gltf as gltf
+from nearfar.orthoview._availability import volume
+from nearfar.orthoview._directions import widest
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._splat_cells import Cells, Chunk
+
+TILESET = "tileset.json"
+
+_LEVELS = 4
+"""Levels of a document."""
+
+ERROR = 8.0
+"""A cell's geometric error in pixels of its views: at a viewer's usual bound of 16 screen pixels they are 2 wide."""
+
+_UP = "../../../../"
+"""From a document to the folder of all."""
+
+
+@dataclass(frozen=True)
+class _Tile:
+    """A cell's tile."""
+
+    level: int
+    place: Place
+    box: NDArray[np.float64] | None
+    """World box (2, 3) of its Gaussians, metres; None if it has none."""
+    pixels: int
+    """Number of pixels of its views."""
+    splats: int
+    data: bytes
+    """Its file."""
+
+
+class _Tree:
+    """Puts tiles together, each after those below it."""
+
+    def __init__(self, folder: Path, cells: Cells, finest: int, contents: list[str]) -> None:
+        self._folder, self._grid, self._finest, self._contents = folder, cells.layout.grid, finest, contents
+        self._pixel = self._grid.cell * widest(cells.layout.directions) / cells.layout.size
+        self._open: dict[tuple[int, Place], dict[str, Any]] = {}
+        self._boxes: dict[tuple[int, Place], NDArray[np.float64]] = {}
+
+    def add(self, tile: _Tile) -> None:
+        """Take a tile; its children are there."""
+        key, children, boxes = (tile.level, tile.place), [], [] if tile.box is None else [tile.box]
+        if tile.level > self._finest:
+            for _, child in self._grid.children(*key):
+                if (below := self._open.pop((tile.level - 1, child), None)) is not None:
+                    children.append(below)
+                    boxes.append(self._boxes.pop((tile.level - 1, child)))
+        if not boxes:
+            return
+        box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
+        # Without children there is nothing that a viewer could refine.
+        error = ERROR * self._pixel * 2.0**tile.level if children else 0.0
+        node: dict[str, Any] = {"boundingVolume": {"box": volume(box)}, "geometricError": error, "refine": "REPLACE"}
+        if tile.box is not None:
+            node["content"] = {"uri": _name("content", *key, "glb"), "boundingVolume": {"box": volume(tile.box)}}
+        if children:
+            node["children"] = children
+        is_top = tile.level == self._grid.levels - 1
+        if not is_top and (tile.level - self._finest) % _LEVELS == _LEVELS - 1:
+            node = self._apart(key, node)
+        self._open[key], self._boxes[key] = node, box
+
+    def _apart(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
+        """Write a tile and those below it into a document of their own; a tile that refers to it."""
+        name = _name("tilesets", *key, "json")
+        path = self._folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        document = self._document(_moved(node), node["geometricError"])
+        files.write(path, formats.to_json(document, compact=True).encode())
+        shared = {part: node[part] for part in ("boundingVolume", "geometricError", "refine")}
+        return shared | {"content": {"uri": name}}
+
+    def finish(self) -> None:
+        """Write the document on top, if there is anything."""
+        top = (self._grid.levels - 1, (0, 0, 0))
+        if top not in self._open:
+            return
+        document = self._document(self._open[top], math.sqrt(3.0) * self._grid.side(top[0]))
+        files.write(self._folder / TILESET, formats.to_json(document, compact=True).encode())
+
+    def _document(self, root: dict[str, Any], error: float) -> dict[str, Any]:
+        named = {"extensionsUsed": self._contents, "extensionsRequired": self._contents}
+        return {
+            "asset": {"version": "1.1", "extras": {"generator": f"nearfar {__version__}"}},
+            "extensionsUsed": ["3DTILES_content_gltf"],
+            "extensions": {"3DTILES_content_gltf": named},
+            "geometricError": error,
+            "root": root,
+        }
+
+
+def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapping[str, Any]) -> dict[str, int]:
+    """Write the tiles of all levels from one upwards into an empty folder.
+
+    Parameters
+    ----------
+    folder
+        Where they come to lie.
+    cells
+        Of the tree.
+    finest
+        The lowest level.
+    packed
+        Whether contents hold SPZ files.
+    extras
+        Facts for all contents.
+
+    Returns
+    -------
+    dict
+        Numbers of `tiles`, `splats`, `pixels` that they stand for, and `bytes` of contents; none if nothing is there.
+    """
+    contents = [gltf.SPLATS, gltf.PACKED] if packed else [gltf.SPLATS]
+    tree = _Tree(folder, cells, finest, contents)
+    total = {"tiles": 0, "splats": 0, "pixels": 0, "bytes": 0}
+    encode = partial(gltf.packed if packed else gltf.plain, extras=extras)
+    size, done = cells.layout.grid.leaves(cells.layout.grid.levels - 1, (0, 0, 0)), 0
+
+    def jobs() -> Iterator[Callable[[], _Tile]]:
+        for level, place in cells.below(finest):
+            yield partial(_made, cells, cells.chunks(level, place), level, place, encode)
+
+    with progress.bar("exporting") as report:
+        for tile in side_by_side.results(jobs()):
+            total["pixels"] += tile.pixels
+            if tile.data:
+                # Not in the jobs: those that go on after Ctrl-C would write into a folder that is removed.
+                path = folder / _name("content", tile.level, tile.place, "glb")
+                path.parent.mkdir(parents=True, exist_ok=True)
+                files.write(path, tile.data)
+                total["tiles"] += 1
+                total["splats"] += tile.splats
+                total["bytes"] += len(tile.data)
+            tree.add(tile)
+            if tile.level == finest:
+                done += cells.layout.grid.leaves(tile.level, tile.place)
+                report(done, size)
+    tree.finish()
+    return total
+
+
+def _made(cells: Cells, chunks: list[Chunk], level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
+    """A cell's tile, from the chunks of its views."""
+    cell = cells.made(level, place, chunks)
+    splats = cell.gaussians
+    if not len(splats):
+        return _Tile(level, place, None, cell.pixels, 0, b"")
+    box = splats.box() + cell.center
+    return _Tile(level, place, box, cell.pixels, len(splats), encode(splats, cell.center))
+
+
+def _name(folder: str, level: int, place: Place, suffix: str) -> str:
+    x, y, z = place
+    return f"{folder}/{level}/{x}/{y}/{z}.{suffix}"
+
+
+def _moved(node: dict[str, Any]) -> dict[str, Any]:
+    """A tile with places of files as a document in a folder below has them."""
+    moved = dict(node)
+    if "content" in node:
+        moved["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
+    if "children" in node:
+        moved["children"] = [_moved(child) for child in node["children"]]
+    return moved

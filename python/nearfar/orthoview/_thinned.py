@@ -1,0 +1,248 @@
+"""Surfaces that several views of a cell show: which pixels are left out because another view shows them better.
+
+A pixel's *fineness* is the number of pixels on a square metre of its surface. A surfel is left out if all four pixels
+of another view about its place are surfels of the same plane and finer; of equal ones those of the first view count.
+Each pixel's fineness is fixed, so no two leave each other out; what is left out lies between better pixels.
+A ball is left out where another view has a surfel at its place, or an earlier view a ball.
+
+Gaussians have no back. Where two sides of a surface lie closer than the pixels, one would shine through the other: of
+floors the upper side counts, of walls the one that more views show. So the ground has no lower side, and the insides of
+houses that a cell's side cuts open do not show in their outsides.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar.orthoview._gaussians import Floats, Surfaces
+
+Integers = NDArray[np.int64]
+
+NEAR = 0.5
+"""Greatest distance between two surfels' planes, in pixels."""
+
+ALIKE = 0.7
+"""Least cosine between the normals of surfels of one surface, as of connected pixels."""
+
+LEVEL = 0.5
+"""Least upward part of a unit normal at which a surface is a floor."""
+
+_TIE = np.float32(1e-4)
+"""Share by which rounding may change a fineness."""
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A view of a cell: arrays (size, size) of its pixels."""
+
+    axes: Floats
+    """Rows (3, 3): to the right, up, towards the viewer."""
+    extents: tuple[float, float, float]
+    """Of the picture to the right and upwards, and of depths, metres."""
+    depth: Floats
+    """Metres behind the front; NaN where nothing is."""
+    normal: Floats
+    """Towards the viewer, world axes (size, size, 3)."""
+    color: NDArray[np.uint8]
+    is_surfel: NDArray[np.bool_]
+    fineness: Floats
+    """Pixels on a square metre; 0 for balls, −1 where nothing is."""
+
+    @classmethod
+    def of(
+        cls,
+        views: _core.OrthoViews,
+        bits: NDArray[np.uint8],
+        axes: NDArray[np.float64],
+        extents: NDArray[np.float64],
+        steps: int,
+    ) -> Picture:
+        """The first of some views, whose pixels are connected as `bits` say."""
+        width, height, depth = extents.tolist()
+        codes, rows = views.depths()[0, ..., 0], axes.astype(np.float32)
+        shown = codes > 0
+        behind = np.where(shown, (codes.astype(np.float32) - 0.5) * np.float32(depth / steps), np.float32(np.nan))
+        normal = np.where(shown[..., None], views.vectors()[0], np.float32(0.0))
+        is_surfel = _core.orthoview_surfels(bits)[0, ..., 0] & shown
+        pixel = width * height / codes.size
+        fineness = np.where(is_surfel, np.maximum(normal @ rows[2], 1e-3) / np.float32(pixel), np.float32(0.0))
+        return cls(
+            rows,
+            (width, height, depth),
+            behind,
+            normal,
+            views.colors()[0],
+            is_surfel,
+            np.where(shown, fineness, np.float32(-1.0)),
+        )
+
+    @property
+    def pitch(self) -> tuple[float, float]:
+        """Width and height of a pixel, metres."""
+        size = len(self.depth)
+        return self.extents[0] / size, self.extents[1] / size
+
+    def surfaces(self) -> Surfaces:
+        """The pixels that show something, row by row."""
+        row, column = np.nonzero(self.fineness >= 0.0)
+        (width, height), half = self.pitch, np.array(self.extents, np.float32) / 2
+        place = np.stack(
+            [
+                (column + np.float32(0.5)) * np.float32(width) - half[0],
+                half[1] - (row + np.float32(0.5)) * np.float32(height),
+                half[2] - self.depth[row, column],
+            ],
+            axis=1,
+        )
+        return Surfaces(
+            (place @ self.axes).astype(np.float32),
+            self.normal[row, column],
+            self.color[row, column],
+            self.is_surfel[row, column],
+        )
+
+
+def seen_better(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether other pictures show pixels of one of them better.
+
+    Parameters
+    ----------
+    pictures
+        All views of the cell.
+    number
+        Of the one that the pixels are from.
+    rows
+        Which of its `surfaces()`.
+
+    Returns
+    -------
+    NDArray
+        For each row whether it is left out.
+    """
+    own = pictures[number]
+    shown = own.surfaces()
+    fineness = own.fineness[own.fineness >= 0.0]
+    left = rows
+    for other, picture in enumerate(pictures):
+        if other == number or not len(left):
+            continue
+        balls = left[~shown.is_surfel[left]]
+        surfels = left[shown.is_surfel[left]]
+        # By its own normal a surfel of the other view would have this fineness.
+        pixel = np.float32(picture.pitch[0] * picture.pitch[1])
+        could = (shown.normal[surfels] @ picture.axes[2]) / pixel
+        surfels = surfels[could >= fineness[surfels] * (1 - _TIE)]
+        same = _same_surfel(picture, shown.middle[surfels], shown.normal[surfels], fineness[surfels], other < number)
+        gone = [surfels[same], balls[_same_ball(picture, shown.middle[balls], own, other < number)]]
+        left = np.setdiff1d(left, np.concatenate(gone), assume_unique=True)
+    surfels = left[shown.is_surfel[left]]
+    backs = surfels[_is_back(pictures, number, shown.middle[surfels], shown.normal[surfels])]
+    return ~np.isin(rows, np.setdiff1d(left, backs, assume_unique=True), assume_unique=True)
+
+
+def _is_back(pictures: list[Picture], number: int, middle: Floats, normal: Floats) -> NDArray[np.bool_]:
+    """Whether surfels (N,) of a picture are the side of a thin surface that does not count."""
+    others = [picture for other, picture in enumerate(pictures) if other != number]
+    behind = np.zeros(len(middle), np.int32)
+    for picture in others:
+        behind += _has_plane(picture, middle, -normal)
+    thin = np.flatnonzero(behind)
+    own = np.ones(len(thin), np.int32)  # their own picture shows their side
+    for picture in others:
+        own += _has_plane(picture, middle[thin], normal[thin])
+    up = normal[thin, 1]
+    is_back = np.zeros(len(middle), bool)
+    is_back[thin] = np.where(np.abs(up) > LEVEL, up < 0, behind[thin] > own)
+    return is_back
+
+
+def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.bool_]:
+    """Whether the pixels of a picture about points (N,) are surfels of planes with their normals."""
+    has = np.zeros(len(middle), bool)
+    at = np.flatnonzero(normal @ picture.axes[2] > 0)
+    column, row, depth = _placed(picture, middle[at])
+    size, (width, height) = len(picture.depth), picture.pitch
+    is_inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    at, column, row, depth = at[is_inside], column[is_inside], row[is_inside], depth[is_inside]
+    c, r = column.astype(np.int64), row.astype(np.int64)
+    near = np.float32(NEAR * max(width, height))
+    # On a plane that leans by 75.5° depths differ by 4.8 pixels, within reach of its pixel and `near`.
+    could = picture.is_surfel[r, c] & (np.abs(depth - picture.depth[r, c]) <= 10 * near)
+    at, column, row, depth, c, r = at[could], column[could], row[could], depth[could], c[could], r[could]
+    could = np.einsum("ni,ni->n", picture.normal[r, c], normal[at]) >= ALIKE
+    could &= _off_plane(picture, (c, column), (r, row), depth) <= near
+    has[at[could]] = True
+    return has
+
+
+def _placed(picture: Picture, middle: Floats) -> tuple[Floats, Floats, Floats]:
+    """Columns, rows and depths of points in a picture, in pixels and metres."""
+    width, height, depth = picture.extents
+    size = np.float32(len(picture.depth))
+    right, up, toward = (middle @ picture.axes.T).T
+    return (
+        (right / np.float32(width) + np.float32(0.5)) * size,
+        (np.float32(0.5) - up / np.float32(height)) * size,
+        np.float32(depth / 2) - toward,
+    )
+
+
+def _same_surfel(
+    picture: Picture, middle: Floats, normal: Floats, fineness: Floats, is_before: bool
+) -> NDArray[np.bool_]:
+    """Whether surfels (N,) lie between four finer ones of a picture that are of their plane."""
+    column, row, depth = _placed(picture, middle)
+    size, (width, height) = len(picture.depth), picture.pitch
+    same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    near = np.float32(NEAR * max(width, height))
+    first_column, first_row = np.floor(column - 0.5), np.floor(row - 0.5)
+    for down, along in ((0, 0), (0, 1), (1, 0), (1, 1)):
+        at = np.flatnonzero(same)
+        if not len(at):
+            break
+        # At the picture's sides the outermost pixels stand for those beyond.
+        c = np.clip(first_column[at] + along, 0, size - 1).astype(np.int64)
+        r = np.clip(first_row[at] + down, 0, size - 1).astype(np.int64)
+        theirs = picture.fineness[r, c]
+        better = theirs >= fineness[at] if is_before else theirs > fineness[at]
+        better &= picture.is_surfel[r, c]
+        better &= np.einsum("ni,ni->n", picture.normal[r, c], normal[at]) >= ALIKE
+        same[at] = better & (_off_plane(picture, (c, column[at]), (r, row[at]), depth[at]) <= near)
+    return same
+
+
+def _off_plane(
+    picture: Picture, columns: tuple[Integers, Floats], rows: tuple[Integers, Floats], depth: Floats
+) -> Floats:
+    """Distances (N,) of points at columns, rows and depths from the planes of pixels, which come first, metres."""
+    (c, column), (r, row), (width, height) = columns, rows, picture.pitch
+    normal = picture.normal[r, c] @ picture.axes.T
+    distance: Floats = np.abs(
+        (column - c - np.float32(0.5)) * np.float32(width) * normal[:, 0]
+        - (row - r - np.float32(0.5)) * np.float32(height) * normal[:, 1]
+        - (depth - picture.depth[r, c]) * normal[:, 2]
+    )
+    return distance
+
+
+def _same_ball(picture: Picture, middle: Floats, own: Picture, is_before: bool) -> NDArray[np.bool_]:
+    """Whether balls (N,) of a picture lie at places where another one shows a surfel, or an earlier one a ball."""
+    column, row, depth = _placed(picture, middle)
+    size = len(picture.depth)
+    same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    at = np.flatnonzero(same)
+    c, r = column[at].astype(np.int64), row[at].astype(np.int64)
+    counts = picture.fineness[r, c] >= (0.0 if is_before else np.finfo(np.float32).tiny)
+    width, height = picture.pitch
+    squared = (
+        ((column[at] - c - np.float32(0.5)) * np.float32(width)) ** 2
+        + ((row[at] - r - np.float32(0.5)) * np.float32(height)) ** 2
+        + (depth[at] - picture.depth[r, c]) ** 2
+    )
+    radius = np.hypot(*own.pitch) / 2
+    same[at] = counts & (np.nan_to_num(squared, nan=np.inf) <= radius * radius)
+    return same

@@ -1,0 +1,187 @@
+"""Pixels of views as Gaussians: middles, axes, sizes, colours, and what is left out because it is seen twice."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._scene.srgb import to_linear
+from nearfar.orthoview._gaussians import SIGMA, SUN, THIN, Gaussians, Surfaces, gaussians_of, lit, matrices
+from nearfar.orthoview._splat_cells import Cells, Sun
+from nearfar.orthoview._thinned import Picture
+from tests.support import need
+
+EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _zarr() -> None:
+    need("zarr")
+
+
+def cells_of(tree: nf.orthoview.OrthoTree, sun: Sun = None) -> Cells:
+    return Cells(tree._files, tree._layout, tree.generation, EVERYWHERE, sun)
+
+
+def pictures_of(tree: nf.orthoview.OrthoTree, level: int, place: tuple[int, int, int]) -> list[Picture]:
+    cells = cells_of(tree)
+    return cells._pictures(level, cells.chunks(level, place))
+
+
+def fullest(tree: nf.orthoview.OrthoTree, level: int, count: int) -> list[tuple[int, tuple[int, int, int]]]:
+    """The cells of a level that show the most."""
+    cells = cells_of(tree)
+    return sorted(cells.at(level), key=lambda cell: -cells.read(*cell).pixels)[:count]
+
+
+def covariances(gaussians: Gaussians) -> NDArray[np.float64]:
+    axes = matrices(gaussians.rotation).astype(np.float64) * gaussians.scale[:, None, :]
+    return axes @ axes.transpose(0, 2, 1)
+
+
+def test_gaussians_are_as_the_formulas_of_surfels_and_balls_say(tree: nf.orthoview.OrthoTree) -> None:
+    level, place = fullest(tree, 1, 1)[0]
+    checked = {"surfel": 0, "ball": 0}
+    for number, direction in enumerate(tree.directions):
+        view = tree.view(level, place, number)
+        assert view is not None
+        (picture,) = [own for own in pictures_of(tree, level, place) if np.allclose(own.axes[2], view.toward)]
+        shown = picture.surfaces()
+        got = gaussians_of(shown, picture.axes, picture.pitch, None)
+        rows = np.isfinite(view.depth)
+        assert np.allclose(got.middle, view.points()[rows] - view.center, atol=1e-4), direction
+        assert (got.color == view.color[rows]).all()
+        assert (shown.is_surfel == view.surfel[rows]).all()
+        width, height = view.extents[:2] / tree.size
+        for covariance, scale, normal, is_surfel in zip(
+            covariances(got),
+            got.scale,
+            view.normal[rows].astype(np.float64),
+            shown.is_surfel,
+            strict=True,
+        ):
+            if not is_surfel:
+                radius = np.hypot(width, height) / 2
+                assert np.allclose(covariance, np.eye(3) * (SIGMA * radius / np.sqrt(0.5)) ** 2, rtol=1e-4)
+                checked["ball"] += 1
+                continue
+            # u and v of docs/orthoview_view.md, in the axes of the world.
+            n_x, n_y, n_z = normal @ view.right, normal @ view.up, max(normal @ view.toward, 0.25)
+            u = width * (view.right - n_x / n_z * view.toward)
+            v = height * (view.up - n_y / n_z * view.toward)
+            wanted = SIGMA**2 * (np.outer(u, u) + np.outer(v, v))
+            plane = np.cross(u, v) / np.linalg.norm(np.cross(u, v))
+            wanted += (THIN * SIGMA * np.linalg.svd(np.array([u, v]))[1][1]) ** 2 * np.outer(plane, plane)
+            assert np.allclose(covariance, wanted, atol=1e-4 * np.trace(wanted)), direction
+            assert scale[2] < min(scale[:2])
+            checked["surfel"] += 1
+    assert min(checked.values()) > 20, checked
+
+
+def test_the_third_axis_is_the_normal_and_w_the_greatest_number() -> None:
+    rng = np.random.default_rng(1)
+    normal = rng.normal(size=(500, 3))
+    normal[:, 2] = np.abs(normal[:, 2]) + 0.5  # no flatter than a surfel
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    ones = np.ones(len(normal), bool)
+    shown = Surfaces(np.zeros((500, 3), np.float32), normal.astype(np.float32), np.zeros((500, 3), np.uint8), ones)
+    got = gaussians_of(shown, np.eye(3, dtype=np.float32), (0.5, 0.8), None)
+    steep = normal[:, 2] >= 0.25
+    along = np.abs((matrices(got.rotation)[:, :, 2] * normal).sum(axis=1))
+    assert steep.sum() > 400
+    assert np.allclose(along[steep], 1, atol=1e-5)
+    assert np.allclose(np.linalg.norm(got.rotation, axis=1), 1, atol=1e-5)
+    assert (got.rotation[:, 3:] >= np.abs(got.rotation[:, :3]) - 1e-6).all()
+    assert np.allclose(np.linalg.det(matrices(got.rotation)), 1, atol=1e-5)
+
+
+def test_the_light_is_that_of_pictures() -> None:
+    ball = trimesh.creation.icosphere(subdivisions=3)
+    ball.visual.vertex_colors = [180, 120, 60, 255]
+    camera = nf.Camera.look_at((3, 2, 4), (0, 0, 0), fov=nf.Fov.symmetric(40, 1), size=(48, 48))
+    frame = nf.render(nf.Scene.from_trimesh(ball), camera, channels=("color", "albedo", "shading_normal", "coverage"))
+    shown = np.asarray(frame.coverage) == 1
+    codes = np.rint(np.full((shown.sum(), 3), (180, 120, 60))).astype(np.uint8)
+    assert np.allclose(np.asarray(frame.albedo)[shown], to_linear(codes / 255), atol=1e-3)
+    got = lit(codes, np.asarray(frame.shading_normal)[shown].astype(np.float32), SUN)
+    assert shown.sum() > 300
+    assert np.abs(to_linear(got / 255) - np.asarray(frame.color)[shown]).max() < 0.006  # half a code of white
+    assert lit(codes, np.zeros((len(codes), 3), np.float32), None) is codes
+
+
+def test_another_sun_lights_other_sides() -> None:
+    white, normal = np.full((2, 3), 255, np.uint8), np.array([[1, 0, 0], [-1, 0, 0]], np.float32)
+    from_right, from_left = (to_linear(lit(white, normal, (x, 0.0, 0.0)) / 255) for x in (1.0, -1.0))
+    # The sun of (0.60, 0.56, 0.50) shines on one of two sides, the sky on both.
+    assert np.allclose(from_right[0] - from_left[0], (0.60, 0.56, 0.50), atol=0.01)
+    assert np.allclose(from_left[1] - from_right[1], (0.60, 0.56, 0.50), atol=0.01)
+
+
+def plate_tree(folder: Path, directions: int, thickness: float = 0.0) -> nf.orthoview.OrthoTree:
+    """A level plate in a cell of 16 m, seen at 16² pixels."""
+    low, high = np.array([0.0, 4.0, 0.0]), np.array([16.0, 4.0 + max(thickness, 1e-3), 16.0])
+    plate = trimesh.creation.box(bounds=[low, high])
+    aabb = [(0.0, 0.0, 0.0), (16.0, 16.0, 16.0)]
+    scene = nf.Scene.from_trimesh(plate)
+    return nf.orthoview.build(scene, folder / "plate.zarr", cell=16.0, aabb=aabb, size=16, directions=directions)
+
+
+def test_the_top_of_a_plate_is_written_once(tmp_path: Path) -> None:
+    tree = plate_tree(tmp_path, 9)
+    cell = cells_of(tree).read(0, (0, 0, 0))
+    up = matrices(cell.gaussians.rotation)[:, 1, 2]
+    top = np.abs(up) > 0.9
+    # Seen from above it has 16² pixels, of which those at the corners are balls. The views between sides and top show
+    # it, too, with coarser pixels; at rims a few of these count.
+    assert cell.pixels > 2 * 256
+    assert 252 <= top.sum() <= 272
+
+
+def test_a_thin_plate_has_no_lower_side_and_a_thick_one_has(tmp_path: Path) -> None:
+    counts = {}
+    for thickness in (0.0, 3.0):
+        (tmp_path / str(thickness)).mkdir()
+        tree = plate_tree(tmp_path / str(thickness), 26, thickness)
+        cells = cells_of(tree, (0.0, 1.0, 0.0))  # light from above tells sides apart
+        gaussians = cells.read(0, (0, 0, 0)).gaussians
+        level = np.abs(matrices(gaussians.rotation)[:, 1, 2]) > 0.9
+        bright = gaussians.color[level][:, 0].astype(int)
+        middle = (bright.max() + bright.min()) / 2
+        counts[thickness] = (int((bright > middle).sum()), int((bright <= middle).sum()))
+    assert counts[3.0][0] >= 252
+    assert counts[3.0][1] >= 252
+    assert counts[0.0][0] + counts[0.0][1] <= 256 + 2 * 16  # the one side, and rims
+
+
+def test_each_pixel_that_is_left_out_lies_beside_one_that_is_not(tree: nf.orthoview.OrthoTree) -> None:
+    left_out = 0
+    for level, place in fullest(tree, 2, 3):
+        pictures = pictures_of(tree, level, place)
+        kept = cells_of(tree).read(level, place).gaussians
+        for picture in pictures:
+            shown = picture.surfaces()
+            apart = np.linalg.norm(shown.middle[:, None] - kept.middle[None], axis=2).min(axis=1)
+            # Between four pixels of another view none is farther than half of a diagonal; those lean by 75° at most.
+            pixel = max(max(own.pitch) for own in pictures)
+            assert apart.max() < 2 * pixel, (place, apart.max() / pixel)
+            left_out += int((apart > 1e-6).sum())
+    assert left_out > 50
+
+
+def test_a_box_keeps_middles_within_it(tree: nf.orthoview.OrthoTree) -> None:
+    ((level, place),) = fullest(tree, 1, 1)
+    low, high = tree.box(level, place)
+    box = np.array([low, [*((low + high) / 2)[:2], high[2]]])
+    cells = Cells(tree._files, tree._layout, tree.generation, box, None)
+    got, whole = (own.read(level, place) for own in (cells, cells_of(tree)))
+    middles = got.gaussians.middle + got.center
+    assert 0 < len(got.gaussians) < len(whole.gaussians)
+    assert ((box[0] - 1e-4 <= middles) & (middles <= box[1] + 1e-4)).all()
+    outside = next(cell for cell in cells_of(tree).at(level) if cell[1][0] > place[0] + 1)
+    assert cells_of(tree).shown(*outside) != 0
+    assert cells.shown(*outside) == 0

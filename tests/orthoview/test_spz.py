@@ -1,0 +1,120 @@
+"""SPZ files of Gaussians against a reader that was written from the format's description."""
+
+from __future__ import annotations
+
+import gzip
+import math
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nearfar._base.errors import UnusableError
+from nearfar.orthoview import _spz
+from nearfar.orthoview._gaussians import NOTHING, Gaussians, matrices
+from tests.support import need
+from tests.support.reader_cases import answer_of
+from tests.support.splat_files import Rows, spz_rows, turn
+
+
+def some(count: int, reach: float = 60.0) -> Gaussians:
+    """Gaussians at random, of whose quaternions w is the greatest number."""
+    rng = np.random.default_rng(7)
+    rotation = rng.normal(size=(count, 4))
+    rotation /= np.linalg.norm(rotation, axis=1, keepdims=True)
+    at = np.abs(rotation).argmax(axis=1)
+    rotation[np.arange(count), at], rotation[:, 3] = rotation[:, 3], rotation[np.arange(count), at]
+    rotation *= np.sign(rotation[:, 3:])
+    return Gaussians(
+        rng.uniform(-reach, reach, (count, 3)).astype(np.float32),
+        rotation.astype(np.float32),
+        np.exp(rng.uniform(-5, 3, (count, 3))).astype(np.float32),
+        rng.integers(0, 256, (count, 3), dtype=np.uint8),
+    )
+
+
+def check(got: Rows, right: Gaussians, bits: int, degrees: float) -> None:
+    """Within half a step of each number, and turned by no more than some degrees."""
+    # Positions are float32 before they are rounded.
+    assert np.abs(got.middle - right.middle).max() <= 2.0**-bits / 2 + 1e-6 * np.abs(right.middle).max()
+    assert np.abs(np.log(got.scale / right.scale)).max() <= 1 / 32 + 1e-6
+    assert np.abs(got.color - right.color / 255).max() <= 0.5 / 255 * 0.282095 / 0.15 + 1e-9
+    assert (got.opacity == 1).all()
+    for quaternion, matrix in zip(got.rotation, matrices(right.rotation), strict=True):
+        cosine = (np.trace(turn(quaternion).T @ matrix) - 1) / 2
+        assert math.degrees(math.acos(min(cosine, 1))) <= degrees
+
+
+# A component of version 2 is off by 1/255 at most and w by as much for each of the others, each at most as great as w:
+# 2 asin of the length of all four, √(3 + 3²)/255, is 1.6°. A step of version 3 is √½/511.
+@pytest.mark.parametrize(("version", "degrees"), [(2, 1.6), (3, 0.3)])
+def test_what_is_read_is_what_was_written_up_to_half_a_step(version: int, degrees: float) -> None:
+    gaussians = some(400)
+    data = _spz.encoded(gaussians, version=version)
+    bits = gzip.decompress(data)[13]
+    assert 10 <= bits <= 17  # 60 m need 6 bits of 23
+    check(spz_rows(data, version), gaussians, bits, degrees)
+
+
+def test_our_own_reader_reads_the_same() -> None:
+    gaussians = some(100)
+    for version in (2, 3):
+        data = _spz.encoded(gaussians, version=version)
+        got, right = _spz.decoded(data), spz_rows(data, version)
+        assert np.allclose(got.middle, right.middle, rtol=1e-6)
+        assert np.allclose(got.rotation, right.rotation, atol=1e-6)
+        assert np.allclose(got.scale, right.scale, rtol=1e-6)
+        assert np.abs(got.color / 255 - right.color.clip(0, 1)).max() <= 0.5 / 255 + 1e-9
+
+
+def test_a_file_is_its_header_and_its_sections() -> None:
+    data = _spz.encoded(some(3))
+    content = gzip.decompress(data)
+    assert struct.unpack_from("<III", content) == (0x5053474E, 3, 3)
+    assert len(content) == 16 + 3 * (9 + 1 + 3 + 3 + 4)
+    assert data[4:8] == bytes(4)  # no time, so that the same splats give the same bytes
+    assert data == _spz.encoded(some(3))
+
+
+def test_bits_of_fractions_hold_the_reach_and_are_no_more_than_splats_need() -> None:
+    for reach in (0.5, 60.0, 20_000.0, 8e6):
+        bits = _spz.fraction_bits(reach, 0.01)
+        assert reach * 2**bits <= 2**23 - 1
+        assert reach * 2 ** (bits + 1) > 2**23 - 1 or 2**bits >= 32 / 0.01
+    assert _spz.fraction_bits(10.0, 1.0) == 5
+    with pytest.raises(UnusableError, match="do not fit"):
+        _spz.fraction_bits(2e7, 1.0)
+
+
+def test_nothing_and_damage() -> None:
+    assert len(_spz.decoded(_spz.encoded(NOTHING))) == 0
+    data = _spz.encoded(some(2))
+    content = bytearray(gzip.decompress(data))
+    for wrong in (b"no gzip", data[:-9], gzip.compress(content[:10]), gzip.compress(content[:-1])):
+        with pytest.raises(UnusableError):
+            _spz.decoded(wrong)
+    content[4] = 4
+    with pytest.raises(UnusableError, match="version 2 or 3"):
+        _spz.decoded(gzip.compress(content))
+
+
+@pytest.mark.slow
+def test_the_reference_implementation_reads_the_same(tmp_path: Path) -> None:
+    need("browser")
+    gaussians = some(200)
+    versions = (2, 3)
+    for version in versions:
+        (tmp_path / f"{version}.spz").write_bytes(_spz.encoded(gaussians, version=version))
+    (tmp_path / "profile").mkdir()
+    job = {"files": [f"/bundles/a/{version}.spz" for version in versions]}
+    answer = answer_of("spz.mjs", job, tmp_path / "profile", {"a": tmp_path})
+    for version, own in zip(versions, answer["files"], strict=True):
+        right = spz_rows((tmp_path / f"{version}.spz").read_bytes(), version)
+        assert (own["count"], own["degree"]) == (200, 0)
+        assert np.allclose(np.reshape(own["positions"], (-1, 3)), right.middle, atol=1e-5)
+        assert np.allclose(np.reshape(own["scales"], (-1, 3)), right.scale, rtol=1e-5)
+        assert np.allclose(np.reshape(own["rotations"], (-1, 4)), right.rotation, atol=1e-5)
+        # It returns colours in 0..1, with three digits of the spherical harmonic.
+        assert np.allclose(np.reshape(own["colors"], (-1, 3)), right.color, atol=5e-4)
+        assert own["alphas"] == [1] * 200
