@@ -89,7 +89,7 @@ class Tiles:
 
 
 def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
-    opened = tree.opened()
+    opened = tree._opened()
     return flown(Client(Tiles(opened.viewer.cutter), opened.sizes, link, 1 << 40, 0), cameras, RATE)
 
 
@@ -163,7 +163,7 @@ def _worlds(given: argparse.Namespace, folder: Path) -> Iterator[tuple[float, nf
 
 def _asked(tree: nf.orthoview.OrthoTree, height: float) -> tuple[float, int, int]:
     """Mean number of parts of a picture, bytes of the first, and bytes that come for each metre of 400."""
-    opened = tree.opened()
+    opened = tree._opened()
     cutter, seen = opened.viewer.cutter, dict[Part, None]()
     counts, first, metres = [], 0, 400
     for metre in range(metres + 1):

@@ -171,7 +171,7 @@ def test_a_slow_server_keeps_no_picture_waiting(tree: Tree, server: Server) -> N
 
 def damage(path: Path, tree: Tree, key: Any) -> None:
     """Overwrite the chunks of a view."""
-    opened = tree.opened()
+    opened = tree._opened()
     level, place, direction = key
     array = opened.layout.array(level, direction, "color")
     (chunk,) = opened.chunks._found([(level, place, array)])
@@ -267,7 +267,7 @@ def differs(one: Tree, other: Tree, key: Any) -> bool:
 
 
 def in_same_shard(tree: Tree, key: Any, others: set[Any]) -> bool:
-    layout = tree.opened().layout
+    layout = tree._opened().layout
     shard = layout.shard_of(*key[:2])[0]
     return any(key[0] == level and shard == layout.shard_of(level, place)[0] for level, place, _ in others)
 

@@ -41,7 +41,7 @@ def everything(_: Part) -> bool:
 
 def pilot_of(tree: Tree, settings: Settings | None = None, **ahead: Any) -> Pilot:
     """A pilot that knows all records."""
-    cutter = tree.opened().viewer.cutter
+    cutter = tree._opened().viewer.cutter
     for height in (0.0, 500.0):
         cutter.whole(camera_at((0, height, 0)), Settings(error_px=1e-3), around=True)
     return Pilot(cutter, settings or Settings(), Ahead(**ahead))
@@ -92,7 +92,7 @@ def test_a_plan_wants_the_pictures_cut(tree: Tree) -> None:
 
 
 def test_unknown_records_come_first(tree: Tree) -> None:
-    pilot = Pilot(tree.opened().viewer.cutter, Settings(), Ahead())
+    pilot = Pilot(tree._opened().viewer.cutter, Settings(), Ahead())
     pilot.look(camera_at((0, 0, 0)), 0.0)
     plan = pilot.plan(nothing)
     assert [part[2] for part in plan.order] == [RECORD]
@@ -133,7 +133,7 @@ def test_queues_are_renewed_where_the_viewer_has_moved_or_turned(tree: Tree, mon
     assert count((0.101 * ahead, 0, 0)) == 1
     assert count((0.101 * ahead, 0, 0), 0.99 * RENEWED_TURN) == 0
     assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
-    pilot.take(tree.opened().viewer.cutter)
+    pilot.take(tree._opened().viewer.cutter)
     assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
 
 

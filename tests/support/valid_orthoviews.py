@@ -26,7 +26,7 @@ def orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
     tree = nf.orthoview.open(valid.store)
     return {
         "nearfar.orthoview.Flight": {
-            "opened": tree.opened(), "settings": Settings(), "ahead": Ahead(), "threads": 1, "on_error": None,
+            "opened": tree._opened(), "settings": Settings(), "ahead": Ahead(), "threads": 1, "on_error": None,
         },
         "nearfar.orthoview.Flight.close": {},
         "nearfar.orthoview.Flight.look": {"camera": valid.camera, "time": 0.0},
@@ -47,10 +47,12 @@ def orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.orthoview.OrthoTree.cut": {"camera": valid.camera},
         "nearfar.orthoview.OrthoTree.fly": {"threads": 1},
         "nearfar.orthoview.OrthoTree.leaf_glb": {"place": (0, 0, 0)},
-        "nearfar.orthoview.OrthoTree.opened": {},
         "nearfar.orthoview.OrthoTree.prefetch_queue": {
             "position": EYE, "camera": valid.camera, "velocity": (0.0, 0.0, -1.0),
         },
+        "nearfar.orthoview.OrthoTree.far_map": {"center": EYE, "radius": 5.0, "face_size": 4, "samples": 1},
+        "nearfar.orthoview.OrthoTree.near_scene": {"center": EYE, "radius": 5.0},
+        "nearfar.orthoview.OrthoTree.with_dynamic": {"scene": valid.scene},
         "nearfar.orthoview.OrthoTree.preview": {},
         "nearfar.orthoview.OrthoTree.render": {"camera": valid.camera},
         "nearfar.orthoview.OrthoTree.trace": {"shot": valid.shot},

@@ -72,7 +72,7 @@ class FlownTree(ShownTree):
         settings = settings_of(views, error_px, geometry)
         margin = None if margin_deg is None else math.radians(check.within("margin_deg", margin_deg, 0.0, 180.0))
         ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
-        return Flight(self.opened(), settings, ahead, threads, on_error, self._movers)
+        return Flight(self._opened(), settings, ahead, threads, on_error, self._movers)
 
     def prefetch_queue(
         self,

@@ -59,9 +59,9 @@ class ShownTree(StoredTree, Renderable):
 
     @cached_property
     def _viewer(self) -> Viewer:
-        return self.opened().viewer
+        return self._opened().viewer
 
-    def opened(self) -> Opened:
+    def _opened(self) -> Opened:
         """The store, open for a viewer of its own."""
         if not self.is_complete:
             raise ValueError(f"path: {self.path} is not complete, build it again")

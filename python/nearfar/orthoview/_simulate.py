@@ -148,7 +148,7 @@ def simulate(
     frames = check.within("rate", rate, 1.0, 1000.0)
     margin = None if margin_deg is None else math.radians(check.within("margin_deg", margin_deg, 0.0, 180.0))
     ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
-    opened = own.opened()
+    opened = own._opened()
     cutter = opened.viewer.cutter
     planner = _Planned(Pilot(cutter, settings_of(views, error_px, geometry), ahead), cutter)
     kept = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
