@@ -43,7 +43,8 @@ def is_same(one: nf.Frame, other: nf.Frame) -> bool:
 
 def there(frame: nf.Frame) -> NDArray[np.bool_]:
     """The pixels that show a surface."""
-    return np.isfinite(frame.require("range"))
+    is_there: NDArray[np.bool_] = np.isfinite(frame.require("range"))
+    return is_there
 
 
 class Gate:
