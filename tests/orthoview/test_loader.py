@@ -169,8 +169,8 @@ def test_pauses_double_until_something_comes(monkeypatch: pytest.MonkeyPatch) ->
             store.is_away = len(store.batches) < 9
             return True
 
-    monkeypatch.setattr(_loader.threading, "Condition", Condition)
-    monkeypatch.setattr(_loader.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr("nearfar.orthoview._loader.threading.Condition", Condition)
+    monkeypatch.setattr("nearfar.orthoview._loader.time.monotonic", lambda: now[0])
     with loading(store) as loader:
         loader.want([view(0)])
         wait_until(lambda: view(0) in store.held)

@@ -9,7 +9,7 @@ import numpy as np
 from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import OCTANTS, Grid, Place
 from nearfar.orthoview._parts import GEOMETRY, Part
 from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
 
@@ -112,7 +112,7 @@ def test_finer_cells_stay_and_the_rest_comes_from_above() -> None:
     shown = memory.shown(wish(MIDDLE), before)
     assert shown.leaves == before.leaves
     assert (shown.missing, shown.empty) == (1, 0)
-    rest = [(0, place) for place in itertools.product((0, 1), repeat=3) if place not in (LOW[1], near)]
+    rest: list[Cell] = [(0, place) for place in OCTANTS if place not in (LOW[1], near)]
     assert shown.cells == before.cells | {cell: pieces(TOP, 0, 4, within=cell) for cell in rest}
     # Once more: what stood in is chosen anew, and is best from what is finer.
     memory.parts |= set(views(MIDDLE, 4))
@@ -126,8 +126,7 @@ def test_finer_cells_stay_and_the_rest_comes_from_above() -> None:
 def test_the_rest_of_a_large_cell_is_of_the_largest_parts() -> None:
     memory = Memory([*views(LOW, 0), *views(TOP, 0)])
     shown = memory.shown(wish(TOP), Shown({LOW: pieces(LOW, 0)}))
-    beside = [(0, place) for place in itertools.product((0, 1), repeat=3) if place != (0, 0, 0)]
-    beside += [(1, place) for place in itertools.product((0, 1), repeat=3) if place != (0, 0, 0)]
+    beside: list[Cell] = [(level, place) for level in (0, 1) for place in OCTANTS if place != (0, 0, 0)]
     assert shown.cells == {LOW: pieces(LOW, 0)} | {cell: pieces(TOP, 0, within=cell) for cell in beside}
 
 

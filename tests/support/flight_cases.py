@@ -15,7 +15,7 @@ import nearfar as nf
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import ViewKey, Views
 
-LONG = 30.0
+LONG = 120.0
 """Seconds after which a test gives up."""
 
 FOV = nf.Fov.symmetric(50)
@@ -43,7 +43,8 @@ def is_same(one: nf.Frame, other: nf.Frame) -> bool:
 
 def there(frame: nf.Frame) -> NDArray[np.bool_]:
     """The pixels that show a surface."""
-    return np.isfinite(frame.require("range"))
+    is_there: NDArray[np.bool_] = np.isfinite(frame.require("range"))
+    return is_there
 
 
 class Gate:
@@ -79,7 +80,8 @@ class Gate:
 
     def leave(self) -> None:
         """One more was read."""
-        self._done.release()
+        if threading.current_thread() is not threading.main_thread():
+            self._done.release()
 
 
 @contextmanager

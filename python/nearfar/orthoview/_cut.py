@@ -139,8 +139,8 @@ class Cutter:
     def learn(self, tier: int, place: Place) -> None:
         """Read a subtree."""
         cells = self._read(tier, place)
+        self._guests |= cells.guests  # other threads may cut
         self._cells.add(tier, place, [mask.reshape(-1) for mask in cells.masks])
-        self._guests |= cells.guests
         self._known.add((tier, place))
 
     def rule(self, camera: Camera, settings: Settings) -> _core.OrthoRule:

@@ -90,9 +90,9 @@ def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
     right, up, back = axes(camera)
     found = []
     for across, ends in ((right, (fov.left, fov.right)), (up, (fov.down, fov.up))):
-        for sign, tangent in zip((1.0, -1.0), ends, strict=True):
-            angle = math.atan(-sign * tangent) + margin
-            if angle < math.pi / 2.0:
+        angles = [math.atan(-sign * tangent) + margin for sign, tangent in zip((1.0, -1.0), ends, strict=True)]
+        for sign, angle in zip((1.0, -1.0), angles, strict=True):
+            if angle < math.pi / 2.0 and sum(angles) < math.pi:  # half a turn or more is no half-space
                 found.append(sign * math.cos(angle) * across - math.sin(angle) * back)
     return np.array(found).reshape(-1, 3)
 
