@@ -134,7 +134,7 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
     print(table(f"{Path(tree.path).name}, error_px = {given.error:g}, {VIEWS} views, no geometry", header, rows))
     if given.out is not None:
         codes = np.rint(255 * np.concatenate(sheet).clip(0, 1)).astype(np.uint8)
-        Image.fromarray(codes).save(given.out / "orthoview_splats.png")
+        Image.fromarray(codes).quantize(128).save(given.out / "orthoview_splats.png", optimize=True)
 
 
 def alike(right: Array, shown: Array) -> list[str]:
