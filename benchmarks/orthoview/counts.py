@@ -36,7 +36,7 @@ NEAR = 5.0
 STEPS = 40
 """Steps from an error to its double."""
 BANDS = (0.05, 0.1, 0.25, 0.5)
-BUDGETS = (2_000_000, 1_000_000, 400_000)
+BUDGETS = (400_000, 200_000, 100_000)
 PITCH = 2**0.5 / 256
 """Width of a leaf's pixel in flat worlds, leaves."""
 HEADSET = nf.Fov.symmetric(100, 1.0), (1440, 1440)
