@@ -136,9 +136,7 @@ def test_nothing_in_the_map_is_within_the_radius(
     assert made.range is not None
     for face in range(6):
         camera = nf.Camera(center, fov=nf.CubeFace(face), size=(size, size))
-        across = np.stack(np.meshgrid(np.arange(size) + 0.5, np.arange(size) + 0.5), axis=-1).reshape(-1, 2)
-        rays = np.array([camera._core.ray(x, y)[1] for x, y in across.tolist()])
-        rays /= np.linalg.norm(rays, axis=1, keepdims=True)
+        rays = camera.rays()[1].reshape(-1, 3)
         ranges = made.range[face].reshape(-1)
         hit = np.isfinite(ranges)
         distance = np.hypot(rays[hit, 0], rays[hit, 2]) * ranges[hit]
@@ -150,9 +148,11 @@ def test_nothing_in_the_map_is_within_the_radius(
 def test_a_tree_is_reduced_like_its_world(
     tree: Tree, scene: nf.Scene, center: tuple[float, float, float], morph: str
 ) -> None:
-    how = {"center": center, "r1": R1, "r2": R2, "face_size": 64, "morph": morph}
     camera = nf.Camera.look_at(center, np.add(center, [10.0, -2.0, 3.0]), fov=nf.Fov.symmetric(80), size=(64, 64))
-    made, true = (nf.reduce(source, **how).render(camera) for source in (tree, scene))
+    made, true = (
+        nf.reduce(source, center=center, r1=R1, r2=R2, face_size=64, morph=morph).render(camera)
+        for source in (tree, scene)
+    )
     assert np.sqrt(((made.require("color") - true.require("color")) ** 2).mean()) < 0.06
 
 

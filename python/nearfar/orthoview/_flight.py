@@ -292,7 +292,7 @@ class Flight(Renderable):
         splats = [one for pieces in shown.cells.values() for piece in pieces for one in self._splats(piece)]
         leaves = {part[1] for parts in shown.leaves.values() for part in parts}
         views = sum(len(pieces) for pieces in shown.cells.values())
-        counts = {"cells": len(shown.cells), "views": views, "leaves": len(shown.leaves)}
+        counts: dict[str, float] = {"cells": len(shown.cells), "views": views, "leaves": len(shown.leaves)}
         counts |= {"missing": shown.missing, "empty": shown.empty}
         return Parts(splats, self._viewer.near.kept(sorted(leaves)), movers, counts)
 
