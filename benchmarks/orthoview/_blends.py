@@ -12,7 +12,8 @@ import nearfar as nf
 from nearfar._scene.srgb import to_linear
 from nearfar.orthoview._view import OrthoView
 
-Floats, Ints = NDArray[np.float64], NDArray[np.int64]
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
 
 LEAST_COSINE, BORDER, SQUARED_RADIUS = 0.25, 1.27, 0.5
 SHARPNESS = 4.0
