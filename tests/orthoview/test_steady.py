@@ -207,8 +207,8 @@ def test_forgotten_pictures_and_other_sizes_pass_or_fade() -> None:
     steady.restart()
     assert steady.next(picture, 1.0).stats["agreed"] == 0.0
     small = nf.Camera((0.0, 0.0, 0.0), fov=nf.Fov.symmetric(90), size=(16, 16))
-    color, ranges = (picture.require(name)[2::4, 2::4] for name in ("color", "range"))
-    assert steady.next(nf.Frame(small, color=color, range=ranges), 1.1).stats["agreed"] > 0.9
+    images: dict[str, Any] = {name: picture.require(name)[2::4, 2::4] for name in ("color", "range")}
+    assert steady.next(nf.Frame(small, **images), 1.1).stats["agreed"] > 0.9
 
 
 def test_later_writes_to_a_picture_do_not_count() -> None:
