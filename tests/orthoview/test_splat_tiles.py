@@ -156,15 +156,15 @@ def test_a_box_and_a_light(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None
     low, high = tree.bounds
     box = np.array([low, [*((low + high) / 2)[:2], high[2]]])
     whole, part = (
-        tree.export_splats(tmp_path / "a.glb", level=1),
-        tree.export_splats(tmp_path / "b.glb", level=1, aabb=box, light=None),
+        tree.export_splats(tmp_path / "a.glb", level=2),
+        tree.export_splats(tmp_path / "b.glb", level=2, aabb=box, light=None),
     )
     assert 0 < part["splats"] < whole["splats"]
     rows = glb_rows((tmp_path / "b.glb").read_bytes())
     assert ((box[0] - 1e-3 <= rows.middle) & (rows.middle <= box[1] + 1e-3)).all()
     dark = glb_rows((tmp_path / "a.glb").read_bytes()).color.mean()
     assert dark < rows.color.mean()  # lit surfaces reflect less than all light
-    tree.export_splats(tmp_path / "c.glb", level=1, light=(0, 10, 0))
+    tree.export_splats(tmp_path / "c.glb", level=2, light=(0, 10, 0))
     for name, light in (("a", {"sun": pytest.approx([0.5263, 0.7895, 0.3158], abs=1e-4)}), ("b", "none")):
         assert glb_parts((tmp_path / f"{name}.glb").read_bytes())[0]["asset"]["extras"]["light"] == light
     assert glb_parts((tmp_path / "c.glb").read_bytes())[0]["asset"]["extras"]["light"] == {"sun": [0, 1, 0]}
