@@ -6,7 +6,7 @@ import { flown } from '../src/orthoview/controls/fly';
 import { startOf } from '../src/orthoview/controls/start';
 import { Cells, shapesOf } from '../src/orthoview/cut/cells';
 import type { Cut } from '../src/orthoview/cut/cut';
-import { crc32c, statedSize } from '../src/orthoview/decode/codecs';
+import { crc32c, statedSize, unpacked } from '../src/orthoview/decode/codecs';
 import type { Splats } from '../src/orthoview/decode/pack';
 import { xxh64 } from '../src/orthoview/decode/xxh64';
 import { Queue } from '../src/orthoview/show/queue';
@@ -238,6 +238,23 @@ test('checksums and sizes are read', () => {
   assert.equal(statedSize(frame(0xe0, 1, 0, 0, 0, 2, 0, 0, 0)), 2 ** 33 + 1);
   assert.equal(statedSize(frame(0x80, 99, 5, 0, 0, 0)), 5);
   assert.equal(statedSize(frame(0x00, 99)), null);
+});
+
+test('frames of Zstandard that were altered are refused', () => {
+  const content = new TextEncoder().encode('a block as it is');
+  const sum = new Uint8Array(4);
+  new DataView(sum.buffer).setUint32(0, Number(xxh64(content) & 0xffff_ffffn), true);
+  // One segment with a checksum, and one last block that is not compressed.
+  const head = [0x28, 0xb5, 0x2f, 0xfd, 0x24, content.length, (content.length << 3) | 1, 0, 0];
+  const frame = Uint8Array.from([...head, ...content, ...sum]);
+  assert.deepEqual(unpacked(frame), content);
+  for (let at = head.length; at < frame.length; at++) {
+    const altered = frame.slice();
+    altered[at] = (altered[at] as number) ^ 1;
+    assert.throws(() => unpacked(altered), /checksum/);
+  }
+  const huge = Uint8Array.from([0x28, 0xb5, 0x2f, 0xfd, 0xe4, 0, 0, 0, 0, 1, 0, 0, 0, ...frame]);
+  assert.throws(() => unpacked(huge), /states 4294967296 bytes/);
 });
 
 test('layouts that do not fit together are refused', () => {
