@@ -155,7 +155,7 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
         for name, values in alike.items():
             row = [f"{start:g} s", name, f"{np.mean(values):.4f}", f"{min(values):.4f}"]
             psnr, ssim = np.mean(errors[name], axis=0) if name in errors else (None, None)
-            rows.append([*row, *([] if psnr is None else [f"{psnr:.2f}", f"{ssim:.4f}"])])
+            rows.append([*row, *(["", ""] if psnr is None else [f"{psnr:.2f}", f"{ssim:.4f}"])])
     print(table("Splats that blend", ["place", "splats", "mean", "least", "PSNR", "SSIM"], rows))
 
 
