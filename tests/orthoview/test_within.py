@@ -37,7 +37,7 @@ def divided(box: Box, at: NDArray[np.float64]) -> list[Box]:
 
 
 def inside(points: NDArray[np.float64], box: Box) -> NDArray[np.bool_]:
-    return np.asarray((points >= box[0]) & (points < box[1])).all(axis=1)
+    return np.all((points >= box[0]) & (points < box[1]), axis=1)
 
 
 def points_of(known: list[Splat], views: list[_core.OrthoSplats]) -> list[NDArray[np.float64]]:
