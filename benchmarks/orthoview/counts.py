@@ -189,7 +189,7 @@ def degrees_from_middle(camera: nf.Camera) -> NDArray[np.float64]:
     row, column = camera.height // 2, camera.width // 2
     sight = ahead[row - 1 : row + 1, column - 1 : column + 1].mean(axis=(0, 1))
     cosine = ahead @ sight / np.linalg.norm(ahead, axis=-1) / np.linalg.norm(sight)
-    return np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+    return np.asarray(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
 
 
 def psnr(square: NDArray[np.float64]) -> str:

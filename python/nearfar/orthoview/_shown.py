@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera
@@ -82,7 +82,7 @@ class ShownTree(StoredTree, Renderable):
         geometry: bool = True,
         around: bool = False,
         continuous: bool = False,
-        gaze: tuple[SupportsFloat, SupportsFloat] | None = None,
+        gaze: ArrayLike | None = None,
     ) -> OrthoCut:
         """Return the cells that a viewer sees: leaves near it as geometry, others from views, the coarser the farther.
 
@@ -139,7 +139,7 @@ class ShownTree(StoredTree, Renderable):
         error_px: SupportsFloat = 1.0,
         geometry: bool = True,
         continuous: bool = False,
-        gaze: tuple[SupportsFloat, SupportsFloat] | None = None,
+        gaze: ArrayLike | None = None,
         budget: SupportsIndex | None = None,
         t_min: float = 0.0,
         t_max: float = math.inf,
@@ -209,7 +209,7 @@ def _settings(
     error_px: SupportsFloat,
     geometry: bool,
     continuous: bool,
-    gaze: tuple[SupportsFloat, SupportsFloat] | None,
+    gaze: ArrayLike | None,
 ) -> Settings:
     return Settings(
         views=check.integer("views", views, 1, MOST_VIEWS),
@@ -220,8 +220,8 @@ def _settings(
     )
 
 
-def _pixel(gaze: tuple[SupportsFloat, SupportsFloat]) -> tuple[float, float]:
-    if not isinstance(gaze, Sequence) or len(gaze) != 2:
-        raise ValueError(f"gaze: expected two numbers or None, got {check.shortened(repr(gaze))}")
-    x, y = gaze
-    return check.number("gaze", x), check.number("gaze", y)
+def _pixel(gaze: ArrayLike) -> tuple[float, float]:
+    place = check.array("gaze", gaze, columns=None, dtype=np.float64)
+    if place.shape != (2,):
+        raise ValueError(f"gaze: expected two numbers or None, got an array of shape {place.shape}")
+    return check.number("gaze", place[0]), check.number("gaze", place[1])
