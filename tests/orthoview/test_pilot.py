@@ -113,7 +113,7 @@ def test_plans_look_ahead(tree: Tree) -> None:
         assert orders[name][: len(orders["no"])] == orders["no"]
     assert set(orders["no"]) < set(orders["some"]) < set(orders["all"])
     found = tree.prefetch_queue(camera.position, camera=camera)
-    assert set(orders["all"]) == {*orders["no"], *queue.needed, *queue.soon}
+    assert set(orders["all"]) == {*orders["no"], *found.needed, *found.soon}
 
 
 def test_queues_are_renewed_where_the_viewer_has_moved_or_turned(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:

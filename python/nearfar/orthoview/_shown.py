@@ -119,7 +119,7 @@ class ShownTree(StoredTree, Renderable):
         geometry: bool = True,
         around: bool = False,
         continuous: bool = False,
-        gaze: tuple[SupportsFloat, SupportsFloat] | None = None,
+        gaze: ArrayLike | None = None,
     ) -> OrthoCut:
         """Return the cells that a viewer sees: leaves near it as geometry, others from views, the coarser the farther.
 
@@ -176,7 +176,7 @@ class ShownTree(StoredTree, Renderable):
         error_px: SupportsFloat = 1.0,
         geometry: bool = True,
         continuous: bool = False,
-        gaze: tuple[SupportsFloat, SupportsFloat] | None = None,
+        gaze: ArrayLike | None = None,
         budget: SupportsIndex | None = None,
         t_min: float = 0.0,
         t_max: float = math.inf,
@@ -246,7 +246,7 @@ def settings_of(
     error_px: SupportsFloat,
     geometry: bool,
     continuous: bool = False,
-    gaze: tuple[SupportsFloat, SupportsFloat] | None = None,
+    gaze: ArrayLike | None = None,
 ) -> Settings:
     """The settings that a caller asks for."""
     return Settings(
@@ -258,8 +258,8 @@ def settings_of(
     )
 
 
-def _pixel(gaze: tuple[SupportsFloat, SupportsFloat]) -> tuple[float, float]:
-    if not isinstance(gaze, Sequence) or len(gaze) != 2:
-        raise ValueError(f"gaze: expected two numbers or None, got {check.shortened(repr(gaze))}")
-    x, y = gaze
-    return check.number("gaze", x), check.number("gaze", y)
+def _pixel(gaze: ArrayLike) -> tuple[float, float]:
+    place = check.array("gaze", gaze, columns=None, dtype=np.float64)
+    if place.shape != (2,):
+        raise ValueError(f"gaze: expected two numbers or None, got an array of shape {place.shape}")
+    return check.number("gaze", place[0]), check.number("gaze", place[1])
