@@ -16,7 +16,7 @@ from tests.support.orthoview_stores import world_of
 need("zarr")
 
 Tree = nf.orthoview.OrthoTree
-R1, R2 = 12.0, 35.0
+R1, R2 = 8.0, 25.0
 
 
 @pytest.fixture(scope="module")
@@ -51,7 +51,7 @@ def moved(x: float, y: float, z: float) -> NDArray[np.float64]:
     return pose
 
 
-@pytest.mark.parametrize("offset", [(0.0, 0.0, 0.0), (0.0, 60.0, 0.0), (30.0, 10.0, -20.0)])
+@pytest.mark.parametrize("offset", [(0.0, 0.0, 0.0), (0.0, 35.0, 0.0), (30.0, 10.0, -20.0)])
 def test_what_moves_is_seen_where_it_is_nearer(
     tree: Tree, mover: nf.Scene, center: tuple[float, float, float], offset: tuple[float, float, float]
 ) -> None:
@@ -84,7 +84,7 @@ def test_a_tree_in_which_nothing_moves_takes_no_poses(tree: Tree, mover: nf.Scen
 def test_flights_show_what_moves(tree: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
     camera, dynamic = camera_at(center, 0.7), tree.with_dynamic(mover)
     (name,) = mover.object_names
-    poses = {name: dynamic.poses[name] + moved(0.0, 60.0, 0.0) - np.eye(4)}
+    poses = {name: dynamic.poses[name] + moved(0.0, 35.0, 0.0) - np.eye(4)}
     with dynamic.fly() as flight:
         flight.look(camera)
         assert flight.wait(60)
@@ -123,25 +123,36 @@ def test_the_map_of_a_tree_is_that_of_the_world(
     assert (is_shown & ~is_hit).mean() < 0.02
     both = is_hit & is_shown
     assert np.median(np.abs(made.range[both] - true.range[both])) < 0.2
-    assert np.sqrt(((made.color - true.color) ** 2).mean()) < 0.05
+    assert np.sqrt(((made.color - true.color) ** 2).mean()) < 0.08
 
 
-@pytest.mark.parametrize("error_px", [1.0, 1e-3])
-def test_nothing_in_the_map_is_within_the_radius(
-    tree: Tree, center: tuple[float, float, float], error_px: float
+def test_nothing_more_than_in_the_worlds_map_is_within_the_radius(
+    tree: Tree, scene: nf.Scene, center: tuple[float, float, float]
 ) -> None:
-    """Whether leaves are geometry, as with the least error, or views."""
+    """A map of geometry reaches two texels inwards, one of views half a pixel."""
     size = 32
-    made = tree.far_map(center, R2, face_size=size, samples=1, channels=("range",), error_px=error_px)
+    made = tree.far_map(center, R2, face_size=size, samples=1, channels=("range",), error_px=1e3)
+    true = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=size, channels=("color", "range")).env
+    assert true is not None
+    cameras = [nf.Camera(center, fov=nf.CubeFace(face), size=(size, size)) for face in range(6)]
+    rays = np.stack([camera.rays()[1] for camera in cameras])
+    across = np.hypot(rays[..., 0], rays[..., 2])
+    own, right = (across * np.asarray(env.range) for env in (made, true))
+    assert np.isfinite(own).mean() > 0.05
+    assert ((own < R2 - 3.0) & (right > R2)).mean() < 0.005
+
+
+def test_a_map_of_geometry_alone_is_the_worlds(tree: Tree, scene: nf.Scene, center: tuple[float, float, float]) -> None:
+    made = tree.far_map(center, R2, face_size=32, samples=4, channels=("range",), error_px=1e-6)
+    true = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=32, channels=("color", "range")).env
+    assert true is not None
+    assert true.range is not None
     assert made.range is not None
-    for face in range(6):
-        camera = nf.Camera(center, fov=nf.CubeFace(face), size=(size, size))
-        rays = camera.rays()[1].reshape(-1, 3)
-        ranges = made.range[face].reshape(-1)
-        hit = np.isfinite(ranges)
-        distance = np.hypot(rays[hit, 0], rays[hit, 2]) * ranges[hit]
-        # Splats reach half a pixel beyond their middles, geometry two texels on its surface.
-        assert distance.min(initial=np.inf) > R2 - 3.0
+    is_hit = np.isfinite(true.range)
+    # A leaf's file has corners in steps of a few millimetres.
+    assert (is_hit != np.isfinite(made.range)).mean() < 0.005
+    both = is_hit & np.isfinite(made.range)
+    assert np.quantile(np.abs(made.range[both] - true.range[both]), 0.99) < 0.05
 
 
 @pytest.mark.parametrize("morph", ["blend", "none"])
@@ -153,7 +164,7 @@ def test_a_tree_is_reduced_like_its_world(
         nf.reduce(source, center=center, r1=R1, r2=R2, face_size=64, morph=morph).render(camera)
         for source in (tree, scene)
     )
-    assert np.sqrt(((made.require("color") - true.require("color")) ** 2).mean()) < 0.06
+    assert np.sqrt(((made.require("color") - true.require("color")) ** 2).mean()) < 0.08
 
 
 def test_what_moves_is_composited_with_the_map(tree: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Collection
+from dataclasses import dataclass
 from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
@@ -27,6 +28,28 @@ FACES = 6
 
 CHANNELS = ("color", "range")
 """Channels that a map of a tree may have."""
+
+
+@dataclass(frozen=True)
+class _FarParts:
+    """The parts of a map."""
+
+    cameras: list[Camera]
+    """Of its faces."""
+    splats: list[list[_core.OrthoSplats]]
+    """That each face shows."""
+    near: Scene | None
+    """Leaves that are drawn as geometry."""
+    radius: float
+
+    def baked(self, grid: int) -> dict[str, NDArray[Any]] | None:
+        """Images of the geometry beyond the radius, with some samples along each axis of a texel."""
+        if self.near is None:
+            return None
+        how: dict[str, Any] = {"samples": 1, "channels": CHANNELS, "half": False, "device": None}
+        size = self.cameras[0].size[0] * grid
+        env, _ = bake(self.near, self.cameras[0].position, self.radius, size=size, **how)
+        return {"color": env.color, "range": np.asarray(env.range, np.float32)}
 
 
 class NearFarTree(FlownTree):
@@ -108,33 +131,30 @@ class NearFarTree(FlownTree):
         cameras = [Camera((x, y, z), fov=CubeFace(face), size=(size, size)) for face in range(FACES)]
         cuts = [viewer.cutter.whole(camera, settings) for camera in cameras]
         near = viewer.near.scene(viewer.cutter.with_guests([leaf for cut in cuts for leaf in cut.leaf_places()]))
-        baked = None
-        if near is not None:
-            baked, _ = bake(
-                near, (x, y, z), reach, size=size * grid, samples=1, channels=CHANNELS, half=False, device=None
-            )
-        faces = [
-            self._face(camera, cut, reach, grid, None if baked is None else _images(baked, number))
-            for number, (camera, cut) in enumerate(zip(cameras, cuts, strict=True))
-        ]
-        color, ranges = (np.stack([face[name] for face in faces]) for name in CHANNELS)
-        return EnvMap((x, y, z), color, ranges if "range" in channels else None)
+        splats = [self._far_splats(camera, cut, reach) for camera, cut in zip(cameras, cuts, strict=True)]
+        parts = _FarParts(cameras, splats, near, reach)
+        if grid == 1 or "range" not in channels:
+            images = self._faces(parts, ("color", *({"range"} & {*channels})), grid)
+        else:  # range is that of texels' middles
+            images = self._faces(parts, ("color",), grid) | self._faces(parts, ("range",), 1)
+        return EnvMap((x, y, z), images["color"], images.get("range"))
 
-    def _face(
-        self, camera: Camera, cut: OrthoCut, radius: float, grid: int, before: dict[str, Any] | None
-    ) -> dict[str, NDArray[Any]]:
-        """A face of the map, before which images of geometry are seen."""
-        x, y, z = self.origin.tolist()
-        shot = Shot(cameras=(camera,), channels=CHANNELS)
-        images: dict[str, NDArray[Any]] = _core.splat_orthoviews(
-            self._far_splats(camera, cut, radius),
-            camera._core,
-            shot.settings,
-            origin=(x, y, z),
-            grid=grid,
-            before=before,
-        )
-        return images
+    def _faces(self, parts: _FarParts, channels: tuple[str, ...], grid: int) -> dict[str, NDArray[Any]]:
+        """Images (6, S, S, …) of all faces, with some samples along each axis of a texel."""
+        origin = self.origin.tolist()
+        before = parts.baked(grid)
+        faces = [
+            _core.splat_orthoviews(
+                splats,
+                camera._core,
+                Shot(cameras=(camera,), channels=channels).settings,
+                origin=(origin[0], origin[1], origin[2]),
+                grid=grid,
+                before=None if before is None else {name: image[face] for name, image in before.items()},
+            )
+            for face, (camera, splats) in enumerate(zip(parts.cameras, parts.splats, strict=True))
+        ]
+        return {name: np.stack([face[name] for face in faces]) for name in channels}
 
     def _far_splats(self, camera: Camera, cut: OrthoCut, radius: float) -> list[_core.OrthoSplats]:
         views, center = self._viewer.views, np.array(camera.position)
@@ -167,10 +187,3 @@ def _from_axis(box: NDArray[np.float64], center: NDArray[np.float64]) -> float:
     """Least distance of a box from the vertical axis through a point, metres."""
     nearest = np.clip(center, box[0], box[1]) - center
     return math.hypot(nearest[0], nearest[2])
-
-
-def _images(env: EnvMap, face: int) -> dict[str, NDArray[Any]]:
-    """Images of a face of a map."""
-    if env.range is None:
-        raise RuntimeError("expected a map with range")
-    return {"color": env.color[face], "range": np.asarray(env.range[face], np.float32)}
