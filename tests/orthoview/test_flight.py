@@ -46,7 +46,7 @@ def test_after_a_wait_pictures_are_those_of_the_tree(tree: Tree, settings: dict[
             right = tree.render(camera, **settings, channels=CHANNELS)
             assert is_same(frame, right)
             counts = {"missing": 0, "empty": 0, "error_px": settings.get("error_px", 1.0)}
-            assert frame.stats == right.stats | counts
+            assert frame.stats == {**right.stats, **counts}
             assert there(frame).any()
             leaves += frame.stats["leaves"]
         assert flight.errors == ()

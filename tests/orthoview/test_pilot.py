@@ -14,6 +14,7 @@ from nearfar.orthoview._cut import Settings
 from nearfar.orthoview._meter import HALF_LIFE, Meter, Received
 from nearfar.orthoview._parts import GEOMETRY, RECORD, Part
 from nearfar.orthoview._pilot import RENEWED_TURN, SHARE, SLACK, Ahead, Pilot
+from nearfar.orthoview._prefetch import queue
 from tests.support import need
 from tests.support.flight_cases import FOV
 from tests.support.orthoview_cases import CORNER
@@ -111,14 +112,19 @@ def test_plans_look_ahead(tree: Tree) -> None:
         assert len(set(orders[name])) == len(orders[name])
         assert orders[name][: len(orders["no"])] == orders["no"]
     assert set(orders["no"]) < set(orders["some"]) < set(orders["all"])
-    queue = tree.prefetch_queue(camera.position, camera=camera)
-    assert set(orders["all"]) == {*orders["no"], *queue.needed, *queue.soon}
+    paper = tree.prefetch_queue(camera.position, camera=camera)
+    assert set(orders["all"]) == {*orders["no"], *paper.needed, *paper.soon}
 
 
 def test_queues_are_renewed_where_the_viewer_has_moved_or_turned(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
-    pilot, made = pilot_of(tree, adapt=False), []
-    renew = nf.orthoview._pilot.queue
-    monkeypatch.setattr("nearfar.orthoview._pilot.queue", lambda *given: made.append(given) or renew(*given))
+    pilot = pilot_of(tree, adapt=False)
+    made: list[nf.orthoview.PrefetchQueue] = []
+
+    def noted(*given: Any) -> nf.orthoview.PrefetchQueue:
+        made.append(queue(*given))
+        return made[-1]
+
+    monkeypatch.setattr("nearfar.orthoview._pilot.queue", noted)
     ahead = tree.prefetch_queue(camera_at((0, 0, 0)).position, camera=camera_at((0, 0, 0))).ahead
     times = iter(np.arange(1000.0) * 1e5)  # so slow that the viewer rests
 

@@ -94,8 +94,8 @@ def test_positions_lie_along_the_course(tree: Tree, velocity: tuple[float, float
 def test_the_cameras_pictures_count(tree: Tree) -> None:
     """Its resolution and field of view do, its own position does not."""
     eye = PLACES["far"]
-    coarse = nf.Camera(MIDDLE, fov=nf.Fov.symmetric(60), size=(64, 48))
-    fine = nf.Camera(MIDDLE, fov=nf.Fov.symmetric(60), size=(1280, 960))
+    coarse = nf.Camera((1.0, 2.0, 3.0), fov=nf.Fov.symmetric(60), size=(64, 48))
+    fine = nf.Camera((1.0, 2.0, 3.0), fov=nf.Fov.symmetric(60), size=(1280, 960))
     found = {width: tree.prefetch_queue(eye, camera=camera) for width, camera in ((64, coarse), (1280, fine))}
     for width, camera in ((64, coarse), (1280, fine)):
         at = nf.Camera(eye, fov=camera.fov, size=camera.size)
@@ -157,7 +157,8 @@ def angles_of(camera: nf.Camera, points: NDArray[np.float64]) -> NDArray[np.floa
     # v + 2 q × (q × v + w v), with the inverse quaternion.
     axis = -np.array([x, y, z])
     local = offsets + 2 * np.cross(axis, np.cross(axis, offsets) + w * offsets)
-    return np.arctan2(local[:, :2], -local[:, 2:])
+    angles: NDArray[np.float64] = np.arctan2(local[:, :2], -local[:, 2:])
+    return angles
 
 
 def sees(outlook: Outlook, corners: NDArray[np.float64], sides: NDArray[np.float64]) -> NDArray[np.bool_]:
