@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterator
 from typing import Any
 
@@ -14,7 +13,7 @@ from nearfar._camera.shot import Shot
 from nearfar.orthoview import _loader
 from nearfar.orthoview._parts import GEOMETRY, RECORD
 from tests.support import need
-from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, images_of, is_same, there, whole
+from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, images_of, is_same, readers, there, whole
 from tests.support.waiting import wait_until
 
 need("zarr")
@@ -39,7 +38,7 @@ def test_after_a_wait_pictures_are_those_of_the_tree(tree: Tree, settings: dict[
     """From near and far, whatever was seen before."""
     leaves = 0
     with tree.fly(**settings, adapt=False) as flight:
-        places = [(20, 0.3), (60, 0.5), (60, 2.0), (150, 2.1), (500, 4.0), (40, 0.4)]
+        places = [(20, 0.3), (60, 2.0), (500, 4.0), (40, 0.4)]
         for number, (distance, angle) in enumerate(places):
             camera = camera_at(tree, distance, angle)
             frame = whole(flight, lambda: flight.render(camera, time=number, channels=CHANNELS))  # noqa: B023
@@ -108,7 +107,7 @@ def test_the_first_picture_is_empty(tree: Tree, flight: nf.orthoview.Flight, gat
 
 def test_pictures_have_no_holes_while_views_arrive(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
     """Once the coarsest views are there, each pixel that they and the tree show shows something."""
-    monkeypatch.setattr(_loader, "BATCH", 4)
+    monkeypatch.setattr(_loader, "BATCH", 12)
     gate.close()
     camera = camera_at(tree, 75)
     right = tree.render(camera)
@@ -183,6 +182,7 @@ def test_looks_read_what_pictures_need(tree: Tree, flight: nf.orthoview.Flight, 
         assert set(gate.leaves) >= set(cut.leaf_places(in_picture=True))
 
 
+@pytest.mark.slow
 def test_memory_keeps_what_is_needed_and_little_else(tree: Tree) -> None:
     for cache_bytes in (0, 400_000):
         with nf.orthoview.open(tree.path, cache_bytes=cache_bytes).fly(adapt=False, error_px=2) as flight:
@@ -239,13 +239,12 @@ def test_a_viewer_that_halts_sees_finer_pictures(tree: Tree, flight: nf.orthovie
 
 
 def test_threads_end_with_the_flight(tree: Tree) -> None:
-    before = threading.active_count()
     camera = camera_at(tree, 60)
     with tree.fly(threads=3) as flight:
-        assert threading.active_count() == before
+        assert readers() == 0
         first = whole(flight, lambda: flight.render(camera))
-        assert threading.active_count() >= before + 3
-    assert not [thread for thread in threading.enumerate() if thread.name == "nearfar-flight"]
+        assert readers() == 3
+    assert readers() == 0
     assert is_same(flight.render(camera), first)
     flight.render(camera_at(tree, 200, 4.0))
     assert flight.waiting == 0

@@ -12,6 +12,7 @@ import nearfar as nf
 from nearfar.orthoview import _loader
 from nearfar.orthoview._loader import BATCH, Loader
 from nearfar.orthoview._parts import GEOMETRY, RECORD, Part, kind
+from tests.support.flight_cases import readers
 from tests.support.waiting import wait_until
 
 LONG = 120.0
@@ -197,23 +198,22 @@ def test_waits_end() -> None:
 def test_threads_begin_with_the_first_wish_and_end_with_the_loader() -> None:
     store = Store()
     store.may_go.clear()
-    before = threading.active_count()
     loader = Loader(store.read, store.held.__contains__, 3)
-    assert threading.active_count() == before
+    assert readers() == 0
     loader.want([view(n) for n in range(5 * BATCH)])
     wait_until(lambda: len(store.batches) == 3)
-    assert threading.active_count() == before + 3
+    assert readers() == 3
     closing = threading.Thread(target=loader.close)
     closing.start()
     wait_until(lambda: loader.waiting == 3 * BATCH)  # what is read is read to its end, and nothing else
     store.may_go.set()
     closing.join(LONG)
-    assert threading.active_count() == before
+    assert readers() == 0
     assert sorted(len(batch) for batch in store.batches) == [BATCH] * 3
     assert store.held == {view(n) for n in range(3 * BATCH)}
     loader.want([view(99)])
     assert loader.waiting == 0
-    assert threading.active_count() == before
+    assert readers() == 0
     loader.close()
 
 

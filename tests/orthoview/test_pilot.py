@@ -112,18 +112,19 @@ def test_plans_look_ahead(tree: Tree) -> None:
         assert len(set(orders[name])) == len(orders[name])
         assert orders[name][: len(orders["no"])] == orders["no"]
     assert set(orders["no"]) < set(orders["some"]) < set(orders["all"])
-    found = tree.prefetch_queue(camera.position, camera=camera)
-    assert set(orders["all"]) == {*orders["no"], *found.needed, *found.soon}
+    paper = tree.prefetch_queue(camera.position, camera=camera)
+    assert set(orders["all"]) == {*orders["no"], *paper.needed, *paper.soon}
 
 
 def test_queues_are_renewed_where_the_viewer_has_moved_or_turned(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
-    pilot, made = pilot_of(tree, adapt=False), []
+    pilot = pilot_of(tree, adapt=False)
+    made: list[nf.orthoview.PrefetchQueue] = []
 
-    def renewed(*given: Any) -> nf.orthoview.PrefetchQueue:
-        made.append(given)
-        return queue(*given)
+    def noted(*given: Any) -> nf.orthoview.PrefetchQueue:
+        made.append(queue(*given))
+        return made[-1]
 
-    monkeypatch.setattr("nearfar.orthoview._pilot.queue", renewed)
+    monkeypatch.setattr("nearfar.orthoview._pilot.queue", noted)
     ahead = tree.prefetch_queue(camera_at((0, 0, 0)).position, camera=camera_at((0, 0, 0))).ahead
     times = iter(np.arange(1000.0) * 1e5)  # so slow that the viewer rests
 

@@ -94,8 +94,8 @@ def test_positions_lie_along_the_course(tree: Tree, velocity: tuple[float, float
 def test_the_cameras_pictures_count(tree: Tree) -> None:
     """Its resolution and field of view do, its own position does not."""
     eye = PLACES["far"]
-    coarse = nf.Camera((0.0, 0.0, 0.0), fov=nf.Fov.symmetric(60), size=(64, 48))
-    fine = nf.Camera((0.0, 0.0, 0.0), fov=nf.Fov.symmetric(60), size=(1280, 960))
+    coarse = nf.Camera((1.0, 2.0, 3.0), fov=nf.Fov.symmetric(60), size=(64, 48))
+    fine = nf.Camera((1.0, 2.0, 3.0), fov=nf.Fov.symmetric(60), size=(1280, 960))
     found = {width: tree.prefetch_queue(eye, camera=camera) for width, camera in ((64, coarse), (1280, fine))}
     for width, camera in ((64, coarse), (1280, fine)):
         at = nf.Camera(eye, fov=camera.fov, size=camera.size)

@@ -37,7 +37,8 @@ def divided(box: Box, at: NDArray[np.float64]) -> list[Box]:
 
 
 def inside(points: NDArray[np.float64], box: Box) -> NDArray[np.bool_]:
-    found: NDArray[np.bool_] = np.all((points >= box[0]) & (points < box[1]), axis=1)
+    low, high = np.array(box)
+    found: NDArray[np.bool_] = np.all((points >= low) & (points < high), axis=1)
     return found
 
 

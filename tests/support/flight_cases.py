@@ -47,6 +47,11 @@ def there(frame: nf.Frame) -> NDArray[np.bool_]:
     return is_there
 
 
+def readers() -> int:
+    """Number of threads that read for flights."""
+    return sum(thread.name == "nearfar-flight" for thread in threading.enumerate())
+
+
 class Gate:
     """Holds up the threads that read views and geometry, and notes what they read."""
 
