@@ -47,7 +47,7 @@ def _row(name: str, source: nf.Scene | nf.orthoview.OrthoTree, scene: nf.Scene, 
         name,
         f"{seconds:.2f}",
         f"{nf.psnr(truth, made):.1f}",
-        f"{nf.ssim(truth, made).mean:.3f}",
+        f"{float(nf.ssim(truth, made)):.3f}",
         f"{facts['drawn']:,}",
         f"{facts['map_bytes'] / 1e6:.1f}",
     ]
