@@ -38,7 +38,7 @@ STAGES: dict[str, set[str]] = {
     "gpu": {"_camera", "_metrics", "_morph", "_render"},
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
     "stream": {"_camera", "_cubemap", "_metrics", "_partition", "_reduce", "_render", "_scene", "_trace"},
-    "orthoview": {"_camera", "_cubemap", "_render", "_scene", "_source", "_trace", "lod", "stream"},
+    "orthoview": {"_camera", "_cubemap", "_reduce", "_render", "_scene", "_source", "_trace", "lod", "stream"},
     "view": {"_camera", "_cubemap", "_partition", "_reduce", "_scene", "orthoview", "stream"},
     "serve": {"_scene", "_trace", "stream", "view"},
 }

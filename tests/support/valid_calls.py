@@ -68,7 +68,7 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.orthoview.Flight": lambda: orthoviews.flight(valid),
         "nearfar.orthoview.FlightLog": lambda: valid.flown,
         "nearfar.orthoview.OrthoCut": lambda: orthoviews.cut(valid),
-        "nearfar.orthoview.OrthoTree": lambda: nf.orthoview.open(valid.store),
+        "nearfar.orthoview.OrthoTree": lambda: orthoviews.tree(valid),
         "nearfar.orthoview.Steady": nf.orthoview.Steady,
         "nearfar.stream.Bundle": lambda: valid.bundle,
         "nearfar.stream.Growth": lambda: nf.stream.Growth((2.0, 4.0)),

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 import nearfar as nf
 from nearfar.orthoview._cut import Settings
 from nearfar.orthoview._pilot import Ahead
@@ -16,17 +18,25 @@ def cut(valid: Valid) -> nf.orthoview.OrthoCut:
     return nf.orthoview.open(valid.store).cut(valid.camera)
 
 
+def tree(valid: Valid) -> nf.orthoview.OrthoTree:
+    """A tree with objects that move."""
+    return nf.orthoview.open(valid.store).with_dynamic(valid.scene)
+
+
 def flight(valid: Valid) -> nf.orthoview.Flight:
     """A flight that has read nothing, and whose threads have not begun."""
-    return nf.orthoview.open(valid.store).fly(threads=1)
+    return tree(valid).fly(threads=1)
 
 
 def orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
     """Return valid keywords by the callable's name."""
-    tree = nf.orthoview.open(valid.store)
+    own, poses = nf.orthoview.open(valid.store), {"far": np.eye(4)}
     return {
+        "nearfar.orthoview.Flight.at": {"poses": poses},
+        "nearfar.orthoview.OrthoCut.parts": {},
+        "nearfar.orthoview.OrthoTree.at": {"poses": poses},
         "nearfar.orthoview.Flight": {
-            "opened": tree._opened(), "settings": Settings(), "ahead": Ahead(), "threads": 1, "on_error": None,
+            "opened": own._opened(), "settings": Settings(), "ahead": Ahead(), "threads": 1, "on_error": None,
         },
         "nearfar.orthoview.Flight.close": {},
         "nearfar.orthoview.Flight.look": {"camera": valid.camera, "time": 0.0},
@@ -59,13 +69,13 @@ def orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.orthoview.OrthoTree.update": {"aabb": [[0, 0, 0], [1, 1, 1]], "source": valid.scene},
         "nearfar.orthoview.OrthoTree.verify": {},
         "nearfar.orthoview.OrthoTree.view": {"level": 0, "place": (0, 0, 0), "direction": 4},
-        "nearfar.orthoview.PrefetchQueue": fields(tree.prefetch_queue(EYE)),
+        "nearfar.orthoview.PrefetchQueue": fields(own.prefetch_queue(EYE)),
         "nearfar.orthoview.build": {
             "source": valid.scene, "path": valid.folder / "new.zarr", "cell": 8.0, "size": 8, "directions": 5,
         },
         "nearfar.orthoview.open": {"path": valid.store},
         "nearfar.orthoview.simulate": {
-            "tree": tree, "cameras": [valid.camera] * 2, "link": nf.stream.Link(50.0, rtt_ms=20.0, loss=0.01),
+            "tree": own, "cameras": [valid.camera] * 2, "link": nf.stream.Link(50.0, rtt_ms=20.0, loss=0.01),
         },
         "nearfar.orthoview.size_for": {"pixels": 1000, "cell": 40.0, "distance": 50.0, "fov": 1.5},
     }  # fmt: skip

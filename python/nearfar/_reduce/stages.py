@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Collection
 from dataclasses import replace
-from typing import Protocol, TypedDict, runtime_checkable
+from typing import TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,13 +18,14 @@ from nearfar._render.bake import bake
 from nearfar._scene.scene import Scene
 
 
-@runtime_checkable
-class Divided(Protocol):
+class Divided(ABC):
     """A world that gives its near part as a scene and draws the map of its far part itself, such as an `OrthoTree`."""
 
+    @abstractmethod
     def near_scene(self, center: ArrayLike, radius: float) -> Scene | None:
         """The geometry within a radius of the vertical axis through a centre, and perhaps more."""
 
+    @abstractmethod
     def far_map(
         self, center: ArrayLike, radius: float, *, face_size: int, samples: int, channels: Collection[str]
     ) -> EnvMap:

@@ -16,6 +16,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, CubeFace
 from nearfar._camera.shot import Shot
 from nearfar._cubemap.envmap import EnvMap
+from nearfar._reduce.stages import Divided
 from nearfar._render.bake import bake
 from nearfar._scene.joined import joined
 from nearfar._scene.scene import Scene
@@ -52,7 +53,7 @@ class _FarParts:
         return {"color": env.color, "range": np.asarray(env.range, np.float32)}
 
 
-class NearFarTree(FlownTree):
+class NearFarTree(FlownTree, Divided):
     """A tree that near–far reduction takes like a scene; `OrthoTree` tells what it raises."""
 
     def near_scene(self, center: ArrayLike, radius: SupportsFloat) -> Scene | None:
