@@ -68,6 +68,10 @@ class Chunks:
         self._indexes: OrderedDict[str, NDArray[np.uint64] | None] = OrderedDict()
         self._lock = threading.Lock()
 
+    def __reduce__(self) -> tuple[type[Chunks], tuple[Files, Layout, Sequence[Generation]]]:
+        """Leave out what was read."""
+        return Chunks, (self._files, self._layout, self._generations)
+
     def read(self, keys: Sequence[Key]) -> list[bytes | None]:
         """Read chunks; None for those that are not there.
 
