@@ -37,7 +37,7 @@ class Server:
 
     url: str
     status: int = 0
-    """What it answers instead of files; −1 for an end of the connection."""
+    """Its answer instead of files; −1 for an end of the connection."""
     failures: int = 0
     goes_on: threading.Event = field(default_factory=threading.Event)
     """Whether it answers."""

@@ -101,7 +101,7 @@ def test_unknown_records_come_first(tree: Tree) -> None:
 
 
 def test_plans_look_ahead(tree: Tree) -> None:
-    """What is all around here and ahead follows what the picture shows; a margin leaves out what is behind."""
+    """All around here and ahead follows what the picture shows; a margin leaves out what is behind."""
     camera = camera_at((3, 5, 30))
     orders = {}
     for name, ahead in {"no": Ahead(prefetch=False), "some": Ahead(), "all": Ahead(margin=None)}.items():

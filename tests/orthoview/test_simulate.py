@@ -110,7 +110,7 @@ def test_a_round_trip_delays_all(tree: Tree) -> None:
 
 
 def test_with_a_fast_link_only_the_first_frames_stall(tree: Tree) -> None:
-    """What is new in a frame is asked for then, and there in the next one."""
+    """New parts of a frame are asked for then, and there in the next one."""
     log = nf.orthoview.simulate(tree, path(60), link=FAST, adapt=False)
     assert log.stalled[0]
     assert not log.stalled[2:].any()

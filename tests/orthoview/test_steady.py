@@ -254,5 +254,5 @@ def test_bad_input_is_refused() -> None:
     steady.next(picture, 1.0)
     with pytest.raises(ValueError, match="time: expected more than 1, that of the picture before"):
         steady.next(picture, 1.0)
-    # What was refused is not taken.
+    # Refused values are not taken.
     assert steady.next(picture, 1.1).stats["agreed"] == 1.0

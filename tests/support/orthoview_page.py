@@ -1,4 +1,4 @@
-"""What Node needs to compare the page's reading of trees with Python's."""
+"""Vectors with which Node compares the page's reading of trees with Python's."""
 
 from __future__ import annotations
 

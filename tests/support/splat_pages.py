@@ -45,7 +45,7 @@ class Look:
 def spark(
     files: Sequence[tuple[Path, Any]], views: Sequence[tuple[Look, Sequence[int]]], first: int = 0
 ) -> tuple[list[dict[str, Any]], list[Array]]:
-    """What Spark loads, and pictures (H, W, 4) that it draws: sRGB times alpha, and alpha, in 0..1.
+    """Files that Spark loads, and pictures (H, W, 4) that it draws: sRGB times alpha, and alpha, in 0..1.
 
     Parameters
     ----------

@@ -281,7 +281,7 @@ class Flight(Renderable):
         return plan
 
     def _shown(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
-        """What one of a shot's pictures is drawn from."""
+        """The parts that one of a shot's pictures is drawn from."""
         while len(self._before) <= number:
             self._before.append(Shown())
         shown = self._stand_ins.shown(wanted, self._before[number], np.array(camera.position))

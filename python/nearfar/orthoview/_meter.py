@@ -1,4 +1,4 @@
-"""What a client has measured of its link: bytes a second, and bytes of a view and of a leaf's geometry."""
+"""A client's measurements of its link: bytes a second, and bytes of a view and of a leaf's geometry."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ HALF_LIFE = 1.0
 
 @dataclass(frozen=True)
 class Received:
-    """What has come until a time, in all."""
+    """All that has come until a time."""
 
     views: int = 0
     view_bytes: int = 0

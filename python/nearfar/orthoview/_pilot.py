@@ -1,4 +1,4 @@
-"""What a client wants at each moment: the cut of its picture, what comes next, and how coarse both may be."""
+"""A client's wishes at each moment: the cut of its picture, what comes next, and how coarse both may be."""
 
 from __future__ import annotations
 
@@ -53,12 +53,12 @@ class Ahead:
 
 @dataclass(frozen=True)
 class Plan:
-    """What a client wants."""
+    """A client's wishes."""
 
     wanted: Wanted
     """Cells of the picture's cut, and the parts that each of them is to be drawn from."""
     order: list[Part]
-    """What is to be read, the most urgent first; parts that are there may be among them."""
+    """Parts to be read, the most urgent first; some that are there may be among them."""
     error_px: float
     """Greatest width of a view's pixels, in pixels of the picture, of the picture's cut."""
     beside: list[Wanted] = field(default_factory=list)
@@ -118,7 +118,7 @@ class Pilot:
         self.camera, self._beside = camera, beside
 
     def plan(self, held: Callable[[Part], bool]) -> Plan:
-        """What is wanted where the viewer is; `held` tells what is there."""
+        """The wishes where the viewer is; `held` tells what is there."""
         camera = self.camera
         if camera is None:
             raise RuntimeError("expected a look before a plan")

@@ -26,7 +26,7 @@ SIDEWAYS = math.tan(math.radians(15.0))
 
 @dataclass(frozen=True, eq=False)
 class PrefetchQueue:
-    """What a viewer needs now and soon, in the order in which it is best read."""
+    """The parts that a viewer needs now and soon, in the order in which they are best read."""
 
     needed: list[Part]
     """Level, place and direction of each view of the cut at the position, the nearest first; of the geometry of a leaf

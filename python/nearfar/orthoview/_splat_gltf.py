@@ -137,7 +137,7 @@ def _corners(extent: Extent) -> dict[str, Any]:
 def _document(
     own: dict[str, Any], attributes: list[str], center: NDArray[np.float64], extras: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """What all files have: one node with one mesh of points."""
+    """The document that all files have: one node with one mesh of points."""
     splats = {
         "kernel": "ellipse",
         "colorSpace": "srgb_rec709_display",

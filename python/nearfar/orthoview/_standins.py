@@ -1,4 +1,4 @@
-"""What is drawn of a cut whose views are not all there: what was drawn before, finer cells, parts of coarser ones."""
+"""Drawing a cut whose views are not all there: what was drawn before, finer cells, parts of coarser ones."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Shown:
-    """What a picture is drawn from."""
+    """The parts that a picture is drawn from."""
 
     cells: dict[Cell, list[Piece]] = field(default_factory=dict)
     """Cells that are drawn from views, each from some of its own or from parts of those above it."""
@@ -74,7 +74,7 @@ class StandIns:
         self._grid, self._units, self._held, self._drawable, self._views = grid, directions, held, drawable, views
 
     def shown(self, wanted: Wanted, before: Shown, eye: NDArray[np.float64]) -> Shown:
-        """What is drawn of wanted cells, as far as it is there.
+        """Choose how wanted cells are drawn from what is there.
 
         A cell whose parts are all there is drawn from them. Otherwise, in this order: it stays as it was drawn before;
         cells below it that were drawn before stay, and its rest is drawn as follows; the finest cell above it that is

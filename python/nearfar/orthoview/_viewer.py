@@ -35,7 +35,7 @@ class Parts:
     near: Scene | None
     """Leaves that are drawn as geometry."""
     movers: Scene | None
-    """What moves."""
+    """Objects that move."""
     counts: dict[str, float]
     """Of the cut."""
 

@@ -47,7 +47,7 @@ export class Cells {
     return this.#subtrees.has(nameOf(tier, place));
   }
 
-  /** What is known of a cell; null if its subtree has not been added. */
+  /** The directions of a cell; null if its subtree has not been added. */
   at(level: number, place: Triple): Cell | null {
     const { tier, place: own } = subtreeOf(this.layout, level, place);
     const subtree = this.#subtrees.get(nameOf(tier, own));

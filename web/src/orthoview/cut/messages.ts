@@ -1,4 +1,4 @@
-/** What the page and the worker that cuts the tree tell each other. */
+/** Messages between the page and the worker that cuts the tree. */
 import type { Failure } from '../store/error';
 import type { Layout } from '../store/layout';
 import type { Shard, Subtree } from '../store/records';

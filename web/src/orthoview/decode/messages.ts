@@ -1,4 +1,4 @@
-/** What the page and the workers that read views tell each other. */
+/** Messages between the page and the workers that read views. */
 import type { Failure } from '../store/error';
 import type { Layout } from '../store/layout';
 import type { Splats } from './pack';

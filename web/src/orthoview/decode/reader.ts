@@ -44,7 +44,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
       return data as Values;
     } catch (reason) {
       if (signal.aborted || reason instanceof StoreError) throw reason;
-      // What zarrita's codecs complain of.
+      // Complaints of zarrita's codecs.
       const why = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
       throw damaged(name, `the chunk of the cell ${place.join(', ')}: ${why}`);
     }

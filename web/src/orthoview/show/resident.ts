@@ -5,7 +5,7 @@ import type { Uploaded } from '../draw/drawer';
 import { type Model, modelOf } from '../splats/sight';
 import type { Layout, Triple } from '../store/layout';
 
-/** What keeps arrays of splats. */
+/** Keeps arrays of splats. */
 export interface Uploader {
   upload(model: Model, splats: Splats): Uploaded;
   drop(uploaded: Uploaded): void;

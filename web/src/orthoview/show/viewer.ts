@@ -120,7 +120,7 @@ export class Viewer {
       this.#isStale = this.#hasMoved = true;
     }
     if (this.#isStale && !this.#isAsked) this.#look(camera);
-    // What failed may be due again.
+    // Failed views may be due again.
     this.#queue.fill();
     if (!this.#cut || !this.#isDone(this.#tree.drawer)) return false;
     const isDue = performance.now() - this.#end >= Math.max(PAUSE, this.took / SHARE - this.took);

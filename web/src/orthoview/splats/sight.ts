@@ -17,7 +17,7 @@ export interface Box {
   readonly place: Triple;
 }
 
-/** What stays the same for all cameras. */
+/** The part that stays the same for all cameras. */
 export interface Model {
   readonly frame: Frame;
   /** Extents of a pixel and of a depth step, metres. */

@@ -17,7 +17,7 @@ export function damaged(file: string, reason: string): StoreError {
   return new StoreError('damaged', `${file}: ${reason}`);
 }
 
-/** What a worker tells of an error: classes do not survive messages. */
+/** A worker's account of an error: classes do not survive messages. */
 export interface Failure {
   readonly kind: Kind | 'other';
   readonly message: string;

@@ -38,7 +38,7 @@ export function createFiles(base: URL, receive: (bytes: number) => void): Files 
       const init: RequestInit = { signal: limited(signal) };
       // A range of one part from a first byte on: browsers ask other hosts for no permission for it.
       if (part) init.headers = { Range: `bytes=${part[0]}-${part[0] + part[1] - 1}` };
-      // What may have changed is asked for again.
+      // Documents that may have changed are asked for again.
       if (!version) init.cache = 'no-cache';
       const response = await answered(() => fetch(url, init), path, signal);
       if (response.status === 404 || response.status === 410) return null;

@@ -105,7 +105,7 @@ fn luck((level, place): (u32, UVec3), direction: u8, pixel: usize) -> f64 {
     random::uniform(u64::from(level) << 8 | u64::from(direction), x | y << 21 | z << 42, pixel as u64)
 }
 
-/// What is drawn of a view.
+/// The part of a view that is drawn.
 struct Chosen {
     drawn: Bits,
     /// Pixels that are coarse enough or covered.

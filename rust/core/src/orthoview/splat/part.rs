@@ -37,8 +37,14 @@ impl Splats {
 
     /// Adds the splats of a block of a view that are accepted.
     fn take(&mut self, whole: &Self, block: &Block, accepts: &impl Fn(DVec3) -> bool) -> Option<Block> {
-        let mut part =
-            Block { extent: Extent::NOTHING, first: self.texels.len() as u32, shown: 0, surfels: 0, inner: 0, ..*block };
+        let mut part = Block {
+            extent: Extent::NOTHING,
+            first: self.texels.len() as u32,
+            shown: 0,
+            surfels: 0,
+            inner: 0,
+            ..*block
+        };
         let mut number = block.first as usize;
         for place in 0..BLOCK * BLOCK {
             let bit = 1u64 << place;

@@ -146,7 +146,7 @@ impl<'a> Past<'a> {
         Some((place, Test::Parallax { e, s, a: one.weight, b: other.weight, farthest }))
     }
 
-    /// What must be at the place from which a point has moved; see `found`.
+    /// The surface that must be at the place from which a point has moved; see `found`.
     fn moved(&self, place: DVec2, (from, way, inverse): (DVec3, DVec3, f64)) -> Option<(DVec2, Test)> {
         let offset = from * inverse + way;
         let distance = if self.lens.is_parallel { self.lens.along(offset) } else { offset.length() };
