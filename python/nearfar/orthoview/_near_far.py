@@ -82,7 +82,9 @@ class NearFarTree(FlownTree, Divided):
         if not self._layout.geometry:
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")
         viewer = self._viewer
-        leaves = viewer.cutter.with_guests(self._leaves_within(at, reach))
+        leaves = self._leaves_within(at, reach)
+        self._know(leaves)
+        leaves = viewer.cutter.with_guests(leaves)
         parts = [scene for scene in (viewer.near.scene(leaves), self._movers) if scene is not None]
         return joined(parts) if parts else None
 
@@ -170,6 +172,13 @@ class NearFarTree(FlownTree, Divided):
             found += own
         views.trim(set(keys))
         return found
+
+    def _know(self, leaves: list[Place]) -> None:
+        """Read the records that tell of leaves' guests, where no cut has done so."""
+        cutter, side = self._viewer.cutter, self._layout.shard_side(0)
+        for x, y, z in dict.fromkeys((x // side, y // side, z // side) for x, y, z in leaves):
+            if not cutter.knows(0, (x, y, z)):
+                cutter.learn(0, (x, y, z))
 
     def _leaves_within(self, center: NDArray[np.float64], radius: float) -> list[Place]:
         """Places of leaves that reach within a radius of the vertical axis through a point, empty ones included."""
