@@ -2,7 +2,7 @@
 
     python -m benchmarks.orthoview.flights stalls TREE             # speeds and links, on a virtual clock
     python -m benchmarks.orthoview.flights speed TREE              # ever faster: pictures that adapt, and stalls
-    python -m benchmarks.orthoview.flights growth TREE --tiles FOLDER  # bytes a metre in worlds of growing extent
+    python -m benchmarks.orthoview.flights growth TREE --out FOLDER  # bytes a metre in worlds of growing extent
 
 TREE is a store of the whole of Tokyo with geometry. The client of 3D Tiles reads the same leaves by screen-space error:
 only leaves have content, and each is refined down to that.
@@ -11,8 +11,7 @@ only leaves have content, and each is refined down to that.
 from __future__ import annotations
 
 import argparse
-import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from itertools import chain
 from pathlib import Path
 
@@ -46,8 +45,6 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("what", choices=WHAT)
     parser.add_argument("tree", help="store of the whole of Tokyo")
-    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
-    parser.add_argument("--trees", type=Path, help="folder for trees of parts; by default one that is removed")
     parser.add_argument("--out", type=Path, help="folder for the plots")
     given = parser.parse_args()
     print(machine(), "\n")
@@ -104,7 +101,9 @@ def stalls(given: argparse.Namespace) -> None:
             for name, log in (("on demand", bare), ("prefetch", ahead), ("3D Tiles", tiles(tree, cameras, link))):
                 rows.append([f"{way}, {speed:g} m/s", f"{mbps:g}", name, *_row(log, bare)])
                 print(rows[-1], flush=True)
-    print(table("", ["way", "Mb/s", "client", "first, s", "stalled, %", "after first, %", "MB", "bytes, ×"], rows))
+    print(
+        table("Stalls", ["way", "Mb/s", "client", "first, s", "stalled, %", "after first, %", "MB", "bytes, ×"], rows)
+    )
 
 
 def _row(log: nf.orthoview.FlightLog, bare: nf.orthoview.FlightLog) -> list[str]:
@@ -125,58 +124,52 @@ def speed(given: argparse.Namespace) -> None:
             error = log.error_px[later]
             numbers = [f"{100 * log.stalled[later].mean():.1f}", f"{error.mean():.2f}", f"{error.max():.2f}"]
             rows.append([f"{metres:g}", name, *numbers, f"{log.asked / 1e6:.1f}"])
-    print(table("", ["m/s", "picture", "stalled after 10 s, %", "mean error, px", "greatest", "MB"], rows))
+    print(table("Ever faster", ["m/s", "picture", "stalled after 10 s, %", "mean error, px", "greatest", "MB"], rows))
 
 
 def growth(given: argparse.Namespace) -> None:
-    """Bytes that come into the picture for each metre, by the world's extent."""
-    rows = []
-    with tempfile.TemporaryDirectory() as folder:
-        for side, tree in _worlds(given, given.trees or Path(folder)):
-            row: list[str] = [f"{side / 1e3:g}", f"{tree.held['leaves']:,}", f"{tree.held['bytes'] / 1e6:.0f}"]
-            for name in ("walk", "helicopter"):
-                parts, first, later = _asked(tree, WAYS[name][1])
-                row += [f"{parts:.0f}", f"{first / 1e6:.2f}", f"{later / 1e3:.2f}"]
-            rows.append(row)
-            print(row, flush=True)
+    """Bytes that come into the picture for each metre, by the world's extent.
+
+    A world that ends at a square's sides has the cells within it: cuts of the whole one, less what lies outside.
+    """
+    tree, rows = nf.orthoview.open(given.tree), []
+    whole = float((tree.bounds[1] - tree.bounds[0]).max())
+    asked = {name: _asked(tree, WAYS[name][1]) for name in ("walk", "helicopter")}
+    for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, whole):
+        row = [f"{side / 1e3:g}"]
+        for metres in asked.values():
+            within = [{part: size for part, (size, away) in parts.items() if away <= side / 2} for parts in metres]
+            seen = dict(within[0])
+            first = sum(seen.values())
+            for parts in within[1:]:
+                seen |= parts
+            later = (sum(seen.values()) - first) / (len(metres) - 1)
+            row += [f"{np.mean([len(parts) for parts in within]):.0f}", f"{first / 1e6:.2f}", f"{later / 1e3:.2f}"]
+        rows.append(row)
     each = ["parts", "first picture, MB", "kB a metre"]
-    print(table("", ["side, km", "leaves", "MB", *each, *(f"{name}, 120 m" for name in each)], rows))
+    print(table("A walk of 400 m", ["side, km", *each, *(f"{name}, 120 m" for name in each)], rows))
     if given.out is not None:
         _plot(rows, given.out)
 
 
-def _worlds(given: argparse.Namespace, folder: Path) -> Iterator[tuple[float, nf.orthoview.OrthoTree]]:
-    """Squares about the flights' start, then the whole."""
-    source, whole = nf.open_source(given.tiles), nf.orthoview.open(given.tree)
-    low, high = whole.bounds
-    for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0):
-        corner = np.array([START[0] - side / 2, low[1], START[1] - side / 2])
-        box = np.array([corner, np.add(corner, [side - 1e-3, high[1] - low[1], side - 1e-3])])
-        yield (
-            side,
-            nf.orthoview.build(
-                source, folder / f"{side:g}.zarr", cell=whole.cell, aabb=box, size=whole.size, directions=9
-            ),
-        )
-    yield float((high - low).max()), whole
-
-
-def _asked(tree: nf.orthoview.OrthoTree, height: float) -> tuple[float, int, int]:
-    """Mean number of parts of a picture, bytes of the first, and bytes that come for each metre of 400."""
+def _asked(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[Part, tuple[int, float]]]:
+    """On each of 400 metres the picture's parts, their bytes, and how far from the way's middle their cells are."""
     opened = tree._opened()
-    cutter, seen = opened.viewer.cutter, dict[Part, None]()
-    counts, first, metres = [], 0, 400
+    cutter, grid, metres = opened.viewer.cutter, opened.grid, 400
+    facts: dict[Part, tuple[int, float]] = {}
+    found = []
     for metre in range(metres + 1):
         eye = np.array([START[0] - metres / 2 + metre, height, START[1]])
         camera = nf.Camera.look_at(eye, np.add(eye, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
         cut = cutter.whole(camera, Settings())
         leaves = cutter.with_guests(cut.leaf_places(in_picture=True))
         parts: list[Part] = [*((0, place, GEOMETRY) for place in leaves), *cut.keys(in_picture=True)]
-        counts.append(len(parts))
-        seen |= dict.fromkeys(parts)
-        if metre == 0:
-            first = sum(opened.sizes(list(seen)))
-    return float(np.mean(counts)), first, (sum(opened.sizes(list(seen))) - first) // metres
+        new = [part for part in parts if part not in facts]
+        for part, size in zip(new, opened.sizes(new), strict=True):
+            middle = grid.box(part[0], part[1]).mean(axis=0) - [START[0], 0.0, START[1]]
+            facts[part] = size, float(np.abs(middle[[0, 2]]).max())
+        found.append({part: facts[part] for part in parts})
+    return found
 
 
 def _plot(rows: list[list[str]], out: Path) -> None:
@@ -184,7 +177,7 @@ def _plot(rows: list[list[str]], out: Path) -> None:
 
     sides = [float(row[0]) for row in rows]
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
-    for axes, column, label in ((left, 3, "views and leaves of a picture"), (right, 5, "kB for each metre")):
+    for axes, column, label in ((left, 1, "views and leaves of a picture"), (right, 3, "kB for each metre")):
         for offset, name in ((0, "walker"), (3, "120 m above")):
             axes.plot(sides, [float(row[column + offset]) for row in rows], marker="o", label=name)
         axes.set(xscale="log", xlabel="side of the world, km", ylabel=label)
