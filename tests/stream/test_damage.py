@@ -297,6 +297,7 @@ def test_mutated_bundles_raise_nothing_but_format_errors(copied: Path, mutate: A
     check_fuzzed(copied, mutate, data)
 
 
+@pytest.mark.stress
 @pytest.mark.slow
 @pytest.mark.parametrize("mutate", [Fuzz.manifest, Fuzz.file])
 @MANY

@@ -19,6 +19,7 @@ MOST_BYTES = 2**18
 """Bytes that one call may send to the GPU, those of a step: `STEP_BYTES` of web/src/show/uploads.ts."""
 
 
+@pytest.mark.stress
 def test_no_call_sends_much_to_the_gpu(tmp_path: Path) -> None:
     need("browser")
     scene, center = nf.datasets.city(blocks=2, detail=0), (3.0, 1.7, -2.0)

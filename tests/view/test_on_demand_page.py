@@ -80,6 +80,7 @@ def grown(page: SteppedPage, place: dict[str, Any]) -> tuple[dict[str, Any], NDA
     return page.picture(place, 0.0)
 
 
+@pytest.mark.stress
 def test_coarse_maps_come_first_and_then_the_picture_of_the_bundle(
     chromium: Any, city: nf.Scene, server: Server, tmp_path: Path
 ) -> None:

@@ -128,6 +128,7 @@ def test_without_a_fade_the_same_crossing_jumps(chromium: Any, city: nf.Scene, t
     assert continuity(pictures).min() < walked.min() - 0.02
 
 
+@pytest.mark.stress
 def test_near_geometry_stays_in_place(chromium: Any, city: nf.Scene, two: Path) -> None:
     x, yaw = 6.4, 0.3
     frame = nf.render(city, camera(x, yaw), channels=("position", "face_id"))

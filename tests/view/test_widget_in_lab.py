@@ -148,6 +148,7 @@ def test_all_views_of_a_widget_show_the_same_user(notebook: Any) -> None:
     page.evaluate("() => { window.jupyterapp.shell.currentWidget.content.widgets[4].model.clearExecution(); }")
 
 
+@pytest.mark.stress
 def test_views_that_are_replaced_leave_nothing(notebook: Any) -> None:
     """Browsers keep 16 contexts; with more of them the oldest is lost, with a warning."""
     notebook.run(3)
