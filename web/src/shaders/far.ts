@@ -1,5 +1,6 @@
 /** Shaders of the map: every pixel in which no near geometry is shown. */
-import { PRECISION, SRGB } from './shared';
+import { SRGB } from './light';
+import { PRECISION } from './shared';
 
 export const FAR_VERTEX = /* glsl */ `
 precision highp float;

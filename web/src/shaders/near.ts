@@ -1,5 +1,6 @@
 /** Shaders of near geometry: the morph of its vertices, and nearfar's one shading formula. */
-import { SHARED, SRGB } from './shared';
+import { IRRADIANCE, SRGB } from './light';
+import { SHARED } from './shared';
 
 /** Whether vertices have texture coordinates. */
 const MAPPED = /* glsl */ `
@@ -142,17 +143,7 @@ bool is_hidden() {
   return range > farthest_range(normalize(v_shown)) * (1.0 + BIAS);
 }
 
-const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);
-const vec3 SUN = vec3(0.60, 0.56, 0.50);
-const vec3 SKY_DIRECTION = vec3(-0.2062843, 0.9282791, 0.3094264);
-const vec3 SKY_LOW = vec3(0.130, 0.135, 0.150);
-const vec3 SKY_HIGH = vec3(0.380, 0.420, 0.480);
-
-vec3 irradiance(vec3 n) {
-  float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
-  return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
-}
-
+${IRRADIANCE}
 // The face's normal towards the viewer; the vertices' one on its side.
 vec3 shading_normal() {
   vec3 face = cross(dFdx(v_point), dFdy(v_point));

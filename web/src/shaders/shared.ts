@@ -20,12 +20,4 @@ bool is_morphed() {
 }
 `;
 
-/** Encoding of colours, as the screen takes them. */
-export const SRGB = /* glsl */ `
-vec3 srgb_of(vec3 linear) {
-  vec3 c = clamp(linear, 0.0, 1.0);
-  return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThanEqual(c, vec3(0.0031308))));
-}
-`;
-
 export const SHARED = PRECISION + MORPH + SHOWN;

@@ -1,5 +1,5 @@
 /** GLSL of splats, of light and of the picture's samples. */
-import { SRGB } from '../../shaders/shared';
+import { IRRADIANCE, SRGB } from '../../shaders/light';
 import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../splats/sight';
 
 const HEAD = /* glsl */ `#version 300 es
@@ -10,19 +10,8 @@ precision highp int;
 /** A number as GLSL writes it. */
 const float = (value: number): string => (Number.isInteger(value) ? value.toFixed(1) : String(value));
 
-/** The shading formula of docs/render.md. */
-const LIGHT = /* glsl */ `
-const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);
-const vec3 SUN = vec3(0.60, 0.56, 0.50);
-const vec3 SKY_DIRECTION = vec3(-0.2062843, 0.9282791, 0.3094264);
-const vec3 SKY_LOW = vec3(0.130, 0.135, 0.150);
-const vec3 SKY_HIGH = vec3(0.380, 0.420, 0.480);
-
-vec3 irradiance(vec3 n) {
-  float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
-  return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
-}
-
+/** Decoding of the colours of views. */
+const LINEAR = /* glsl */ `
 vec3 linear_of(vec3 c) {
   return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045))));
 }
@@ -46,7 +35,8 @@ flat out vec3 v_nearness;
 flat out vec3 v_color;
 const float RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
 const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
-${LIGHT}
+${IRRADIANCE}
+${LINEAR}
 // Half of the extent of a ball along an axis: the length of the gradient of X/W.
 float disc(vec3 own, float place, float over) {
   return length((own - place * gradients[2]) * over) * view[2].w;
