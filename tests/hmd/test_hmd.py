@@ -15,7 +15,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 import nearfar as nf
-from nearfar.hmd._eye import rotation
+from nearfar._camera.rotation import rotation
 from tests.support import data, valid
 from tests.support.hmd_cases import eyes, turns
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._camera.camera import Fov, quaternion, quaternion_from_axes
+from nearfar._camera.rotation import rotation
 
 ROTATION_TOLERANCE = 1e-4
 """Greatest difference between an entry of a matrix and of the nearest rotation; runtimes print six digits."""
@@ -126,33 +127,6 @@ def total_fov(left: Eye, right: Eye) -> TotalFov:
         diagonal_deg=(_between(one[0], other[2]) + _between(one[3], other[1])) / 2.0,
         overlap_deg=of_left[1] - of_right[0],
     )
-
-
-def rotation(orientation: tuple[float, float, float, float]) -> NDArray[np.float64]:
-    """Compute the rotation matrix (3, 3) of a unit quaternion (x, y, z, w)."""
-    x, y, z, w = orientation
-    return np.array(
-        [
-            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
-            [2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)],
-            [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
-        ]
-    )
-
-
-def turned(
-    first: tuple[float, float, float, float], then: tuple[float, float, float, float]
-) -> tuple[float, float, float, float]:
-    """Compute the unit quaternion of the rotation `first` followed by `then`."""
-    (ax, ay, az, aw), (bx, by, bz, bw) = then, first
-    product = (
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-        aw * bw - ax * bx - ay * by - az * bz,
-    )
-    length = math.sqrt(sum(part * part for part in product))
-    return (product[0] / length, product[1] / length, product[2] / length, product[3] / length)
 
 
 def _between(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:

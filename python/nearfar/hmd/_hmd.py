@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import card, check
 from nearfar._camera.camera import Camera, quaternion
+from nearfar._camera.rotation import rotation, turned
 from nearfar._lens.lens import RadialLens, check_symmetric
 from nearfar.hmd import _file, _hmdq, _lenses, _picture
-from nearfar.hmd._eye import Eye, TotalFov, rotation, total_fov, turned
+from nearfar.hmd._eye import Eye, TotalFov, total_fov
 
 EYES = ("left", "right")
 """Names of the eyes."""

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._camera.camera import Camera
+from nearfar._camera.rotation import turned
 
 WINDOW = 0.25
 """Seconds over which speed is measured."""
@@ -47,7 +48,8 @@ class Motion:
         if len(self._seen) < 2:
             return np.zeros(3)
         (begin, first), (end, last) = self._seen[0], self._seen[-1]
-        x, y, z, w = _product(last.orientation, _inverse(first.orientation))
+        i, j, k, real = first.orientation
+        x, y, z, w = turned((-i, -j, -k, real), last.orientation)
         axis = np.array([x, y, z]) * (1.0 if w >= 0.0 else -1.0)
         length = float(np.linalg.norm(axis))
         angle = 2.0 * math.atan2(length, abs(w))
@@ -62,21 +64,7 @@ class Motion:
             turn *= FARTHEST_TURN / angle
             angle = FARTHEST_TURN
         x, y, z = (turn * (math.sin(angle / 2.0) / angle)).tolist() if angle > 0.0 else (0.0, 0.0, 0.0)
-        turned = np.array(_product((x, y, z, math.cos(angle / 2.0)), camera.orientation))
-        a, b, c, d = (turned / np.linalg.norm(turned)).tolist()
         px, py, pz = (np.array(camera.position) + offset).tolist()
-        return replace(camera, position=(px, py, pz), orientation=(a, b, c, d))
-
-
-Quaternion = tuple[float, float, float, float]
-
-
-def _inverse(one: Quaternion) -> Quaternion:
-    x, y, z, w = one
-    return -x, -y, -z, w
-
-
-def _product(one: Quaternion, other: Quaternion) -> Quaternion:
-    a, b = np.array(one[:3]), np.array(other[:3])
-    x, y, z = (one[3] * b + other[3] * a + np.cross(a, b)).tolist()
-    return x, y, z, one[3] * other[3] - float(a @ b)
+        return replace(
+            camera, position=(px, py, pz), orientation=turned(camera.orientation, (x, y, z, math.cos(angle / 2.0)))
+        )

@@ -10,11 +10,12 @@ from itertools import chain
 import numpy as np
 
 from nearfar._camera.camera import Camera
+from nearfar._camera.rotation import rotation
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
 from nearfar.orthoview._meter import Meter
 from nearfar.orthoview._motion import Motion
 from nearfar.orthoview._parts import Part, leaf_parts, records_of
-from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, axes, offsets, queue, seen_parts, smallest
+from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, seen_parts, smallest
 from nearfar.orthoview._standins import Wanted
 
 RENEWED_TURN = math.radians(5.0)
@@ -197,7 +198,7 @@ class Pilot:
 
     def _is_near(self, old: _Renewed, camera: Camera, speed: float) -> bool:
         moved = np.linalg.norm(np.subtract(camera.position, old.camera.position))
-        cosine = np.clip(axes(camera)[2] @ axes(old.camera)[2], -1.0, 1.0)
+        cosine = np.clip(rotation(camera.orientation)[:, 2] @ rotation(old.camera.orientation)[:, 2], -1.0, 1.0)
         is_as_fast = 0.5 <= max(speed, SLOW) / max(old.speed, SLOW) <= 2.0
         return bool(is_as_fast and moved <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
 

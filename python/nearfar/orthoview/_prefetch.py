@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._camera.camera import Camera, Fov
+from nearfar._camera.rotation import rotation
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
 from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._parts import Part, leaf_parts, records_of
@@ -87,7 +88,7 @@ class Outlook:
 
 def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
     """Inward normals of the sides of a picture that is wider by a margin in radians."""
-    right, up, back = axes(camera)
+    right, up, back = rotation(camera.orientation).T
     found = []
     for across, ends in ((right, (fov.left, fov.right)), (up, (fov.down, fov.up))):
         angles = [math.atan(-sign * tangent) + margin for sign, tangent in zip((1.0, -1.0), ends, strict=True)]
@@ -95,18 +96,6 @@ def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
             if angle < math.pi / 2.0 and sum(angles) < math.pi:  # half a turn or more is no half-space
                 found.append(sign * math.cos(angle) * across - math.sin(angle) * back)
     return np.array(found).reshape(-1, 3)
-
-
-def axes(camera: Camera) -> NDArray[np.float64]:
-    """The unit vectors to the right, upwards and backwards of a camera, as rows."""
-    x, y, z, w = camera.orientation
-    return np.array(
-        [
-            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)],
-            [2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)],
-            [2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)],
-        ]
-    )
 
 
 def smallest(cut: OrthoCut, grid: Grid) -> float:

@@ -15,7 +15,8 @@ from nearfar._base import check, memory
 from nearfar._base.pickling import WithTwin
 from nearfar._camera.camera import Camera, Fov, quaternion
 from nearfar._camera.clip import Clip
-from nearfar.hmd._eye import Eye, rotation, turned
+from nearfar._camera.rotation import rotation, turned
+from nearfar.hmd._eye import Eye
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._kink import kink_angles
 from nearfar.stereo._layer import QuadLayer

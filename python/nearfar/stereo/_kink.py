@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.hmd._eye import Eye, rotation
+from nearfar._camera.rotation import rotation
+from nearfar.hmd._eye import Eye
 
 Array = NDArray[np.float64]
 

@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov, quaternion
+from nearfar._camera.rotation import rotation
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import posed_at
-from nearfar.hmd._eye import rotation
 from nearfar.stereo._geometry import RigGeometry
 
 

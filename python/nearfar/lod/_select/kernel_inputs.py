@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
-from nearfar.hmd._eye import rotation
+from nearfar._camera.rotation import rotation
 from nearfar.lod._measured_levels import MeasuredLevels
 
 _CURVE_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDictionary()
