@@ -212,8 +212,10 @@ class Watched(LoadedScene):
         self.begun.append(tuple(center))
         is_whole = False
         try:
-            yield from super().parts(center)
-            is_whole = True
+            for part in super().parts(center):
+                # The server asks for nothing after the last part.
+                is_whole = part.next is None
+                yield part
         finally:
             if not is_whole:
                 self.left.append(tuple(center))
