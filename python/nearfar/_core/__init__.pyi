@@ -24,8 +24,11 @@ from nearfar._core.gpu import (
     gpu_forked as gpu_forked,
     gpu_is_hardware as gpu_is_hardware,
     gpu_keep as gpu_keep,
+    gpu_keep_orthoviews as gpu_keep_orthoviews,
     gpu_morph as gpu_morph,
+    gpu_orthoview_bytes as gpu_orthoview_bytes,
     gpu_similarity as gpu_similarity,
+    gpu_splat_orthoviews as gpu_splat_orthoviews,
 )
 from nearfar._core.lod import (
     carry as carry,

@@ -1,11 +1,11 @@
 """Kernels on graphics adapters, which `nearfar._core` exports; there is no such module at run time."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, final
 
 from numpy.typing import NDArray
 
-from nearfar._core import _F32, Camera, Reduced, Scene, _Point, _Report
+from nearfar._core import _F32, Camera, OrthoSplats, Reduced, Scene, _Point, _Report
 
 # gpu ----------------------------------------------------------------------------------------------------------------
 def gpu_adapters() -> list[tuple[str, str, str, str, str, int, int]]: ...
@@ -24,6 +24,9 @@ class GpuDevice:
     def pass_seconds(self) -> list[float] | None: ...
     def check_whole(self, camera: Camera, channels: list[str]) -> None: ...
     def allow_two_views(self, allowed: bool) -> bool: ...
+    def allow_long_atomics(self, allowed: bool) -> bool: ...
+    @property
+    def uses_long_atomics(self) -> bool: ...
     def lose(self) -> None: ...
     def truth(
         self, scene: Scene, cameras: Sequence[Camera], settings: dict[str, Any], *, report: _Report | None = None
@@ -93,3 +96,18 @@ def gpu_cube_lookup(
     directions: _F32,
     filter: str,  # noqa: A002
 ) -> None: ...
+
+# gpu_splat ----------------------------------------------------------------------------------------------------------
+def gpu_splat_orthoviews(
+    device: GpuDevice,
+    views: Sequence[OrthoSplats],
+    camera: Camera,
+    settings: Mapping[str, Any],
+    *,
+    origin: tuple[float, float, float],
+    grid: int,
+    before: dict[str, Any] | None = None,
+    report: _Report | None = None,
+) -> dict[str, Any]: ...
+def gpu_keep_orthoviews(device: GpuDevice, views: Sequence[OrthoSplats]) -> None: ...
+def gpu_orthoview_bytes(device: GpuDevice) -> int: ...

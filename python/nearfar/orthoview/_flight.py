@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import threading
 import time as clock
@@ -15,8 +16,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.errors import DeviceError
 from nearfar._camera.camera import Camera
-from nearfar._camera.shot import Shot, check_request
+from nearfar._camera.shot import Shot
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
@@ -26,6 +28,7 @@ from nearfar.orthoview._loader import Loader
 from nearfar.orthoview._meter import Received
 from nearfar.orthoview._open import Opened
 from nearfar.orthoview._parts import GEOMETRY, RECORD, Part, kind
+from nearfar.orthoview._pictured import Pictured
 from nearfar.orthoview._pilot import Ahead, Pilot, Plan
 from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
 from nearfar.orthoview._viewer import Parts, Viewer
@@ -37,7 +40,7 @@ Listener = Callable[[Exception], None]
 """Takes an error of the background."""
 
 
-class Flight(Renderable):
+class Flight(Pictured):
     """A viewer that moves through a tree and never waits.
 
     A picture is drawn from what has come. Where the cut's views are not there yet, the picture keeps what it showed,
@@ -68,6 +71,8 @@ class Flight(Renderable):
         self._movers = None if movers is None else check.instance("movers", movers, Scene)
         self._before: list[Shown] = []
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
+        self._device: _core.GpuDevice | None = None
+        """The adapter that draws; threads bring views there as soon as they have come."""
         self._lock = threading.RLock()
         self._busy = False
         self._errors: list[Exception] = []
@@ -91,16 +96,6 @@ class Flight(Renderable):
     def origin(self) -> NDArray[np.float64]:
         """World position (3,) in metres that `Frame.position` is relative to."""
         return self._viewer.origin
-
-    @property
-    def default_channels(self) -> tuple[str, ...]:
-        """Images that are computed by default."""
-        return ("color", "range")
-
-    @property
-    def backends(self) -> tuple[str, ...]:
-        """Backends that can render this source."""
-        return ("cpu",)
 
     @property
     def errors(self) -> tuple[Exception, ...]:
@@ -153,6 +148,7 @@ class Flight(Renderable):
         time: SupportsFloat | None = None,
         samples: int = 1,
         channels: Iterable[str] | None = None,
+        backend: str | None = None,
     ) -> Frame:
         """Draw what has come, without waiting for more.
 
@@ -162,8 +158,8 @@ class Flight(Renderable):
             The view.
         time
             Seconds of any clock that rises, from which the viewer's speed is known; the computer's own by default.
-        samples, channels
-            As in `OrthoTree.render`.
+        samples, channels, backend
+            As in `OrthoTree.render`. Views that come later are brought to the adapter in the background.
 
         Returns
         -------
@@ -178,23 +174,9 @@ class Flight(Renderable):
         """
         now = None if time is None else check.number("time", time)
         renderer = Renderer(_Moment(self, now, self._movers), channels, samples, argument="flight")
-        (frame,) = renderer.frames(renderer.shot([camera], None, 0.0, math.inf, None), None, None)
+        shot = renderer.shot([camera], None, 0.0, math.inf, None)
+        (frame,) = renderer.frames(shot, None, renderer.device(backend, self))
         return frame
-
-    def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
-        """Draw the pictures of a shot from what has come; `nearfar.render` makes frames of them."""
-        check_request(shot, report)
-        return self._draw(shot, None, self._movers, report)
-
-    @property
-    def object_names(self) -> tuple[str, ...]:
-        """Names of all objects that move, by number."""
-        return () if self._movers is None else self._movers.object_names
-
-    @property
-    def poses(self) -> dict[str, NDArray[np.float64]]:
-        """Present poses (4, 4), object→world, of the objects that move, as `at` takes them."""
-        return {} if self._movers is None else self._movers.poses
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Renderable:  # type: ignore[override]
         """Return the same flight with objects that move in other poses; `poses` as in `Scene.at`."""
@@ -202,8 +184,14 @@ class Flight(Renderable):
             return super().at(poses)
         return _Moment(self, None, self._movers.at(poses))
 
-    def _draw(self, shot: Shot, time: float | None, movers: Scene | None, report: Report = None) -> list[Images]:
+    def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:
+        return self._draw(shot, None, self._movers, device, report)
+
+    def _draw(
+        self, shot: Shot, time: float | None, movers: Scene | None, device: _core.GpuDevice | None, report: Report
+    ) -> list[Images]:
         """The pictures of a shot at a time, with what moves."""
+        self._device = device
         now = clock.monotonic() if time is None else time
         with self._lock:
             plan = self._plan(shot.cameras, now)
@@ -213,7 +201,8 @@ class Flight(Renderable):
             parts = [self._parts(shown, movers) for shown in views]
         self._tell()
         pictures = [
-            self._viewer.picture(camera, shot, own, report) for camera, own in zip(shot.cameras, parts, strict=True)
+            self._viewer.picture(camera, shot, own, report, device)
+            for camera, own in zip(shot.cameras, parts, strict=True)
         ]
         for picture in pictures:
             picture["stats"]["error_px"] = plan.error_px
@@ -336,6 +325,15 @@ class Flight(Renderable):
                 viewer.cutter.learn(tier, place)
         else:
             viewer.views.load(parts)
+            self._bring(parts)
+
+    def _bring(self, parts: Sequence[Part]) -> None:
+        """Bring views to the adapter that draws, before a picture shows them."""
+        if self._device is None:
+            return
+        splats = [layer for part in parts for layer in self._viewer.views.kept(part)]
+        with contextlib.suppress(DeviceError):  # the next picture tells of it
+            _core.gpu_keep_orthoviews(self._device, splats)
 
     def _received(self) -> Received:
         views, near = self._viewer.views, self._viewer.near
@@ -355,7 +353,7 @@ class Flight(Renderable):
                 warnings.warn(f"{type(error).__name__}: {error}", RuntimeWarning, stacklevel=2)
 
 
-class _Moment(Renderable):
+class _Moment(Pictured):
     """A flight at a time, and objects that move in their poses."""
 
     def __init__(self, flight: Flight, time: float | None, movers: Scene | None) -> None:
@@ -365,22 +363,5 @@ class _Moment(Renderable):
     def origin(self) -> NDArray[np.float64]:
         return self._flight.origin
 
-    @property
-    def default_channels(self) -> tuple[str, ...]:
-        return self._flight.default_channels
-
-    @property
-    def backends(self) -> tuple[str, ...]:
-        return self._flight.backends
-
-    @property
-    def object_names(self) -> tuple[str, ...]:
-        return self._flight.object_names
-
-    @property
-    def poses(self) -> dict[str, NDArray[np.float64]]:
-        return {} if self._movers is None else self._movers.poses
-
-    def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
-        check_request(shot, report)
-        return self._flight._draw(shot, self._time, self._movers, report)
+    def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:
+        return self._flight._draw(shot, self._time, self._movers, device, report)

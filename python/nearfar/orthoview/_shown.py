@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import math
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Self, SupportsFloat, SupportsIndex
@@ -13,16 +13,18 @@ from typing import Any, Self, SupportsFloat, SupportsIndex
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nearfar import _core
 from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar._camera.clip import Clip
-from nearfar._camera.shot import Shot, check_request
+from nearfar._camera.shot import Shot
 from nearfar._render.frame import Frame
-from nearfar._render.renderable import Images, Renderable, Report
+from nearfar._render.renderable import Images, Report
 from nearfar._render.renderer import Renderer
 from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MOST_VIEWS, OrthoCut, Settings
 from nearfar.orthoview._open import Opened
+from nearfar.orthoview._pictured import Pictured
 from nearfar.orthoview._stored import StoredTree
 from nearfar.orthoview._viewer import Viewer
 
@@ -33,7 +35,7 @@ CACHE_BYTES = 1 << 30
 """Bytes of memory for views by default."""
 
 
-class ShownTree(StoredTree, Renderable):
+class ShownTree(StoredTree, Pictured):
     """A tree as `nearfar.render` takes it; `OrthoTree` tells what it raises."""
 
     def __init__(self, path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> None:
@@ -46,16 +48,6 @@ class ShownTree(StoredTree, Renderable):
     def origin(self) -> NDArray[np.float64]:
         """World position (3,) in metres that `Frame.position` is relative to."""
         return self._viewer.origin
-
-    @property
-    def default_channels(self) -> tuple[str, ...]:
-        """Images that are computed by default."""
-        return ("color", "range")
-
-    @property
-    def backends(self) -> tuple[str, ...]:
-        """Backends that can render this source."""
-        return ("cpu",)
 
     @cached_property
     def _viewer(self) -> Viewer:
@@ -70,16 +62,6 @@ class ShownTree(StoredTree, Renderable):
     def __getstate__(self) -> dict[str, Any]:
         """Leave out the views that are kept: another process reads them itself."""
         return {name: value for name, value in self.__dict__.items() if name != "_viewer"}
-
-    @property
-    def object_names(self) -> tuple[str, ...]:
-        """Names of all objects that move, by number."""
-        return () if self._movers is None else self._movers.object_names
-
-    @property
-    def poses(self) -> dict[str, NDArray[np.float64]]:
-        """Present poses (4, 4), object→world, of the objects that move, as `at` takes them."""
-        return {} if self._movers is None else self._movers.poses
 
     def with_dynamic(self, scene: Scene) -> Self:
         """Return the same tree with objects that move, which pictures show before and behind it by their distance.
@@ -183,6 +165,7 @@ class ShownTree(StoredTree, Renderable):
         clip: Clip | None = None,
         samples: int = 1,
         channels: Iterable[str] | None = None,
+        backend: str | None = None,
     ) -> Frame:
         """Draw a picture from any viewpoint: the views of the cut as splats, and the nearest leaves as geometry.
 
@@ -203,14 +186,17 @@ class ShownTree(StoredTree, Renderable):
             Images to compute, as in `nearfar.render`: splats have "color", "coverage", "range", "position", "normal",
             "albedo" and "shading_normal"; where they are seen, `object_id` and `face_id` are −1. On geometry these are
             numbers within this picture alone, see `with_dynamic`. The default is colour and range.
+        backend
+            As in `nearfar.render`. On an adapter views stay in its memory, without loss, in 2 to 6 bytes a splat.
 
         Returns
         -------
         Frame
-            The bytes are the same for any number of threads. `stats` has the `error_px` that was chosen and counts the
-            `cells` and `views` of the cut, its `leaves` of geometry, all `splats` of the views, `splats_in_picture` of
-            parts that reach into it, `splats_seen` of those that are not hidden, and `splats_projected`, once for each
-            tile of the screen.
+            The bytes are the same for any number of threads. Both backends evaluate the same formulas; where a splat's
+            edge passes through a sample's place, or two splats are equally near, either may be shown. `stats` has the
+            `error_px` that was chosen and counts the `cells` and `views` of the cut, its `leaves` of geometry, all
+            `splats` of the views, `splats_in_picture` of parts that reach into it, `splats_seen` of those that are not
+            hidden, and `splats_projected`, once for each tile of the screen.
 
         Raises
         ------
@@ -218,6 +204,8 @@ class ShownTree(StoredTree, Renderable):
             Values out of range; a tree that is not complete.
         TypeError
             Something that is no camera.
+        DeviceError
+            As in `nearfar.render`; a picture whose views do not fit into the adapter's memory.
         FormatError, OSError
             A part of the store that is damaged, or that cannot be read.
 
@@ -232,13 +220,12 @@ class ShownTree(StoredTree, Renderable):
             settings, budget=None if budget is None else check.integer("budget", budget, 1, MOST_SPLATS)
         )
         renderer = Renderer(shown, channels, samples, argument="tree")
-        (frame,) = renderer.frames(renderer.shot([camera], None, t_min, t_max, clip), None, None)
+        shot = renderer.shot([camera], None, t_min, t_max, clip)
+        (frame,) = renderer.frames(shot, None, renderer.device(backend, self))
         return frame
 
-    def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
-        """Draw the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
-        check_request(shot, report)
-        return self._viewer.draw(shot, self._settings, self._movers, report)
+    def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:
+        return self._viewer.draw(shot, self._settings, self._movers, report, device)
 
 
 def settings_of(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -63,13 +64,27 @@ class Viewer:
         """World position (3,) that positions in pictures are relative to, metres."""
         return self.near.origin
 
-    def draw(self, shot: Shot, settings: Settings, movers: Scene | None = None, report: Report = None) -> list[Images]:
+    def draw(
+        self,
+        shot: Shot,
+        settings: Settings,
+        movers: Scene | None = None,
+        report: Report = None,
+        device: _core.GpuDevice | None = None,
+    ) -> list[Images]:
         """The pictures of a shot with what moves, one for each camera."""
         several = ((camera, self._gathered(camera, settings, movers)) for camera in shot.cameras)
-        return [self.picture(camera, shot, parts, report) for camera, parts in several]
+        return [self.picture(camera, shot, parts, report, device) for camera, parts in several]
 
-    def picture(self, camera: Camera, shot: Shot, parts: Parts, report: Report = None) -> Images:
-        """The picture of one of a shot's cameras from parts of a tree."""
+    def picture(
+        self,
+        camera: Camera,
+        shot: Shot,
+        parts: Parts,
+        report: Report = None,
+        device: _core.GpuDevice | None = None,
+    ) -> Images:
+        """The picture of one of a shot's cameras from parts of a tree, drawn by a device or by the processor."""
         grid = grid_of(shot.samples)
         sampled = tuple(name for name in shot.channels if name in SAMPLED)
         middle = tuple(name for name in shot.channels if name not in SAMPLED)
@@ -79,7 +94,7 @@ class Viewer:
             passes = [(grid if sampled else 1, shot.channels)]
         images: Images = {}
         for samples, channels in passes:
-            drawn = self._pass(camera, shot, channels, samples, parts, report)
+            drawn = self._pass(camera, shot, channels, samples, parts, report, device)
             images |= {"stats": drawn["stats"]} | {name: drawn[name] for name in channels}
         return images
 
@@ -91,16 +106,18 @@ class Viewer:
         grid: int,
         parts: Parts,
         report: Report,
+        device: _core.GpuDevice | None,
     ) -> dict[str, Any]:
         x, y, z = self.origin.tolist()
         own = replace(shot, cameras=(camera,), channels=channels)
-        images = _core.splat_orthoviews(
+        splat = _core.splat_orthoviews if device is None else partial(_core.gpu_splat_orthoviews, device)
+        images = splat(
             parts.splats,
             camera._core,
             own.settings,
             origin=(x, y, z),
             grid=grid,
-            before=_geometry(parts, self.origin, camera, own, grid),
+            before=_geometry(parts, self.origin, camera, own, grid, device),
             report=report,
         )
         images["stats"] |= parts.counts
@@ -116,7 +133,12 @@ class Viewer:
 
 
 def _geometry(
-    parts: Parts, origin: NDArray[np.float64], camera: Camera, shot: Shot, grid: int
+    parts: Parts,
+    origin: NDArray[np.float64],
+    camera: Camera,
+    shot: Shot,
+    grid: int,
+    device: _core.GpuDevice | None,
 ) -> dict[str, Any] | None:
     """Images of what is drawn as geometry, with a pixel for each sample."""
     several = [scene for scene in (parts.near, parts.movers) if scene is not None]
@@ -127,7 +149,8 @@ def _geometry(
     finer = replace(camera, size=(width * grid, height * grid))
     mask = None if shot.mask is None else np.repeat(np.repeat(shot.mask, grid, axis=0), grid, axis=1)
     wanted = tuple(dict.fromkeys((*shot.channels, "range")))
-    (images,) = scene.trace(replace(shot, cameras=(finer,), channels=wanted, samples=1, mask=mask))
+    own = replace(shot, cameras=(finer,), channels=wanted, samples=1, mask=mask)
+    (images,) = scene.trace(own) if device is None else [job.finish() for job in scene.begin(device, own)]
     found = dict(images)
     if "position" in found:
         found["position"] += (scene.origin - origin).astype(np.float32)

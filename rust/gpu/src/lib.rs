@@ -10,6 +10,7 @@ mod upload;
 pub mod draw;
 pub mod render;
 pub mod compute;
+pub mod splat;
 
 pub use device::{AdapterKind, AdapterReport, Counters, Device};
 pub use draw::{DeviceFrame, Job};

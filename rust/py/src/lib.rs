@@ -47,6 +47,7 @@ mod _core {
         gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity},
         gpu::device::{GpuDevice, gpu_adapters, gpu_close, gpu_forked, gpu_is_hardware},
         gpu::frame::{GpuFrame, GpuJob, gpu_keep},
+        gpu::splat::{gpu_keep_orthoviews, gpu_orthoview_bytes, gpu_splat_orthoviews},
         lens::{RadialLens, corrected_solid_angles, warp, warp_mesh},
         lod::fit::fit_4pl,
         lod::select::select_levels,

@@ -20,7 +20,7 @@ const COPY_BYTES: usize = 1 << 20;
 struct SpareBuffers(Mutex<Vec<Buffer>>);
 
 /// A buffer that goes back to the spare ones once it is dropped. Its next use comes later in the queue.
-pub(super) struct LentBuffer<'a> {
+pub(crate) struct LentBuffer<'a> {
     device: &'a Device,
     buffer: Buffer,
     usage: BufferUsages,
@@ -99,7 +99,7 @@ impl Drop for LentBuffer<'_> {
 }
 
 /// Room for the results of a kernel, which the processor reads.
-pub(super) struct Results<'a> {
+pub(crate) struct Results<'a> {
     pub on_device: LentBuffer<'a>,
     staging: Option<LentBuffer<'a>>,
     bytes: u64,
@@ -133,6 +133,6 @@ impl<'a> Results<'a> {
 }
 
 /// A copy by all threads.
-pub(super) fn copy(to: &mut [u8], from: &[u8]) {
+pub(crate) fn copy(to: &mut [u8], from: &[u8]) {
     to.par_chunks_mut(COPY_BYTES).zip(from.par_chunks(COPY_BYTES)).for_each(|(to, from)| to.copy_from_slice(from));
 }

@@ -2,9 +2,9 @@
 
 mod discontinuity;
 mod lookup;
-mod memory;
+pub(crate) mod memory;
 mod morph;
-mod programs;
+pub(crate) mod programs;
 mod similarity;
 mod stream;
 

@@ -13,14 +13,14 @@ use wgpu::{
 use crate::device::{Device, Scope, Submission};
 
 /// Workgroups in a row of a dispatch; more of them take several rows.
-pub(super) const ROW: u32 = 1 << 15;
+pub(crate) const ROW: u32 = 1 << 15;
 /// Rows, pixels or points of one workgroup.
-pub(super) const GROUP: u32 = 256;
+pub(crate) const GROUP: u32 = 256;
 
 /// An entry point of a shader.
-pub(super) struct Program<'a> {
+pub(crate) struct Program<'a> {
     /// The shader's text.
-    pub text: &'a [&'static str],
+    pub text: &'a [&'a str],
     pub entry: &'static str,
     /// Numbers that are known when it is compiled.
     pub constants: &'a [(&'static str, u32)],
@@ -69,7 +69,7 @@ impl Programs {
 }
 
 /// Commands that are submitted at once.
-pub(super) struct Work<'a> {
+pub(crate) struct Work<'a> {
     device: &'a Device,
     pub encoder: CommandEncoder,
     scope: Scope<'a>,
@@ -113,7 +113,7 @@ impl<'a> Work<'a> {
 }
 
 /// Workgroups for a number of rows, points or pixels.
-pub(super) fn groups(count: u32) -> [u32; 2] {
+pub(crate) fn groups(count: u32) -> [u32; 2] {
     let groups = count.div_ceil(GROUP).max(1);
     [groups.min(ROW), groups.div_ceil(ROW)]
 }

@@ -10,6 +10,9 @@ use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollTy
 use super::adapters::{AdapterKind, AdapterReport, SAMPLES, VISIBLE};
 use super::extensions::Extensions;
 
+/// What atomic integers of 64 bits need.
+const LONG_ATOMICS: Features = Features::SHADER_INT64.union(Features::SHADER_INT64_ATOMIC_MIN_MAX);
+
 /// A device with the state that is kept on it between frames.
 pub struct Device {
     pub(crate) wgpu: wgpu::Device,
@@ -28,6 +31,9 @@ pub struct Device {
     extensions: Extensions,
     /// Triangles can be clipped at planes.
     pub(crate) clips: bool,
+    /// Storage buffers have atomic integers of 64 bits, and whether kernels may use them.
+    has_long_atomics: bool,
+    allows_long_atomics: AtomicBool,
     /// One pass can draw two views, and whether it may.
     two_views: bool,
     allows_two_views: AtomicBool,
@@ -44,7 +50,7 @@ impl Device {
     pub(super) fn open(adapter: &Adapter, report: AdapterReport) -> Result<Self> {
         let limits = adapter.limits();
         // wgpu 30 has none of them for all of OpenGL's adapters that report them.
-        let native = Features::TIMESTAMP_QUERY | Features::CLIP_DISTANCES | Features::MULTIVIEW;
+        let native = Features::TIMESTAMP_QUERY | Features::CLIP_DISTANCES | Features::MULTIVIEW | LONG_ATOMICS;
         let native = if report.backend == "gl" { Features::empty() } else { native };
         let descriptor = DeviceDescriptor {
             label: Some("nearfar"),
@@ -80,6 +86,7 @@ impl Device {
         let multisamples = report.backend != "gl" && flags.sample_count_supported(SAMPLES);
         let clips = wgpu.features().contains(Features::CLIP_DISTANCES);
         let two_views = wgpu.features().contains(Features::MULTIVIEW) && limits.max_multiview_view_count >= 2;
+        let has_long_atomics = wgpu.features().contains(LONG_ATOMICS);
         let (has_clock, nanoseconds_per_tick) =
             (wgpu.features().contains(Features::TIMESTAMP_QUERY), queue.get_timestamp_period());
         Ok(Self {
@@ -93,6 +100,8 @@ impl Device {
             multisamples,
             extensions: Extensions::default(),
             clips,
+            has_long_atomics,
+            allows_long_atomics: AtomicBool::new(true),
             two_views,
             // In software, Mesa 22.3 draws triangles that cross an edge of a picture into the first view only.
             allows_two_views: AtomicBool::new(!software),
@@ -107,6 +116,16 @@ impl Device {
     /// Whether passes are timed.
     pub fn has_clock(&self) -> bool {
         self.has_clock
+    }
+
+    /// Whether kernels use atomic integers of 64 bits.
+    pub fn uses_long_atomics(&self) -> bool {
+        self.has_long_atomics && self.allows_long_atomics.load(Ordering::Relaxed)
+    }
+
+    /// Lets kernels use atomic integers of 64 bits or not; returns whether they may have done so before.
+    pub fn allow_long_atomics(&self, allowed: bool) -> bool {
+        self.allows_long_atomics.swap(allowed, Ordering::Relaxed)
     }
 
     /// Whether one pass draws two views.

@@ -28,5 +28,6 @@ pub(crate) use both::draws_both;
 pub(crate) use layers::{Layer, Set, Sources};
 pub(crate) use mask::Mask;
 pub(crate) use picture::{Backdrop, Picture};
+pub(crate) use pipelines::shading_constants;
 pub(crate) use style::{Cut, Displacement, Parameters, Snippet, Style};
 pub(crate) use view::Axes;

@@ -267,7 +267,7 @@ impl Pipelines {
 
 const SCENE: &str = include_str!("../shaders/scene.wgsl");
 const CUBE: &str = include_str!("../shaders/cube.wgsl");
-const SURFACE: &str = include_str!("../shaders/surface.wgsl");
+const SURFACE: &str = concat!(include_str!("../shaders/light.wgsl"), include_str!("../shaders/surface.wgsl"));
 const RASTER: &str = include_str!("../shaders/raster.wgsl");
 const CLIPPED: &str = include_str!("../shaders/clipped.wgsl");
 const ONE_VIEW: &str = include_str!("../shaders/one_view.wgsl");
@@ -298,7 +298,7 @@ fn resolve_source(style: Style, samples: u32) -> String {
 }
 
 /// The shading formula's numbers, written once for all renderers.
-fn shading_constants() -> String {
+pub(crate) fn shading_constants() -> String {
     let [nadir, horizon, zenith] = shade::BACKGROUND;
     let vectors = [
         ("SUN_DIRECTION", shade::SUN_DIRECTION.to_array()),

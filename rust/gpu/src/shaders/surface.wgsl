@@ -57,10 +57,6 @@ fn texture_color(texture: Texture, uv: vec2<f32>, wanted: f32, cutout: bool) -> 
     return mix(color, texture_at_level(texture, uv, fine + 1u, cutout), between);
 }
 
-fn linear_of(code: vec3<f32>) -> vec3<f32> {
-    return select(pow((code + 0.055) / 1.055, vec3<f32>(2.4)), code / 12.92, code <= vec3<f32>(0.04045));
-}
-
 fn blend_2(a: vec2<f32>, b: vec2<f32>, c: vec2<f32>, at: vec2<f32>) -> vec2<f32> {
     return a + (b - a) * at.x + (c - a) * at.y;
 }
@@ -142,15 +138,4 @@ fn shading_normal(record: Record, part: Part, face: u32, at: vec2<f32>, normal: 
     c = select(c * side, normal, all(c == vec3<f32>(0.0)));
     let between = unit(blend_3(a, b, c, at));
     return select(between, normal, all(between == vec3<f32>(0.0)));
-}
-
-fn irradiance(n: vec3<f32>) -> vec3<f32> {
-    let sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
-    let sun = max(dot(n, SUN_DIRECTION), 0.0);
-    return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * sun;
-}
-
-fn background(direction: vec3<f32>) -> vec3<f32> {
-    let end = select(ZENITH, NADIR, direction.y < 0.0);
-    return HORIZON + (end - HORIZON) * sqrt(abs(direction.y));
 }

@@ -97,6 +97,17 @@ impl GpuDevice {
         self.0.allow_two_views(allowed)
     }
 
+    /// Lets kernels use atomic integers of 64 bits or not; returns whether they may have done so before.
+    fn allow_long_atomics(&self, allowed: bool) -> bool {
+        self.0.allow_long_atomics(allowed)
+    }
+
+    /// Whether kernels use atomic integers of 64 bits.
+    #[getter]
+    fn uses_long_atomics(&self) -> bool {
+        self.0.uses_long_atomics()
+    }
+
     /// Closes the device in the way a driver fault would.
     fn lose(&self, py: Python<'_>) -> PyResult<()> {
         run::short(py, || {

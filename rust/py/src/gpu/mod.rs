@@ -3,3 +3,4 @@
 pub mod compute;
 pub mod device;
 pub mod frame;
+pub mod splat;

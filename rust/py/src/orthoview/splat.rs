@@ -1,8 +1,10 @@
 //! Bindings of `orthoview::splat`.
 
+use std::sync::Arc;
+
 use glam::{DVec3, UVec3};
 use nearfar_core::orthoview::Cell;
-use nearfar_core::orthoview::splat::{Picture, Placed, Splats, blended, draw, expected};
+use nearfar_core::orthoview::splat::{Counts, Picture, Placed, Splats, blended, draw, expected};
 use numpy::PyReadonlyArray4;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -17,7 +19,13 @@ use crate::render::frame::{Settings, frame_of, images};
 
 /// A view of a cell, ready to be splatted.
 #[pyclass(frozen, module = "nearfar._core")]
-pub(crate) struct OrthoSplats(Splats);
+pub(crate) struct OrthoSplats(pub(crate) Arc<Splats>);
+
+impl OrthoSplats {
+    fn of(splats: Splats) -> Self {
+        Self(Arc::new(splats))
+    }
+}
 
 #[pymethods]
 impl OrthoSplats {
@@ -33,17 +41,17 @@ impl OrthoSplats {
     ) -> PyResult<Self> {
         let cell = Cell::new(DVec3::from_array(cell.0), cell.1).map_err(to_python)?;
         let connected = connected.as_slice()?;
-        run::short(py, || Splats::new(&views.0, number, connected, &cell)).map(Self)
+        run::short(py, || Splats::new(&views.0, number, connected, &cell)).map(Self::of)
     }
 
     /// The splats whose middles lie in a box, given by its least and its greatest corner.
     fn within(&self, py: Python<'_>, low: [f64; 3], high: [f64; 3]) -> PyResult<Self> {
-        run::short(py, || Ok(self.0.within(DVec3::from_array(low), DVec3::from_array(high)))).map(Self)
+        run::short(py, || Ok(self.0.within(DVec3::from_array(low), DVec3::from_array(high)))).map(Self::of)
     }
 
     /// The splats whose middles lie at least at a distance from the vertical axis through a point.
     fn beyond(&self, py: Python<'_>, center: [f64; 3], radius: f64) -> PyResult<Self> {
-        run::short(py, || Ok(self.0.beyond(DVec3::from_array(center), radius))).map(Self)
+        run::short(py, || Ok(self.0.beyond(DVec3::from_array(center), radius))).map(Self::of)
     }
 
     /// Number of splats.
@@ -57,6 +65,12 @@ impl OrthoSplats {
     fn bytes(&self) -> usize {
         self.0.bytes()
     }
+
+    /// Bytes of a graphics adapter's memory.
+    #[getter]
+    fn compressed_bytes(&self, py: Python<'_>) -> PyResult<usize> {
+        run::short(py, || Ok(size_of_val(&*self.0.compressed().words)))
+    }
 }
 
 /// A view of a cut: its layers, level, place and direction, and whether finer cells are drawn in the places of some of its
@@ -68,7 +82,7 @@ fn placed<'a>(views: &'a [View<'_>]) -> PyResult<Vec<Placed<'a>>> {
         if layers.is_empty() {
             return Err(PyValueError::new_err("views: expected at least one layer of each, got none"));
         }
-        let layers = layers.iter().map(|layer| &layer.get().0).collect();
+        let layers = layers.iter().map(|layer| &*layer.get().0).collect();
         let cell = (*level, UVec3::from_array(*place));
         Ok(Placed { cell, direction: *direction, is_partial: *is_partial, layers })
     };
@@ -87,7 +101,7 @@ pub(crate) fn blend_orthoviews<'py>(
         run::short(py, || Ok(blended(&placed, &rule.0)))?
     };
     let layer = |(whole, part): (Bound<'py, OrthoSplats>, Option<Splats>)| match part {
-        Some(part) => Bound::new(py, OrthoSplats(part)),
+        Some(part) => Bound::new(py, OrthoSplats::of(part)),
         None => Ok(whole),
     };
     views.into_iter().zip(found).map(|(view, parts)| view.0.into_iter().zip(parts).map(layer).collect()).collect()
@@ -116,7 +130,7 @@ pub(crate) fn splat_orthoviews<'py>(
     report: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let before = before.as_ref().map(frame_of).transpose()?;
-    let views: Vec<&Splats> = views.iter().map(|view| &view.get().0).collect();
+    let views: Vec<&Splats> = views.iter().map(|view| &*view.get().0).collect();
     let picture = Picture {
         camera: &camera.0,
         origin: DVec3::from_array(origin),
@@ -128,11 +142,16 @@ pub(crate) fn splat_orthoviews<'py>(
     };
     let (frame, counts) = run::long(py, report, |progress| draw(&views, &picture, progress))?;
     let images = images(py, frame, (camera.0.height as usize, camera.0.width as usize))?;
-    let stats = PyDict::new(py);
+    add_counts(&images, &counts)?;
+    Ok(images)
+}
+
+/// Adds the counts of a picture as `stats`.
+pub(crate) fn add_counts(images: &Bound<'_, PyDict>, counts: &Counts) -> PyResult<()> {
+    let stats = PyDict::new(images.py());
     stats.set_item("splats", counts.total)?;
     stats.set_item("splats_in_picture", counts.in_picture)?;
     stats.set_item("splats_seen", counts.seen)?;
     stats.set_item("splats_projected", counts.projected)?;
-    images.set_item("stats", stats)?;
-    Ok(images)
+    images.set_item("stats", stats)
 }

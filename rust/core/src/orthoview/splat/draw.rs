@@ -21,10 +21,12 @@ const TILE: i32 = 256;
 const MOST_PIXELS: i32 = 128;
 
 /// A box of a view in the picture.
-struct Part<'a> {
+pub(super) struct Part<'a> {
     view: &'a Prepared<'a>,
-    contents: &'a BoxOfBlocks,
-    seen: Seen,
+    /// Number of the view.
+    pub number: u32,
+    pub contents: &'a BoxOfBlocks,
+    pub seen: Seen,
     is_drawn: AtomicBool,
 }
 
@@ -73,14 +75,15 @@ fn tiles_of(columns: i32, rows: i32, side: i32) -> Vec<Rect> {
 }
 
 /// The boxes of all views that the picture may show, the nearest ones first.
-fn parts_of<'a>(prepared: &'a [Prepared<'a>], whole: &Rect) -> Vec<Part<'a>> {
-    let of_view = |view: &'a Prepared<'a>| {
+pub(super) fn parts_of<'a>(prepared: &'a [Prepared<'a>], whole: &Rect) -> Vec<Part<'a>> {
+    let of_view = |(number, view): (usize, &'a Prepared<'a>)| {
+        let number = number as u32;
         view.splats.boxes.iter().filter_map(move |contents| {
             let seen = view.sight.seen(&contents.extent, whole)?;
-            (!seen.rect.is_empty()).then_some(Part { view, contents, seen, is_drawn: AtomicBool::new(false) })
+            (!seen.rect.is_empty()).then_some(Part { view, number, contents, seen, is_drawn: AtomicBool::new(false) })
         })
     };
-    let mut parts: Vec<Part<'a>> = prepared.par_iter().flat_map_iter(of_view).collect();
+    let mut parts: Vec<Part<'a>> = prepared.par_iter().enumerate().flat_map_iter(of_view).collect();
     parts.sort_by(|one, other| other.seen.nearness.total_cmp(&one.seen.nearness));
     parts
 }

@@ -18,14 +18,14 @@ type Lane<T = f32> = [[T; GROUP]; LANES / GROUP];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constants {
     /// Changes of the projector's functions by a column, a row and a depth step.
-    steps: [[f32; 3]; 3],
+    pub steps: [[f32; 3]; 3],
     /// The projector's gradients, times the radius of a ball over that of an ellipse.
-    gradients: [[f32; 3]; 3],
+    pub gradients: [[f32; 3]; 3],
     /// The axes of the view; those to the right and upwards in depth steps for each pixel.
-    axes: [[f32; 3]; 3],
+    pub axes: [[f32; 3]; 3],
     /// Scale of a normal's numbers to −1 … 1.
-    scale: f32,
-    least_distance: f32,
+    pub scale: f32,
+    pub least_distance: f32,
     is_parallel: bool,
 }
 

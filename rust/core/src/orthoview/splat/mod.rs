@@ -5,9 +5,11 @@
 //! out those that lie behind what is drawn. Of all splats at a sample the nearest one counts.
 
 mod blend;
+mod compressed;
 mod draw;
 mod lanes;
 mod part;
+mod plan;
 mod picture;
 mod projector;
 mod resolve;
@@ -15,6 +17,8 @@ mod screen;
 mod splats;
 
 pub use blend::{Placed, blended, expected};
+pub use compressed::{Compressed, HEAD};
 pub use draw::draw;
 pub use picture::{Counts, Picture};
-pub use splats::Splats;
+pub use plan::{Found, LANE_BITS, Piece, Plan, Rays, ViewNumbers};
+pub use splats::{BORDER, LEAST_COSINE, SQUARED_RADIUS, Splats};

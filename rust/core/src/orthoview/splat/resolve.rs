@@ -101,11 +101,9 @@ impl<'a> Resolver<'a> {
                 color = color.map(|sum| sum * share);
                 coverage *= share;
             }
-            let sample = if wanted.any_surface() {
-                self.sample(screen, (x * grid + grid / 2, y * grid + grid / 2))
-            } else {
-                Sample::default()
-            };
+            let middle = (x * grid + grid / 2, y * grid + grid / 2);
+            let sample =
+                wanted.any_surface().then(|| self.sample(screen.key(middle.0, middle.1), middle)).unwrap_or_default();
             frame.push(wanted, color, coverage, &sample);
         }
         frame
@@ -133,9 +131,20 @@ impl<'a> Resolver<'a> {
         (last.colors[usize::from(faces_away(last.normal, self.along(x, y)))], 1.0)
     }
 
+    /// Adds what was there before to the colour of a pixel, for the samples whose bits are set.
+    pub fn add_before(&self, color: &mut [f32; 3], [x, y]: [usize; 2], samples: u64) {
+        let Some(before) = self.picture.before else { return };
+        let grid = self.picture.grid as usize;
+        let share = 1.0 / (grid * grid) as f32;
+        for sample in (0..grid * grid).filter(|sample| samples >> sample & 1 == 1) {
+            let at = self.index((x * grid + sample % grid) as i32, (y * grid + sample / grid) as i32);
+            let own = before.color.get(at).copied().unwrap_or_default();
+            (0..3).for_each(|i| color[i] += own[i] * share);
+        }
+    }
+
     /// The channels of the middle of a pixel.
-    fn sample(&self, screen: &Screen, (x, y): (i32, i32)) -> Sample {
-        let key = screen.key(x, y);
+    pub fn sample(&self, key: Key, (x, y): (i32, i32)) -> Sample {
         let number = key.number();
         if number == OTHER {
             return match self.picture.before {

@@ -24,6 +24,15 @@ impl Key {
         !(self.0 as u32)
     }
 
+    /// Its lower and its upper half.
+    pub fn halves(self) -> [u32; 2] {
+        [self.0 as u32, (self.0 >> 32) as u32]
+    }
+
+    pub fn from_halves([low, high]: [u32; 2]) -> Self {
+        Self(u64::from(high) << 32 | u64::from(low))
+    }
+
     #[inline(always)]
     pub fn order(self) -> u32 {
         (self.0 >> 32) as u32

@@ -17,19 +17,19 @@ pub(super) const BLOCK: usize = 8;
 const BOXES: usize = 4;
 
 /// Squared radius of a surfel's ellipse in pixels of its view: the corners of the pixel lie on it.
-pub(super) const SQUARED_RADIUS: f32 = 0.5;
+pub const SQUARED_RADIUS: f32 = 0.5;
 
 /// Factor of the radius for surfels at the border of a surface. At its corners an ellipse reaches no farther than its pixel,
 /// and views have a pixel from a quarter of its width on: where the surface goes on in the next cell, up to half a pixel would
 /// stay empty there. With 0.9 = 1.27/√2 it reaches a quarter of a pixel farther: √(0.9² − 0.5²) = 0.75.
-pub(super) const BORDER: f32 = 1.27;
+pub const BORDER: f32 = 1.27;
 
 /// Number of a pixel's neighbours.
 const ALL: u8 = 8;
 
 /// Least cosine between a surfel's normal and the direction of its view. Neighbours on steeper surfaces are not
 /// connected (`connect`), so only means over edges are steeper; they would stretch far.
-pub(super) const LEAST_COSINE: f32 = 0.25;
+pub const LEAST_COSINE: f32 = 0.25;
 
 /// A part of a view: pixels from `low` to `high` (columns, rows, depth steps; `high` is exclusive).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,10 +81,9 @@ pub(super) struct BoxOfBlocks {
 pub(super) struct Packed(u64);
 
 impl Packed {
-    fn new(texel: &Texel) -> Self {
-        let [red, green, blue] = texel.color.map(u64::from);
-        let [one, other] = texel.normal.map(u64::from);
-        Self(red | green << 8 | blue << 16 | one << 24 | other << 36 | u64::from(texel.depth) << 48)
+    pub fn of(depth: u16, normal: [u16; 2], color: [u8; 3]) -> Self {
+        let ([red, green, blue], [one, other]) = (color.map(u64::from), normal.map(u64::from));
+        Self(red | green << 8 | blue << 16 | one << 24 | other << 36 | u64::from(depth) << 48)
     }
 
     pub fn color(self) -> [u8; 3] {
@@ -177,7 +176,7 @@ impl Splats {
             block.inner |= if neighbours == ALL { bit } else { 0 };
             let low = [x as u16, y as u16, texel.depth - 1];
             block.extent.add(&Extent { low, high: [x as u16 + 1, y as u16 + 1, texel.depth] });
-            self.texels.push(Packed::new(texel));
+            self.texels.push(Packed::of(texel.depth, texel.normal, texel.color));
         }
         (block.shown != 0).then_some(block)
     }

@@ -1,0 +1,290 @@
+//! A view's splats as words for adapters, block by block, without loss.
+//!
+//! Each number of a block's splats (depth, normal, colour, kind) is stored as its difference from the block's least one, with
+//! as many bits as the greatest difference needs. A depth is first compared with a plane through the block, because walls
+//! and roofs are planes. All splats of a block take equally many bits, so that a shader finds each one directly.
+
+use super::splats::{BLOCK, Block, Packed, Splats};
+
+/// Words of a block's head: its column and row in blocks; the shown pixels (2); its first word of bits; the widths of the
+/// fields and the least kind; the least depth; the plane's slopes; the least normal; the least colour.
+pub const HEAD: usize = 9;
+
+/// Bits of a slope's fraction: depth steps a pixel, in eighths.
+const FRACTION: u32 = 3;
+
+/// Bits of the widths of the fields in the head's fifth word, in the order of the fields; the least kind follows.
+const WIDTHS: [u32; FIELDS] = [5, 4, 4, 4, 4, 4, 2];
+
+/// Depth, the normal's two numbers, red, green, blue, kind.
+const FIELDS: usize = 7;
+
+/// The kinds of splats: balls, surfels at the border of a surface and inside of it.
+const BALL: u32 = 0;
+const BORDERING: u32 = 1;
+const INNER: u32 = 2;
+
+/// A view's splats as words: heads of all blocks, then the bits of their splats.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Compressed {
+    /// The words; there is one more than the last splat's, so that fields can be read from pairs of words.
+    pub words: Vec<u32>,
+    /// Number of blocks.
+    pub blocks: usize,
+}
+
+/// The fields of a splat.
+type Fields = [u32; FIELDS];
+
+impl Splats {
+    /// The splats as words for adapters.
+    pub fn compressed(&self) -> Compressed {
+        let mut found = Compressed { words: vec![0; HEAD * self.blocks.len()], blocks: self.blocks.len() };
+        let mut bits = Bits::default();
+        for (number, block) in self.blocks.iter().enumerate() {
+            let head = put_block(block, &self.texels[block.first as usize..], &mut bits);
+            found.words[HEAD * number..][..HEAD].copy_from_slice(&head);
+        }
+        found.words.append(&mut bits.words);
+        found.words.push(0);
+        found
+    }
+}
+
+/// Adds the bits of a block's splats; returns its head.
+fn put_block(block: &Block, texels: &[Packed], bits: &mut Bits) -> [u32; HEAD] {
+    let mut fields = fields_of(block, texels);
+    let depths: Vec<(u32, i32)> = lanes(block.shown).zip(&fields).map(|(lane, own)| (lane, own[0] as i32)).collect();
+    let [flat, sloped] = [[0, 0], slopes(&depths)].map(|slopes| (spread(&depths, slopes), slopes));
+    let ((least, _), slopes) = if sloped.0.1 < flat.0.1 { sloped } else { flat };
+    for ((lane, depth), own) in depths.iter().zip(&mut fields) {
+        own[0] = (depth - rise(*lane, slopes) - least) as u32;
+    }
+    // Of depths the least difference from the plane is 0 already.
+    let base: Fields = std::array::from_fn(|n| fields.iter().map(|own| own[n]).min().unwrap_or(0));
+    let widths: Fields = std::array::from_fn(|n| {
+        let most = fields.iter().map(|own| own[n] - base[n]).max().unwrap_or(0);
+        u32::BITS - most.leading_zeros()
+    });
+    let first = bits.align();
+    for own in &fields {
+        (0..FIELDS).for_each(|n| bits.put(own[n] - base[n], widths[n]));
+    }
+    let [_, one, other, red, green, blue, kind] = base;
+    let (mut packed, mut shift) = (0, 0);
+    for (width, bits) in widths.iter().zip(WIDTHS) {
+        packed |= width << shift;
+        shift += bits;
+    }
+    let [column, row] = block.corner.map(|at| u32::from(at) / BLOCK as u32);
+    let [across, down] = slopes.map(|slope| u32::from(slope as u16));
+    [
+        column | row << 16,
+        block.shown as u32,
+        (block.shown >> 32) as u32,
+        first,
+        packed | kind << shift,
+        least as u32,
+        across | down << 16,
+        one | other << 12,
+        red | green << 8 | blue << 16,
+    ]
+}
+
+/// Numbers of the pixels of a block that show something.
+fn lanes(shown: u64) -> impl Iterator<Item = u32> {
+    (0..u64::BITS).filter(move |lane| shown >> lane & 1 == 1)
+}
+
+fn fields_of(block: &Block, texels: &[Packed]) -> Vec<Fields> {
+    let one = |(lane, texel): (u32, &Packed)| {
+        let ([red, green, blue], [one, other]) = (texel.color().map(u32::from), texel.normal().map(u32::from));
+        let kind = match (block.surfels >> lane & 1, block.inner >> lane & 1) {
+            (0, _) => BALL,
+            (_, 0) => BORDERING,
+            _ => INNER,
+        };
+        [u32::from(texel.depth()), one, other, red, green, blue, kind]
+    };
+    lanes(block.shown).zip(texels).map(one).collect()
+}
+
+/// Depth steps by which a plane lies deeper at a pixel than at the first one.
+fn rise(lane: u32, [across, down]: [i16; 2]) -> i32 {
+    let (column, row) = ((lane % BLOCK as u32) as i32, (lane / BLOCK as u32) as i32);
+    (column * i32::from(across) + row * i32::from(down)) >> FRACTION
+}
+
+/// Least difference of depths from a plane with these slopes, and by how much the greatest one exceeds it.
+fn spread(depths: &[(u32, i32)], slopes: [i16; 2]) -> (i32, i32) {
+    let (least, most) = depths.iter().fold((i32::MAX, i32::MIN), |(least, most), (lane, depth)| {
+        let over = depth - rise(*lane, slopes);
+        (least.min(over), most.max(over))
+    });
+    (least, most.saturating_sub(least))
+}
+
+/// Slopes of the plane with the least squared differences.
+fn slopes(depths: &[(u32, i32)]) -> [i16; 2] {
+    let place = |lane: u32| [f64::from(lane % BLOCK as u32), f64::from(lane / BLOCK as u32)];
+    let count = depths.len().max(1) as f64;
+    let mut mean = [0.0; 3];
+    for &(lane, depth) in depths {
+        let [x, y] = place(lane);
+        (0..3).for_each(|n| mean[n] += [x, y, f64::from(depth)][n] / count);
+    }
+    let [mut xx, mut xy, mut yy, mut xd, mut yd] = [0.0; 5];
+    for &(lane, depth) in depths {
+        let [x, y] = place(lane);
+        let (x, y, d) = (x - mean[0], y - mean[1], f64::from(depth) - mean[2]);
+        (xx, xy, yy, xd, yd) = (xx + x * x, xy + x * y, yy + y * y, xd + x * d, yd + y * d);
+    }
+    let determinant = xx * yy - xy * xy;
+    let found = if determinant > 1e-6 * xx * yy {
+        [(xd * yy - yd * xy) / determinant, (yd * xx - xd * xy) / determinant]
+    } else {
+        // A line of pixels: along columns, along rows, or neither.
+        [if xx > 0.0 { xd / xx } else { 0.0 }, if xx > 0.0 || yy == 0.0 { 0.0 } else { yd / yy }]
+    };
+    found.map(|slope| (slope * f64::from(1 << FRACTION)).round() as i16)
+}
+
+/// Bits one after the other, the lowest of a word first.
+#[derive(Default)]
+struct Bits {
+    words: Vec<u32>,
+    /// Bits of the last word that are taken.
+    taken: u32,
+}
+
+impl Bits {
+    /// Begins a new word; returns its number.
+    fn align(&mut self) -> u32 {
+        self.taken = u32::BITS;
+        self.words.len() as u32
+    }
+
+    fn put(&mut self, value: u32, width: u32) {
+        if width == 0 {
+            return;
+        }
+        if self.taken == u32::BITS {
+            self.words.push(0);
+            self.taken = 0;
+        }
+        if let Some(last) = self.words.last_mut() {
+            *last |= value << self.taken;
+        }
+        let over = (self.taken + width).saturating_sub(u32::BITS);
+        if over > 0 {
+            self.words.push(value >> (width - over));
+            self.taken = over;
+        } else {
+            self.taken += width;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::splats::Extent;
+    use super::*;
+    use crate::base::random;
+
+    /// The pixel and the kind of a splat, read from a view's words as a shader reads them.
+    fn read(found: &Compressed, block: usize, lane: u32) -> Option<(Packed, u32)> {
+        let head = &found.words[HEAD * block..][..HEAD];
+        let shown = u64::from(head[2]) << 32 | u64::from(head[1]);
+        if shown >> lane & 1 == 0 {
+            return None;
+        }
+        let (mut widths, mut shift) = ([0; FIELDS], 0);
+        for (width, bits) in widths.iter_mut().zip(WIDTHS) {
+            *width = head[4] >> shift & ((1 << bits) - 1);
+            shift += bits;
+        }
+        let kind = head[4] >> shift;
+        let rank = (shown & ((1 << lane) - 1)).count_ones();
+        let mut at = 32 * (HEAD * found.blocks + head[3] as usize) as u64;
+        at += u64::from(rank * widths.iter().sum::<u32>());
+        let own: Fields = widths.map(|width| {
+            let bit = |n: u64| (found.words[((at + n) / 32) as usize] >> ((at + n) % 32) & 1) << n;
+            let value = (0..u64::from(width)).map(bit).sum();
+            at += u64::from(width);
+            value
+        });
+        let slopes = [head[6] as i16, (head[6] >> 16) as i16];
+        let depth = (head[5] as i32 + rise(lane, slopes)) as u32 + own[0];
+        let base = [head[7] & 0xFFF, head[7] >> 12, head[8] & 255, head[8] >> 8 & 255, head[8] >> 16];
+        let values: [u32; 5] = std::array::from_fn(|n| base[n] + own[1 + n]);
+        let texel = Packed::of(depth as u16, [values[0] as u16, values[1] as u16], [2, 3, 4].map(|n| values[n] as u8));
+        Some((texel, kind + own[6]))
+    }
+
+    fn check(blocks: &[(u64, u64, u64, Vec<Packed>)]) -> usize {
+        let (mut bits, mut heads) = (Bits::default(), Vec::new());
+        for (number, (shown, surfels, inner, texels)) in blocks.iter().enumerate() {
+            let corner = [8 * number as u16, 16 * number as u16];
+            let (shown, surfels, inner) = (*shown, *surfels, *inner);
+            let block = Block { extent: Extent::NOTHING, corner, first: 0, shown, surfels, inner };
+            heads.extend(put_block(&block, texels, &mut bits));
+        }
+        let mut found = Compressed { words: heads, blocks: blocks.len() };
+        found.words.append(&mut bits.words);
+        found.words.push(0);
+        for (number, (shown, surfels, inner, texels)) in blocks.iter().enumerate() {
+            assert_eq!(found.words[HEAD * number], number as u32 | (2 * number as u32) << 16);
+            let mut texels = texels.iter();
+            for lane in 0..64 {
+                let expected = (shown >> lane & 1 == 1).then(|| {
+                    let surfel = (surfels >> lane & 1) as u32;
+                    (*texels.next().unwrap(), surfel + ((surfels & inner) >> lane & 1) as u32)
+                });
+                assert_eq!(read(&found, number, lane), expected, "block {number}, pixel {lane}");
+            }
+        }
+        found.words.len()
+    }
+
+    #[test]
+    fn all_bits_come_back() {
+        let draw = |salt, n, most: u64| random::bits(salt, n, 0) % most;
+        let block = |n: u64| {
+            // From all alike to all different.
+            let spread = n % 17;
+            let value = |salt, lane, bits: u64| {
+                let most = (1 << spread.min(bits)) as u64;
+                ((1 << bits) - most) * draw(salt, n, 2) + draw(salt + 1, 64 * n + lane, most)
+            };
+            let shown = if n % 3 == 0 { u64::MAX } else { random::bits(1, n, 0) };
+            let texel = |lane: u64| {
+                let depth = value(10, lane, 16).max(1) as u16;
+                let normal = [value(20, lane, 12) as u16, value(30, lane, 12) as u16];
+                Packed::of(depth, normal, [40, 50, 60].map(|salt| value(salt, lane, 8) as u8))
+            };
+            let texels = (0..u64::from(shown.count_ones())).map(texel).collect();
+            (shown, random::bits(2, n, 0), random::bits(3, n, 0), texels)
+        };
+        check(&(0..500).map(block).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn a_plane_takes_its_heads_alone() {
+        // Depths that rise by 12 and fall by 3.5 steps a pixel; all else is alike.
+        let texel = |lane: u64| {
+            let depth = 40_000 + 12 * (lane % 8) as i32 + (-28 * (lane / 8) as i32 >> 3);
+            Packed::of(depth as u16, [7, 4000], [1, 200, 255])
+        };
+        let block = (u64::MAX, u64::MAX, u64::MAX, (0..64).map(texel).collect());
+        assert_eq!(check(&[block.clone(), block]), 2 * HEAD + 1);
+    }
+
+    #[test]
+    fn lines_and_lone_pixels_come_back() {
+        let texel = |lane: u32| Packed::of(1 + 9 * lane as u16, [0, 0], [0; 3]);
+        for shown in [1, 1 << 63, 0xFF, 0x0101_0101_0101_0101] {
+            let texels = lanes(shown).map(texel).collect();
+            check(&[(shown, 0, 0, texels)]);
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! A picture of views as numbers for a shader that draws it, and the frame of what it found.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec3, Vec4};
+use rayon::prelude::*;
+
+use super::draw::{Part, parts_of};
+use super::lanes::Constants;
+use super::picture::{Counts, Picture, Prepared};
+use super::projector::{Projector, Rect, ordered};
+use super::resolve::Resolver;
+use super::screen::{Key, OTHER};
+use super::splats::Splats;
+use crate::base::{Error, Result};
+use crate::camera::Camera;
+use crate::render::{Frame, Sample};
+
+/// Blocks of a piece, at most.
+const PIECE: u32 = 16;
+
+/// Bits of a splat's place in its block.
+pub const LANE_BITS: u32 = 6;
+
+/// A view before a camera, as a shader reads it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ViewNumbers {
+    /// Changes of the projector's functions by a column, a row and a depth step.
+    pub steps: [[f32; 4]; 3],
+    /// The projector's gradients, times the radius of a ball over that of an ellipse.
+    pub gradients: [[f32; 4]; 3],
+    /// The axes of the view; those to the right and upwards in depth steps for each pixel.
+    pub axes: [[f32; 4]; 3],
+    /// Scale of a normal's numbers to −1 … 1, and the least distance of what is shown.
+    pub rest: [f32; 4],
+    /// Number of its first block among those of all views; the others are for who lends room to its words.
+    pub place: [u32; 4],
+}
+
+/// Some blocks of a view, which are drawn or left out together.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Piece {
+    /// The projector's functions at the middle of the pixel `corner`, half a step before the front.
+    pub start: [f32; 3],
+    /// The nearest point's nearness, as `order` of keys.
+    pub order: u32,
+    /// First column and row in the picture.
+    pub low: [i32; 2],
+    /// Those after the last.
+    pub high: [i32; 2],
+    /// Column and row of a pixel of the view.
+    pub corner: [u32; 2],
+    /// Number of the view.
+    pub view: u32,
+    /// Its first block, and above the lowest 24 bits how many there are.
+    pub blocks: u32,
+    /// Number of its splats.
+    pub count: u32,
+    unused: [u32; 3],
+}
+
+/// Rays of the samples: of the ray through the picture's corner, and changes by a sample to the right and down.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Rays {
+    /// Where it starts, relative to the camera.
+    pub start: [[f32; 4]; 3],
+    /// Its direction, as long as the projector's W is 1.
+    pub direction: [[f32; 4]; 3],
+}
+
+impl Rays {
+    fn new(camera: &Camera) -> Self {
+        let [corner, right, down] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| camera.ray(x, y));
+        let single = |value: DVec3| value.as_vec3().extend(0.0).to_array();
+        Self {
+            start: [corner.0, right.0 - corner.0, down.0 - corner.0].map(single),
+            direction: [corner.1, right.1 - corner.1, down.1 - corner.1].map(single),
+        }
+    }
+}
+
+/// A picture of views, ready to be drawn by a shader.
+pub struct Plan<'a> {
+    picture: &'a Picture<'a>,
+    /// The camera of the samples.
+    camera: Camera,
+    projector: Projector,
+    prepared: Vec<Prepared<'a>>,
+    /// For each view, what a shader knows of it.
+    pub views: Vec<ViewNumbers>,
+    /// Nearest first.
+    pub pieces: Vec<Piece>,
+    /// Rays of the samples.
+    pub rays: Rays,
+}
+
+/// The images that a shader found, in rows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Found<'a> {
+    /// Sum of the samples' colours over their number, and share of those that show a splat.
+    pub colors: &'a [[f32; 4]],
+    /// Bits of the samples that show what was there before, row by row.
+    pub others: &'a [[u32; 2]],
+    /// Keys of the pixels' middles: complement of a block's number among all views' and a place in it, and the order.
+    pub middles: &'a [[u32; 2]],
+}
+
+impl<'a> Plan<'a> {
+    /// The plan of a picture.
+    pub fn new(views: &[&'a Splats], picture: &'a Picture<'a>) -> Result<Self> {
+        picture.check(views)?;
+        let camera = picture.sampled();
+        let projector = Projector::new(&camera);
+        let prepared = Prepared::all(views, &projector);
+        let blocks: u64 = views.iter().map(|view| view.blocks.len() as u64).sum();
+        if blocks >= u64::from(u32::MAX >> LANE_BITS) {
+            return Err(Error::value("views", format!("fewer than {} blocks", u32::MAX >> LANE_BITS), blocks));
+        }
+        let mut first = 0;
+        let numbers = |view: &Prepared<'_>| {
+            let own = view.constants.numbers(first);
+            first += view.splats.blocks.len() as u32;
+            own
+        };
+        let numbers = prepared.iter().map(numbers).collect();
+        let whole = Rect { low: [0, 0], high: [camera.width as i32, camera.height as i32] };
+        let mut plan =
+            Self { picture, rays: Rays::new(&camera), camera, projector, views: numbers, pieces: vec![], prepared };
+        plan.pieces = parts_of(&plan.prepared, &whole).iter().flat_map(|part| plan.pieces_of(part)).collect();
+        Ok(plan)
+    }
+
+    fn pieces_of(&self, part: &Part<'_>) -> impl Iterator<Item = Piece> + use<'_, 'a> {
+        let (seen, number) = (part.seen, part.number);
+        let view = &self.prepared[number as usize];
+        let [first, after] = part.contents.blocks;
+        (first..after).step_by(PIECE as usize).map(move |block| {
+            let own = &view.splats.blocks[block as usize..(block + PIECE).min(after) as usize];
+            let corner = own[0].corner;
+            let [column, row] = corner.map(f64::from);
+            Piece {
+                start: view.sight.at([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
+                order: ordered(seen.nearness),
+                low: seen.rect.low,
+                high: seen.rect.high,
+                corner: corner.map(u32::from),
+                view: number,
+                blocks: block | (own.len() as u32) << 24,
+                count: own.iter().map(|block| block.shown.count_ones()).sum(),
+                unused: [0; 3],
+            }
+        })
+    }
+
+    /// Whether its rays are parallel.
+    pub fn is_parallel(&self) -> bool {
+        self.projector.is_parallel
+    }
+
+    /// Width and height of the samples.
+    pub fn size(&self) -> [u32; 2] {
+        [self.camera.width, self.camera.height]
+    }
+
+    /// The picture.
+    pub fn picture(&self) -> &Picture<'a> {
+        self.picture
+    }
+
+    /// Half-spaces that are seen, relative to the camera.
+    pub fn planes(&self) -> Vec<[f32; 4]> {
+        let relative = self.picture.limits.relative_to(self.camera.position);
+        let single = |plane: &glam::DVec4| Vec4::new(plane.x as f32, plane.y as f32, plane.z as f32, plane.w as f32);
+        relative.planes().iter().map(|plane| single(plane).to_array()).collect()
+    }
+
+    /// The nearest splat's key before any is drawn, for some rows of samples: what was there before. `None` if there was
+    /// nothing.
+    pub fn before(&self, rows: std::ops::Range<u32>) -> Option<Vec<[u32; 2]>> {
+        self.picture.before?;
+        let resolver = self.resolver();
+        let width = self.camera.width as i32;
+        let row = |y: u32| (0..width).map(|x| resolver.before(x, y as i32).halves()).collect::<Vec<_>>();
+        Some(rows.into_par_iter().flat_map_iter(row).collect())
+    }
+
+    /// The frame of what a shader found in all rows, and the counts without those of hidden splats.
+    pub fn frame(&self, found: &Found<'_>) -> Result<Frame> {
+        let (picture, wanted) = (self.picture, self.picture.channels);
+        let resolver = self.resolver();
+        let columns = picture.camera.width as usize;
+        let row = |y: usize| {
+            let mut part = Frame::default();
+            for x in 0..columns {
+                let pixel = y * columns + x;
+                if picture.pixels.mask.is_some_and(|mask| !mask[pixel]) {
+                    part.push(wanted, [0.0; 3], 0.0, &Sample::default());
+                    continue;
+                }
+                let [red, green, blue, coverage] = found.colors.get(pixel).copied().unwrap_or_default();
+                let mut color = [red, green, blue];
+                if let Some(&[low, high]) = found.others.get(pixel) {
+                    resolver.add_before(&mut color, [x, y], u64::from(high) << 32 | u64::from(low));
+                }
+                let sample = found.middles.get(pixel).map(|&halves| {
+                    let half = picture.grid as usize / 2;
+                    let at = [x, y].map(|at| (at * picture.grid as usize + half) as i32);
+                    resolver.sample(self.key(halves), (at[0], at[1]))
+                });
+                part.push(wanted, color, coverage, &sample.unwrap_or_default());
+            }
+            part
+        };
+        let rows: Vec<Frame> = (0..picture.camera.height as usize).into_par_iter().map(row).collect();
+        let mut frame = Frame::new(wanted, picture.pixel_count())?;
+        rows.iter().enumerate().for_each(|(y, part)| frame.put(part, columns, [0, y], columns));
+        Ok(frame)
+    }
+
+    /// Counts of the picture; a shader tells how many splats it drew.
+    pub fn counts(&self, seen: u64) -> Counts {
+        let total = self.prepared.iter().map(|view| view.splats.count() as u64).sum();
+        let in_picture = self.pieces.iter().map(|piece| u64::from(piece.count)).sum();
+        Counts { total, in_picture, seen, projected: seen }
+    }
+
+    fn resolver(&self) -> Resolver<'_> {
+        Resolver::new(self.picture, &self.camera, &self.projector, &self.prepared)
+    }
+
+    /// A shader's key with the number of a splat instead of that of a block and a place in it.
+    fn key(&self, [number, order]: [u32; 2]) -> Key {
+        let place = !number;
+        if place == OTHER {
+            return Key::from_halves([number, order]);
+        }
+        let (block, lane) = (place >> LANE_BITS, place & ((1 << LANE_BITS) - 1));
+        let view = self.views.partition_point(|view| view.place[0] <= block) - 1;
+        let (prepared, own) = (&self.prepared[view], block - self.views[view].place[0]);
+        let block = &prepared.splats.blocks[own as usize];
+        let rank = (block.shown & ((1u64 << lane) - 1)).count_ones();
+        Key::from_halves([!(prepared.first + block.first + rank), order])
+    }
+}
+
+impl Constants {
+    /// The same as a shader reads it.
+    fn numbers(&self, first: u32) -> ViewNumbers {
+        let rows = |rows: &[[f32; 3]; 3]| rows.map(|[x, y, z]| [x, y, z, 0.0]);
+        ViewNumbers {
+            steps: rows(&self.steps),
+            gradients: rows(&self.gradients),
+            axes: rows(&self.axes),
+            rest: [self.scale, self.least_distance, 0.0, 0.0],
+            place: [first, 0, 0, 0],
+        }
+    }
+}

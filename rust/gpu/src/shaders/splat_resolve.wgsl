@@ -1,0 +1,92 @@
+// Colours of pixels from the keys of their samples.
+
+@group(0) @binding(6) var<storage, read_write> found: array<u32>;
+@group(0) @binding(8) var<storage, read> keys: array<u32>;
+
+// The splat that was looked up last: neighbouring samples often show the same.
+struct Lit {
+    place: u32,
+    normal: vec3<f32>,
+    // Its colours on the side of the normal and on the other one.
+    front: vec3<f32>,
+    back: vec3<f32>,
+}
+
+// Number of the view that has a block.
+fn view_of(block: u32) -> u32 {
+    var low = 0u;
+    var high = draw.work.w;
+    while high - low > 1u {
+        let middle = (low + high) / 2u;
+        if views[middle].place.x <= block {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+fn lit(place: u32) -> Lit {
+    let block = place >> LANE_BITS;
+    let view = views[view_of(block)];
+    let splat = splat_of(view.place.y, head_of(view.place, block - view.place.x), place & ((1u << LANE_BITS) - 1u));
+    let normal = normalize(normal_of(splat.normal, view.rest.x));
+    let albedo = linear_of(vec3<f32>(splat.color) / 255.0);
+    return Lit(place, normal, albedo * irradiance(normal), albedo * irradiance(-normal));
+}
+
+fn put(at: u32, value: vec4<f32>) {
+    let bits = bitcast<vec4<u32>>(value);
+    found[at] = bits.x;
+    found[at + 1u] = bits.y;
+    found[at + 2u] = bits.z;
+    found[at + 3u] = bits.w;
+}
+
+@compute @workgroup_size(GROUP)
+fn splat_resolve(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let pixel = (group.y * ROW + group.x) * GROUP + local;
+    let grid = draw.size.w;
+    let columns = draw.size.x / grid;
+    if pixel >= columns * (draw.size.y / grid) {
+        return;
+    }
+    let corner = vec2<u32>(pixel % columns, pixel / columns) * grid;
+    if draw.outputs.z != NONE {
+        let middle = corner + grid / 2u;
+        let at = 2u * (middle.y * draw.size.x + middle.x);
+        found[draw.outputs.z + 2u * pixel] = keys[at];
+        found[draw.outputs.z + 2u * pixel + 1u] = keys[at + 1u];
+    }
+    if draw.outputs.x == NONE {
+        return;
+    }
+    var sum = vec4<f32>(0.0);
+    var others = vec2<u32>(0u);
+    var last: Lit;
+    last.place = NONE;
+    for (var n = 0u; n < grid * grid; n++) {
+        let sample = corner + vec2<u32>(n % grid, n / grid);
+        let at = 2u * (sample.y * draw.size.x + sample.x);
+        let place = ~keys[at];
+        let middle = vec2<f32>(sample + vec2<u32>(0u, draw.size.z)) + 0.5;
+        let direction = draw.direction[0].xyz + draw.direction[1].xyz * middle.x + draw.direction[2].xyz * middle.y;
+        if place != NONE {
+            if place != last.place {
+                last = lit(place);
+            }
+            sum += vec4<f32>(select(last.front, last.back, dot(last.normal, direction) > 0.0), 1.0);
+        } else if keys[at + 1u] != 0u {
+            others |= select(vec2<u32>(1u << n, 0u), vec2<u32>(0u, 1u << (n & 31u)), n >= 32u);
+            sum.w += 1.0;
+        } else if draw.limits.z == 0u {
+            sum += vec4<f32>(background(normalize(direction)), 0.0);
+        }
+    }
+    put(draw.outputs.x + 4u * pixel, sum / f32(grid * grid));
+    if draw.outputs.y != NONE {
+        found[draw.outputs.y + 2u * pixel] = others.x;
+        found[draw.outputs.y + 2u * pixel + 1u] = others.y;
+    }
+}

@@ -1,0 +1,184 @@
+//! Room on a device for views: pages of words, in which those that are no longer referenced, or not used for the longest
+//! time, make room for others.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::{Arc, Weak};
+
+use nearfar_core::base::{Error, Result};
+use nearfar_core::orthoview::splat::{Compressed, HEAD, Splats};
+use wgpu::{Buffer, BufferUsages};
+
+use super::room::Room;
+use crate::device::{Counted, Device, Scope};
+
+/// Words of the pages, at most: a pass binds as many buffers.
+const PAGES: [u64; 4] = [1 << 24, 1 << 26, 1 << 28, 1 << 28];
+const WORD: u64 = 4;
+
+/// Where a view lies: its page, and the first words of its blocks' heads and of their bits.
+pub(super) type Place = [u32; 3];
+
+/// Views on a device.
+#[derive(Default)]
+pub(super) struct Arena {
+    pages: Vec<Page>,
+    known: HashMap<usize, Resident>,
+    /// Number of calls so far.
+    now: u64,
+}
+
+struct Page {
+    buffer: Buffer,
+    room: Room,
+}
+
+struct Resident {
+    view: Weak<Splats>,
+    page: usize,
+    first: u32,
+    words: u32,
+    blocks: u32,
+    used: u64,
+}
+
+impl Arena {
+    /// Brings views to the device that do not lie there; returns their places.
+    pub fn keep(
+        &mut self,
+        device: &Device,
+        views: &[Arc<Splats>],
+        compressed: &HashMap<usize, Compressed>,
+    ) -> Result<Vec<Place>> {
+        self.now += 1;
+        self.forget(|resident| resident.view.strong_count() == 0);
+        let wanted: HashSet<usize> = views.iter().map(identity).collect();
+        match self.place_all(device, views, compressed, &wanted) {
+            // Room in parts: once more from empty pages.
+            Err(Error::Device(_)) => {
+                self.forget(|_| true);
+                self.place_all(device, views, compressed, &wanted)
+            }
+            placed => placed,
+        }
+    }
+
+    /// Views that do not lie on the device, each once.
+    pub fn missing(&self, views: &[Arc<Splats>]) -> Vec<Arc<Splats>> {
+        let mut seen = HashSet::new();
+        let is_known = |view: &Arc<Splats>| {
+            self.known.get(&identity(view)).is_some_and(|resident| resident.view.strong_count() > 0)
+        };
+        views.iter().filter(|view| !is_known(view) && seen.insert(identity(view))).cloned().collect()
+    }
+
+    /// Bytes of all views.
+    pub fn bytes(&self) -> u64 {
+        self.known.values().map(|resident| WORD * u64::from(resident.words)).sum()
+    }
+
+    /// The buffers of all pages; one at least.
+    pub fn buffers(&mut self, device: &Device) -> Result<Vec<&Buffer>> {
+        if self.pages.is_empty() {
+            self.add_page(device, 1)?;
+        }
+        Ok(self.pages.iter().map(|page| &page.buffer).collect())
+    }
+
+    fn place_all(
+        &mut self,
+        device: &Device,
+        views: &[Arc<Splats>],
+        compressed: &HashMap<usize, Compressed>,
+        wanted: &HashSet<usize>,
+    ) -> Result<Vec<Place>> {
+        let one = |view: &Arc<Splats>| {
+            let key = identity(view);
+            if let Some(resident) = self.known.get_mut(&key) {
+                resident.used = self.now;
+                return Ok(resident.place());
+            }
+            let own;
+            let content = match compressed.get(&key) {
+                Some(content) => content,
+                None => {
+                    own = view.compressed();
+                    &own
+                }
+            };
+            let (page, first) = self.room(device, content.words.len() as u64, wanted)?;
+            let (buffer, at) = (&self.pages[page].buffer, WORD * u64::from(first));
+            let scope = Scope::open(device);
+            device.with_queue(|queue| queue.write_buffer(buffer, at, bytemuck::cast_slice(&content.words)));
+            scope.close()?;
+            device.count(Counted::UploadedBytes, WORD * content.words.len() as u64);
+            let (words, blocks) = (content.words.len() as u32, content.blocks as u32);
+            let resident = Resident { view: Arc::downgrade(view), page, first, words, blocks, used: self.now };
+            let place = resident.place();
+            self.known.insert(key, resident);
+            Ok(place)
+        };
+        views.iter().map(one).collect()
+    }
+
+    /// A page and the first of as many free words.
+    fn room(&mut self, device: &Device, words: u64, wanted: &HashSet<usize>) -> Result<(usize, u32)> {
+        loop {
+            let take = |page: &mut Page| page.room.take(words as u32);
+            if let Some(found) = self.pages.iter_mut().enumerate().find_map(|(n, page)| Some((n, take(page)?))) {
+                return Ok(found);
+            }
+            if self.pages.len() < PAGES.len() && words <= device.largest_binding() / WORD {
+                self.add_page(device, words)?;
+                continue;
+            }
+            let spare = self.known.iter().filter(|(key, _)| !wanted.contains(key)).map(|(_, spare)| spare.used).min();
+            let Some(used) = spare else { return Err(too_many(device)) };
+            self.forget_spare(used, wanted);
+        }
+    }
+
+    fn add_page(&mut self, device: &Device, words: u64) -> Result<()> {
+        let most = device.largest_binding() / WORD;
+        let size = PAGES[self.pages.len()].min(most).max(words);
+        let buffer = device.buffer("views", WORD * size, BufferUsages::STORAGE | BufferUsages::COPY_DST)?;
+        self.pages.push(Page { buffer, room: Room::new(size as u32) });
+        Ok(())
+    }
+
+    fn forget_spare(&mut self, used: u64, wanted: &HashSet<usize>) {
+        let spare: HashSet<usize> = self
+            .known
+            .iter()
+            .filter(|(key, one)| one.used == used && !wanted.contains(key))
+            .map(|(key, _)| *key)
+            .collect();
+        self.forget_keys(&spare);
+    }
+
+    fn forget(&mut self, is_over: impl Fn(&Resident) -> bool) {
+        let over: HashSet<usize> = self.known.iter().filter(|(_, one)| is_over(one)).map(|(key, _)| *key).collect();
+        self.forget_keys(&over);
+    }
+
+    fn forget_keys(&mut self, keys: &HashSet<usize>) {
+        for resident in keys.iter().filter_map(|key| self.known.remove(key)) {
+            self.pages[resident.page].room.give_back(resident.first, resident.words);
+        }
+    }
+}
+
+impl Resident {
+    fn place(&self) -> Place {
+        [self.page as u32, self.first, self.first + HEAD as u32 * self.blocks]
+    }
+}
+
+/// Number of a view, as long as it is referenced.
+pub(super) fn identity(view: &Arc<Splats>) -> usize {
+    Arc::as_ptr(view) as usize
+}
+
+fn too_many(device: &Device) -> Error {
+    let label = device.report().label();
+    Error::Device(format!("{label}: it cannot hold the splats of this picture at a time; use backend='cpu'"))
+}

@@ -1,0 +1,73 @@
+//! Free words of a page.
+
+use std::collections::BTreeMap;
+
+/// Free words: lengths by their starts, which never touch each other.
+pub(super) struct Room(BTreeMap<u32, u32>);
+
+impl Room {
+    /// A page of free words.
+    pub fn new(words: u32) -> Self {
+        Self(BTreeMap::from([(0, words)]))
+    }
+
+    /// The first word of as many that are free.
+    pub fn take(&mut self, words: u32) -> Option<u32> {
+        let (&first, &length) = self.0.iter().find(|(_, length)| **length >= words)?;
+        self.0.remove(&first);
+        if length > words {
+            self.0.insert(first + words, length - words);
+        }
+        Some(first)
+    }
+
+    /// Frees words that were taken.
+    pub fn give_back(&mut self, mut first: u32, mut words: u32) {
+        if let Some((&start, &length)) = self.0.range(..first).next_back()
+            && start + length == first
+        {
+            self.0.remove(&start);
+            (first, words) = (start, length + words);
+        }
+        if let Some(length) = self.0.remove(&(first + words)) {
+            words += length;
+        }
+        self.0.insert(first, words);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nearfar_core::base::random;
+
+    use super::*;
+
+    #[test]
+    fn words_are_given_once_and_come_back_in_one_piece() {
+        let mut room = Room::new(1000);
+        let mut owner = vec![None; 1000];
+        let mut taken: Vec<(u32, u32)> = Vec::new();
+        for n in 0..2000u64 {
+            let draw = |salt, most| random::bits(3, salt, n) as u32 % most;
+            if draw(1, 2) == 0 && !taken.is_empty() {
+                let (first, words) = taken.swap_remove(draw(2, taken.len() as u32) as usize);
+                owner[first as usize..(first + words) as usize].fill(None);
+                room.give_back(first, words);
+                continue;
+            }
+            let words = 1 + draw(3, 100);
+            let Some(first) = room.take(words) else {
+                // No gap is as long.
+                let gaps = owner.split(Option::is_some).map(<[Option<u64>]>::len).max();
+                assert!(gaps.is_some_and(|longest| longest < words as usize));
+                continue;
+            };
+            for slot in &mut owner[first as usize..(first + words) as usize] {
+                assert_eq!(slot.replace(n), None);
+            }
+            taken.push((first, words));
+        }
+        taken.into_iter().for_each(|(first, words)| room.give_back(first, words));
+        assert_eq!(room.take(1000), Some(0));
+    }
+}
