@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -44,11 +45,13 @@ def drawn(
     channels: tuple[str, ...] = CHANNELS,
     grid: int = 1,
     before: dict[str, Any] | None = None,
+    device: _core.GpuDevice | None = None,
     **limits: Any,
 ) -> dict[str, Any]:
     shot = Shot(cameras=(camera,), channels=channels, **limits)
     x, y, z = MIDDLE.tolist()
-    return _core.splat_orthoviews(splats, camera._core, shot.settings, origin=(x, y, z), grid=grid, before=before)
+    splat = _core.splat_orthoviews if device is None else partial(_core.gpu_splat_orthoviews, device)
+    return splat(splats, camera._core, shot.settings, origin=(x, y, z), grid=grid, before=before)
 
 
 def facing(direction: Triple, fov: nf.Fov | nf.Orthographic, size: tuple[int, int] = (40, 32)) -> nf.Camera:

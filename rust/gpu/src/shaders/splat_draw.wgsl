@@ -140,9 +140,11 @@ fn draw_splat(view: View, piece: Piece, block: u32, lane: u32) {
     let at = vec2<f32>(vec2<i32>(head.corner + vec2<u32>(lane % BLOCK, lane / BLOCK)) - vec2<i32>(piece.corner));
     let own = projected(view, piece.start, at, splat_of(view.place.y, head, lane));
     let number = ~(((view.place.x + block) << LANE_BITS) | lane);
-    for (var row = own.low.y; row <= own.high.y; row++) {
+    let low = max(own.low, piece.low);
+    let high = min(own.high, piece.high - 1);
+    for (var row = low.y; row <= high.y; row++) {
         let down = f32(row) + 0.5 - own.place.y;
-        for (var column = own.low.x; column <= own.high.x; column++) {
+        for (var column = low.x; column <= high.x; column++) {
             let across = f32(column) + 0.5 - own.place.x;
             let p = own.inverse.x * across + own.inverse.y * down;
             let q = own.inverse.z * across + own.inverse.w * down;

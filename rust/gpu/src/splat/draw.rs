@@ -55,12 +55,13 @@ pub fn draw(
     let mut seen = 0;
     for band in bands {
         band.found.read(progress, |bytes| found.add(&layout, band.pixels, bytemuck::cast_slice(bytes)))?;
-        seen = band.tiles.read(progress, |bytes| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes))?;
+        let count = |bytes: &[u8]| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes);
+        seen += u64::from(band.tiles.read(progress, count)?);
         progress.report(1)?;
     }
     let frame = plan.frame(&found.whole())?;
     progress.report(1)?;
-    Ok((frame, plan.counts(u64::from(seen))))
+    Ok((frame, plan.counts(seen)))
 }
 
 fn set_places(plan: &mut Plan<'_>, places: &[Place]) {

@@ -214,7 +214,7 @@ mod tests {
             value
         });
         let slopes = [head[6] as i16, (head[6] >> 16) as i16];
-        let depth = (head[5] as i32 + rise(lane, slopes)) as u32 + own[0];
+        let depth = head[5] as i32 + rise(lane, slopes) + own[0] as i32;
         let base = [head[7] & 0xFFF, head[7] >> 12, head[8] & 255, head[8] >> 8 & 255, head[8] >> 16];
         let values: [u32; 5] = std::array::from_fn(|n| base[n] + own[1 + n]);
         let texel = Packed::of(depth as u16, [values[0] as u16, values[1] as u16], [2, 3, 4].map(|n| values[n] as u8));

@@ -7,16 +7,23 @@ use rayon::prelude::*;
 use super::draw::{Part, parts_of};
 use super::lanes::Constants;
 use super::picture::{Counts, Picture, Prepared};
-use super::projector::{Projector, Rect, ordered};
+use super::projector::{Projector, Rect, Seen, ordered};
 use super::resolve::Resolver;
 use super::screen::{Key, OTHER};
-use super::splats::Splats;
+use super::splats::{BORDER, LEAST_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::{Error, Result};
 use crate::camera::Camera;
 use crate::render::{Frame, Sample};
 
 /// Blocks of a piece, at most.
 const PIECE: u32 = 16;
+
+/// Samples that a thread of a shader looks at for one piece, at most: drivers in software end a thread's loops after 65,535
+/// turns.
+const TURNS: f64 = 49_152.0;
+
+/// Width and height of the tiles in which splats are drawn that may cover more.
+const TILE: i32 = 128;
 
 /// Bits of a splat's place in its block.
 pub const LANE_BITS: u32 = 6;
@@ -45,7 +52,7 @@ pub struct Piece {
     pub start: [f32; 3],
     /// The nearest point's nearness, as `order` of keys.
     pub order: u32,
-    /// First column and row in the picture.
+    /// First column and row of the part of the picture in which it is drawn.
     pub low: [i32; 2],
     /// Those after the last.
     pub high: [i32; 2],
@@ -55,7 +62,7 @@ pub struct Piece {
     pub view: u32,
     /// Its first block, and above the lowest 24 bits how many there are.
     pub blocks: u32,
-    /// Number of its splats.
+    /// Number of its splats; where it is drawn in several parts, its share.
     pub count: u32,
     unused: [u32; 3],
 }
@@ -132,26 +139,58 @@ impl<'a> Plan<'a> {
         Ok(plan)
     }
 
-    fn pieces_of(&self, part: &Part<'_>) -> impl Iterator<Item = Piece> + use<'_, 'a> {
-        let (seen, number) = (part.seen, part.number);
-        let view = &self.prepared[number as usize];
+    fn pieces_of(&self, part: &Part<'_>) -> Vec<Piece> {
+        let view = &self.prepared[part.number as usize];
         let [first, after] = part.contents.blocks;
-        (first..after).step_by(PIECE as usize).map(move |block| {
-            let own = &view.splats.blocks[block as usize..(block + PIECE).min(after) as usize];
-            let corner = own[0].corner;
+        let most = self.most_samples(part);
+        // Splats that may cover much are drawn tile by tile.
+        let (tiles, most) =
+            if most > TURNS { (tiles_of(&part.seen.rect), (TILE * TILE) as f64) } else { (vec![part.seen.rect], most) };
+        let count = ((TURNS / most) as u32).clamp(1, PIECE);
+        let mut found = Vec::new();
+        for block in (first..after).step_by(count as usize) {
+            let own = &view.splats.blocks[block as usize..(block + count).min(after) as usize];
+            let Some(corner) = own.first().map(|block| block.corner) else { continue };
             let [column, row] = corner.map(f64::from);
-            Piece {
+            let splats: u32 = own.iter().map(|block| block.shown.count_ones()).sum();
+            let whole = Piece {
                 start: view.sight.at([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
-                order: ordered(seen.nearness),
-                low: seen.rect.low,
-                high: seen.rect.high,
+                order: ordered(part.seen.nearness),
                 corner: corner.map(u32::from),
-                view: number,
+                view: part.number,
                 blocks: block | (own.len() as u32) << 24,
-                count: own.iter().map(|block| block.shown.count_ones()).sum(),
-                unused: [0; 3],
-            }
-        })
+                ..Piece::zeroed()
+            };
+            let share = |n: usize| (u64::from(splats) * n as u64 / tiles.len() as u64) as u32;
+            let piece = |(n, tile): (usize, &Rect)| Piece {
+                low: tile.low,
+                high: tile.high,
+                count: share(n + 1) - share(n),
+                ..whole
+            };
+            found.extend(tiles.iter().enumerate().map(piece));
+        }
+        found
+    }
+
+    /// Samples of the rectangle around a splat of a part, at most.
+    fn most_samples(&self, part: &Part<'_>) -> f64 {
+        let Seen { rect, nearness } = part.seen;
+        let whole = [0, 1].map(|axis| f64::from(rect.high[axis] - rect.low[axis]));
+        if !nearness.is_finite() {
+            return whole[0] * whole[1];
+        }
+        // The ellipse's axes u and v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the least cosine c.
+        let radius = f64::from(BORDER * SQUARED_RADIUS.sqrt() / LEAST_COSINE);
+        let reach = radius * self.prepared[part.number as usize].splats.pitch().truncate().length();
+        let [x, y, w] = self.projector.rows.map(DVec3::length);
+        let extent = |axis: usize, own: f64| {
+            // The gradient of X/W is (∇X − X/W ∇W)/W.
+            let farthest = f64::from(rect.high[axis].abs().max(rect.low[axis].abs()));
+            let slope = if self.is_parallel() { own } else { (own + farthest * w) * f64::from(nearness) };
+            (2.0 * reach * slope + 2.0).min(whole[axis])
+        };
+        extent(0, x) * extent(1, y)
     }
 
     /// Whether its rays are parallel.
@@ -243,6 +282,13 @@ impl<'a> Plan<'a> {
         let rank = (block.shown & ((1u64 << lane) - 1)).count_ones();
         Key::from_halves([!(prepared.first + block.first + rank), order])
     }
+}
+
+/// A rectangle in parts.
+fn tiles_of(rect: &Rect) -> Vec<Rect> {
+    let starts = |axis: usize| (rect.low[axis]..rect.high[axis]).step_by(TILE as usize);
+    let tile = |x: i32, y: i32| Rect { low: [x, y], high: [x + TILE, y + TILE] }.overlap(rect);
+    starts(1).flat_map(|y| starts(0).map(move |x| tile(x, y))).collect()
 }
 
 impl Constants {

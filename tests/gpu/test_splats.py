@@ -1,0 +1,191 @@
+"""Orthoviews drawn by adapters against the processor's pictures, which other tests compare with slow and obvious ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar import _core
+from nearfar._render import backend as backends
+from tests.orthoview.test_splat_parts import STRAIGHT, THREE, flat, limits_of, wall
+from tests.support.gpu_cases import adapter
+from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, MIDDLE, cell_of, drawn
+
+WAYS = ("vulkan", "vulkan, 32 bits", "gl")
+"""Adapters, and whether they must do without atomic integers of 64 bits."""
+
+ALL = ("color", "coverage", *CHANNELS, "position", "shading_normal")
+
+
+@pytest.fixture(params=WAYS)
+def device(request: pytest.FixtureRequest) -> Iterator[_core.GpuDevice]:
+    name, *short = str(request.param).split(", ")
+    with adapter(name):
+        opened = backends.opened()
+        before = opened.allow_long_atomics(not short)
+        try:
+            yield opened
+        finally:
+            opened.allow_long_atomics(before)
+
+
+def check(got: dict[str, Any], right: dict[str, Any], least: float = 0.997) -> None:
+    """Compare pictures: but for few pixels, where a splat's edge or two splats' order is a matter of rounding."""
+    for name in set(right) - {"stats"}:
+        close = np.isclose(got[name], right[name], rtol=1e-4, atol=2e-5, equal_nan=True)
+        assert got[name].dtype == right[name].dtype
+        assert close.mean() >= least, (name, close.mean())
+    counts, expected = got["stats"], right["stats"]
+    assert all(counts[name] == expected[name] for name in ("splats", "splats_in_picture"))
+    assert counts["splats_seen"] <= counts["splats_in_picture"]
+
+
+@pytest.mark.parametrize("name", CAMERAS)
+def test_pictures_are_those_of_the_processor(device: _core.GpuDevice, name: str) -> None:
+    splats, _ = cell_of([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 1, 1), (-1, -1, 1)])
+    right = drawn(splats, CAMERAS[name], ALL)
+    assert np.isfinite(right["range"]).mean() > 0.02
+    check(drawn(splats, CAMERAS[name], ALL, device=device), right)
+
+
+@pytest.mark.parametrize("grid", [2, 3, 4, 8])
+def test_colour_is_the_mean_of_samples(device: _core.GpuDevice, grid: int) -> None:
+    splats, _ = cell_of(THREE, size=32)
+    for name in ("perspective", "parallel"):
+        right = drawn(splats, CAMERAS[name], ("color", "coverage"), grid)
+        got = drawn(splats, CAMERAS[name], ("color", "coverage"), grid, device=device)
+        # A sample more or less moves a pixel by its share.
+        assert (np.abs(got["color"] - right["color"]) <= 1e-4).mean() >= 0.99
+        assert np.abs(got["color"] - right["color"]).max() <= 4 / grid**2
+        check(got, right, least=0.99)
+
+
+def test_large_pictures_and_large_views(device: _core.GpuDevice) -> None:
+    splats, _ = cell_of(THREE, size=128)
+    check(drawn(splats, LARGE, ALL, device=device), drawn(splats, LARGE, ALL))
+
+
+@pytest.mark.parametrize(("depth_bits", "normal_bits"), [(8, 16), (12, 24), (16, 24)])
+def test_formats(device: _core.GpuDevice, depth_bits: int, normal_bits: int) -> None:
+    splats, _ = cell_of(THREE, depth_bits, normal_bits, size=20)
+    camera = CAMERAS["perspective"]
+    check(drawn(splats, camera, ALL, device=device), drawn(splats, camera, ALL))
+
+
+@pytest.mark.parametrize("camera", ["perspective", "parallel"])
+@pytest.mark.parametrize("name", ["t_min", "t_max", "both", "box", "planes"])
+def test_limits(device: _core.GpuDevice, name: str, camera: str) -> None:
+    (splats, _), limits = cell_of(THREE), limits_of(name)
+    right = drawn(splats, CAMERAS[camera], ALL, **limits)
+    assert not np.array_equal(right["range"], drawn(splats, CAMERAS[camera], ALL)["range"])
+    check(drawn(splats, CAMERAS[camera], ALL, device=device, **limits), right)
+
+
+@pytest.mark.parametrize("grid", [1, 3])
+def test_what_was_there_before(device: _core.GpuDevice, grid: int) -> None:
+    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    width, height = camera.size
+    ranges = drawn(splats, camera)["range"]
+    finer = replace(camera, size=(width * grid, height * grid))
+    random = np.random.default_rng(2).random(finer.size[::-1])
+    before = wall(finer, np.where(random < 0.3, np.inf, np.median(ranges[np.isfinite(ranges)])))
+    channels = (*ALL[:5], "object_id", "face_id")
+    right = drawn(splats, camera, channels, grid, before=before)
+    assert 0.02 < (right["object_id"] == 7).mean() < 0.98
+    check(drawn(splats, camera, channels, grid, before=before, device=device), right)
+
+
+def test_walls_hide_whole_pieces(device: _core.GpuDevice) -> None:
+    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    images = drawn(splats, camera, ("color", "range"), before=wall(camera, 1.0), device=device)
+    assert (images["color"] == [1, 0, 0]).all()
+    assert (images["range"] == 1).all()
+    assert images["stats"]["splats_seen"] == 0 < images["stats"]["splats_in_picture"]
+
+
+def test_masks_and_bare_pictures(device: _core.GpuDevice) -> None:
+    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    mask = np.random.default_rng(0).random(camera.size[::-1]) < 0.6
+    for limits in ({"mask": mask}, {"bare": True}):
+        right = drawn(splats, camera, ALL, **limits)
+        check(drawn(splats, camera, ALL, device=device, **limits), right)
+        assert (right["color"] == 0).all(axis=-1).any()
+
+
+def test_nothing_is_sky(device: _core.GpuDevice) -> None:
+    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    away = nf.Camera.look_at(MIDDLE + (0, 0, 60), MIDDLE + (0, 0, 90), fov=camera.fov, size=camera.size)
+    for views, lens in (([], camera), (splats, away)):
+        got, right = drawn(views, lens, ALL, device=device), drawn(views, lens, ALL)
+        check(got, right, least=1.0)
+        assert (got["coverage"] == 0).all()
+        assert got["stats"] == right["stats"]
+
+
+def test_of_one_depth_the_first_splat_counts(device: _core.GpuDevice) -> None:
+    dark, light = flat(50), flat(200)
+    for order in ([dark, light], [light, dark]):
+        both = drawn(order, STRAIGHT, device=device)
+        np.testing.assert_array_equal(both["albedo"], drawn(order[:1], STRAIGHT)["albedo"])
+    nearer = flat(120, 99)
+    got = drawn([dark, nearer], STRAIGHT, device=device)
+    np.testing.assert_array_equal(got["albedo"], drawn([nearer], STRAIGHT)["albedo"])
+
+
+def test_both_kinds_of_atomic_integers_make_the_same_picture() -> None:
+    splats, _ = cell_of(THREE, size=64)
+    with adapter("vulkan"):
+        device = backends.opened()
+        assert device.uses_long_atomics
+        pictures = []
+        for allowed in (True, False):
+            before = device.allow_long_atomics(allowed)
+            assert device.uses_long_atomics == allowed
+            pictures.append(drawn(splats, LARGE, ALL, device=device))
+            device.allow_long_atomics(before)
+        for name in ALL:
+            assert pictures[0][name].tobytes() == pictures[1][name].tobytes()
+
+
+def test_views_are_sent_once_and_leave_with_their_last_reference(device: _core.GpuDevice) -> None:
+    splats, _ = cell_of(THREE, size=64)
+    own = sum(view.compressed_bytes for view in splats)
+    assert 0 < own < sum(view.bytes for view in splats)
+    _core.gpu_keep_orthoviews(device, splats)
+    kept, sent = _core.gpu_orthoview_bytes(device), device.counters()[2]
+    assert kept >= own
+    _core.gpu_keep_orthoviews(device, splats)
+    assert device.counters()[2] == sent
+    drawn(splats, CAMERAS["perspective"], device=device)
+    # Views before the camera and pieces, but no splats.
+    assert 0 < device.counters()[2] - sent < own
+    del splats
+    _core.gpu_keep_orthoviews(device, [])
+    assert _core.gpu_orthoview_bytes(device) == kept - own
+
+
+@pytest.mark.slow
+def test_pictures_in_several_bands(device: _core.GpuDevice) -> None:
+    """The keys of 4 × 4 samples of as many pixels are more than an adapter holds at a time, or than are used at once."""
+    splats, _ = cell_of(THREE, size=64)
+    camera = replace(CAMERAS["perspective"], size=(1800, 1280))
+    got = drawn(splats, camera, ("color", "coverage"), 4, device=device)
+    right = drawn(splats, camera, ("color", "coverage"), 4)
+    # A sample that shows another splat moves a pixel by a sixteenth.
+    assert (np.abs(got["color"] - right["color"]) < 0.1).mean() > 0.9995
+    assert (got["coverage"] == right["coverage"]).mean() > 0.9995
+    assert got["stats"]["splats_seen"] == right["stats"]["splats_seen"]
+
+
+def test_a_lost_device_is_told(device: _core.GpuDevice) -> None:
+    splats, _ = cell_of(THREE)
+    device.lose()
+    with pytest.raises(nf.DeviceError, match="lost"):
+        drawn(splats, CAMERAS["perspective"], device=device)
+    right = drawn(splats, CAMERAS["perspective"])
+    check(drawn(splats, CAMERAS["perspective"], device=backends.opened()), right)
