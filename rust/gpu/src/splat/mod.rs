@@ -6,7 +6,9 @@
 //! lie behind it are left out.
 
 mod arena;
+mod calls;
 mod draw;
+mod layout;
 mod programs;
 mod room;
 mod uniforms;

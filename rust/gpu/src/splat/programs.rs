@@ -9,6 +9,9 @@ use crate::draw::shading_constants;
 
 const LIGHT: &str = include_str!("../shaders/light.wgsl");
 const SPLAT: &str = include_str!("../shaders/splat.wgsl");
+const WORDS: &str = include_str!("../shaders/splat_words.wgsl");
+const PAGE: &str = include_str!("../shaders/splat_page.wgsl");
+const PAGES: &str = include_str!("../shaders/splat_pages.wgsl");
 const DRAW: &str = include_str!("../shaders/splat_draw.wgsl");
 const KEY_64: &str = include_str!("../shaders/splat_key64.wgsl");
 const KEY_32: &str = include_str!("../shaders/splat_key32.wgsl");
@@ -18,7 +21,7 @@ const RESOLVE: &str = include_str!("../shaders/splat_resolve.wgsl");
 /// A kernel.
 #[derive(Clone, Copy)]
 pub(super) enum Kernel {
-    /// Draws pieces.
+    /// Draws pieces of views that lie in one page.
     Draw,
     /// Takes the farthest order of each tile.
     Tiles,
@@ -32,8 +35,6 @@ pub(super) struct Kernels {
     pub is_parallel: bool,
     /// Atomic integers have 64 bits.
     pub is_long: bool,
-    /// Number of pages in which views lie.
-    pub pages: u32,
 }
 
 impl Kernels {
@@ -48,12 +49,13 @@ impl Kernels {
         let numbers = numbers();
         let key = if self.is_long { KEY_64 } else { KEY_32 };
         let (entry, text) = match kernel {
-            Kernel::Draw => ("splat_draw", [&numbers, SPLAT, key, DRAW].concat()),
+            Kernel::Draw => ("splat_draw", [&numbers, SPLAT, PAGE, WORDS, key, DRAW].concat()),
             Kernel::Tiles => ("splat_tiles", [&numbers, SPLAT, TILES].concat()),
-            Kernel::Resolve => ("splat_resolve", [&numbers, &shading_constants()[..], LIGHT, SPLAT, RESOLVE].concat()),
+            Kernel::Resolve => {
+                ("splat_resolve", [&numbers, &shading_constants()[..], LIGHT, SPLAT, PAGES, WORDS, RESOLVE].concat())
+            }
         };
-        let constants =
-            [("PARALLEL", u32::from(self.is_parallel)), ("LONG", u32::from(self.is_long)), ("PAGES", self.pages)];
+        let constants = [("PARALLEL", u32::from(self.is_parallel)), ("LONG", u32::from(self.is_long))];
         work.run(&Program { text: &[&text], entry, constants: &constants, group: 0 }, resources, groups)
     }
 }

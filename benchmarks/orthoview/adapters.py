@@ -1,0 +1,135 @@
+"""Pictures of a tree on graphics adapters: frame times, splats a second, bytes of views, beside the processor's.
+
+    python -m benchmarks.orthoview.adapters TREE
+
+An eye looks at the middle of the tree. The error of the cut is lowered until its views have as many splats as are
+asked for, 25 million as in the paper. Both ways of atomic integers are measured where an adapter has those of 64 bits.
+Without a GPU the adapters are software on the processor (lavapipe, llvmpipe).
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import best, machine, table
+from benchmarks.orthoview.splats import eye
+from nearfar import _core
+from nearfar._camera.shot import Shot
+from nearfar._render import backend as backends
+
+SIZES = {"640 × 480": ((640, 480),), "2 × 1832 × 1920": ((1832, 1920), (1832, 1920))}
+LEAST = 0.05
+"""Least error of a cut, pixels."""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("tree", type=Path, help="store that nf.orthoview.build wrote")
+    parser.add_argument("--millions", type=float, default=25.0, help="splats of the views")
+    parser.add_argument("--repeat", type=int, default=3)
+    given = parser.parse_args()
+    print(machine(), "\n")
+    tree = nf.orthoview.open(given.tree)
+    camera = eye(tree, 0.1)
+    cut, splats = gathered(tree, camera, given.millions * 1e6)
+    count = sum(view.count for view in splats)
+    print(f"{tree}: {len(cut)} cells, {len(splats)} views, {count / 1e6:.1f} million splats\n")
+    print(sizes(splats))
+    for name, shapes in SIZES.items():
+        cameras = [nf.Camera(camera.position, camera.orientation, fov=of(shape), size=shape) for shape in shapes]
+        for grid in (1, 4):
+            print(frames(f"{name}, {grid} × {grid} samples", splats, cameras, grid, given.repeat))
+
+
+def of(shape: tuple[int, int]) -> nf.Fov:
+    return nf.Fov.symmetric(60, shape[0] / shape[1])
+
+
+def gathered(
+    tree: nf.orthoview.OrthoTree, camera: nf.Camera, wanted: float
+) -> tuple[nf.orthoview.OrthoCut, list[_core.OrthoSplats]]:
+    """A cut whose views have as many splats, or the finest one."""
+    error = 4.0
+    while True:
+        cut = tree.cut(camera, geometry=False, error_px=error)
+        splats = tree._viewer.views.get(cut.keys())
+        if sum(view.count for view in splats) >= wanted or error <= LEAST:
+            return cut, splats
+        error *= 0.8
+
+
+def sizes(splats: Sequence[_core.OrthoSplats]) -> str:
+    """Bytes of views on the processor and on adapters, and of the formats that graphics cards decode."""
+    count, views = sum(view.count for view in splats), len(splats)
+    on_adapters = sum(view.compressed_bytes for view in splats)
+    rows = [
+        ["on the processor", sum(view.bytes for view in splats)],
+        ["on adapters, without loss", on_adapters],
+        ["BC1 colour, BC5 normal, R16 depth of shown pixels alone, with loss", 3.5 * count],
+    ]
+    header = ["views", "MB", "kB a view", "bytes a splat"]
+    return table(
+        "Memory", header, [[name, f"{n / 1e6:.1f}", f"{n / views / 1e3:.1f}", f"{n / count:.2f}"] for name, n in rows]
+    )
+
+
+def frames(
+    title: str, splats: Sequence[_core.OrthoSplats], cameras: Sequence[nf.Camera], grid: int, repeat: int
+) -> str:
+    """Times of the pictures of all cameras."""
+    settings = [Shot(cameras=(camera,), channels=("color",)).settings for camera in cameras]
+
+    def draw(splat: Any) -> list[dict[str, Any]]:
+        return [
+            splat(splats, camera._core, own, origin=(0.0, 0.0, 0.0), grid=grid)
+            for camera, own in zip(cameras, settings, strict=True)
+        ]
+
+    processor = partial(draw, _core.splat_orthoviews)
+    right, rows = processor(), []
+    seen = sum(picture["stats"]["splats_seen"] for picture in right)
+    timing = best(processor, repeat=repeat)
+    rows.append(["processor", "", f"{timing.wall * 1e3:.1f}", f"{seen / timing.wall / 1e6:.1f}", "1", ""])
+    for adapter in nf.gpu.adapters():
+        if not adapter.usable:
+            continue
+        device = backends.opened(adapter.backend)
+        splat = partial(_core.gpu_splat_orthoviews, device)
+        for allowed in (True, False):
+            before = device.allow_long_atomics(allowed)
+            if allowed and not device.uses_long_atomics:
+                continue
+            start = time.perf_counter()
+            pictures = draw(splat)
+            first = time.perf_counter() - start
+            wall = best(partial(draw, splat), repeat=repeat).wall
+            device.allow_long_atomics(before)
+            drawn = sum(picture["stats"]["splats_seen"] for picture in pictures)
+            same = [
+                np.isclose(a["color"], b["color"], atol=2e-3).all(-1).mean()
+                for a, b in zip(pictures, right, strict=True)
+            ]
+            rows.append(
+                [
+                    f"{device.label}, {64 if allowed else 32} bits",
+                    f"{first * 1e3:.0f}",
+                    f"{wall * 1e3:.1f}",
+                    f"{drawn / wall / 1e6:.1f}",
+                    f"{timing.wall / wall:.2f}",
+                    f"{100 * (1 - float(np.mean(same))):.3f} %",
+                ]
+            )
+    header = ["way", "first ms", "ms", "million seen a second", "× the processor", "pixels that differ"]
+    return table(title, header, rows)
+
+
+if __name__ == "__main__":
+    main()

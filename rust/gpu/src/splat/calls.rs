@@ -1,0 +1,91 @@
+//! The calls that draw a picture's pieces: nearest first in a few batches, each page's pieces of a batch by themselves.
+
+use std::ops::Range;
+
+use nearfar_core::orthoview::splat::Piece;
+
+/// Shares of a picture's splats that are drawn before tiles are looked at again, as powers of ½.
+const BATCHES: [u32; 5] = [4, 3, 2, 1, 0];
+
+/// A call for some pieces.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Call {
+    pub pieces: Range<u32>,
+    /// Page in which their views lie.
+    pub page: u32,
+    /// Whether a batch begins with it.
+    pub begins: bool,
+}
+
+/// The calls for pieces that are sorted nearest first, which are sorted by pages within their batches; `page_of` tells
+/// where a view lies.
+pub(super) fn calls(pieces: &mut [Piece], page_of: impl Fn(u32) -> u32) -> Vec<Call> {
+    let mut found = Vec::new();
+    for batch in batches(pieces) {
+        let own = &mut pieces[batch.start as usize..batch.end as usize];
+        own.sort_by_key(|piece| page_of(piece.view));
+        let mut first = batch.start;
+        for group in own.chunk_by(|one, other| page_of(one.view) == page_of(other.view)) {
+            let after = first + group.len() as u32;
+            found.push(Call { pieces: first..after, page: page_of(group[0].view), begins: first == batch.start });
+            first = after;
+        }
+    }
+    found
+}
+
+/// Pieces of which each batch draws a share of the splats; the last one has the rest.
+fn batches(pieces: &[Piece]) -> Vec<Range<u32>> {
+    let total: u64 = pieces.iter().map(|piece| u64::from(piece.count)).sum();
+    let (mut found, mut drawn, mut start) = (Vec::new(), 0, 0);
+    let mut ends = BATCHES.iter().map(|power| total >> power).peekable();
+    for (number, piece) in (1..).zip(pieces) {
+        drawn += u64::from(piece.count);
+        if ends.next_if(|end| drawn >= *end).is_some() {
+            while ends.next_if(|end| drawn >= *end).is_some() {}
+            found.push(start..number);
+            start = number;
+        }
+    }
+    if (start as usize) < pieces.len() {
+        found.push(start..pieces.len() as u32);
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use bytemuck::Zeroable;
+
+    use super::*;
+
+    fn pieces(counts: &[u32]) -> Vec<Piece> {
+        (0..).zip(counts).map(|(view, &count)| Piece { count, view, ..Piece::zeroed() }).collect()
+    }
+
+    #[test]
+    fn batches_have_all_pieces_once_and_grow() {
+        assert_eq!(batches(&pieces(&[64; 32])), [0..2, 2..4, 4..8, 8..16, 16..32]);
+        assert_eq!(batches(&pieces(&[1000, 1, 1])), [0..1, 1..3]);
+        // Pieces of split splats may have no share.
+        assert_eq!(batches(&pieces(&[5, 0, 0])), [0..1, 1..3]);
+        assert_eq!(batches(&pieces(&[0, 0])), [0..1, 1..2]);
+        assert_eq!(batches(&[]), Vec::<Range<u32>>::new());
+    }
+
+    #[test]
+    fn calls_have_one_page_each_and_stay_in_their_batches() {
+        let mut own = pieces(&[64; 32]);
+        let found = calls(&mut own, |view| view % 3 / 2);
+        let all: Vec<u32> = found.iter().flat_map(|call| call.pieces.clone()).collect();
+        assert_eq!(all, (0..32).collect::<Vec<_>>());
+        for call in &found {
+            assert!(call.pieces.clone().all(|n| own[n as usize].view % 3 / 2 == call.page));
+        }
+        let begins: Vec<u32> = found.iter().filter(|call| call.begins).map(|call| call.pieces.start).collect();
+        assert_eq!(begins, [0, 2, 4, 8, 16]);
+        let mut seen: Vec<u32> = own[16..].iter().map(|piece| piece.view).collect();
+        seen.sort_unstable();
+        assert_eq!(seen, (16..32).collect::<Vec<_>>());
+    }
+}

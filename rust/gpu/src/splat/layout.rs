@@ -1,0 +1,101 @@
+//! How a picture is divided into bands, and the words of its output.
+
+use std::ops::Range;
+
+use nearfar_core::base::{Error, Result};
+use nearfar_core::orthoview::splat::{Found, Plan};
+
+use crate::device::Device;
+
+/// Bytes of a sample's key.
+pub(super) const KEY: u64 = 8;
+/// Bytes of the keys of a band, at most.
+const BAND: u64 = 1 << 28;
+/// Place of an image that is not wanted.
+const NONE: u32 = u32::MAX;
+/// Words of a pixel: colours, samples that show what was before, the middle's key.
+const WORDS: [u32; 3] = [4, 2, 2];
+
+/// The bands of a picture and the words of its output.
+pub(super) struct Layout {
+    /// Width and height of the picture, and samples along an axis of a pixel.
+    pub size: [u32; 2],
+    pub grid: u32,
+    /// Rows of pixels of a band.
+    pub rows: u32,
+    /// Which images are found.
+    wanted: [bool; 3],
+}
+
+impl Layout {
+    /// The bands of a plan's picture on a device.
+    pub fn new(device: &Device, plan: &Plan<'_>) -> Result<Self> {
+        let picture = plan.picture();
+        let (grid, size) = (picture.grid, [picture.camera.width, picture.camera.height]);
+        let colored = picture.channels.any_sampled();
+        let wanted = [colored, colored && picture.before.is_some(), picture.channels.any_surface()];
+        let words: u32 = WORDS.iter().zip(wanted).filter(|(_, wanted)| *wanted).map(|(words, _)| words).sum();
+        let row = u64::from(size[0]) * (KEY * u64::from(grid * grid)).max(4 * u64::from(words));
+        let most = BAND.min(device.largest_binding());
+        if row > most {
+            let label = device.report().label();
+            return Err(Error::Device(format!("{label}: a row of {} pixels does not fit; use backend='cpu'", size[0])));
+        }
+        let rows = (most / row).min(u64::from(size[1])) as u32;
+        Ok(Self { size, grid, rows, wanted })
+    }
+
+    /// Rows of pixels of all bands.
+    pub fn bands(&self) -> impl Iterator<Item = Range<u32>> {
+        let (rows, height) = (self.rows, self.size[1]);
+        (0..height).step_by(rows as usize).map(move |first| first..(first + rows).min(height))
+    }
+
+    /// First words of the images of some pixels, and the number of all words.
+    pub fn outputs(&self, pixels: u32) -> ([u32; 3], u32) {
+        let mut next = 0;
+        let place = |n: usize| {
+            let first = next;
+            next += if self.wanted[n] { WORDS[n] * pixels } else { 0 };
+            if self.wanted[n] { first } else { NONE }
+        };
+        ([0, 1, 2].map(place), next)
+    }
+}
+
+/// The images of a picture.
+pub(super) struct Images {
+    colors: Vec<[f32; 4]>,
+    others: Vec<[u32; 2]>,
+    middles: Vec<[u32; 2]>,
+}
+
+impl Images {
+    /// Room for the images.
+    pub fn new(layout: &Layout) -> Self {
+        let pixels = layout.size[0] as usize * layout.size[1] as usize;
+        let room = |n: usize| if layout.wanted[n] { pixels } else { 0 };
+        Self {
+            colors: Vec::with_capacity(room(0)),
+            others: Vec::with_capacity(room(1)),
+            middles: Vec::with_capacity(room(2)),
+        }
+    }
+
+    /// Adds what a band found.
+    pub fn add(&mut self, layout: &Layout, pixels: u32, words: &[u32]) {
+        let ([colors, others, middles], _) = layout.outputs(pixels);
+        let part = |first: u32, n: usize| {
+            let length = if first == NONE { 0 } else { WORDS[n] * pixels };
+            &words[if first == NONE { 0 } else { first } as usize..][..length as usize]
+        };
+        self.colors.extend_from_slice(bytemuck::cast_slice(part(colors, 0)));
+        self.others.extend_from_slice(bytemuck::cast_slice(part(others, 1)));
+        self.middles.extend_from_slice(bytemuck::cast_slice(part(middles, 2)));
+    }
+
+    /// The whole images.
+    pub fn whole(&self) -> Found<'_> {
+        Found { colors: &self.colors, others: &self.others, middles: &self.middles }
+    }
+}
