@@ -12,7 +12,11 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.orthoview.worlds import tokyo_core
+from nearfar.orthoview import _store
+from nearfar.orthoview._cut import Cutter
 from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._viewer import Viewer
 
 SIZE = 256
 """Pixels of a view."""
@@ -101,7 +105,16 @@ class World:
 def opened(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
     """A tree as if it had been built with fewer directions or layers: views do not depend on others."""
     tree = nf.orthoview.open(path)
-    tree._layout = replace(tree._layout, directions=directions_of(directions), layers=layers)
+    whole = tree._layout
+    tree._layout = replace(whole, directions=directions_of(directions), layers=layers)
+    read = _store.cells_of(tree._files, whole, tree.generation, _store.Listed(tree._files, whole))
+
+    def fewer(tier: int, place: Place) -> _store.Cells:
+        cells = read(tier, place)
+        return replace(cells, masks=[mask & np.uint32((1 << directions) - 1) for mask in cells.masks])
+
+    viewer = tree._viewer
+    tree.__dict__["_viewer"] = Viewer(Cutter(tree._layout, fewer), viewer.views, viewer.near)
     return tree
 
 
