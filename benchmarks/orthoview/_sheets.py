@@ -68,16 +68,12 @@ def save_halves(left: Picture, right: Picture, path: Path) -> None:
     save(picture, path)
 
 
-def save_panels(
-    panels: Sequence[tuple[str, Picture]], columns: int, path: Path, *, scale: int = 1, lines: int = 2
-) -> None:
-    """Save pictures of one size in rows, enlarged by a whole number, each below its title of some lines.
-
-    Rows without titles have no space for them.
-    """
+def save_panels(panels: Sequence[tuple[str, Picture]], columns: int, path: Path, *, scale: int = 1) -> None:
+    """Save pictures of one size in rows, enlarged by a whole number, each below its title of some lines or none."""
     height, width = (scale * side for side in panels[0][1].shape[:2])
     rows = [panels[first : first + columns] for first in range(0, len(panels), columns)]
-    tops = [LINE * lines + MARGIN if any(title for title, _ in row) else MARGIN for row in rows]
+    lines = [max(len(title.splitlines()) for title, _ in row) for row in rows]
+    tops = [LINE * count + MARGIN for count in lines]
     whole = Image.new("RGB", (columns * (width + MARGIN) - MARGIN, sum(tops) + height * len(rows)), "white")
     y = 0
     for row, top in zip(rows, tops, strict=True):
@@ -95,7 +91,7 @@ def write(picture: Image.Image, text: str, middle: tuple[int, int]) -> None:
     from PIL import ImageDraw, ImageFont
 
     ImageDraw.Draw(picture).text(
-        middle, text, fill="black", anchor="mm", font=ImageFont.load_default(15), align="center"
+        middle, text.replace("×", "x"), fill="black", anchor="mm", font=ImageFont.load_default(15), align="center"
     )
 
 
