@@ -26,9 +26,12 @@ FOV = nf.Fov.symmetric(60, 4 / 3)
 PICTURE = (640, 480)
 EYE_HEIGHT = 1.7
 GROUND = ("ground", "land")
-"""Names of objects that one stands on."""
+"""Beginnings of the names of objects that one stands on."""
 RING = 48
 """Horizontal directions in which walkers look about."""
+
+LANDSCAPE = 3.0
+"""Greatest geometric error of the landscape, metres."""
 
 Floats = NDArray[np.float64]
 
@@ -72,8 +75,8 @@ class World:
         x, z = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2).T
         start = self.box[0] + np.column_stack([x, np.full(len(x), self.height), z])
         down = nf.cast_rays(self.scene, start, np.tile([0.0, -1.0, 0.0], (len(x), 1)))
-        names = np.array(self.scene.object_names)
-        is_ground = np.isin(names[np.maximum(down.object_id, 0)], GROUND) & np.isfinite(down.t_hit)
+        land = np.array([name.split("_")[0] in GROUND for name in self.scene.object_names])
+        is_ground = land[np.maximum(down.object_id, 0)] & np.isfinite(down.t_hit)
         eyes = start[is_ground] - (down.t_hit[is_ground] - EYE_HEIGHT)[:, None] * np.array([0.0, 1.0, 0.0])
         angle = 2 * np.pi * np.arange(RING) / RING
         ring = np.column_stack([np.cos(angle), np.zeros(RING), np.sin(angle)])
@@ -146,3 +149,13 @@ def forest() -> World:
     """160 m of woods about a trail."""
     whole = nf.datasets.forest()
     return World("forest", whole.query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)
+
+
+def landscape() -> World:
+    """A square kilometre of wooded hills with fields, roads and hamlets, 100 m from the lowest to the highest place."""
+    whole = nf.datasets.world()
+
+    def part(box: Floats) -> nf.Scene:
+        return whole.query(box, detail=LANDSCAPE)
+
+    return World("landscape", part, (-4000.0, 20.0, -4000.0), 1000.0, 120.0, 125.0)
