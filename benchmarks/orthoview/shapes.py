@@ -45,8 +45,6 @@ GRID = 4
 """Samples along each axis of a pixel."""
 NEAR = 0.25
 """Metres by which distances differ at least where they are of two surfaces."""
-ALIKE = 2
-"""Pixels by which depths of a point and of the view differ at most if the view shows the point."""
 FRONT = (0, 0, 1)
 
 Bools = NDArray[np.bool_]
@@ -227,19 +225,12 @@ class Truth:
 
 
 def shown(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Bools:
-    """Whether a view shows world points (H, W, 3): in one of nine pixels its depth is that of the point."""
+    """Whether one view of a leaf shows world points (H, W, 3)."""
     axes, extents = (np.array(values) for values in _core.orthoview_axes(layout.directions[number]))
     extents = extents * leaf.side
-    local = (points - leaf.box.mean(axis=0)) @ axes.T
-    codes = np.pad(views.depths()[number, ..., 0].astype(float), 1)
+    codes = views.depths()[number, ..., 0].astype(float)
     depth = np.where(codes > 0, (codes - 0.5) * extents[2] / layout.steps, np.inf)
-    found = np.isfinite(points).all(axis=-1)
-    place = np.array([1, -1]) * np.nan_to_num(local[..., :2]) / extents[:2] + 0.5
-    x, y = np.moveaxis(np.clip((place * layout.size).astype(int), 0, layout.size - 1), -1, 0)
-    behind = extents[2] / 2 - np.nan_to_num(local[..., 2])
-    near = [np.abs(depth[y + dy, x + dx] - behind) for dy in range(3) for dx in range(3)]
-    is_shown: Bools = found & (np.min(near, axis=0) < ALIKE * extents[:2].max() / layout.size)
-    return is_shown
+    return seen.shown_by(points, axes, extents, leaf.box.mean(axis=0), depth)
 
 
 def of_kernel(leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
