@@ -24,7 +24,7 @@ import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.orthoview import _quality as seen, _shapes, _sheets, _splats
 from benchmarks.orthoview._leaves import Leaf, layout_of
-from benchmarks.orthoview._worlds import World, forest, opened, tokyo
+from benchmarks.orthoview._worlds import World, forest, landscape, opened, tokyo
 from nearfar import _core
 from nearfar._camera.shot import Shot
 from nearfar._scene.srgb import to_linear
@@ -60,7 +60,7 @@ def main() -> None:
     given = parser.parse_args()
     print(machine(), "\n")
     if given.trees is not None:
-        print(of_trees([tokyo(given.tiles), forest()], given.trees))
+        print(of_trees([tokyo(given.tiles), forest(), landscape()], given.trees))
         return
     leaf, layout = tree_and_wall(), layout_of()
     views, number = leaf.views(layout), layout.directions.index(FRONT)
