@@ -1,6 +1,6 @@
 """Holes in pictures of Tokyo from the air: where they lie, why, and what other choices of views leave.
 
-    python -m benchmarks.orthoview.holes --tiles FOLDER --trees FOLDER --out FOLDER
+    python -m benchmarks.orthoview.quality.holes --tiles FOLDER --trees FOLDER --out FOLDER
 
 A hole is a pixel that shows nothing where the truth shows a surface. Its cause is found by looking for the surface in
 the views of the cell in which it lies.

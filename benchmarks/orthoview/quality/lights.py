@@ -1,6 +1,6 @@
 """Other lights: the splats of one cut shaded by three lights, beside the same shading of ray-traced truth.
 
-    python -m benchmarks.orthoview.lights --out FOLDER --trees FOLDER
+    python -m benchmarks.orthoview.quality.lights --out FOLDER --trees FOLDER
 
 Views hold colours without light and normals. So a client that has drawn these of a picture, and its distances, shades
 it by any light, and reads nothing. By day the formula is that of all renderers; at night lamps light the streets,

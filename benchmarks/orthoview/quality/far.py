@@ -1,6 +1,6 @@
 """A far forest, a tree of which covers a few pixels: geometry with many samples beside orthoviews with one.
 
-    python -m benchmarks.orthoview.far --out FOLDER --trees FOLDER
+    python -m benchmarks.orthoview.quality.far --out FOLDER --trees FOLDER
 
 The truth has 16 × 16 samples a pixel. The tree is built once, in some minutes, and kept in --trees.
 """

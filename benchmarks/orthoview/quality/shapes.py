@@ -1,7 +1,7 @@
 """Shapes of splats side by side: a tree before a wall, from 70° beside the direction of the view that has them.
 
-    python -m benchmarks.orthoview.shapes --out FOLDER                   # one view of a cell of 10 m, from the front
-    python -m benchmarks.orthoview.shapes --tiles FOLDER --trees FOLDER  # pictures of trees, with ellipses alone
+    python -m benchmarks.orthoview.quality.shapes --out FOLDER                   # one view of a cell of 10 m
+    python -m benchmarks.orthoview.quality.shapes --tiles FOLDER --trees FOLDER  # trees, with ellipses alone
 
 What the view does not show counts for no shape: shares are of the samples of the picture whose surfaces it shows, PSNR
 and SSIM of pixels all of whose samples show these or the sky.
@@ -22,9 +22,10 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.timing import machine, table
-from benchmarks.orthoview import _quality as seen, _shapes, _sheets, _splats
+from benchmarks.orthoview import _quality as seen, _sheets, _splats
 from benchmarks.orthoview._leaves import Leaf, layout_of
 from benchmarks.orthoview._worlds import World, forest, landscape, opened, tokyo
+from benchmarks.orthoview.quality import _shapes
 from nearfar import _core
 from nearfar._camera.shot import Shot
 from nearfar._scene.srgb import to_linear

@@ -1,6 +1,6 @@
 """Time of a frame of geometry beside that of a tree, by the extent of the world: loaded and drawn first, and once more.
 
-    python -m benchmarks.orthoview.frames TREE --tiles FOLDER --out FOLDER
+    python -m benchmarks.orthoview.quality.frames TREE --tiles FOLDER --out FOLDER
 
 TREE is a store of the whole of Tokyo with geometry, and the folder has its tiles. Worlds end at a square about the eye,
 in which `benchmarks.orthoview.flights growth` counts bytes. Each frame is drawn in a process of its own.
@@ -73,7 +73,16 @@ def main() -> None:
 def in_process(given: argparse.Namespace, side: float, way: str) -> Row:
     """Draw in a process of its own; the reason if it fails."""
     job = json.dumps({"side": side, "way": way})
-    command = [sys.executable, "-m", "benchmarks.orthoview.frames", given.tree, "--tiles", given.tiles, "--one", job]
+    command = [
+        sys.executable,
+        "-m",
+        "benchmarks.orthoview.quality.frames",
+        given.tree,
+        "--tiles",
+        given.tiles,
+        "--one",
+        job,
+    ]
     try:
         process = subprocess.run(command, capture_output=True, text=True, check=False, timeout=LIMIT)
     except subprocess.TimeoutExpired:
