@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,9 @@ SAMPLES = 16
 """Samples of a pixel where colours are compared."""
 SHARE, METRES = 0.02, 1.0
 """Two surfaces are the same if their distances differ by less than this share and this many metres."""
+
+ALIKE = 2
+"""Pixels by which depths of a point and of a view differ at most if the view shows the point."""
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -125,6 +129,28 @@ def differences(truth: NDArray[np.float32], ranges: NDArray[np.float32]) -> tupl
     should, is_there = np.isfinite(truth), np.isfinite(ranges)
     both = should & is_there
     return should & ~is_there, both & (ranges > beyond(truth)), both & (truth > beyond(ranges)), is_there & ~should
+
+
+def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats, depth: NDArray[Any]) -> Bools:
+    """Whether a view shows world points (…, 3): in one of nine pixels its depth is that of the point.
+
+    Parameters
+    ----------
+    points
+        NaN for none.
+    axes, extents, center, depth
+        As of an `OrthoView`: unit vectors to the right, upwards and to the viewer (3, 3), the extents along them, the
+        cell's middle, and metres behind the front, infinite where nothing is.
+    """
+    local = np.nan_to_num((points - center) @ axes.T)
+    size = np.array(depth.shape[::-1])
+    place = ((np.array([1, -1]) * local[..., :2] / extents[:2] + 0.5) * size).astype(int)
+    x, y = np.moveaxis(np.clip(place, 0, size - 1), -1, 0)
+    padded, behind = np.pad(depth, 1, constant_values=np.inf), extents[2] / 2 - local[..., 2]
+    near = [np.abs(padded[y + dy, x + dx] - behind) for dy in range(3) for dx in range(3)]
+    alike = np.min(near, axis=0) < ALIKE * (extents[:2] / size).max()
+    shown: Bools = alike & np.isfinite(points).all(axis=-1)
+    return shown
 
 
 def beyond(ranges: NDArray[np.float32]) -> NDArray[np.float32]:

@@ -17,7 +17,7 @@ SMALL = (292, 219)
 WIDE = (1200, 500)
 GAIN = 3
 """Factor of errors that are shown."""
-MARGIN, TITLE = 4, 22
+MARGIN, TITLE, LINE = 4, 22, 18
 MEGABYTES = (0.5, 1, 2, 5, 10, 20, 50)
 
 Picture = NDArray[np.uint8]
@@ -68,16 +68,39 @@ def save_halves(left: Picture, right: Picture, path: Path) -> None:
     save(picture, path)
 
 
+def save_panels(panels: Sequence[tuple[str, Picture]], columns: int, path: Path, *, scale: int = 1) -> None:
+    """Save pictures of one size in rows, enlarged by a whole number, each below its title of some lines or none."""
+    height, width = (scale * side for side in panels[0][1].shape[:2])
+    rows = [panels[first : first + columns] for first in range(0, len(panels), columns)]
+    lines = [max(len(title.splitlines()) for title, _ in row) for row in rows]
+    tops = [LINE * count + MARGIN for count in lines]
+    whole = Image.new("RGB", (columns * (width + MARGIN) - MARGIN, sum(tops) + height * len(rows)), "white")
+    y = 0
+    for row, top in zip(rows, tops, strict=True):
+        for n, (title, picture) in enumerate(row):
+            x = n * (width + MARGIN)
+            write(whole, title, (x + width // 2, y + top // 2))
+            large = Image.fromarray(picture).resize((width, height), Image.Resampling.NEAREST)
+            whole.paste(large, (x, y + top))
+        y += top + height
+    save(whole, path)
+
+
 def write(picture: Image.Image, text: str, middle: tuple[int, int]) -> None:
-    """Write black text about a point."""
+    """Write black text about a point; the font has no ×."""
     from PIL import ImageDraw, ImageFont
 
-    ImageDraw.Draw(picture).text(middle, text, fill="black", anchor="mm", font=ImageFont.load_default(15))
+    ImageDraw.Draw(picture).text(
+        middle, text.replace("×", "x"), fill="black", anchor="mm", font=ImageFont.load_default(15), align="center"
+    )
 
 
 def save(picture: Image.Image, path: Path) -> None:
-    """Save with a palette, which pictures of few hues do well with."""
+    """Save; a PNG with a palette, which pictures of few hues do well with."""
     path.parent.mkdir(parents=True, exist_ok=True)
+    if path.suffix == ".jpg":
+        picture.save(path, quality=88, optimize=True)
+        return
     picture.quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import trimesh
 from numpy.typing import NDArray
@@ -17,6 +19,50 @@ TURN = 20.0
 
 STEEPEST = 0.2
 """Least cosine between a normal and the view's direction by which a splat is stretched."""
+
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Pixels:
+    """The pixels of a view that show something."""
+
+    middle: Floats
+    """World positions (N, 3), metres."""
+    normal: Floats
+    """Unit normals towards the view's viewer (N, 3)."""
+    color: NDArray[np.uint8]
+    """sRGB without light (N, 3)."""
+    axes: Floats
+    """Unit vectors to the right, upwards and towards the viewer (3, 3)."""
+    sides: Floats
+    """Of a pixel, to the right and upwards (2,), metres."""
+    seen: NDArray[np.bool_]
+    """Which pixels they are (H, W)."""
+
+    def tangents(self, least: float) -> tuple[Floats, Floats]:
+        """Their sides on the tangent planes (N, 3), whose normals have at least some cosine to the viewer."""
+        n = self.normal @ self.axes.T
+        zero, slope = np.zeros(len(n)), -n[:, :2] / np.maximum(n[:, 2:], least)
+        u = np.stack([zero + 1, zero, slope[:, 0]], axis=1) @ self.axes * self.sides[0]
+        v = np.stack([zero, zero + 1, slope[:, 1]], axis=1) @ self.axes * self.sides[1]
+        return u, v
+
+
+def pixels(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Pixels:
+    """The pixels of one view of a leaf."""
+    axes, extents = (np.array(values) for values in _core.orthoview_axes(layout.directions[number]))
+    width, height, deep = extents * leaf.side
+    codes = views.depths()[number, ..., 0]
+    seen = codes > 0
+    place = (np.arange(layout.size) + 0.5) / layout.size - 0.5
+    across, down = (values[seen] for values in np.meshgrid(place, place))
+    behind = (codes[seen] - 0.5) * deep / layout.steps
+    local = np.stack([across * width, -down * height, deep / 2 - behind], axis=1)
+    sides = np.array([width, height]) / layout.size
+    normal = views.vectors()[number][seen].astype(np.float64)
+    return Pixels(leaf.box.mean(axis=0) + local @ axes, normal, views.colors()[number][seen], axes, sides, seen)
 
 
 def camera(leaf: Leaf, direction: tuple[int, int, int], size: int) -> nf.Camera:
@@ -48,34 +94,21 @@ def picture(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) ->
 
 
 def splats(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int, onto: nf.Camera) -> nf.Scene:
-    (right, up, toward), extents = _core.orthoview_axes(layout.directions[number])
-    axes = np.array([right, up, toward])
-    width, height, deep = np.array(extents) * leaf.side
-    codes = views.depths()[number, ..., 0]
-    seen = codes > 0
-    place = (np.arange(layout.size) + 0.5) / layout.size - 0.5
-    across, down = (values[seen] for values in np.meshgrid(place, place))
-    behind = (codes[seen] - 0.5) * deep / layout.steps
-    local = np.stack([across * width, -down * height, deep / 2 - behind], axis=1)
-    is_surfel = _core.orthoview_surfels(views.connected(_codec.CONNECTED))[number, ..., 0][seen]
-    normals = views.vectors()[number][seen].astype(np.float64)
-    n = normals @ axes.T
-    pixel = np.array([width, height]) / layout.size
-    zero, slope = np.zeros(len(n)), -n[:, :2] / np.maximum(n[:, 2:], STEEPEST)
-    u = np.stack([zero + 1, zero, slope[:, 0]], axis=1) @ axes * pixel[0]
-    v = np.stack([zero, zero + 1, slope[:, 1]], axis=1) @ axes * pixel[1]
+    found = pixels(leaf, views, layout, number)
+    is_surfel = _core.orthoview_surfels(views.connected(_codec.CONNECTED))[number, ..., 0][found.seen]
+    u, v = found.tangents(STEEPEST)
     _, along = onto.rays()
-    side = np.cross(along[0, 0], up)
+    side = np.cross(along[0, 0], found.axes[1])
     side /= np.linalg.norm(side)
-    u[~is_surfel], v[~is_surfel] = side * pixel.max(), np.cross(side, along[0, 0]) * pixel.max()
-    center = leaf.box.mean(axis=0) + local @ axes
-    corners = center[:, None] + np.stack([-u - v, u - v, u + v, v - u], axis=1) / 2
-    first = 4 * np.arange(len(center))[:, None, None]
-    rgba = np.column_stack([views.colors()[number][seen], np.full(len(center), 255, np.uint8)])
+    longest = found.sides.max()
+    u[~is_surfel], v[~is_surfel] = side * longest, np.cross(side, along[0, 0]) * longest
+    corners = found.middle[:, None] + np.stack([-u - v, u - v, u + v, v - u], axis=1) / 2
+    first = 4 * np.arange(len(corners))[:, None, None]
+    rgba = np.column_stack([found.color, np.full(len(corners), 255, np.uint8)])
     mesh = trimesh.Trimesh(
         corners.reshape(-1, 3),
         (first + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3),
-        vertex_normals=normals.repeat(4, axis=0),
+        vertex_normals=found.normal.repeat(4, axis=0),
         vertex_colors=rgba.repeat(4, axis=0),
         process=False,
     )

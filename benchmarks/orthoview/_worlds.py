@@ -12,7 +12,11 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.orthoview.worlds import tokyo_core
+from nearfar.orthoview import _store
+from nearfar.orthoview._cut import Cutter
 from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._viewer import Viewer
 
 SIZE = 256
 """Pixels of a view."""
@@ -22,9 +26,12 @@ FOV = nf.Fov.symmetric(60, 4 / 3)
 PICTURE = (640, 480)
 EYE_HEIGHT = 1.7
 GROUND = ("ground", "land")
-"""Names of objects that one stands on."""
+"""Beginnings of the names of objects that one stands on."""
 RING = 48
 """Horizontal directions in which walkers look about."""
+
+LANDSCAPE = 3.0
+"""Greatest geometric error of the landscape, metres."""
 
 Floats = NDArray[np.float64]
 
@@ -68,8 +75,8 @@ class World:
         x, z = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2).T
         start = self.box[0] + np.column_stack([x, np.full(len(x), self.height), z])
         down = nf.cast_rays(self.scene, start, np.tile([0.0, -1.0, 0.0], (len(x), 1)))
-        names = np.array(self.scene.object_names)
-        is_ground = np.isin(names[np.maximum(down.object_id, 0)], GROUND) & np.isfinite(down.t_hit)
+        land = np.array([name.split("_")[0] in GROUND for name in self.scene.object_names])
+        is_ground = land[np.maximum(down.object_id, 0)] & np.isfinite(down.t_hit)
         eyes = start[is_ground] - (down.t_hit[is_ground] - EYE_HEIGHT)[:, None] * np.array([0.0, 1.0, 0.0])
         angle = 2 * np.pi * np.arange(RING) / RING
         ring = np.column_stack([np.cos(angle), np.zeros(RING), np.sin(angle)])
@@ -101,7 +108,16 @@ class World:
 def opened(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
     """A tree as if it had been built with fewer directions or layers: views do not depend on others."""
     tree = nf.orthoview.open(path)
-    tree._layout = replace(tree._layout, directions=directions_of(directions), layers=layers)
+    whole = tree._layout
+    tree._layout = replace(whole, directions=directions_of(directions), layers=layers)
+    read = _store.cells_of(tree._files, whole, tree.generation, _store.Listed(tree._files, whole))
+
+    def fewer(tier: int, place: Place) -> _store.Cells:
+        cells = read(tier, place)
+        return replace(cells, masks=[mask & np.uint32((1 << directions) - 1) for mask in cells.masks])
+
+    viewer = tree._viewer
+    tree.__dict__["_viewer"] = Viewer(Cutter(tree._layout, fewer), viewer.views, viewer.near)
     return tree
 
 
@@ -133,3 +149,13 @@ def forest() -> World:
     """160 m of woods about a trail."""
     whole = nf.datasets.forest()
     return World("forest", whole.query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)
+
+
+def landscape() -> World:
+    """A square kilometre of wooded hills with fields, roads and hamlets, 100 m from the lowest to the highest place."""
+    whole = nf.datasets.world()
+
+    def part(box: Floats) -> nf.Scene:
+        return whole.query(box, detail=LANDSCAPE)
+
+    return World("landscape", part, (-4000.0, 20.0, -4000.0), 1000.0, 120.0, 125.0)

@@ -23,7 +23,7 @@ import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import Quality, Setting, Truth, compared, mean
-from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, opened, tokyo
+from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, landscape, opened, tokyo
 from nearfar.orthoview._directions import directions_of, widest
 
 SETS = (5, 9, 13, 26)
@@ -31,8 +31,8 @@ VIEWS = (2, 3, 5)
 ERRORS = (0.5, 1.0, 2.0, 4.0)
 DIRECTIONS = 9
 """Of tables that do not vary them."""
-PARTS = {"Tokyo": 500.0, "forest": 40.0}
-"""Sides of the parts whose second layers are measured: these take longer to build."""
+PARTS = {"Tokyo": 500.0, "forest": 40.0, "landscape": 250.0}
+"""Worlds, and the sides of the parts whose second layers are measured: these take longer to build."""
 HEADER = [
     "PSNR, dB",
     "SSIM",
@@ -48,12 +48,12 @@ HEADER = [
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("tables", nargs="*", help=f"of {', '.join(TABLES)}; by default all")
-    parser.add_argument("--worlds", nargs="*", default=list(PARTS), help=f"of {', '.join(PARTS)}")
+    parser.add_argument("--worlds", nargs="*", default=["Tokyo", "forest"], help=f"of {', '.join(PARTS)}")
     parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
     parser.add_argument("--trees", type=Path, help="folder for the trees; by default one that is removed")
     parser.add_argument("--out", type=Path, help="folder for plots and pictures")
     given = parser.parse_args()
-    worlds = [world for world in (tokyo(given.tiles), forest()) if world.name in given.worlds]
+    worlds = [world for world in (tokyo(given.tiles), forest(), landscape()) if world.name in given.worlds]
     print(f"{machine()}; pictures of {PICTURE[0]} × {PICTURE[1]} pixels, views of {SIZE}²\n")
     with tempfile.TemporaryDirectory() as folder:
         for name in given.tables or TABLES:
@@ -167,7 +167,8 @@ def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
             camera = replace(cameras[0], size=_sheets.SMALL)
             truth = Truth(world, camera, tree.bounds)
             rows.append([name, truth, [Setting(views).render(tree, camera) for views in VIEWS]])
-    _sheets.save_sheet(rows, [f"{views} of {DIRECTIONS} views" for views in VIEWS], out / "orthoview_pictures.png")
+    name = "pictures" if len(worlds) > 1 else worlds[0].name
+    _sheets.save_sheet(rows, [f"{views} of {DIRECTIONS} views" for views in VIEWS], out / f"orthoview_{name}.png")
 
 
 def wide(worlds: list[World], trees: Path, out: Path | None) -> None:

@@ -1,0 +1,144 @@
+"""Splats of several shapes, drawn by a slow and plain splatter."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.orthoview._splats import Pixels
+from nearfar.orthoview._gaussians import LEAST_COSINE, SUN, lit
+
+BORDER = 1.27
+"""Factor of the size of surfels at the border of a surface, as in `tree.render`."""
+INNER = 9
+"""Pixels of a surfel's surroundings that are connected with it, itself included, where it is not at a border."""
+STEP = 0.01
+"""Share of a splat's sides by which the derivative of the projection is taken."""
+
+Floats = NDArray[np.float64]
+Sides = tuple[Floats, Floats]
+
+
+def circle(pixels: Pixels, camera: nf.Camera) -> Sides:
+    """Discs that face the viewer and bound a pixel."""
+    width = np.hypot(*pixels.sides) / np.sqrt(2)
+    ahead = np.broadcast_to(_ahead(camera), pixels.middle.shape)
+    right = _unit(np.cross(ahead, [0.0, 1.0, 0.0]))
+    return width * right, width * np.cross(right, ahead)
+
+
+def warped_circle(pixels: Pixels, camera: nf.Camera) -> Sides:
+    """Discs of the same radius on the tangent planes."""
+    del camera
+    width = np.hypot(*pixels.sides) / np.sqrt(2)
+    first = _unit(np.cross(pixels.normal, _other(pixels.normal)))
+    return width * first, width * np.cross(pixels.normal, first)
+
+
+def ellipse(pixels: Pixels, camera: nf.Camera) -> Sides:
+    """The pixels on the tangent planes, whose corners lie on the ellipse."""
+    del camera
+    return pixels.tangents(LEAST_COSINE)
+
+
+def mixed(is_surfel: NDArray[np.bool_], is_inner: NDArray[np.bool_]) -> Callable[[Pixels, nf.Camera], Sides]:
+    """Ellipses where pixels are connected, larger ones at borders, and balls elsewhere."""
+
+    def shape(pixels: Pixels, camera: nf.Camera) -> Sides:
+        surfel, inner = (picked[pixels.seen][:, None] for picked in (is_surfel, is_inner))
+        factor = np.where(inner, 1.0, BORDER)
+        pairs = zip(ellipse(pixels, camera), circle(pixels, camera), strict=True)
+        u, v = (np.where(surfel, factor * flat, ball) for flat, ball in pairs)
+        return u, v
+
+    return shape
+
+
+def inner(bits: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Whether all eight neighbours of the pixels (H, W) are connected with them."""
+    right, below, below_right, below_left = (bits >> n & 1 for n in range(4))
+    count = np.zeros(bits.shape, int)
+    for link, (y, x) in ((right, (0, 1)), (below, (1, 0)), (below_right, (1, 1)), (below_left, (1, -1))):
+        count += link
+        count += np.roll(link, (y, x), axis=(0, 1))
+    is_inner: NDArray[np.bool_] = count == INNER - 1
+    return is_inner
+
+
+def drawn(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
+    """The colours (H, W, 3) and depths (H, W) of the nearest splats; infinite depths where there is none."""
+    width, height = camera.size
+    middle = camera.project(pixels.middle)
+    u, v = (_image(camera, pixels.middle, side) for side in sides)
+    normal = np.cross(*sides)
+    plane = (normal * (pixels.middle - np.array(camera.position))).sum(axis=1)
+    half = np.sqrt((u * u + v * v) / 2)
+    determinant = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    _, along = camera.rays()
+    along = along / (along @ _ahead(camera))[..., None]
+    low, high = (np.floor(middle[:, :2] + sign * half).astype(int) for sign in (-1, 1))
+    nearest = np.full(width * height, np.iinfo(np.uint64).max, np.uint64)
+    span = (high - low).max(axis=1)
+    for reach in np.unique(span):
+        some = np.flatnonzero(span == reach)
+        for down in range(reach + 1):
+            for across in range(reach + 1):
+                x, y = low[some, 0] + across, low[some, 1] + down
+                px, py = x + 0.5 - middle[some, 0], y + 0.5 - middle[some, 1]
+                a = (v[some, 1] * px - v[some, 0] * py) / determinant[some]
+                b = (u[some, 0] * py - u[some, 1] * px) / determinant[some]
+                # The sample that holds the middle counts, so that nothing thin vanishes.
+                inside = (a * a + b * b <= 0.5) | ((np.abs(px) <= 0.5) & (np.abs(py) <= 0.5))
+                inside &= (x >= 0) & (x < width) & (y >= 0) & (y < height)
+                splat, x, y = some[inside], x[inside], y[inside]
+                with np.errstate(divide="ignore"):
+                    depth = plane[splat] / (normal[splat] * along[y, x]).sum(axis=1)
+                # A splat that is seen from its edge has no plane that meets the ray nearby.
+                depth = np.where(np.abs(depth - middle[splat, 2]) < _reach(sides, splat), depth, middle[splat, 2])
+                key = depth.astype(np.float32).view(np.uint32).astype(np.uint64) << np.uint64(32)
+                np.minimum.at(nearest, y * width + x, key | splat.astype(np.uint64))
+    shown = nearest < np.iinfo(np.uint64).max
+    depths = np.full(width * height, np.inf)
+    depths[shown] = (nearest[shown] >> np.uint64(32)).astype(np.uint32).view(np.float32)
+    colors = np.zeros((width * height, 3), np.uint8)
+    colors[shown] = _lit(pixels, camera)[(nearest[shown] & np.uint64(0xFFFFFFFF)).astype(np.int64)]
+    return colors.reshape(height, width, 3), depths.reshape(height, width)
+
+
+def _lit(pixels: Pixels, camera: nf.Camera) -> NDArray[np.uint8]:
+    """Colours in the light of all pictures, with normals turned to the viewer."""
+    toward = np.array(camera.position) - pixels.middle
+    side = np.where((pixels.normal * toward).sum(axis=1, keepdims=True) < 0, -1.0, 1.0)
+    return lit(pixels.color, (side * pixels.normal).astype(np.float32), SUN)
+
+
+def _image(camera: nf.Camera, middle: Floats, side: Floats) -> Floats:
+    """A side's image by the derivative of the projection (N, 2), pixels."""
+    ahead, behind = (camera.project(middle + sign * STEP * side)[:, :2] for sign in (1, -1))
+    image: Floats = (ahead - behind) / (2 * STEP)
+    return image
+
+
+def _reach(sides: Sides, splat: NDArray[np.int64]) -> Floats:
+    u, v = (np.linalg.norm(side[splat], axis=1) for side in sides)
+    reach: Floats = u + v
+    return reach
+
+
+def _ahead(camera: nf.Camera) -> Floats:
+    x, y, z, w = camera.orientation
+    return -np.array([2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)])
+
+
+def _other(normals: Floats) -> Floats:
+    """For each vector an axis that is far from it."""
+    axes: Floats = np.eye(3)[np.abs(normals).argmin(axis=1)]
+    return axes
+
+
+def _unit(vectors: Floats) -> Floats:
+    unit: Floats = vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return unit

@@ -1,0 +1,130 @@
+"""A far forest, a tree of which covers a few pixels: geometry with many samples beside orthoviews with one.
+
+    python -m benchmarks.orthoview.quality.far --out FOLDER --trees FOLDER
+
+The truth has 16 × 16 samples a pixel. The tree is built once, in some minutes, and kept in --trees.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+import nearfar as nf
+from benchmarks.harness.timing import best, machine, table
+from benchmarks.orthoview import _sheets
+from benchmarks.orthoview._worlds import FOV, PICTURE, World
+
+TREES, SIDE, CELL = 96_000, 1760.0, 160.0
+"""Trees of the forest; its side and that of leaves, metres."""
+EYE, TARGET = (0.0, 350.0, 1700.0), (0.0, 0.0, 150.0)
+LARGE = (2072, 1554)
+"""Pixels of a picture with one sample for each, which is reduced."""
+TRUTH = 256
+"""Samples of a pixel."""
+PART, CROP, ZOOM = (128, 104, 320, 240), (256, 230, 80, 60), 4
+"""What is shown of the pictures, and what is enlarged: left, top, width and height in pixels."""
+
+Picture = NDArray[np.uint8]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--trees", type=Path, help="folder for the tree; by default one that is removed")
+    parser.add_argument("--out", type=Path, help="folder for the picture")
+    parser.add_argument("--repeat", type=int, default=2)
+    given = parser.parse_args()
+    print(machine(), "\n")
+    whole = nf.datasets.forest(trees=TREES)
+    half = SIDE / 2
+    world = World("far forest", whole.query, (-half, -40.0, -half), SIDE, 120.0, CELL)
+    with tempfile.TemporaryDirectory() as folder:
+        tree = built(world, given.trees or Path(folder))
+        camera = nf.Camera.look_at(EYE, TARGET, fov=FOV, size=PICTURE)
+        clip = nf.Clip(box=tree.bounds)
+        print(f"{world.scene.triangle_count:,} triangles; {tree.held['bytes'] / 1e6:.0f} MB of views\n")
+        truth = nf.render(world.scene, camera, clip=clip, samples=TRUTH, channels=("color",)).to_image()
+        ways = methods(world, tree, camera, clip)
+        rows, panels = [], [("truth, 16 × 16 samples", truth)]
+        for name, draw in ways.items():
+            picture = draw()
+            found = quality(truth, picture)
+            timing = best(draw, repeat=given.repeat)
+            seconds = [f"{timing.wall:.2f}", f"{timing.cpu:.2f}"]
+            rows.append([name, *seconds, f"{found[0]:.1f}", f"{found[1]:.3f}"])
+            if name in SHOWN:
+                panels.append((f"{name}\n{timing.cpu:.2f} CPU s, {found[0]:.1f} dB, SSIM {found[1]:.3f}", picture))
+        print(table("A far forest", ["way", "s", "CPU s", "PSNR, dB", "SSIM"], rows))
+        print(dict(tree.render(camera, channels=("color",)).stats))
+    if given.out is not None:
+        save(panels, given.out / "orthoview_far.jpg")
+
+
+SHOWN = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")
+
+
+def built(world: World, folder: Path) -> nf.orthoview.OrthoTree:
+    """Build the tree, unless the folder has it, without geometry: nothing is near."""
+    path = folder / "far-forest.zarr"
+    return nf.orthoview.build(world.scene, path, cell=CELL, aabb=world.box, size=256, directions=9, geometry=False)
+
+
+def methods(
+    world: World, tree: nf.orthoview.OrthoTree, camera: nf.Camera, clip: nf.Clip
+) -> dict[str, Callable[[], Picture]]:
+    """Ways to draw the picture, by name."""
+
+    def geometry(samples: int) -> Callable[[], Picture]:
+        return lambda: nf.render(
+            world.scene, camera, clip=clip, samples=samples, channels=("color",), backend="cpu"
+        ).to_image()
+
+    def large() -> Picture:
+        frame = nf.render(world.scene, replace(camera, size=LARGE), clip=clip, channels=("color",), backend="cpu")
+        return reduced(frame)
+
+    def orthoviews(samples: int, error: float = 1.0) -> Callable[[], Picture]:
+        return lambda: tree.render(camera, samples=samples, error_px=error, channels=("color",)).to_image()
+
+    return {
+        "geometry, one sample": geometry(1),
+        SHOWN[0]: geometry(16),
+        SHOWN[1]: large,
+        SHOWN[2]: orthoviews(1),
+        "orthoviews, 4 × 4 samples": orthoviews(16),
+        "orthoviews, 4 × 4 samples, half the error": orthoviews(16, 0.5),
+    }
+
+
+def reduced(frame: nf.Frame) -> Picture:
+    """The mean of linear light over each pixel of the smaller picture."""
+    channels = [Image.fromarray(channel) for channel in np.moveaxis(frame.require("color"), -1, 0)]
+    smaller = [np.asarray(channel.resize(PICTURE, Image.Resampling.BOX)) for channel in channels]
+    camera = replace(frame.camera, size=PICTURE)
+    return nf.Frame(camera, color=np.stack(smaller, axis=-1)).to_image()
+
+
+def quality(truth: Picture, picture: Picture) -> tuple[float, float]:
+    """PSNR and SSIM."""
+    return nf.psnr(truth, picture, data_range=255), float(nf.ssim(truth, picture, data_range=255))
+
+
+def save(panels: list[tuple[str, Picture]], path: Path) -> None:
+    """Parts of the pictures, and below them a part of these, enlarged."""
+    x, y, width, height = PART
+    left, top, across, down = CROP
+    parts = [(title, picture[y : y + height, x : x + width]) for title, picture in panels]
+    crops = [picture[top : top + down, left : left + across] for _, picture in panels]
+    enlarged = [("", crop.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)) for crop in crops]
+    _sheets.save_panels([*parts, *enlarged], len(panels), path)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,199 @@
+"""Time of a frame of geometry beside that of a tree, by the extent of the world: loaded and drawn first, and once more.
+
+    python -m benchmarks.orthoview.quality.frames TREE --tiles FOLDER --out FOLDER
+
+TREE is a store of the whole of Tokyo with geometry, and the folder has its tiles. Worlds end at a square about the eye,
+in which `benchmarks.orthoview.flights growth` counts bytes. Each frame is drawn in a process of its own.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import resource
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import best, machine, table
+from benchmarks.orthoview.flights import FOV, PICTURE, START
+from nearfar._camera.shot import Shot
+from nearfar.orthoview._cut import Settings
+from nearfar.orthoview._viewer import Parts
+
+SIDES = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0)
+"""Of worlds, kilometres."""
+WHOLE = 60.0
+"""Side of a square about the eye that holds the whole of Tokyo, whose side is that of the last world."""
+EYES = {"walker": 2.0, "120 m above": 120.0}
+"""Heights, metres."""
+WAYS = ("rays", "rasters", "orthoviews")
+LIMIT = 540
+"""Seconds that a process may take."""
+REPEAT = 3
+
+Row = dict[str, Any]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("tree", help="store of the whole of Tokyo")
+    parser.add_argument("--tiles", required=True, help="folder of its tiles, which nf.write_tiles wrote")
+    parser.add_argument("--out", type=Path, help="folder for the plot")
+    parser.add_argument("--sides", type=float, nargs="*", default=SIDES, help="kilometres")
+    parser.add_argument("--ways", nargs="*", default=WAYS, help=f"of {', '.join(WAYS)}")
+    parser.add_argument("--found", type=Path, help="file of findings, which a later run goes on with")
+    parser.add_argument("--one", help=argparse.SUPPRESS)
+    given = parser.parse_args()
+    if given.one:
+        print(json.dumps(measured(given.tree, given.tiles, json.loads(given.one))))
+        return
+    print(machine(), "\n")
+    kept = given.found is not None and given.found.is_file()
+    rows: list[Row] = json.loads(given.found.read_text()) if kept else []
+    for side in given.sides:
+        for way in given.ways:
+            if not any((row["side"], row["way"]) == (side, way) for row in rows):
+                rows.append({"side": side, "way": way, **in_process(given, side, way)})
+                print(rows[-1], file=sys.stderr, flush=True)
+                if given.found is not None:
+                    given.found.write_text(json.dumps(rows))
+    print(report(rows))
+    if given.out is not None:
+        plot(rows, given.out)
+
+
+def in_process(given: argparse.Namespace, side: float, way: str) -> Row:
+    """Draw in a process of its own; the reason if it fails."""
+    job = json.dumps({"side": side, "way": way})
+    command = [
+        sys.executable,
+        "-m",
+        "benchmarks.orthoview.quality.frames",
+        given.tree,
+        "--tiles",
+        given.tiles,
+        "--one",
+        job,
+    ]
+    try:
+        process = subprocess.run(command, capture_output=True, text=True, check=False, timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        return {"failed": f"not done after {LIMIT} s"}
+    if process.returncode:
+        return {"failed": (process.stderr.strip().splitlines() or [f"ended with {process.returncode}"])[-1]}
+    found: Row = json.loads(process.stdout)
+    return found
+
+
+def measured(tree: str, tiles: str, job: Row) -> Row:
+    """Seconds until the first frame, and of the next ones."""
+    half = 500.0 * (WHOLE if job["side"] == SIDES[-1] else job["side"])
+    began, busy = time.perf_counter(), time.process_time()
+    draws, facts = orthoviews(tree, half) if job["way"] == "orthoviews" else geometry(tiles, half, job["way"])
+    row: Row = facts
+    for name, height in EYES.items():
+        camera = eye(height)
+        draws(camera)
+        if "first" not in row:
+            row["first"] = [time.perf_counter() - began, time.process_time() - busy]
+        timing = best(partial(draws, camera), repeat=REPEAT)
+        row[name] = [timing.wall, timing.cpu]
+    return row | {"memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024}
+
+
+def eye(height: float) -> nf.Camera:
+    """In the middle of the way of `flights growth`."""
+    place = np.array([START[0], height, START[1]])
+    return nf.Camera.look_at(place, np.add(place, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
+
+
+def geometry(tiles: str, half: float, way: str) -> tuple[Callable[[nf.Camera], Any], Row]:
+    """All triangles of the square."""
+    source = nf.open_source(tiles)
+    low, high = source.bounds
+    box = [(START[0] - half, low[1], START[1] - half), (START[0] + half, high[1], START[1] + half)]
+    scene = source.query(box)
+    backend = {"rays": "cpu", "rasters": "gpu"}[way]
+    facts = {"triangles": scene.triangle_count}
+    return lambda camera: nf.render(scene, camera, channels=("color",), backend=backend), facts
+
+
+def orthoviews(path: str, half: float) -> tuple[Callable[[nf.Camera], Any], Row]:
+    """The cells and leaves of the cut whose middles lie in the square."""
+    tree = nf.orthoview.open(path)
+    opened = tree._opened()
+    viewer, grid = opened.viewer, opened.grid
+
+    def within(level: int, place: tuple[int, int, int]) -> bool:
+        middle = grid.box(level, place).mean(axis=0) - [START[0], 0.0, START[1]]
+        return float(np.abs(middle[[0, 2]]).max()) <= half
+
+    def draw(camera: nf.Camera) -> Any:
+        cut = viewer.cutter.whole(camera, Settings())
+        several = cut.keys()
+        keys = [key for key in several if within(*key[:2])]
+        leaves = viewer.cutter.with_guests([leaf for leaf in cut.leaf_places() if within(0, leaf)])
+        parts = Parts(viewer.views.get(keys), viewer.near.scene(leaves), None, {})
+        return viewer.picture(camera, Shot(cameras=(camera,), channels=("color",)), parts)
+
+    return draw, {}
+
+
+def report(rows: list[Row]) -> str:
+    """A row for each world and way."""
+    lines = []
+    for row in rows:
+        name = [f"{row['side']:g}", row["way"]]
+        if "failed" in row:
+            lines.append([*name, "", row["failed"], "", *("" for _ in EYES)])
+            continue
+        triangles = f"{row['triangles']:,}" if "triangles" in row else ""
+        seconds = f"{row['first'][0]:.1f} ({row['first'][1]:.1f})"
+        again = [f"{1e3 * row[name][0]:.0f} ({1e3 * row[name][1]:.0f})" for name in EYES]
+        lines.append([*name, triangles, seconds, f"{row['memory'] / 1e9:.2f}", *again])
+    header = [
+        "side, km",
+        "way",
+        "triangles",
+        "first frame, s (CPU)",
+        "memory, GB",
+        *(f"{name}, ms (CPU)" for name in EYES),
+    ]
+    return table("Frames", header, lines)
+
+
+def plot(rows: list[Row], out: Path) -> None:
+    """Seconds by the world's side, both axes logarithmic."""
+    import matplotlib as mpl
+
+    mpl.use("agg")
+    from matplotlib import pyplot as plt
+
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+    labels = dict(zip(WAYS, ("geometry, rays", "geometry, rasters (software)", "orthoviews"), strict=True))
+    for way, label in labels.items():
+        found = [row for row in rows if row["way"] == way and "failed" not in row]
+        sides = [row["side"] for row in found]
+        left.plot(sides, [row["first"][1] for row in found], "o-", label=label)
+        right.plot(sides, [1e3 * row["120 m above"][1] for row in found], "o-", label=label)
+    for axes, title in ((left, "until the first frame, CPU seconds"), (right, "each frame after it, CPU ms")):
+        axes.set(xscale="log", yscale="log", xlabel="side of the world, km", ylabel=title)
+        axes.set_xticks(SIDES, [f"{side:g}" for side in SIDES])
+        axes.minorticks_off()
+        axes.grid(alpha=0.3)
+    left.legend(fontsize="small")
+    out.mkdir(parents=True, exist_ok=True)
+    figure.savefig(out / "orthoview_frames.png", dpi=110)
+    plt.close(figure)
+
+
+if __name__ == "__main__":
+    main()

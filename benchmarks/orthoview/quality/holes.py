@@ -1,0 +1,241 @@
+"""Holes in pictures of Tokyo from the air: where they lie, why, and what other choices of views leave.
+
+    python -m benchmarks.orthoview.quality.holes --tiles FOLDER --trees FOLDER --out FOLDER
+
+A hole is a pixel that shows nothing where the truth shows a surface. Its cause is found by looking for the surface in
+the views of the cell in which it lies.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.orthoview import _sheets
+from benchmarks.orthoview._quality import SAMPLES, Truth, shown_by
+from benchmarks.orthoview._worlds import World, forest, landscape, opened, tokyo
+from nearfar._camera.shot import Shot
+from nearfar.orthoview._cut import MOST_VIEWS, OrthoCut, Settings
+from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._viewer import Parts
+
+VIEWS, DIRECTIONS = 3, 9
+PLACES = 12
+"""Other places in the air."""
+CAUSES = {
+    "no direction of 26": (120, 0, 140),
+    "no direction of 9": (220, 40, 40),
+    "a view that is not drawn": (255, 150, 0),
+    "a view that is drawn": (30, 90, 230),
+    "geometry, or no cell": (0, 150, 80),
+}
+"""What shows the surface of a hole, and its colour."""
+SURFACES = ("walls", "roofs", "ground")
+FLAT = 0.7
+"""Least upward part of a roof's normal."""
+NUDGE = 0.01
+"""Metres by which points are moved to the viewer, so that those on a cell's side lie in the cell that shows them."""
+
+Bools = NDArray[np.bool_]
+Floats = NDArray[np.float64]
+Choice = Callable[[OrthoCut, Floats, nf.Camera], NDArray[np.int8]]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
+    parser.add_argument("--trees", type=Path, required=True, help="folder for the trees")
+    parser.add_argument("--out", type=Path, help="folder for the picture")
+    parser.add_argument("--worlds", nargs="*", default=["Tokyo", "forest", "landscape"], help="of the choices")
+    given = parser.parse_args()
+    print(machine(), "\n")
+    city = tokyo(given.tiles)
+    tree = opened(city.build(given.trees), DIRECTIONS)
+    all_views = opened(city.build(given.trees), 26)
+    counts = np.zeros((len(CAUSES), len(SURFACES)))
+    surfaces, panels = 0, []
+    for number, camera in enumerate(city.from_air()):
+        truth = nf.render(
+            city.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", "range", "position", "normal")
+        )
+        frame = drawn(tree, camera, nearest)
+        cause, kind = causes(tree, all_views, truth, frame)
+        surfaces += int(np.isfinite(truth.require("range")).sum())
+        for n in range(len(CAUSES)):
+            counts[n] += [((cause == n) & (kind == k)).sum() for k in range(len(SURFACES))]
+        panels.append((f"Tokyo, from the air {number + 1}", colored(truth, cause)))
+    shares = 100 * counts / surfaces
+    rows = [[name, *(f"{x:.2f}" for x in row), f"{row.sum():.2f}"] for name, row in zip(CAUSES, shares, strict=True)]
+    rows.append(["all", *(f"{x:.2f}" for x in shares.sum(axis=0)), f"{shares.sum():.2f}"])
+    print(table("Holes, % of surfaces, by what shows them", ["shown by", *SURFACES, "all"], rows))
+    if given.out is not None:
+        _sheets.save_panels(panels, 2, given.out / "orthoview_holes.png")
+    header = ["directions", "higher by", "holes, %", "at most"]
+    print(table(f"Tokyo from {PLACES} other places, {VIEWS} views", header, elsewhere(city, given.trees)))
+    worlds = [world for world in (city, forest(), landscape()) if world.name in given.worlds]
+    rows = [row for world in worlds for row in of_choices(world, given.trees)]
+    print(table("Choices of views", ["place", "views", "thousand splats", "holes, %", "PSNR, dB", "SSIM"], rows))
+
+
+def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choice, samples: int = 1) -> nf.Frame:
+    """The picture of a tree from chosen views."""
+    viewer, grid = tree._viewer, tree._viewer.cutter.grid
+    cut = viewer.cutter.whole(camera, Settings(views=MOST_VIEWS))
+    middles = np.array([grid.box(level, place).mean(axis=0) for level, place in cells(cut)])
+    keys = [
+        (level, place, int(direction))
+        for (level, place), directions in zip(cells(cut), choose(cut, middles, camera), strict=True)
+        for direction in directions
+        if direction >= 0
+    ]
+    near = viewer.near.scene(viewer.cutter.with_guests(cut.leaf_places()))
+    parts = Parts(viewer.views.get(keys), near, None, {"views": len(keys)})
+    channels = ("color", "range") if samples == 1 else ("color",)
+    images = viewer.picture(camera, Shot(cameras=(camera,), channels=channels, samples=samples), parts)
+    return nf.Frame(camera, **images)
+
+
+def cells(cut: OrthoCut) -> Iterator[tuple[int, Place]]:
+    """Levels and places of a cut's cells."""
+    places: Iterator[Place] = map(tuple, cut.place.tolist())
+    return zip(cut.level.tolist(), places, strict=True)
+
+
+def nearest(cut: OrthoCut, middles: Floats, camera: nf.Camera) -> NDArray[np.int8]:
+    """The views that `tree.render` draws."""
+    del middles, camera
+    return cut.directions[:, :VIEWS]
+
+
+def causes(
+    tree: nf.orthoview.OrthoTree, every: nf.orthoview.OrthoTree, truth: nf.Frame, frame: nf.Frame
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Numbers (H, W) of the causes of holes, −1 elsewhere, and of surfaces."""
+    camera = frame.camera
+    holes = np.isfinite(truth.require("range")) & ~np.isfinite(frame.require("range"))
+    points = truth.require("position")[holes] + np.array(truth.origin)
+    toward = np.array(camera.position) - points
+    points += NUDGE * toward / np.linalg.norm(toward, axis=1, keepdims=True)
+    grid, cut = tree._viewer.cutter.grid, tree.cut(camera, views=VIEWS)
+    found = np.full(len(points), list(CAUSES).index("geometry, or no cell"))
+    for (level, place), directions in zip(cells(cut), cut.directions.tolist(), strict=True):
+        low, high = grid.box(level, place)
+        some = np.flatnonzero(((points >= low) & (points < high)).all(axis=1))
+        if not len(some):
+            continue
+        cause = np.zeros(len(some), int)
+        for direction, steps in enumerate(every.directions):
+            view = every.view(level, place, direction)
+            if view is not None:
+                rank = 3 if direction in directions else 2 if steps in tree.directions else 1
+                axes = np.stack([view.right, view.up, view.toward])
+                shown = shown_by(points[some], axes, view.extents, view.center, view.depth)
+                cause[shown] = np.maximum(cause[shown], rank)
+        found[some] = cause
+    numbers = np.full(holes.shape, -1)
+    numbers[holes] = found
+    up = truth.require("normal")[..., 1]
+    is_ground = truth.require("position")[..., 1] + truth.origin[1] < 0
+    return numbers, np.where(is_ground, 2, np.where(np.nan_to_num(up) > FLAT, 1, 0))
+
+
+def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
+    """A pale picture with the causes of holes."""
+    picture = (128 + truth.to_image() // 2).astype(np.uint8)
+    for n, color in enumerate(CAUSES.values()):
+        picture[cause == n] = color
+    return picture
+
+
+def lifted(degrees: float, views: int = VIEWS, directions: int = DIRECTIONS) -> Choice:
+    """The views that are nearest to the viewer's direction raised by an angle, of a set of the upper half."""
+
+    def choose(cut: OrthoCut, middles: Floats, camera: nf.Camera) -> NDArray[np.int8]:
+        toward = np.array(camera.position) - middles
+        flat = np.linalg.norm(toward[:, [0, 2]], axis=1)
+        angle = np.minimum(np.arctan2(toward[:, 1], flat) + np.radians(degrees), np.pi / 2)
+        raised = np.stack([toward[:, 0] / flat * np.cos(angle), np.sin(angle), toward[:, 2] / flat * np.cos(angle)], 1)
+        units = np.array([steps / np.linalg.norm(steps) for steps in np.array(directions_of(directions))])
+        cosine = np.take_along_axis(raised @ units.T, np.maximum(cut.directions, 0), axis=1)
+        order = np.argsort(np.where(cut.directions >= 0, -cosine, np.inf), axis=1, kind="stable")[:, :views]
+        return np.take_along_axis(cut.directions, order, axis=1)
+
+    return choose
+
+
+def with_top(cut: OrthoCut, middles: Floats, camera: nf.Camera) -> NDArray[np.int8]:
+    """The two nearest views, and that from above."""
+    del middles, camera
+    top = directions_of(DIRECTIONS).index((0, 1, 0))
+    several = []
+    for row in cut.directions.tolist():
+        others = [direction for direction in row if direction != top]
+        several.append([*others[: VIEWS - 1], top] if top in row else others[:VIEWS])
+    return np.array(several, np.int8)
+
+
+def of_choices(world: World, trees: Path) -> list[list[str]]:
+    """Holes and quality by the choice of views."""
+    tree = opened(world.build(trees), DIRECTIONS)
+    rows = []
+    for place, cameras in (("air", world.from_air()), ("ground", world.from_ground())):
+        truths = [Truth(world, camera, tree.bounds) for camera in cameras]
+        for name, choose in CHOICES.items():
+            found = np.mean([measured(tree, truth, choose) for truth in truths], axis=0)
+            numbers = [f"{found[0]:.0f}", f"{found[1]:.2f}", f"{found[2]:.1f}", f"{found[3]:.3f}"]
+            rows.append([f"{world.name}, {place}", name, *numbers])
+            print(rows[-1], file=sys.stderr, flush=True)
+    return rows
+
+
+CHOICES: dict[str, Choice] = {
+    "3 nearest": nearest,
+    **{f"3 nearest to {angle}° higher": lifted(angle) for angle in (10, 20, 30, 45)},
+    "2 nearest, and the top": with_top,
+    **{f"{views} nearest": lifted(0, views) for views in (4, 5, MOST_VIEWS)},
+}
+
+
+def elsewhere(world: World, trees: Path) -> list[list[str]]:
+    """Holes from other places in the air, by directions and by the angle."""
+    draw = np.random.default_rng(0)
+    eyes, targets = (draw.uniform(0, 1, (PLACES, 3)) for _ in range(2))
+    low = world.box[0]
+    eyes = low + eyes * [world.side, 300.0, world.side] + [0.0, 0.3 * world.height, 0.0]
+    targets = low + targets * [world.side, 0.0, world.side]
+    cameras = [world.camera(eye, target) for eye, target in zip(eyes, targets, strict=True)]
+    rows = []
+    for directions in (DIRECTIONS, 13):
+        tree = opened(world.build(trees), directions)
+        truths = [Truth(world, camera, tree.bounds) for camera in cameras]
+        for angle in (0, 20, 30, 45):
+            shares = []
+            for truth in truths:
+                found = drawn(tree, truth.camera, lifted(angle, VIEWS, directions)).require("range")
+                is_there = np.isfinite(truth.range)
+                shares.append(100 * float((is_there & ~np.isfinite(found)).sum() / max(is_there.sum(), 1)))
+            rows.append([str(directions), f"{angle}°", f"{np.mean(shares):.2f}", f"{np.max(shares):.2f}"])
+            print(rows[-1], file=sys.stderr, flush=True)
+    return rows
+
+
+def measured(tree: nf.orthoview.OrthoTree, truth: Truth, choose: Choice) -> list[float]:
+    """Thousands of splats in the picture, holes in percent of the surfaces, PSNR and SSIM."""
+    frame = drawn(tree, truth.camera, choose)
+    is_there = np.isfinite(truth.range)
+    holes = 100 * float((is_there & ~np.isfinite(frame.require("range"))).sum() / is_there.sum())
+    picture, reference = drawn(tree, truth.camera, choose, SAMPLES).to_image(), truth.color.to_image()
+    psnr, ssim = (float(measure(reference, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
+    return [frame.stats["splats_in_picture"] / 1e3, holes, psnr, ssim]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,180 @@
+"""Other lights: the splats of one cut shaded by three lights, beside the same shading of ray-traced truth.
+
+    python -m benchmarks.orthoview.quality.lights --out FOLDER --trees FOLDER
+
+Views hold colours without light and normals. So a client that has drawn these of a picture, and its distances, shades
+it by any light, and reads nothing. By day the formula is that of all renderers; at night lamps light the streets,
+without shadows.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import KDTree
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.orthoview import _sheets
+from benchmarks.orthoview._worlds import World
+from nearfar import _core
+from nearfar.orthoview._gaussians import SUN
+
+BLOCKS, SIDE, CELL = 8, 640.0, 80.0
+"""Of the city; metres."""
+DIRECTIONS = 13
+"""As `directions="auto"` chooses for streets along the axes."""
+EYE, TARGET = (330.0, 120.0, 420.0), (0.0, 0.0, 40.0)
+SIZE = (420, 315)
+GRID = 3
+"""Samples along each axis of a pixel."""
+CHANNELS = ("albedo", "shading_normal", "position")
+HEAD = (0.0, 6.9, 1.85)
+"""Where the light of a lamp is, from its foot, metres."""
+LAMPS, REACH = 12, 60.0
+"""Nearest lamps that light a point, within so many metres."""
+
+Floats = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class Light:
+    """What lights a world: a sky of two colours, a sun, and lamps that stand in it."""
+
+    name: str
+    sky: tuple[tuple[float, float, float], tuple[float, float, float]]
+    """Linear RGB of surfaces that face away from the brightest sky, and towards it."""
+    brightest: tuple[float, float, float]
+    sun: tuple[float, float, float]
+    toward: tuple[float, float, float]
+    background: tuple[tuple[float, float, float], ...]
+    """At the nadir, the horizon and the zenith."""
+    lamp: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """Of a lamp at a distance of 1 m."""
+
+
+UP = (-0.206_284_3, 0.928_279_1, 0.309_426_4)
+LIGHTS = (
+    Light(
+        "day",
+        ((0.130, 0.135, 0.150), (0.380, 0.420, 0.480)),
+        UP,
+        (0.60, 0.56, 0.50),
+        SUN,
+        ((0.24, 0.25, 0.26), (0.66, 0.74, 0.82), (0.16, 0.34, 0.66)),
+    ),
+    Light(
+        "evening",
+        ((0.060, 0.055, 0.075), (0.170, 0.160, 0.210)),
+        UP,
+        (0.95, 0.50, 0.20),
+        (-0.929, 0.279, 0.242),
+        ((0.12, 0.10, 0.12), (0.86, 0.50, 0.30), (0.16, 0.20, 0.42)),
+    ),
+    Light(
+        "night",
+        ((0.006, 0.008, 0.014), (0.018, 0.024, 0.044)),
+        UP,
+        (0.012, 0.014, 0.020),
+        (0.371, 0.743, -0.557),
+        ((0.004, 0.004, 0.006), (0.030, 0.034, 0.052), (0.006, 0.009, 0.022)),
+        (22.0, 14.5, 7.0),
+    ),
+)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--trees", type=Path, help="folder for the tree; by default one that is removed")
+    parser.add_argument("--out", type=Path, help="folder for the picture")
+    given = parser.parse_args()
+    print(machine(), "\n")
+    city, half = nf.datasets.city(blocks=BLOCKS), SIDE / 2
+    world = World("city", city.query, (-half, -4.0, -half), SIDE, 110.0, CELL)
+    heads = lamps(city)
+    fov = nf.Fov.symmetric(50, SIZE[0] / SIZE[1])
+    camera = nf.Camera.look_at(EYE, TARGET, fov=fov, size=(GRID * SIZE[0], GRID * SIZE[1]))
+    with tempfile.TemporaryDirectory() as folder:
+        tree = nf.orthoview.open(world.build(given.trees or Path(folder), DIRECTIONS))
+        truth = nf.render(world.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", *CHANNELS))
+        # A pixel of a view is as wide as one of the picture, not as one of its samples.
+        views = tree.render(camera, error_px=GRID, channels=("color", *CHANNELS))
+        read = tree._viewer.views.read_bytes
+        rows, pictures = [], []
+        for light in LIGHTS:
+            reference = shaded(truth, light, heads)
+            began = time.perf_counter()
+            picture = shaded(views, light, heads)
+            seconds = time.perf_counter() - began
+            psnr, ssim = nf.psnr(reference, picture, data_range=255), nf.ssim(reference, picture, data_range=255)
+            again = tree._viewer.views.read_bytes - read
+            rows.append([light.name, f"{psnr:.1f}", f"{float(ssim):.3f}", f"{again}", f"{1e3 * seconds:.0f}"])
+            pictures.append((reference, picture, f"{light.name}\n{psnr:.1f} dB, SSIM {float(ssim):.3f}"))
+        day = nf.psnr(encoded(truth.require("color")), shaded(truth, LIGHTS[0], heads), data_range=255)
+        print(f"{read / 1e6:.1f} MB of views are read once; {dict(views.stats)}")
+        print(f"the truth by day and the picture of nf.render: {day:.1f} dB\n")
+    print(table("Other lights", ["light", "PSNR, dB", "SSIM", "bytes read", "shaded in, ms"], rows))
+    if given.out is not None:
+        panels = [(f"truth, {light.name}", pictures[n][0]) for n, light in enumerate(LIGHTS)]
+        panels += [(f"orthoviews, {title}", picture) for _, picture, title in pictures]
+        _sheets.save_panels(panels, len(LIGHTS), given.out / "orthoview_lights.jpg")
+
+
+def lamps(city: nf.Scene) -> NDArray[np.float64]:
+    """World positions (N, 3) of the city's lamps."""
+    names = [name for name in city.object_names if name.startswith("lamp_post")]
+    poses = city.with_dynamic(names).poses
+    return np.array([poses[name][:3, :3] @ HEAD + poses[name][:3, 3] for name in names])
+
+
+def shaded(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """The picture of a frame's surfaces in a light, sRGB, a pixel for GRID × GRID samples."""
+    _, rays = frame.camera.rays()
+    linear = background(rays.astype(np.float32), light)
+    normal, position = frame.require("shading_normal"), frame.require("position") + np.array(frame.origin)
+    is_there = np.isfinite(normal).all(axis=-1)
+    n, points = normal[is_there], position[is_there]
+    away, toward = np.array(light.sky, np.float32)
+    share = 0.5 + 0.5 * (n @ np.array(light.brightest, np.float32))[:, None]
+    bright = away + (toward - away) * share
+    bright += np.array(light.sun, np.float32) * np.maximum(n @ np.array(light.toward, np.float32), 0)[:, None]
+    if any(light.lamp):
+        bright += np.array(light.lamp, np.float32) * from_lamps(points, n, heads)[:, None]
+    linear[is_there] = frame.require("albedo")[is_there] * bright
+    return encoded(linear)
+
+
+def from_lamps(points: NDArray[np.float64], normals: Floats, heads: NDArray[np.float64]) -> Floats:
+    """Light of the nearest lamps, which falls with the square of the distance."""
+    distance, lamp = KDTree(heads).query(points, LAMPS, distance_upper_bound=REACH)
+    total = np.zeros(len(points), np.float32)
+    for away, number in zip(distance.T, lamp.T, strict=True):
+        lit = np.isfinite(away)
+        ray = (heads[number[lit]] - points[lit]) / away[lit, None]
+        total[lit] += np.maximum((ray * normals[lit]).sum(axis=1), 0) / (1 + away[lit] ** 2)
+    return total
+
+
+def background(rays: Floats, light: Light) -> Floats:
+    """The sky along rays (H, W, 3), as all renderers have it."""
+    nadir, horizon, zenith = np.array(light.background, np.float32)
+    end = np.where(rays[..., 1:2] < 0, nadir, zenith)
+    sky: Floats = horizon + (end - horizon) * np.sqrt(np.abs(rays[..., 1:2]))
+    return sky
+
+
+def encoded(linear: Floats) -> NDArray[np.uint8]:
+    """The mean of the samples of each pixel as sRGB."""
+    blocks = np.minimum(linear, 1).reshape(SIZE[1], GRID, SIZE[0], GRID, 3)
+    mean = np.ascontiguousarray(blocks.mean(axis=(1, 3)), np.float32)
+    return _core.encode_srgb(mean.ravel()).reshape(mean.shape)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,261 @@
+"""Shapes of splats side by side: a tree before a wall, from 70° beside the direction of the view that has them.
+
+    python -m benchmarks.orthoview.quality.shapes --out FOLDER                   # one view of a cell of 10 m
+    python -m benchmarks.orthoview.quality.shapes --tiles FOLDER --trees FOLDER  # trees, with ellipses alone
+
+What the view does not show counts for no shape: shares are of the samples of the picture whose surfaces it shows, PSNR
+and SSIM of pixels all of whose samples show these or the sky.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+from unittest import mock
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.orthoview import _quality as seen, _sheets, _splats
+from benchmarks.orthoview._leaves import Leaf, layout_of
+from benchmarks.orthoview._worlds import World, forest, landscape, opened, tokyo
+from benchmarks.orthoview.quality import _shapes
+from nearfar import _core
+from nearfar._camera.shot import Shot
+from nearfar._scene.srgb import to_linear
+from nearfar.datasets import _vegetation as vegetation
+from nearfar.datasets._palette import material, materials
+from nearfar.datasets._shapes import quads
+from nearfar.datasets._stage import Stage
+from nearfar.orthoview import _codec
+from nearfar.orthoview._codec import CONNECTED
+from nearfar.orthoview._layout import Layout
+
+SIDE = 10.0
+"""Of the cell, metres."""
+TURN = 70.0
+"""Degrees between the view's direction and the picture's."""
+SIZE = (300, 264)
+GRID = 4
+"""Samples along each axis of a pixel."""
+NEAR = 0.25
+"""Metres by which distances differ at least where they are of two surfaces."""
+FRONT = (0, 0, 1)
+
+Bools = NDArray[np.bool_]
+Floats = NDArray[np.float64]
+Shape = Callable[[_splats.Pixels, nf.Camera], _shapes.Sides]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, help="folder for the picture")
+    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
+    parser.add_argument("--trees", type=Path, help="folder of the trees of benchmarks.orthoview.pictures")
+    given = parser.parse_args()
+    print(machine(), "\n")
+    if given.trees is not None:
+        print(of_trees([tokyo(given.tiles), forest(), landscape()], given.trees))
+        return
+    leaf, layout = tree_and_wall(), layout_of()
+    views, number = leaf.views(layout), layout.directions.index(FRONT)
+    truth = Truth.of(leaf, camera(leaf, layout), views, layout, number)
+    pixels = _splats.pixels(leaf, views, layout, number)
+    rows, panels = [], [(f"truth\nfrom {TURN:g}° beside the view", truth.picture)]
+    for name, shape in shapes(views, number).items():
+        color, depth = _shapes.drawn(pixels, shape(pixels, truth.fine), truth.fine)
+        found = truth.compared(color, depth)
+        rows.append([name, *found.cells()])
+        panels.append((f"{name}\n{found.psnr:.1f} dB, {found.holes:.1f} % holes", found.picture))
+    print(table(f"{len(pixels.middle):,} splats", ["shape", *HEADER], rows))
+    kernel = truth.compared(*of_kernel(leaf, views, number, truth.fine))
+    ours = truth.compared(*_shapes.drawn(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
+    print(f"ours, by the kernel of tree.render: {', '.join(kernel.cells())}")
+    print(f"both pictures of ours: {nf.psnr(kernel.picture, ours.picture, data_range=255):.1f} dB\n")
+    if given.out is not None:
+        _sheets.save_panels(panels, 3, given.out / "orthoview_shapes.png", scale=2)
+
+
+def of_trees(worlds: list[World], trees: Path) -> str:
+    """Pictures from the air by `tree.render`, and with surfels alone, none of them larger at borders."""
+    rows = []
+    for world in worlds:
+        tree = opened(world.build(trees), len(layout_of().directions))
+        shown = [seen.Truth(world, onto, tree.bounds) for onto in world.from_air()]
+        for views in (1, 3):
+            for name, decoded in (("ours", _codec.decoded), ("ellipses", _surfels)):
+                with mock.patch.object(_codec, "decoded", decoded):
+                    found = seen.mean([seen.compared(truth, tree, seen.Setting(views)) for truth in shown])
+                shares = (found.holes, found.through, found.before, found.false)
+                numbers = [f"{found.psnr:.1f}", f"{found.ssim:.3f}", *(f"{100 * share:.2f}" for share in shares)]
+                rows.append([f"{world.name}, air", str(views), name, *numbers])
+                print(rows[-1], file=sys.stderr, flush=True)
+    return table("Pictures of trees", ["place", "views", "splats", *HEADER], rows)
+
+
+def _surfels(*arguments: Any, decoded: Callable[..., Any] = _codec.decoded) -> Any:
+    """Views with all pixels connected."""
+    views, bits = decoded(*arguments)
+    return views, np.full_like(bits, 15)
+
+
+def tree_and_wall() -> Leaf:
+    """A broadleaf before a wall of bricks, on a lawn."""
+    stage, low = Stage(), np.array([-SIDE / 2, 0.0, -SIDE / 2])
+    stage.once(vegetation.broadleaf(3, 4, 3), "tree")
+    stage.once(quads(wall(np.array([-4.8, 0.0, -3.0]), (24, 18), (0.4, 0.4)), bricks(24, 18)), "wall")
+    corners = np.array([[[-4.9, 0.05, 4.9], [4.9, 0.05, 4.9], [4.9, 0.05, -4.9], [-4.9, 0.05, -4.9]]])
+    stage.once(quads(corners, material("lawn")), "ground")
+    x, y, z = low.tolist()
+    return Leaf("tree before a wall", stage.build(), (x, y, z), SIDE)
+
+
+def wall(low: Floats, count: tuple[int, int], side: tuple[float, float]) -> Floats:
+    """Corners (N, 4, 3) of the squares of a wall that faces the viewer."""
+    y, x = (axis.ravel() for axis in np.indices(count[::-1]))
+    steps = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+    flat = (np.stack([x, y], axis=1)[:, None] + steps) * side
+    corners: Floats = low + np.concatenate([flat, np.zeros((*flat.shape[:2], 1))], axis=2)
+    return corners
+
+
+def bricks(columns: int, rows: int) -> NDArray[np.int32]:
+    """Materials of a wall's squares in turn."""
+    y, x = (axis.ravel() for axis in np.indices((rows, columns)))
+    several: NDArray[np.int32] = np.array(materials("brick_red", "stone_pale"), np.int32)[(x + y) % 2]
+    return several
+
+
+def camera(leaf: Leaf, layout: Layout) -> nf.Camera:
+    """From beside the view's direction, where a pixel of the view is as wide as one of the picture."""
+    turn, fov = np.radians(TURN), nf.Fov.symmetric(24, SIZE[0] / SIZE[1])
+    away = leaf.side / layout.size / (2 * fov.right / SIZE[0])
+    middle = leaf.box.mean(axis=0)
+    return nf.Camera.look_at(middle + away * np.array([np.sin(turn), 0.0, np.cos(turn)]), middle, fov=fov, size=SIZE)
+
+
+def shapes(views: _core.OrthoViews, number: int) -> dict[str, Shape]:
+    """The shapes by name."""
+    depth, slope, _ = CONNECTED
+    found: dict[str, Shape] = {
+        "circle": _shapes.circle,
+        "warped circle": _shapes.warped_circle,
+        "ellipse": _shapes.ellipse,
+    }
+    for name, bounds in (("ours, no test of sphericity", (depth, slope, -1.0)), ("ours", CONNECTED)):
+        bits = views.connected(bounds)
+        is_surfel = _core.orthoview_surfels(bits)[number, ..., 0]
+        found[name] = _shapes.mixed(is_surfel, _shapes.inner(bits[number, ..., 0]))
+    return found
+
+
+@dataclass(frozen=True)
+class Findings:
+    """About a picture; shares in percent of the samples whose surfaces the view shows."""
+
+    picture: NDArray[np.uint8]
+    psnr: float
+    ssim: float
+    holes: float
+    too_far: float
+    too_near: float
+    false: float
+    """Samples of the sky that show a splat."""
+
+    def cells(self) -> list[str]:
+        """Cells of a table below `HEADER`."""
+        shares = (self.holes, self.too_far, self.too_near, self.false)
+        return [f"{self.psnr:.1f}", f"{self.ssim:.3f}", *(f"{share:.1f}" for share in shares)]
+
+
+HEADER = ["PSNR, dB", "SSIM", "holes, %", "too far, %", "too near, %", "false, %"]
+
+
+@dataclass(frozen=True)
+class Truth:
+    """The leaf as the camera sees it, with a ray for each sample."""
+
+    fine: nf.Camera
+    """A pixel for each sample."""
+    frame: nf.Frame
+    sky: NDArray[np.float32]
+    shown: Bools
+    """Samples whose surfaces the view shows."""
+
+    @classmethod
+    def of(cls, leaf: Leaf, onto: nf.Camera, views: _core.OrthoViews, layout: Layout, number: int) -> Truth:
+        """Trace it."""
+        fine = replace(onto, size=(GRID * SIZE[0], GRID * SIZE[1]))
+        channels = ("color", "range", "position")
+        frame = nf.render(leaf.scene, fine, clip=nf.Clip(box=leaf.box), channels=channels)
+        points = frame.require("position") + np.array(frame.origin)
+        empty = nf.render(leaf.scene, fine, t_max=1e-6, channels=("color",)).require("color")
+        return cls(fine, frame, empty, shown(points, leaf, views, layout, number))
+
+    @property
+    def picture(self) -> NDArray[np.uint8]:
+        """Of mean samples, sRGB."""
+        return reduced(self.frame.require("color"))
+
+    def compared(self, color: NDArray[np.uint8], depth: Floats) -> Findings:
+        """What differs in a picture of the same samples."""
+        is_there = np.isfinite(depth)
+        linear = to_linear(color / 255.0)
+        picture = reduced(np.where(is_there[..., None], linear, self.sky))
+        _, along = self.fine.rays()
+        middle = along[along.shape[0] // 2, along.shape[1] // 2]
+        truth = self.frame.require("range") * (along @ (middle / np.linalg.norm(middle)))
+        with np.errstate(invalid="ignore"):
+            beyond = depth - truth
+        shares = (~is_there, is_there & (beyond > NEAR), beyond < -NEAR)
+        holes, far, near = (100 * float(share[self.shown].mean()) for share in shares)
+        sky = ~np.isfinite(truth)
+        false = 100 * float((sky & is_there).sum() / self.shown.sum())
+        fair = blocks(self.shown | sky).all(axis=(1, 3))
+        reference = self.picture
+        difference = (reference.astype(float) - picture)[fair]
+        ssim = float(nf.ssim(reference, picture, data_range=255, mask=fair))
+        psnr = float(10 * np.log10(255**2 / (difference**2).mean()))
+        return Findings(picture, psnr, ssim, holes, far, near, false)
+
+
+def shown(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Bools:
+    """Whether one view of a leaf shows world points (H, W, 3)."""
+    axes, extents = (np.array(values) for values in _core.orthoview_axes(layout.directions[number]))
+    extents = extents * leaf.side
+    codes = views.depths()[number, ..., 0].astype(float)
+    depth = np.where(codes > 0, (codes - 0.5) * extents[2] / layout.steps, np.inf)
+    return seen.shown_by(points, axes, extents, leaf.box.mean(axis=0), depth)
+
+
+def of_kernel(leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
+    """The picture of `tree.render`'s kernel, of one view."""
+    splats = _core.OrthoSplats(views, number, views.connected(CONNECTED), (leaf.corner, leaf.side))
+    settings = Shot(cameras=(fine,), channels=("color", "range")).settings
+    images = _core.splat_orthoviews([splats], fine._core, settings, origin=(0.0, 0.0, 0.0), grid=1)
+    _, along = fine.rays()
+    middle = along[along.shape[0] // 2, along.shape[1] // 2]
+    color = _core.encode_srgb(images["color"].ravel()).reshape(images["color"].shape)
+    return color, images["range"] * (along @ middle)
+
+
+def blocks(samples: NDArray[Any]) -> NDArray[Any]:
+    """The samples (H, GRID, W, GRID, …) of pixels."""
+    height, width = samples.shape[:2]
+    return samples.reshape(height // GRID, GRID, width // GRID, GRID, *samples.shape[2:])
+
+
+def reduced(linear: NDArray[Any]) -> NDArray[np.uint8]:
+    """The picture of mean samples, sRGB."""
+    mean = np.ascontiguousarray(blocks(linear).mean(axis=(1, 3)), np.float32)
+    return _core.encode_srgb(mean.ravel()).reshape(mean.shape)
+
+
+if __name__ == "__main__":
+    main()
