@@ -63,7 +63,7 @@ def gathered(
         splats = tree._viewer.views.get(cut.keys())
         if sum(view.count for view in splats) >= wanted or error <= LEAST:
             return cut, splats
-        error *= 0.8
+        error *= 0.93
 
 
 def sizes(splats: Sequence[_core.OrthoSplats]) -> str:
