@@ -20,12 +20,15 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.timing import best, machine, table
+from benchmarks.orthoview._sheets import save_panels
 from benchmarks.orthoview.splats import eye
 from nearfar import _core
 from nearfar._camera.shot import Shot
 from nearfar._render import backend as backends
 
-SIZES = {"640 × 480": ((640, 480),), "2 × 1832 × 1920": ((1832, 1920), (1832, 1920))}
+SIZES = {"640x480": ((640, 480),), "2x1832x1920": ((1832, 1920), (1832, 1920))}
+DIFFERENCE = 2e-3
+"""Difference of linear colours from which pixels count as different."""
 LEAST = 0.05
 """Least error of a cut, pixels."""
 
@@ -35,6 +38,8 @@ def main() -> None:
     parser.add_argument("tree", type=Path, help="store that nf.orthoview.build wrote")
     parser.add_argument("--millions", type=float, default=25.0, help="splats of the views")
     parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--sizes", nargs="*", choices=SIZES, default=list(SIZES), help="sizes of the pictures")
+    parser.add_argument("--picture", type=Path, help="file of both pictures and their differences")
     given = parser.parse_args()
     print(machine(), "\n")
     tree = nf.orthoview.open(given.tree)
@@ -43,8 +48,10 @@ def main() -> None:
     count = sum(view.count for view in splats)
     print(f"{tree}: {len(cut)} cells, {len(splats)} views, {count / 1e6:.1f} million splats\n")
     print(sizes(splats))
-    for name, shapes in SIZES.items():
-        cameras = [nf.Camera(camera.position, camera.orientation, fov=of(shape), size=shape) for shape in shapes]
+    if given.picture is not None:
+        save_pictures(given.picture, tree)
+    for name in given.sizes:
+        cameras = [nf.Camera(camera.position, camera.orientation, fov=of(shape), size=shape) for shape in SIZES[name]]
         for grid in (1, 4):
             print(frames(f"{name}, {grid} × {grid} samples", splats, cameras, grid, given.repeat))
 
@@ -114,7 +121,7 @@ def frames(
             device.allow_long_atomics(before)
             drawn = sum(picture["stats"]["splats_seen"] for picture in pictures)
             same = [
-                np.isclose(a["color"], b["color"], atol=2e-3).all(-1).mean()
+                np.isclose(a["color"], b["color"], atol=DIFFERENCE).all(-1).mean()
                 for a, b in zip(pictures, right, strict=True)
             ]
             rows.append(
@@ -129,6 +136,24 @@ def frames(
             )
     header = ["way", "first ms", "ms", "million seen a second", "× the processor", "pixels that differ"]
     return table(title, header, rows)
+
+
+def save_pictures(path: Path, tree: nf.orthoview.OrthoTree) -> None:
+    """A picture by the processor, by an adapter, and the pixels that differ, white."""
+    camera = eye(tree, 0.1)
+    settings: dict[str, Any] = {"samples": 16, "channels": ("color",), "geometry": False}
+    one, other = (tree.render(camera, **settings, backend=name).require("color") for name in ("cpu", "gpu"))
+    differs = np.abs(one - other).max(axis=-1, keepdims=True) > DIFFERENCE
+    print(f"{100 * differs.mean():.3f} % of the pixels differ by more than {DIFFERENCE}\n")
+    panels = [
+        ("by the processor", one),
+        ("by an adapter", other),
+        ("pixels that differ", np.repeat(differs, 3, axis=-1)),
+    ]
+    codes = [
+        (title, _core.encode_srgb(np.float32(picture).ravel()).reshape(picture.shape)) for title, picture in panels
+    ]
+    save_panels(codes, len(codes), path)
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ def test_adapters_draw_trees(tree: Tree, distance: float, leaves: bool) -> None:
 
 def test_samples_and_limits(tree: Tree) -> None:
     camera = camera_at(tree, 60)
-    settings = {"samples": 9, "t_min": 20.0, "channels": ("color", "range", "coverage")}
+    settings: dict[str, Any] = {"samples": 9, "t_min": 20.0, "channels": ("color", "range", "coverage")}
     check(tree.render(camera, **settings, backend="gpu"), tree.render(camera, **settings, backend="cpu"), 0.97)
 
 
@@ -119,7 +119,7 @@ def test_flights_bring_views_to_the_adapter_before_a_picture_shows_them(
 def test_two_eyes(tree: Tree) -> None:
     camera, eyes = camera_at(tree, 90), {}
     for backend in ("cpu", "gpu"):
-        settings = {"size": (48, 48), "orientation": camera.orientation, "backend": backend}
+        settings: dict[str, Any] = {"size": (48, 48), "orientation": camera.orientation, "backend": backend}
         eyes[backend] = nf.render_eyes(tree, nf.hmd.QUEST_2, camera.position, **settings)
     check(eyes["gpu"].left, eyes["cpu"].left)
     check(eyes["gpu"].right, eyes["cpu"].right)

@@ -12,9 +12,20 @@ import pytest
 import nearfar as nf
 from nearfar import _core
 from nearfar._render import backend as backends
-from tests.orthoview.test_splat_parts import STRAIGHT, THREE, flat, limits_of, wall
 from tests.support.gpu_cases import adapter
-from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, MIDDLE, cell_of, drawn
+from tests.support.splat_cases import (
+    CAMERAS,
+    CHANNELS,
+    LARGE,
+    MIDDLE,
+    STRAIGHT,
+    THREE,
+    cell_of,
+    drawn,
+    flat,
+    limits_of,
+    wall,
+)
 
 WAYS = ("vulkan", "vulkan, 32 bits", "gl")
 """Adapters, and whether they must do without atomic integers of 64 bits."""

@@ -3,37 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
-from nearfar.orthoview._codec import CONNECTED
 from tests.support import printed_by_threads, splat_oracle
-from tests.support.orthoview_cases import CORNER, SIDE
-from tests.support.splat_cases import CAMERAS, CHANNELS, MIDDLE, cell_of, drawn
+from tests.support.splat_cases import (
+    CAMERAS,
+    CHANNELS,
+    MIDDLE,
+    STRAIGHT,
+    THREE,
+    cell_of,
+    drawn,
+    flat,
+    limits_of,
+    wall,
+)
 from tests.support.splat_oracle import Lens
-
-THREE = [(1, 0, 0), (0, 1, 0), (0, 1, 1)]
-
-
-def wall(camera: nf.Camera, range_: NDArray[Any] | float) -> dict[str, Any]:
-    """Images of red geometry at a range from each pixel."""
-    width, height = camera.size
-    near = np.broadcast_to(np.asarray(range_, np.float32), (height, width)).copy()
-    red = np.broadcast_to(np.array([1, 0, 0], np.float32), (height, width, 3)).copy()
-    return {
-        "color": red,
-        "coverage": np.isfinite(near).astype(np.float32),
-        "range": near,
-        "albedo": red * np.float32(0.5),
-        "normal": np.broadcast_to(np.array([0, 0, 1], np.float32), (height, width, 3)).copy(),
-        "object_id": np.full((height, width), 7, np.int32),
-        "face_id": np.full((height, width), 11, np.int64),
-    }
 
 
 @pytest.mark.parametrize("name", ["perspective", "asymmetric", "parallel", "cube face 2"])
@@ -85,22 +74,6 @@ def test_samples_of_geometry_are_samples() -> None:
         drawn(splats, camera, ("color",), 2, wall(camera, 1.0))
 
 
-def flat(color: int, depth: int = 100) -> _core.OrthoSplats:
-    """A view whose pixels have one depth and one colour."""
-    size, direction = 8, (0, 0, 1)
-    views = _core.OrthoViews.from_arrays(
-        [direction],
-        (size, 12, 16),
-        np.full((1, size, size, 3), color, np.uint8),
-        np.full((1, size, size, 1), depth, np.uint16),
-        np.full((1, size, size, 2), 127, np.uint16),
-    )
-    return _core.OrthoSplats(views, 0, views.connected(CONNECTED), ((0.0, 0.0, 0.0), 8.0))
-
-
-STRAIGHT = nf.Camera((4.0, 4.0, 16.0), fov=nf.Orthographic(-4, 4, -4, 4), size=(16, 16))
-
-
 def test_of_one_depth_the_first_splat_counts() -> None:
     dark, light = flat(50), flat(200)
     for order in ([dark, light], [light, dark]):
@@ -120,18 +93,6 @@ def test_of_one_depth_splats_count_before_geometry() -> None:
     np.testing.assert_array_equal(at_once["color"], alone["color"])
     nearer = wall(STRAIGHT, np.nextafter(alone["range"], np.float32(0)))
     assert (drawn(splats, STRAIGHT, ("color", "range"), before=nearer)["color"] == [1, 0, 0]).all()
-
-
-def limits_of(name: str) -> dict[str, Any]:
-    low, high = CORNER + 0.2 * SIDE, CORNER + 0.8 * SIDE
-    limits: dict[str, dict[str, Any]] = {
-        "t_min": {"t_min": 45.0},
-        "t_max": {"t_max": 50.0},
-        "both": {"t_min": 44.0, "t_max": 49.0},
-        "box": {"clip": nf.Clip(box=[low, high])},
-        "planes": {"clip": nf.Clip(planes=[[1, 2, 3, -float(np.dot([1, 2, 3], MIDDLE))]])},
-    }
-    return limits[name]
 
 
 @pytest.mark.parametrize("camera", ["perspective", "parallel"])

@@ -53,6 +53,7 @@ GPU_MODULES: dict[str, set[str]] = {
     "draw": {"device", "upload"},
     "render": {"device", "upload", "draw"},
     "compute": {"device", "draw"},
+    "splat": {"compute", "device", "draw"},
 }
 """Modules in the order of lib.rs. A device stores state by type, so that it depends on none of the modules that define
 it."""

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
@@ -18,6 +19,7 @@ from tests.support.orthoview_oracle import Triple
 from tests.support.splat_oracle import Splat
 
 MIDDLE = CORNER + SIDE / 2
+THREE: list[Triple] = [(1, 0, 0), (0, 1, 0), (0, 1, 1)]
 CHANNELS = ("range", "albedo", "normal")
 WIDE = nf.Fov(-0.5, 0.5, -0.4, 0.4)
 
@@ -87,3 +89,46 @@ CAMERAS |= {
     )
     for face in range(6)
 }
+
+STRAIGHT = nf.Camera((4.0, 4.0, 16.0), fov=nf.Orthographic(-4, 4, -4, 4), size=(16, 16))
+
+
+def wall(camera: nf.Camera, range_: NDArray[Any] | float) -> dict[str, Any]:
+    """Images of red geometry at a range from each pixel."""
+    width, height = camera.size
+    near = np.broadcast_to(np.asarray(range_, np.float32), (height, width)).copy()
+    red = np.broadcast_to(np.array([1, 0, 0], np.float32), (height, width, 3)).copy()
+    return {
+        "color": red,
+        "coverage": np.isfinite(near).astype(np.float32),
+        "range": near,
+        "albedo": red * np.float32(0.5),
+        "normal": np.broadcast_to(np.array([0, 0, 1], np.float32), (height, width, 3)).copy(),
+        "object_id": np.full((height, width), 7, np.int32),
+        "face_id": np.full((height, width), 11, np.int64),
+    }
+
+
+def flat(color: int, depth: int = 100) -> _core.OrthoSplats:
+    """A view whose pixels have one depth and one colour."""
+    size, direction = 8, (0, 0, 1)
+    views = _core.OrthoViews.from_arrays(
+        [direction],
+        (size, 12, 16),
+        np.full((1, size, size, 3), color, np.uint8),
+        np.full((1, size, size, 1), depth, np.uint16),
+        np.full((1, size, size, 2), 127, np.uint16),
+    )
+    return _core.OrthoSplats(views, 0, views.connected(CONNECTED), ((0.0, 0.0, 0.0), 8.0))
+
+
+def limits_of(name: str) -> dict[str, Any]:
+    low, high = CORNER + 0.2 * SIDE, CORNER + 0.8 * SIDE
+    limits: dict[str, dict[str, Any]] = {
+        "t_min": {"t_min": 45.0},
+        "t_max": {"t_max": 50.0},
+        "both": {"t_min": 44.0, "t_max": 49.0},
+        "box": {"clip": nf.Clip(box=[low, high])},
+        "planes": {"clip": nf.Clip(planes=[[1, 2, 3, -float(np.dot([1, 2, 3], MIDDLE))]])},
+    }
+    return limits[name]

@@ -8,11 +8,11 @@ use nearfar_core::orthoview::splat::{Counts, Picture, Plan, Splats};
 use nearfar_core::render::Frame;
 use wgpu::{BindingResource, Buffer};
 
-use super::Views;
 use super::arena::Place;
 use super::calls::{Call, calls};
 use super::layout::{Images, KEY, Layout};
 use super::programs::{Kernel, Kernels};
+use super::residents::Views;
 use super::uniforms::{DrawBlock, Uniforms};
 use crate::compute::memory::{LentBuffer, Results};
 use crate::compute::programs::{ROW, Work, groups};

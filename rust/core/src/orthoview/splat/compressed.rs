@@ -256,7 +256,7 @@ mod tests {
                 let most = (1 << spread.min(bits)) as u64;
                 ((1 << bits) - most) * draw(salt, n, 2) + draw(salt + 1, 64 * n + lane, most)
             };
-            let shown = if n % 3 == 0 { u64::MAX } else { random::bits(1, n, 0) };
+            let shown = if n.is_multiple_of(3) { u64::MAX } else { random::bits(1, n, 0) };
             let texel = |lane: u64| {
                 let depth = value(10, lane, 16).max(1) as u16;
                 let normal = [value(20, lane, 12) as u16, value(30, lane, 12) as u16];
@@ -272,7 +272,7 @@ mod tests {
     fn a_plane_takes_its_heads_alone() {
         // Depths that rise by 12 and fall by 3.5 steps a pixel; all else is alike.
         let texel = |lane: u64| {
-            let depth = 40_000 + 12 * (lane % 8) as i32 + (-28 * (lane / 8) as i32 >> 3);
+            let depth = 40_000 + 12 * (lane % 8) as i32 + ((-28 * (lane / 8) as i32) >> 3);
             Packed::of(depth as u16, [7, 4000], [1, 200, 255])
         };
         let block = (u64::MAX, u64::MAX, u64::MAX, (0..64).map(texel).collect());

@@ -102,8 +102,11 @@ impl<'a> Resolver<'a> {
                 coverage *= share;
             }
             let middle = (x * grid + grid / 2, y * grid + grid / 2);
-            let sample =
-                wanted.any_surface().then(|| self.sample(screen.key(middle.0, middle.1), middle)).unwrap_or_default();
+            let sample = if wanted.any_surface() {
+                self.sample(screen.key(middle.0, middle.1), middle)
+            } else {
+                Sample::default()
+            };
             frame.push(wanted, color, coverage, &sample);
         }
         frame

@@ -1,0 +1,41 @@
+//! Views that stay on a device between pictures.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use nearfar_core::base::Result;
+use nearfar_core::orthoview::splat::{Compressed, Splats};
+use rayon::prelude::*;
+
+use super::arena::{Arena, identity};
+use crate::device::Device;
+
+/// Views that lie on a device.
+#[derive(Default)]
+pub(super) struct Views(Mutex<Arena>);
+
+impl Views {
+    /// The views, which nobody else changes meanwhile.
+    pub fn arena(&self) -> MutexGuard<'_, Arena> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Views that do not lie on the device yet, as words. No lock is held during parallel work.
+    pub fn compressed(&self, views: &[Arc<Splats>]) -> HashMap<usize, Compressed> {
+        let missing = self.arena().missing(views);
+        missing.par_iter().map(|view| (identity(view), view.compressed())).collect()
+    }
+}
+
+/// Brings views to a device before a picture shows them.
+pub fn keep(device: &Device, views: &[Arc<Splats>]) -> Result<()> {
+    device.check()?;
+    let own = device.state::<Views>();
+    let compressed = own.compressed(views);
+    own.arena().keep(device, views, &compressed).map(|_| ())
+}
+
+/// Bytes of the views that lie on a device.
+pub fn kept_bytes(device: &Device) -> u64 {
+    device.state::<Views>().arena().bytes()
+}
