@@ -47,10 +47,11 @@ pub struct Document {
 }
 
 impl Document {
-    /// A document whose name is that of its content.
+    /// A document whose name is that of its content. All of the name is its tag: leaves of a tree have files of one name
+    /// in different folders.
     pub fn named(name: &str, content: Content, media: &str) -> Self {
         let last = name.rsplit('/').next().unwrap_or(name);
-        let tag = format!("\"{last}\"");
+        let tag = format!("\"{name}\"");
         let is_compressible = last.contains('.') && !COMPRESSED.iter().any(|end| name.ends_with(end));
         Document { content, media: media.to_owned(), is_immutable: true, is_compressible, tag }
     }
@@ -126,8 +127,11 @@ mod tests {
         assert_ne!(first.tag, second.tag);
         assert_eq!(first.tag.len(), DIGITS + 2);
         let named = Document::named("files/0123.glb", first.content, "model/gltf-binary");
-        assert_eq!(named.tag, "\"0123.glb\"");
+        assert_eq!(named.tag, "\"files/0123.glb\"");
         assert!(named.is_compressible);
+        let [one, other] =
+            ["0/7.glb", "1/7.glb"].map(|name| Document::named(name, named.content.clone(), "model/gltf-binary"));
+        assert_ne!(one.tag, other.tag);
         // Copies that are packed are kept by their tags, which shards share.
         let shard = Document::named("0/py/depth/c/0/0/0/0/0/0", named.content, "application/octet-stream");
         assert!(!shard.is_compressible);
