@@ -1,4 +1,5 @@
 /** Workers that read views, as functions. */
+import type { Piece } from '../decode/leaf';
 import type { FromReader, ToReader } from '../decode/messages';
 import type { Splats } from '../decode/pack';
 import type { Wanted } from '../decode/reader';
@@ -7,6 +8,7 @@ import type { Layout } from '../store/layout';
 
 export interface Listener {
   view(id: number, layers: readonly Splats[]): void;
+  leaf(id: number, pieces: readonly Piece[]): void;
   failed(id: number, failure: Failure): void;
   cancelled(id: number): void;
   received(bytes: number): void;
@@ -27,6 +29,10 @@ export function startReaders(script: URL, count: number, base: URL, layout: Layo
         case 'view':
           ids.delete(data.id);
           listener.view(data.id, data.layers);
+          break;
+        case 'leaf':
+          ids.delete(data.id);
+          listener.leaf(data.id, data.pieces);
           break;
         case 'failed':
           ids.delete(data.id);
