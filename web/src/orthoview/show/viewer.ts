@@ -325,12 +325,15 @@ export class Viewer {
     };
   }
 
-  /** Ask for what is missing: views of coarse cells first, then geometry and views, the nearest ones first. */
+  /** Ask for what is missing: coarse cells of the picture first, then the cut, the nearest first, and the other ones. */
   #want(): void {
     const wanted = new Map<string, Wanted>();
-    for (const cut of [this.#base, this.#cut]) {
+    const coarse = (isInPicture: boolean): Cut | null =>
+      this.#base && { ...this.#base, cells: this.#base.cells.filter((cell) => cell.isInPicture === isInPicture) };
+    for (const cut of [coarse(true), this.#cut, coarse(false)]) {
       if (!cut) continue;
       const { coming, missing } = this.#choose(cut);
+      // Leaves have few bytes, and take the most of the picture.
       const leaves = coming.map((place) => ({ level: 0, place, direction: GEOMETRY }));
       for (const { level, place, direction } of [...leaves, ...missing]) {
         const name = `${nameOf(level, place)}/${direction}`;
