@@ -52,7 +52,7 @@ def main() -> None:
     parser.add_argument("--error", type=float, default=3.0, help="error_px of the page's cuts")
     parser.add_argument("--splat-error", type=float, default=12.0, help="error_px of Spark's cuts")
     parser.add_argument("--height", type=float, default=120.0, help="metres above the bottom of the tree")
-    parser.add_argument("--speed", type=float, default=50.0, help="metres a second")
+    parser.add_argument("--speed", type=float, help="metres a second; a twentieth of the world in all by default")
     parser.add_argument("--seconds", type=float, default=30.0)
     parser.add_argument("--mbps", type=float, default=20.0, help="link of the flight")
     parser.add_argument("--viewers", nargs="+", default=list(CLIENTS), choices=list(CLIENTS))
@@ -65,7 +65,8 @@ def main() -> None:
         folder = given.work or Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
         tree = nf.orthoview.open(given.store) if given.store else city(folder)
-        way = Way(tree, given.height, given.speed, given.seconds, given.error, given.splat_error)
+        speed = given.speed or float(np.ptp(tree.bounds[:, 0])) / 20 / given.seconds
+        way = Way(tree, given.height, speed, given.seconds, given.error, given.splat_error)
         folders = prepare(way, folder)
         gate = Gate()
         counted = frozenset({"store", "splats"})

@@ -17,6 +17,7 @@ from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import opened, started, wait_until
 from tests.support.flown_page import SIZE, Pose, facts, flown, holes, likeness, link, picture, problems, rendered, seen
+from tests.support.range_server import served
 
 pytestmark = pytest.mark.slow
 
@@ -86,10 +87,14 @@ def test_pictures_are_those_of_render_with_geometry(
 
 def test_textures_and_colours_are_drawn(chromium: Any, tmp_path: Path) -> None:
     tree = nf.orthoview.build(textured(), tmp_path / "textured.zarr", cell=8, size=16, directions=5)
-    with Server.of_bundle(tree.path) as server, opened(chromium, *SIZE) as page:
-        flown(page, f"{server.url}{link(WALL)}")
+    nf.view.write_page(tree.path)
+    with served(Path(tree.path)) as server, opened(chromium, *SIZE) as page:
+        told = flown(page, f"{server.url}index.html{link(WALL)}")
         found = picture(page)
         assert problems(page) == []
+    # Leaves share it, and the server says nothing of caches.
+    assert told["leaves"] >= 2
+    assert [count for (_, name, _), count in server.answers.items() if "images/" in name] == [1]
     frame = rendered(tree, WALL, geometry=True)
     assert frame.stats["views"] == 0
     off = np.abs(frame.to_image().astype(int) - found).max(axis=-1)

@@ -31,8 +31,45 @@ export interface Piece {
 const MOST_BYTES = 2 ** 28;
 const PICTURE = /^(?:\.\.\/)+(images\/([0-9a-f]{16}\.webp))$/;
 
+/** Bytes of textures that are kept: leaves share them. */
+const KEPT = 1 << 25;
+
+/** Reads textures once, as long as not too many others were read since. */
+export class Textures {
+  readonly #kept = new Map<string, Promise<Bytes>>();
+  #bytes = 0;
+
+  constructor(readonly files: Files) {}
+
+  read(path: string, version: string): Promise<Bytes> {
+    const found = this.#kept.get(path);
+    if (found) return found;
+    // Other leaves may wait for the same texture: it is read even if nobody wants this leaf any more.
+    const content = contentOf(this.files, path, version, undefined, undefined);
+    this.#kept.set(path, content);
+    content.then(
+      ({ length }) => this.#trim(length),
+      () => this.#kept.delete(path),
+    );
+    return content;
+  }
+
+  /** Forget all when they are too many: they are read again, mostly from the browser's cache. */
+  #trim(more: number): void {
+    this.#bytes += more;
+    if (this.#bytes <= KEPT) return;
+    this.#kept.clear();
+    this.#bytes = 0;
+  }
+}
+
 /** The pieces of the files of a leaf. */
-export async function readLeaf(files: Files, listed: readonly Shard[], signal: AbortSignal): Promise<Piece[]> {
+export async function readLeaf(
+  files: Files,
+  textures: Textures,
+  listed: readonly Shard[],
+  signal: AbortSignal,
+): Promise<Piece[]> {
   const parts = await Promise.all(
     listed.map(async ([path, size, version]) => {
       // As a part, so that no server packs again what is packed.
@@ -40,7 +77,7 @@ export async function readLeaf(files: Files, listed: readonly Shard[], signal: A
       const digest = await sha256(bytes);
       if (bytes.length !== size || (digest !== null && !digest.startsWith(version)))
         throw damaged(path, 'it is not the file that the record lists');
-      return piecesOf(files, path, bytes, signal);
+      return piecesOf(textures, path, bytes, signal);
     }),
   );
   return parts.flat();
@@ -66,14 +103,14 @@ async function contentOf(
   path: string,
   version: string,
   part: readonly [number, number] | undefined,
-  signal: AbortSignal,
+  signal: AbortSignal | undefined,
 ): Promise<Bytes> {
   const found = await files.read({ path, version, signal, ...(part ? { part } : {}) });
   if (!found) throw new StoreError('gone', `${path}: the file is gone`);
   return found.bytes;
 }
 
-async function piecesOf(files: Files, path: string, bytes: Bytes, signal: AbortSignal): Promise<Piece[]> {
+async function piecesOf(textures: Textures, path: string, bytes: Bytes, signal: AbortSignal): Promise<Piece[]> {
   try {
     const opened = openGlb(bytes, new Map(), MOST_BYTES);
     const [glb, pictures] = [withNames(opened), picturesOf(opened)];
@@ -90,7 +127,7 @@ async function piecesOf(files: Files, path: string, bytes: Bytes, signal: AbortS
       if (name === null) return null;
       const place = pictures.get(name.slice(FOLDER.length));
       // Its name is a hash of what it shows.
-      return pictureOf(name, await contentOf(files, folder + place, name.slice(FOLDER.length, -5), undefined, signal));
+      return pictureOf(name, await textures.read(folder + place, name.slice(FOLDER.length, -5)));
     };
     const pieces: Piece[] = [];
     for (const [mesh, rows] of byMesh) {

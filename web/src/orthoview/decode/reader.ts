@@ -5,7 +5,7 @@ import { createFiles } from '../store/files';
 import { arrayOf, BEHIND, CHANNELS, type Layout, overlay, type Triple } from '../store/layout';
 import type { Shard } from '../store/records';
 import { registerCodecs } from './codecs';
-import { type Piece, readLeaf } from './leaf';
+import { type Piece, readLeaf, Textures } from './leaf';
 import { pack, type Splats } from './pack';
 import { Shards } from './shards';
 
@@ -32,6 +32,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
   const known = new Map<string, { size: number; version: string }>();
   const files = createFiles(base, receive);
   const store = new Shards(files, layout, known);
+  const textures = new Textures(files);
   const root = zarr.root(store);
   const arrays = new Map<string, Promise<zarr.Array<zarr.DataType>>>();
 
@@ -54,7 +55,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
   }
 
   return {
-    leaf: ({ shards }, signal) => readLeaf(files, shards, signal),
+    leaf: ({ shards }, signal) => readLeaf(files, textures, shards, signal),
     async read({ level, place, direction, generation, shards }, signal) {
       for (const [path, size, version] of shards) known.set(path, { size, version });
       const folder = overlay(generation);

@@ -325,7 +325,7 @@ export class Viewer {
     };
   }
 
-  /** Ask for what is missing: coarse cells of the picture first, then the cut, the nearest first, and the other ones. */
+  /** Ask for what is missing: coarse cells of the picture, then the cut, the nearest first, then other coarse cells. */
   #want(): void {
     const wanted = new Map<string, Wanted>();
     const coarse = (isInPicture: boolean): Cut | null =>
