@@ -14,29 +14,20 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.srgb import to_srgb
 from nearfar.serve._server import Server
 from tests.support import need
-from tests.support.browser import canvas, opened, started, wait_until
-from tests.support.page_pictures import camera
+from tests.support.browser import opened, started, wait_until
+from tests.support.flown_page import SIZE, Pose, facts, flown, holes, likeness, link, picture, problems, rendered, seen
 from tests.support.range_server import RangeHandler
 
 pytestmark = pytest.mark.slow
 
-Pose = dict[str, Any]
-
-SIZE = (240, 160)
-ANGLE = 60.0
 AIR: Pose = {"position": [0.0, 45.0, 110.0], "yaw": 0.0, "pitch": -0.4}
 STREET = {"position": [20.0, 3.0, 22.0], "yaw": 0.7, "pitch": 0.0}
 FAR = {"position": [0.0, 300.0, 900.0], "yaw": 0.0, "pitch": -0.3}
 CORNER = {"position": [-55.0, 30.0, -55.0], "yaw": -2.4, "pitch": -0.5}
-
-FACTS = "() => window.orthoview && ({ ...window.orthoview.facts })"
-PROBLEMS = "() => [...document.querySelectorAll('#message li')].map((each) => each.textContent)"
 
 
 @pytest.fixture(scope="module")
@@ -63,50 +54,6 @@ def copied(city: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
     shutil.copytree(city.path, path)
     nf.view.write_page(path)
     return path
-
-
-def link(pose: Pose) -> str:
-    return f"#p={','.join(map(str, pose['position']))}&yaw={pose['yaw']}&pitch={pose['pitch']}"
-
-
-def facts(page: Any) -> dict[str, Any]:
-    return dict(page.evaluate(FACTS) or {"isComplete": False})
-
-
-def flown(page: Any, address: str) -> dict[str, Any]:
-    """Open the page, and wait until all views have come or failed."""
-    page.goto(address)
-    wait_until(page, lambda: facts(page)["isComplete"])
-    return facts(page)
-
-
-def picture(page: Any) -> NDArray[np.uint8]:
-    """The picture without what lies above it."""
-    page.evaluate("() => { document.querySelector('main').style.display = 'none'; }")
-    page.wait_for_timeout(300)
-    return canvas(page)
-
-
-def rendered(tree: nf.orthoview.OrthoTree, pose: Pose, samples: int = 1) -> nf.Frame:
-    own = camera(pose["position"], pose["yaw"], pose["pitch"], SIZE, ANGLE)
-    return tree.render(own, geometry=False, samples=samples, channels=("color", "coverage"))
-
-
-def likeness(found: NDArray[np.uint8], frame: nf.Frame) -> float:
-    """Structural similarity of the mean of the colours."""
-    return float(nf.ssim(frame.to_image().mean(axis=-1), found.mean(axis=-1), data_range=255))
-
-
-def holes(found: NDArray[np.uint8], frame: nf.Frame) -> float:
-    """Share of the pixels that Python covers in which the page shows the sky."""
-    height = frame.camera.rays()[1][..., 1:2]
-    end = np.where(height < 0, [0.24, 0.25, 0.26], [0.16, 0.34, 0.66])
-    horizon = np.array([0.66, 0.74, 0.82])
-    sky = to_srgb(horizon + (end - horizon) * np.sqrt(np.abs(height))) * 255
-    is_sky = np.abs(sky - found).max(axis=-1) < 2
-    covered = frame.require("coverage") == 1
-    assert is_sky[~covered].mean() > 0.5
-    return float(is_sky[covered].mean())
 
 
 @pytest.mark.parametrize(
@@ -182,10 +129,6 @@ def go(page: Any, pose: Pose) -> None:
     page.evaluate("(pose) => window.orthoview.setPose(pose)", pose)
 
 
-def problems(page: Any) -> list[str]:
-    return list(page.evaluate(PROBLEMS))
-
-
 @pytest.mark.parametrize("failure", ["away", 500])
 def test_the_old_picture_stays_when_the_server_fails(
     chromium: Any, city: nf.orthoview.OrthoTree, copied: Path, failure: str | int
@@ -220,8 +163,9 @@ def test_damage_is_told_once_and_a_coarser_picture_stays(
     chromium: Any, city: nf.orthoview.OrthoTree, copied: Path, damage: str
 ) -> None:
     own = nf.orthoview.open(copied)
-    seen = camera(AIR["position"], AIR["yaw"], AIR["pitch"], SIZE, ANGLE)
-    level, place, direction = next(key for key in own.cut(seen, geometry=False).keys(in_picture=True) if key[0] == 0)
+    level, place, direction = next(
+        key for key in own.cut(seen(AIR), geometry=False).keys(in_picture=True) if key[0] == 0
+    )
     array = own._layout.array(level, direction, "depth")
     (chunk,) = own._chunks._found([(level, place, array)])
     assert chunk is not None

@@ -115,6 +115,7 @@ def check(tree: nf.orthoview.OrthoTree, folder: Path, url: str, count: int) -> N
     keys = sorted({key for cut in cuts for key in cut.keys()})[:: max(count // 40, 1)]  # noqa: SIM118 - no mapping
     cases = cases_of(tree, some)
     assert len({cell[0] for case in cases for cell in case["cells"]}) >= tree.levels - 1
+    assert sum(len(case["files"]) > len(case["leaves"]) > 0 for case in cases) >= len(cases) // 8
     layers = in_node(folder, url, cases, keys)
     assert len(layers) == len(keys) > 20
     for key, found in zip(keys, layers, strict=True):

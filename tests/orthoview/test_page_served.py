@@ -29,11 +29,17 @@ def test_all_files_that_the_page_reads_are_served(copied: Path) -> None:
     patterns = ("zarr.json", "nearfar/records.json", "nearfar/done/*.json", "nearfar/generations/1/generation.json")
     documents = [path for pattern in patterns for path in copied.glob(pattern)]
     assert len(documents) > len(patterns)
+    leaves = [path for path in copied.rglob("*.glb") if path.stat().st_size > 0]
+    assert len(leaves) > 3
     with Server.of_bundle(copied) as server:
         for path in (*documents, *shards):
             name = path.relative_to(copied).as_posix()
             # Packed copies are of the file itself, although all shards have the same last name.
             assert asked(server.url + name, **{"Accept-Encoding": "gzip"}) == (200, path.read_bytes())
+        for path in leaves:
+            # As the page asks for them.
+            part = f"bytes=0-{path.stat().st_size - 1}"
+            assert asked(server.url + path.relative_to(copied).as_posix(), Range=part) == (206, path.read_bytes())
         name = shards[0].relative_to(copied).as_posix()
         assert asked(f"{server.url}{name}?v=1", Range="bytes=3-9") == (206, shards[0].read_bytes()[3:10])
         for name, content in tree_page().items():

@@ -7,11 +7,10 @@ import { startOf } from '../src/orthoview/controls/start';
 import { Cells, shapesOf } from '../src/orthoview/cut/cells';
 import type { Cut } from '../src/orthoview/cut/cut';
 import { crc32c, statedSize, unpacked } from '../src/orthoview/decode/codecs';
-import type { Splats } from '../src/orthoview/decode/pack';
 import { xxh64 } from '../src/orthoview/decode/xxh64';
 import { Queue } from '../src/orthoview/show/queue';
 import { Resident } from '../src/orthoview/show/resident';
-import { choose } from '../src/orthoview/show/stand_in';
+import { choose, type Near } from '../src/orthoview/show/stand_in';
 import type { Failure } from '../src/orthoview/store/error';
 import { type Layout, parseLayout, type Triple } from '../src/orthoview/store/layout';
 
@@ -53,6 +52,8 @@ function cellsOf(layout: Layout, empty: readonly string[] = []): Cells {
     masks,
     generations: shapes.map((count) => new Uint16Array(count)),
     shards: [],
+    geometry: [],
+    guests: new Map([['0/0/0/0', [[0, 0, 1] as const]]]),
   });
   return cells;
 }
@@ -65,20 +66,33 @@ function cutOf(...cells: readonly (readonly [number, Triple, readonly number[]])
     distance,
     isInPicture: true,
   }));
-  return { cells: drawn, reach: 1, unknown: [] };
+  return { cells: drawn, leaves: [], reach: 1, unknown: [] };
+}
+
+/** A cut whose cells are all to be drawn as geometry. */
+function nearOf(...cells: readonly (readonly [number, Triple, readonly number[]])[]): Cut {
+  const { cells: leaves, ...cut } = cutOf(...cells);
+  return { ...cut, cells: [], leaves };
 }
 
 const ROOT = '2/0/0/0';
 const NONE: Readonly<Record<string, readonly number[]>> = {};
 
-function chosen(cut: Cut, there: Readonly<Record<string, readonly number[]>>, cells = cellsOf(LAYOUT)) {
-  const { shown, missing, holes } = choose(cut, cells, (level, place) => there[[level, ...place].join('/')] ?? [], 2);
+function chosen(
+  cut: Cut,
+  there: Readonly<Record<string, readonly number[]>>,
+  cells = cellsOf(LAYOUT),
+  near: Near = () => 'coming',
+) {
+  const views = (level: number, place: Triple): readonly number[] => there[[level, ...place].join('/')] ?? [];
+  const { shown, missing, holes, ...leaves } = choose(cut, cells, views, 2, near);
   const name = ({ level, place, direction }: { level: number; place: Triple; direction: number }): string =>
     `${[level, ...place].join('/')}:${direction}`;
   return {
     shown: shown.map((each) => name(each) + (each.box ? ` in ${[each.box.level, ...each.box.place].join('/')}` : '')),
     missing: missing.map(name),
     holes,
+    ...(cut.leaves.length > 0 ? leaves : {}),
   };
 }
 
@@ -98,6 +112,32 @@ test('a cell above stands in within the box of the cell that is missing', () => 
   // The cell between has one of two views: the one above it has no holes.
   assert.deepEqual(found.shown, [`${ROOT}:0 in 0/3/2/1`, `${ROOT}:1 in 0/3/2/1`, '0/0/0/0:0', '0/0/0/0:1']);
   assert.deepEqual(found.missing, ['0/3/2/1:0', '0/3/2/1:1']);
+});
+
+test('views stand in for a leaf until its geometry and that of its guests is there', () => {
+  const cut = nearOf([0, [0, 0, 0], [0, 1]], [0, [1, 1, 1], [0, 1]]);
+  const without = (...names: readonly string[]): Near => {
+    return (place) => (names.includes(place.join('/')) ? 'coming' : 'there');
+  };
+  const found = chosen(cut, { [ROOT]: [0, 1] }, undefined, without('0/0/1'));
+  // Its own views are not asked for.
+  const shown = [`${ROOT}:0 in 0/0/0/0`, `${ROOT}:1 in 0/0/0/0`];
+  assert.deepEqual(found, { shown, missing: [], holes: 0, near: [[1, 1, 1]], coming: [[0, 0, 1]] });
+  const all = chosen(cut, { [ROOT]: [0, 1] }, undefined, without());
+  const near = [
+    [0, 0, 0],
+    [0, 0, 1],
+    [1, 1, 1],
+  ];
+  assert.deepEqual(all, { shown: [], missing: [], holes: 0, near, coming: [] });
+});
+
+test('a leaf whose geometry cannot be drawn is drawn from views', () => {
+  const near: Near = (place) => (place.join('/') === '0/0/1' ? 'never' : 'there');
+  const found = chosen(nearOf([0, [0, 0, 0], [0, 1]]), { '0/0/0/0': [1], [ROOT]: [0, 1] }, undefined, near);
+  assert.deepEqual(found.missing, ['0/0/0/0:0']);
+  assert.deepEqual(found.shown, [`${ROOT}:0 in 0/0/0/0`, `${ROOT}:1 in 0/0/0/0`]);
+  assert.deepEqual([found.near, found.coming], [[], []]);
 });
 
 test('cells below stand in if they cover all of it', () => {
@@ -198,17 +238,8 @@ test('what is damaged is not asked for again until the user asks', () => {
 
 test('views that were used the longest ago give way, none that a picture shows', () => {
   const dropped: number[] = [];
-  const array = {} as WebGLVertexArrayObject & WebGLBuffer;
-  const resident = new Resident(
-    LAYOUT,
-    {
-      upload: (model, { words }) => ({ model, parts: [], array, buffer: array, bytes: words.byteLength }),
-      drop: ({ bytes }) => dropped.push(bytes),
-    },
-    100,
-  );
-  const splats = (count: number): Splats => ({ words: new Uint32Array(count), parts: [], count });
-  [10, 11, 12].forEach((count, direction) => resident.add(0, [1, 2, 3], direction, [splats(count)]));
+  const resident = new Resident<{ bytes: number }>(({ bytes }) => dropped.push(bytes), 100);
+  [40, 44, 48].forEach((bytes, direction) => resident.add(0, [1, 2, 3], direction, [{ bytes }]));
   assert.equal(resident.bytes, 4 * 33);
   resident.begin();
   assert.equal(resident.use(0, [1, 2, 3], 0).length, 1);
@@ -216,7 +247,7 @@ test('views that were used the longest ago give way, none that a picture shows',
   // 132 bytes are 32 too many: the second view goes, since the first one is in the picture.
   assert.deepEqual(dropped, [44]);
   assert.deepEqual(resident.there(0, [1, 2, 3]), [0, 2]);
-  resident.add(0, [1, 2, 3], 1, [splats(20)]);
+  resident.add(0, [1, 2, 3], 1, [{ bytes: 80 }]);
   resident.trim(() => true);
   assert.equal(resident.count, 3);
 });

@@ -15,9 +15,14 @@ interface Case {
   readonly views: number;
   readonly error: number;
   readonly around: boolean;
+  readonly geometry: boolean;
   readonly reach: number;
   /** Level, place, distance, whether it is in the picture, and directions of each cell. */
   readonly cells: readonly (readonly [number, Triple, number, boolean, readonly number[]])[];
+  /** Place, distance and whether it is in the picture of each leaf that is drawn as geometry. */
+  readonly leaves: readonly (readonly [Triple, number, boolean])[];
+  /** All leaves whose files these need, in any order. */
+  readonly files: readonly Triple[];
 }
 
 interface Told {
@@ -45,13 +50,10 @@ type Opened = Awaited<ReturnType<typeof opened>>;
 
 async function whole(
   { records, cells, shards }: Opened,
-  camera: Camera,
-  views: number,
-  error: number,
-  isAround: boolean,
+  { camera, views, error, around, geometry }: Case,
 ): Promise<Cut> {
   for (;;) {
-    const found = cut(cells, camera, { views, error, isAround });
+    const found = cut(cells, camera, { views, error, isAround: around, geometry });
     for (const { tier, place } of found.unknown) {
       const subtree = await records.subtree(tier, place);
       cells.add(subtree);
@@ -64,8 +66,9 @@ async function whole(
 test('cuts are those of tree.cut', { skip }, async () => {
   if (!told) return;
   const store = await opened(told);
-  for (const { camera, views, error, around, reach, cells } of told.cases) {
-    const found = await whole(store, camera, views, error, around);
+  for (const each of told.cases) {
+    const { reach, cells, leaves, files } = each;
+    const found = await whole(store, each);
     assert.ok(Math.abs(found.reach / reach - 1) < 1e-12);
     const drawn = found.cells.map(({ level, place, isInPicture, directions }) => [
       level,
@@ -80,6 +83,15 @@ test('cuts are those of tree.cut', { skip }, async () => {
     found.cells.forEach(({ distance }, at) =>
       assert.ok(Math.abs(distance - (cells[at]?.[2] as number)) < 1e-9 * (1 + distance)),
     );
+    assert.deepEqual(
+      found.leaves.map(({ place, isInPicture }) => [place, isInPicture]),
+      leaves.map(([place, , isInPicture]) => [place, isInPicture]),
+    );
+    found.leaves.forEach(({ distance }, at) =>
+      assert.ok(Math.abs(distance - (leaves[at]?.[1] as number)) < 1e-9 * (1 + distance)),
+    );
+    const needed = found.leaves.flatMap(({ place }) => [place, ...store.cells.guestsOf(place)].map(String));
+    assert.deepEqual([...new Set(needed)].sort(), files.map(String).sort());
   }
 });
 
@@ -88,7 +100,7 @@ test('splats are read', { skip }, async () => {
   const store = await opened(told);
   const { base, records, cells, shards } = store;
   const { layout } = records;
-  for (const { camera, views, error, around } of told.cases) await whole(store, camera, views, error, around);
+  for (const each of told.cases) await whole(store, each);
   const reader = createReader(base, layout, () => undefined);
   const read = async ([level, place, direction]: Told['views'][number]) => {
     const generation = cells.at(level, place)?.generation ?? 0;

@@ -14,6 +14,9 @@ from nearfar.orthoview._files import Local
 from nearfar.orthoview._layout import FOLDER
 from nearfar.orthoview._subtree import DONE
 
+SHOWN = (".glb", ".webp")
+"""Suffixes of files of geometry that the page reads: not those of the tileset."""
+
 File = bytes | tuple[str, int]
 """Content of a file, or its path and its size."""
 
@@ -40,7 +43,7 @@ def tree_folder(path: str | os.PathLike[str]) -> Path | None:
 
 
 def tree_files(folder: Path) -> dict[str, File]:
-    """Documents and shards of a complete store by their paths below it.
+    """Documents, shards and leaves' geometry of a complete store by their paths below it.
 
     Raises
     ------
@@ -61,8 +64,11 @@ def tree_files(folder: Path) -> dict[str, File]:
                 documents.append(f"{recorded.folder}generation.json")
             elif recorded.name:
                 documents.append(f"{FOLDER}/{DONE}/{recorded.name}.json")
+            geometry = {path: told for path, told in recorded.geometry.items() if path.endswith(SHOWN)}
             found |= {
                 recorded.folder + path: (os.fspath(folder.resolve() / recorded.folder / path), size)
-                for path, (size, _) in recorded.shards.items()
+                for path, (size, _) in (recorded.shards | geometry).items()
+                # An update lists geometry that is there no more.
+                if size > 0
             }
     return found | {name: (folder / name).read_bytes() for name in documents}

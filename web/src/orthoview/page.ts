@@ -60,6 +60,7 @@ function main(): void {
     },
     views: number(query, 'views', 3, 1, 8),
     error: number(query, 'error', 1, 0.1, 64),
+    geometry: query.get('geometry') !== '0',
     grid: Math.round(Math.sqrt(number(query, 'samples', 1, 1, 16))),
     bytes: number(query, 'megabytes', (isSmall ? BYTES / 4 : BYTES) >> 20, 1, 1 << 14) * 2 ** 20,
     workers: Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4),

@@ -47,6 +47,12 @@ export class Cells {
     return this.#subtrees.has(nameOf(tier, place));
   }
 
+  /** The other leaves to which triangles belong that reach into a leaf. */
+  guestsOf(leaf: Triple): readonly Triple[] {
+    const { tier, place } = subtreeOf(this.layout, 0, leaf);
+    return this.#subtrees.get(nameOf(tier, place))?.guests.get(nameOf(0, leaf)) ?? [];
+  }
+
   /** The directions of a cell; null if its subtree has not been added. */
   at(level: number, place: Triple): Cell | null {
     const { tier, place: own } = subtreeOf(this.layout, level, place);

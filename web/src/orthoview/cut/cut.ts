@@ -12,6 +12,8 @@ export interface Settings {
   readonly error: number;
   /** Whether cells outside of the picture count, too. */
   readonly isAround: boolean;
+  /** Whether leaves so near that their views are too coarse are drawn as geometry, where the tree has it. */
+  readonly geometry: boolean;
 }
 
 /** A cell that is drawn. */
@@ -28,20 +30,23 @@ export interface Drawn {
 export interface Cut {
   /** The nearest ones first. */
   readonly cells: readonly Drawn[];
+  /** Leaves that are drawn as geometry, the nearest ones first; their directions stand in until it has come. */
+  readonly leaves: readonly Drawn[];
   /** Distance from which on leaves are as fine as wanted, metres; cells of level k from 2ᵏ times as far. */
   readonly reach: number;
   /** Subtrees that are not known, in whose place the cells above are drawn. */
   readonly unknown: readonly { readonly tier: number; readonly place: Triple }[];
 }
 
-/** Cut a tree for a viewer, with the subtrees that are known; leaves are drawn from views at any distance. */
+/** Cut a tree for a viewer, with the subtrees that are known. */
 export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const { layout } = cells;
   const pitch = (layout.cell * widest(layout.directions)) / layout.size;
   const reach = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
   const units = layout.directions.map((direction) => frameOf(direction).axes[2]);
-  const drawn: Drawn[] = [];
+  const [drawn, leaves]: [Drawn[], Drawn[]] = [[], []];
+  const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
 
   function visit(level: number, place: Triple, mask: number, above: Side): void {
@@ -52,10 +57,22 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     if (mask === 0 || (lies === 'outside' && !settings.isAround)) return;
     const distance = distanceOf(camera.position, corner, side);
     const found = { level, place, distance, isInPicture: lies !== 'outside' };
-    const draw = (): number =>
-      drawn.push({ ...found, directions: nearest(units, camera.position, center, mask, settings.views) });
-    if (level === 0 || distance >= reach * 2 ** level) draw();
-    else if (!refine(level - 1, place, lies)) draw();
+    const draw = (list: Drawn[]): number =>
+      list.push({ ...found, directions: nearest(units, camera.position, center, mask, settings.views) });
+    if (distance >= reach * 2 ** level) draw(drawn);
+    else if (level === 0 && hasGeometry) {
+      draw(leaves);
+      meet(place);
+    } else if (level === 0) draw(drawn);
+    else if (!refine(level - 1, place, lies)) draw(drawn);
+  }
+
+  /** The records of a leaf's guests tell where their geometry is. */
+  function meet(leaf: Triple): void {
+    for (const guest of cells.guestsOf(leaf)) {
+      const { tier, place } = subtreeOf(layout, 0, guest);
+      if (!cells.knows(tier, place)) miss(0, guest);
+    }
   }
 
   /** Visit the children of a cell; false if they are not known. */
@@ -80,8 +97,8 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const root = cells.at(top, [0, 0, 0]);
   if (root) visit(top, [0, 0, 0], root.mask, 'across');
   else miss(top, [0, 0, 0]);
-  drawn.sort((one, other) => one.distance - other.distance);
-  return { cells: drawn, reach, unknown: [...unknown.values()] };
+  for (const list of [drawn, leaves]) list.sort((one, other) => one.distance - other.distance);
+  return { cells: drawn, leaves, reach, unknown: [...unknown.values()] };
 }
 
 /** Distance of a cube's nearest point. */

@@ -13,7 +13,13 @@ export type ToCutter =
   | { readonly kind: 'retry' };
 
 export type FromCutter =
-  | { readonly kind: 'opened'; readonly layout: Layout; readonly generation: number; readonly shards: readonly Shard[] }
+  | {
+      readonly kind: 'opened';
+      readonly layout: Layout;
+      readonly generation: number;
+      readonly shards: readonly Shard[];
+      readonly geometry: readonly Shard[];
+    }
   | { readonly kind: 'learned'; readonly subtree: Subtree }
   | { readonly kind: 'cut'; readonly cut: Cut }
   /** The cells around the viewer, so coarse that they are few: what is shown first where a viewer turns. */

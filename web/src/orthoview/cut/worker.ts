@@ -38,8 +38,8 @@ async function open(base: URL): Promise<void> {
   try {
     records = await openRecords(createFiles(base, (bytes) => tell({ kind: 'received', bytes })));
     cells = new Cells(records.layout);
-    const { layout, generation, shards } = records;
-    tell({ kind: 'opened', layout, generation, shards });
+    const { layout, generation, shards, geometry } = records;
+    tell({ kind: 'opened', layout, generation, shards, geometry });
     look();
   } catch (reason) {
     tell({ kind: 'failed', failure: failureOf(reason), isFatal: true });
@@ -61,10 +61,10 @@ function look(): void {
 function baseOf(known: Cells, camera: Camera, settings: Settings): Cut {
   const cuts = Array.from({ length: known.layout.levels }, (_, finer) => {
     const error = settings.error * COARSER * 2 ** (known.layout.levels - 1 - finer);
-    return cut(known, camera, { ...settings, error, isAround: true });
+    return cut(known, camera, { ...settings, error, isAround: true, geometry: false });
   });
   // At this one nothing but the whole world is drawn.
-  const whole = cut(known, camera, { ...settings, error: Number.MAX_VALUE, isAround: true });
+  const whole = cut(known, camera, { ...settings, error: Number.MAX_VALUE, isAround: true, geometry: false });
   const finest = cuts.at(-1) ?? whole;
   return { ...finest, cells: [whole, ...cuts].flatMap(({ cells: drawn }) => drawn) };
 }

@@ -5,16 +5,17 @@ import { createFiles } from '../store/files';
 import { arrayOf, BEHIND, CHANNELS, type Layout, overlay, type Triple } from '../store/layout';
 import type { Shard } from '../store/records';
 import { registerCodecs } from './codecs';
+import { type Piece, readLeaf, Textures } from './leaf';
 import { pack, type Splats } from './pack';
 import { Shards } from './shards';
 
-/** A view to be read. */
+/** A view to be read, or with the direction `GEOMETRY` a leaf's geometry. */
 export interface Wanted {
   readonly level: number;
   readonly place: Triple;
   readonly direction: number;
   readonly generation: number;
-  /** The shards that have its chunks; a second layer has none where the tree needs none. */
+  /** The shards that have its chunks, a second layer has none where the tree needs none; or the files of geometry. */
   readonly shards: readonly Shard[];
 }
 
@@ -23,12 +24,15 @@ type Values = Uint8Array | Uint16Array | Uint32Array;
 export interface Reader {
   /** The splats of a view's layers; those that show nothing are left out. */
   read(wanted: Wanted, signal: AbortSignal): Promise<Splats[]>;
+  leaf(wanted: Wanted, signal: AbortSignal): Promise<Piece[]>;
 }
 
 export function createReader(base: URL, layout: Layout, receive: (bytes: number) => void): Reader {
   registerCodecs();
   const known = new Map<string, { size: number; version: string }>();
-  const store = new Shards(createFiles(base, receive), layout, known);
+  const files = createFiles(base, receive);
+  const store = new Shards(files, layout, known);
+  const textures = new Textures(files);
   const root = zarr.root(store);
   const arrays = new Map<string, Promise<zarr.Array<zarr.DataType>>>();
 
@@ -51,6 +55,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
   }
 
   return {
+    leaf: ({ shards }, signal) => readLeaf(files, textures, shards, signal),
     async read({ level, place, direction, generation, shards }, signal) {
       for (const [path, size, version] of shards) known.set(path, { size, version });
       const folder = overlay(generation);

@@ -1,5 +1,7 @@
 /** A worker that reads and decodes views. */
 import { failureOf } from '../store/error';
+import { GEOMETRY } from '../store/layout';
+import { buffersOf } from './leaf';
 import type { FromReader, ToReader } from './messages';
 import { createReader, type Reader, type Wanted } from './reader';
 
@@ -25,6 +27,11 @@ async function read(id: number, wanted: Wanted): Promise<void> {
   const control = new AbortController();
   running.set(id, control);
   try {
+    if (wanted.direction === GEOMETRY) {
+      const pieces = await reader.leaf(wanted, control.signal);
+      tell({ kind: 'leaf', id, pieces }, buffersOf(pieces));
+      return;
+    }
     const layers = await reader.read(wanted, control.signal);
     tell(
       { kind: 'view', id, layers },

@@ -16,6 +16,7 @@ import {
   writeView,
 } from '../splats/sight';
 import { type Program, programOf, type Target, targetOf } from './gl';
+import { type Mesh, Meshes } from './meshes';
 import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, WHOLE_VERTEX } from './shaders';
 
 /** A layer of a view on the GPU. */
@@ -27,6 +28,9 @@ export interface Uploaded {
   readonly bytes: number;
 }
 
+/** Metres along the axis at which geometry ends. */
+const NEAREST = 0.05;
+
 /** A layer that is drawn, of which a box may bound the splats' middles. */
 export interface Item {
   readonly layer: Uploaded;
@@ -36,6 +40,8 @@ export interface Item {
 export interface Drawn {
   /** Splats of parts that reach into the picture. */
   readonly splats: number;
+  /** Of the geometry. */
+  readonly triangles: number;
   readonly calls: number;
 }
 
@@ -43,6 +49,7 @@ export class Drawer {
   readonly #gl: WebGL2RenderingContext;
   readonly #splats: Program;
   readonly #resolve: Program;
+  readonly meshes: Meshes;
   readonly #numbers = new Float32Array(4 * VECTORS);
   readonly #largest: number;
   #target: Target | null = null;
@@ -57,6 +64,7 @@ export class Drawer {
     this.#gl = gl as WebGL2RenderingContext;
     this.#splats = programOf(this.#gl, SPLAT_VERTEX, SPLAT_FRAGMENT);
     this.#resolve = programOf(this.#gl, WHOLE_VERTEX, RESOLVE_FRAGMENT);
+    this.meshes = new Meshes(this.#gl);
     this.#largest = (this.#gl.getParameter(this.#gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] ?? 1;
   }
 
@@ -77,8 +85,8 @@ export class Drawer {
     this.#gl.deleteBuffer(buffer);
   }
 
-  /** Draw a picture with `grid` × `grid` samples for each pixel; the nearest layers should come first. */
-  draw(items: readonly Item[], camera: Camera, grid: number): Drawn {
+  /** Draw geometry and layers with `grid` × `grid` samples for each pixel; the nearest ones should come first. */
+  draw(near: readonly Mesh[], items: readonly Item[], camera: Camera, grid: number): Drawn {
     const gl = this.#gl;
     const sampled = { ...camera, width: camera.width * grid, height: camera.height * grid };
     const projector = projectorOf(sampled);
@@ -90,11 +98,13 @@ export class Drawer {
     gl.clearColor(0, 0, 0, 0);
     gl.clearDepth(0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    gl.useProgram(this.#splats.program);
     const least = Math.min(...items.map(({ layer }) => Math.max(layer.model.pitch[0], layer.model.pitch[1])), 1e6);
+    const nearest = near.length > 0 ? Math.min(least / 2, NEAREST) : least / 2;
+    const { triangles, calls: before } = this.meshes.draw(near, projector, nearest);
+    gl.useProgram(this.#splats.program);
     this.#setCamera(this.#splats, projector);
-    gl.uniform1f(this.#splats.at('nearest'), least / 2);
-    let [splats, calls] = [0, 0];
+    gl.uniform1f(this.#splats.at('nearest'), nearest);
+    let [splats, calls] = [0, before];
     for (const item of items) {
       const found = this.#drawItem(item, projector);
       splats += found.splats;
@@ -102,7 +112,7 @@ export class Drawer {
     }
     gl.bindVertexArray(null);
     this.#show(target, projector, camera, grid);
-    return { splats, calls };
+    return { splats, triangles, calls };
   }
 
   /** Whether the last picture is there, and not only asked for. */
@@ -119,7 +129,7 @@ export class Drawer {
     this.#gl.readPixels(0, 0, 1, 1, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
-  #drawItem({ layer, box }: Item, projector: Projector): Drawn {
+  #drawItem({ layer, box }: Item, projector: Projector): Omit<Drawn, 'triangles'> {
     const gl = this.#gl;
     const sight = sightOf(layer.model, projector);
     const rows = rowsOf(layer.model, this.layout, box);

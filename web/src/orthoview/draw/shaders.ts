@@ -2,7 +2,7 @@
 import { IRRADIANCE, SRGB } from '../../shaders/light';
 import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../splats/sight';
 
-const HEAD = /* glsl */ `#version 300 es
+export const HEAD = /* glsl */ `#version 300 es
 precision highp float;
 precision highp int;
 `;

@@ -86,7 +86,8 @@ export class Queue<Job> {
     this.fill();
   }
 
-  failed(id: number, failure: Failure): void {
+  /** A view failed; the job, if it is not asked for again. */
+  failed(id: number, failure: Failure): Job | null {
     const found = this.#end(id);
     if (found) {
       const pause = Math.min(2 * (this.#failed.get(found.name)?.pause ?? SOONEST / 2), LATEST);
@@ -97,6 +98,7 @@ export class Queue<Job> {
       this.#told.add(told);
     }
     this.fill();
+    return isPassing(failure) ? null : (found?.job ?? null);
   }
 
   /** Ask again for all that failed. */

@@ -1,12 +1,14 @@
 /** Workers that read views, as functions. */
+import type { Piece } from '../decode/leaf';
 import type { FromReader, ToReader } from '../decode/messages';
 import type { Splats } from '../decode/pack';
 import type { Wanted } from '../decode/reader';
 import type { Failure } from '../store/error';
-import type { Layout } from '../store/layout';
+import { GEOMETRY, type Layout } from '../store/layout';
 
 export interface Listener {
   view(id: number, layers: readonly Splats[]): void;
+  leaf(id: number, pieces: readonly Piece[]): void;
   failed(id: number, failure: Failure): void;
   cancelled(id: number): void;
   received(bytes: number): void;
@@ -27,6 +29,10 @@ export function startReaders(script: URL, count: number, base: URL, layout: Layo
         case 'view':
           ids.delete(data.id);
           listener.view(data.id, data.layers);
+          break;
+        case 'leaf':
+          ids.delete(data.id);
+          listener.leaf(data.id, data.pieces);
           break;
         case 'failed':
           ids.delete(data.id);
@@ -51,8 +57,9 @@ export function startReaders(script: URL, count: number, base: URL, layout: Layo
   }
   return {
     read(id, wanted) {
-      // Views of one shard go to one worker, which reads its index once.
-      const worker = workers[hash(wanted.shards[0]?.[0] ?? '') % workers.length] as Worker;
+      // Views of one shard go to one worker, which reads its index once; so do leaves, which share textures.
+      const group = wanted.direction === GEOMETRY ? '' : (wanted.shards[0]?.[0] ?? '');
+      const worker = workers[hash(group) % workers.length] as Worker;
       ids.set(id, worker);
       send(worker, { kind: 'read', id, wanted });
     },

@@ -1,37 +1,28 @@
-/** Views on the GPU, those that were used last kept within a number of bytes. */
+/** Views, or leaves, on the GPU, those that were used last kept within a number of bytes. */
 import { nameOf } from '../cut/cells';
-import type { Splats } from '../decode/pack';
-import type { Uploaded } from '../draw/drawer';
-import { type Model, modelOf } from '../splats/sight';
-import type { Layout, Triple } from '../store/layout';
+import type { Triple } from '../store/layout';
 
-/** Keeps arrays of splats. */
-export interface Uploader {
-  upload(model: Model, splats: Splats): Uploaded;
-  drop(uploaded: Uploaded): void;
-}
-
-interface Kept {
+interface Kept<Layer> {
   readonly level: number;
   readonly place: Triple;
   readonly direction: number;
-  readonly layers: readonly Uploaded[];
+  readonly layers: readonly Layer[];
   readonly bytes: number;
   /** Number of the picture that showed it last. */
   used: number;
 }
 
-export class Resident {
+/** A view has layers, and a leaf, whose direction is `GEOMETRY`, has pieces. */
+export class Resident<Layer extends { readonly bytes: number }> {
   /** In the order of their last use. */
-  readonly #views = new Map<string, Kept>();
+  readonly #views = new Map<string, Kept<Layer>>();
   /** By cell. */
   readonly #directions = new Map<string, number[]>();
   #picture = 0;
   bytes = 0;
 
   constructor(
-    readonly layout: Layout,
-    readonly uploader: Uploader,
+    readonly drop: (layer: Layer) => void,
     readonly most: number,
   ) {}
 
@@ -39,13 +30,11 @@ export class Resident {
     return this.#views.size;
   }
 
-  add(level: number, place: Triple, direction: number, layers: readonly Splats[]): void {
+  add(level: number, place: Triple, direction: number, layers: readonly Layer[]): void {
     const name = `${nameOf(level, place)}/${direction}`;
-    if (this.#views.has(name)) return;
-    const model = modelOf(this.layout, level, place, direction);
-    const uploaded = layers.map((splats) => this.uploader.upload(model, splats));
-    const bytes = uploaded.reduce((sum, layer) => sum + layer.bytes, 0);
-    this.#views.set(name, { level, place, direction, layers: uploaded, bytes, used: this.#picture });
+    this.#remove(name);
+    const bytes = layers.reduce((sum, layer) => sum + layer.bytes, 0);
+    this.#views.set(name, { level, place, direction, layers, bytes, used: this.#picture });
     this.#directions.set(nameOf(level, place), [...this.there(level, place), direction]);
     this.bytes += bytes;
   }
@@ -61,7 +50,7 @@ export class Resident {
   }
 
   /** The layers of a view for the picture that has begun. */
-  use(level: number, place: Triple, direction: number): readonly Uploaded[] {
+  use(level: number, place: Triple, direction: number): readonly Layer[] {
     const name = `${nameOf(level, place)}/${direction}`;
     const view = this.#views.get(name);
     if (!view) return [];
@@ -78,12 +67,15 @@ export class Resident {
     for (const [name, view] of this.#views) {
       if (this.bytes <= this.most) break;
       if (view.used === this.#picture || isKept(view.level, view.place)) continue;
-      this.#remove(name, view);
+      this.#remove(name);
     }
   }
 
-  #remove(name: string, { level, place, direction, layers, bytes }: Kept): void {
-    layers.forEach((layer) => this.uploader.drop(layer));
+  #remove(name: string): void {
+    const found = this.#views.get(name);
+    if (!found) return;
+    const { level, place, direction, layers, bytes } = found;
+    layers.forEach((layer) => this.drop(layer));
     this.#views.delete(name);
     this.bytes -= bytes;
     const cell = nameOf(level, place);

@@ -25,6 +25,9 @@ export interface Missing {
 
 export interface Choice {
   readonly shown: readonly Shown[];
+  /** Leaves whose geometry is drawn, and those whose geometry is missing. */
+  readonly near: readonly Triple[];
+  readonly coming: readonly Triple[];
   readonly missing: readonly Missing[];
   /** Cells of which nothing at all is there. */
   readonly holes: number;
@@ -33,10 +36,18 @@ export interface Choice {
 /** The directions of a cell whose views are there, the one that came last at the end. */
 export type There = (level: number, place: Triple) => readonly number[];
 
-/** Choose for each cell of a cut its own views, else those of the cells below it, else those of a cell above it. */
-export function choose({ cells: wanted }: Cut, cells: Cells, there: There, views: number): Choice {
+/** Whether a leaf's geometry is there; `never` if it cannot be drawn. */
+export type Near = (place: Triple) => 'there' | 'coming' | 'never';
+
+/**
+ * Choose for each cell of a cut its own views, else those of the cells below it, else those of a cell above it. So
+ * do leaves that are to be geometry, until theirs and that of their guests is there.
+ */
+export function choose(cut: Cut, cells: Cells, there: There, views: number, near: Near): Choice {
   const shown: Shown[] = [];
   const missing: Missing[] = [];
+  const leaves = new Map<string, Triple>();
+  const coming = new Map<string, Triple>();
   let holes = 0;
 
   const all = (level: number, place: Triple, box: Box | null = null): Shown[] =>
@@ -75,26 +86,38 @@ export function choose({ cells: wanted }: Cut, cells: Cells, there: There, views
     return some;
   }
 
-  for (const cell of wanted) {
+  function show(cell: Drawn, isWanted: boolean): void {
     const { level, place, directions } = cell;
     const have = new Set(there(level, place));
     const own = directions.filter((direction) => have.has(direction));
-    for (const direction of directions) if (!have.has(direction)) missing.push({ level, place, direction });
+    const absent = directions.filter((direction) => isWanted && !have.has(direction));
+    missing.push(...absent.map((direction) => ({ level, place, direction })));
     if (own.length === directions.length) {
       shown.push(...own.map((direction) => ({ level, place, direction, box: null })));
-      continue;
+      return;
     }
     const instead = isFull(level, place) ? fill(own, have, directions.length) : null;
     if (instead) {
       shown.push(...instead.map((direction) => ({ level, place, direction, box: null })));
-      continue;
+      return;
     }
     let found = below(level, place, DEEP) ?? standIn(cell);
     if (found.length === 0) found = all(level, place);
     if (found.length === 0) holes += 1;
     shown.push(...found);
   }
-  return { shown: unique(shown), missing, holes };
+
+  for (const leaf of cut.leaves) {
+    const files = [leaf.place, ...cells.guestsOf(leaf.place)];
+    const states = files.map(near);
+    const isDrawable = !states.includes('never');
+    const absent = files.filter((_, n) => states[n] === 'coming');
+    if (isDrawable && absent.length === 0) for (const file of files) leaves.set(nameOf(0, file), file);
+    else show(leaf, !isDrawable);
+    if (isDrawable) for (const file of absent) coming.set(nameOf(0, file), file);
+  }
+  for (const cell of cut.cells) show(cell, true);
+  return { shown: unique(shown), near: [...leaves.values()], coming: [...coming.values()], missing, holes };
 }
 
 /** The wanted directions that are there, and of the others those that came last. */

@@ -4,9 +4,21 @@ import type { Camera } from '../cut/camera';
 import type { Cut, Settings } from '../cut/cut';
 import type { FromCutter, ToCutter } from '../cut/messages';
 import type { Wanted } from '../decode/reader';
-import { Drawer, type Item } from '../draw/drawer';
+import { Drawer, type Item, type Uploaded } from '../draw/drawer';
+import type { Mesh } from '../draw/meshes';
+import { modelOf } from '../splats/sight';
 import type { Failure } from '../store/error';
-import { arrayOf, channelsOf, type Layout, overlay, shardOf, type Triple } from '../store/layout';
+import {
+  arrayOf,
+  channelsOf,
+  GEOMETRY,
+  geometryOf,
+  type Layout,
+  overlay,
+  shardOf,
+  subtreeOf,
+  type Triple,
+} from '../store/layout';
 import type { Shard } from '../store/records';
 import { Queue } from './queue';
 import { type Readers, startReaders } from './readers';
@@ -19,9 +31,11 @@ export interface ViewerSettings {
   /** Views of a cell, and the greatest width of their pixels in pixels of the picture. */
   readonly views: number;
   readonly error: number;
+  /** Whether leaves that are nearer than their views are fine are drawn as geometry. */
+  readonly geometry: boolean;
   /** Samples along each axis of a pixel. */
   readonly grid: number;
-  /** Bytes of the GPU that views may take; those of one picture may take more. */
+  /** Bytes of the GPU that views may take, and a quarter of it geometry; those of one picture may take more. */
   readonly bytes: number;
   readonly workers: number;
   opened(layout: Layout): void;
@@ -33,6 +47,8 @@ export interface ViewerSettings {
 
 /** Views that are asked for at once, for each worker: while some are decoded, others are on their way. */
 const AT_ONCE = 6;
+/** Folder of a later generation. */
+const GENERATION = /^nearfar\/generations\/\d+\//;
 /** Milliseconds between pictures that only new views change, and the part of the time that these pictures may take. */
 const [PAUSE, SHARE] = [50, 0.5] as const;
 
@@ -44,6 +60,9 @@ export interface Facts {
   /** Cells of which nothing is there. */
   readonly holes: number;
   readonly splats: number;
+  /** Leaves that are drawn as geometry, with their guests, and their triangles. */
+  readonly leaves: number;
+  readonly triangles: number;
   readonly calls: number;
   /** Bytes and views on the GPU. */
   readonly bytes: number;
@@ -58,6 +77,8 @@ const NOTHING: Facts = {
   waiting: 0,
   holes: 0,
   splats: 0,
+  leaves: 0,
+  triangles: 0,
   calls: 0,
   bytes: 0,
   kept: 0,
@@ -67,7 +88,9 @@ const NOTHING: Facts = {
 interface Tree {
   readonly cells: Cells;
   readonly drawer: Drawer;
-  readonly resident: Resident;
+  readonly resident: Resident<Uploaded>;
+  /** The geometry of leaves. */
+  readonly near: Resident<Mesh>;
 }
 
 export class Viewer {
@@ -75,6 +98,10 @@ export class Viewer {
   readonly #cutter: Worker;
   readonly #queue: Queue<Wanted>;
   readonly #shards = new Map<string, Shard>();
+  /** Files of geometry by their paths below a generation's folder, the newest ones. */
+  readonly #files = new Map<string, Shard>();
+  /** Names of leaves whose geometry cannot be drawn. */
+  readonly #without = new Set<string>();
   #tree: Tree | null = null;
   #readers: Readers | null = null;
   #cut: Cut | null = null;
@@ -153,13 +180,14 @@ export class Viewer {
 
   /** Ask again for all that failed. */
   retry(): void {
+    this.#without.clear();
     this.#queue.retry();
     this.#tell({ kind: 'retry' });
   }
 
   #look(camera: Camera): void {
-    const { views, error } = this.#settings;
-    const settings: Settings = { views, error, isAround: false };
+    const { views, error, geometry } = this.#settings;
+    const settings: Settings = { views, error, isAround: false, geometry };
     [this.#isAsked, this.#isStale] = [true, false];
     this.#tell({ kind: 'look', camera, settings });
   }
@@ -167,11 +195,11 @@ export class Viewer {
   #hear(message: FromCutter): void {
     switch (message.kind) {
       case 'opened':
-        this.#open(message.layout, message.shards);
+        this.#open(message.layout, message.shards, message.geometry);
         break;
       case 'learned':
         this.#tree?.cells.add(message.subtree);
-        this.#know(message.subtree.shards);
+        this.#know(message.subtree.shards, message.subtree.geometry);
         break;
       case 'base':
         this.#base = message.cut;
@@ -190,48 +218,97 @@ export class Viewer {
     }
   }
 
-  #open(layout: Layout, shards: readonly Shard[]): void {
+  #open(layout: Layout, shards: readonly Shard[], geometry: readonly Shard[]): void {
     const drawer = new Drawer(this.canvas, layout);
-    this.#tree = { cells: new Cells(layout), drawer, resident: new Resident(layout, drawer, this.#settings.bytes) };
-    this.#know(shards);
-    const { scripts, workers, base } = this.#settings;
+    const { scripts, workers, base, bytes } = this.#settings;
+    this.#tree = {
+      cells: new Cells(layout),
+      drawer,
+      resident: new Resident((layer) => drawer.drop(layer), bytes),
+      near: new Resident((mesh) => drawer.meshes.drop(mesh), bytes / 4),
+    };
+    this.#know(shards, geometry);
     this.#readers = startReaders(scripts.reader, workers, base, layout, {
       view: (id, layers) => {
         const found = this.#queue.done(id);
-        if (found) this.#tree?.resident.add(found.level, found.place, found.direction, layers);
+        if (found) {
+          const { level, place, direction } = found;
+          const model = modelOf(layout, level, place, direction);
+          const uploaded = layers.map((splats) => drawer.upload(model, splats));
+          this.#tree?.resident.add(level, place, direction, uploaded);
+        }
         this.#isDirty = true;
         this.#queue.fill();
       },
-      failed: (id, failure) => this.#queue.failed(id, failure),
+      leaf: (id, pieces) => {
+        const found = this.#queue.done(id);
+        const uploaded = found ? pieces.map((piece) => drawer.meshes.upload(piece)) : [];
+        if (found) this.#tree?.near.add(0, found.place, GEOMETRY, uploaded);
+        this.#isDirty = true;
+        this.#queue.fill();
+      },
+      failed: (id, failure) => {
+        const job = this.#queue.failed(id, failure);
+        if (job?.direction !== GEOMETRY) return;
+        this.#without.add(nameOf(0, job.place));
+        this.#isDirty = true;
+        this.#want();
+      },
       cancelled: (id) => this.#queue.cancelled(id),
       received: this.#settings.received,
     });
     this.#settings.opened(layout);
   }
 
-  #know(shards: readonly Shard[]): void {
+  #know(shards: readonly Shard[], geometry: readonly Shard[]): void {
     for (const shard of shards) this.#shards.set(shard[0], shard);
+    for (const file of geometry) {
+      const name = file[0].replace(GENERATION, '');
+      if (!this.#files.has(name)) this.#files.set(name, file);
+    }
   }
 
   #choose(cut: Cut): Choice {
     const { cells, resident } = this.#tree as Tree;
-    return choose(cut, cells, (level, place) => resident.there(level, place), this.#settings.views);
+    const there = (level: number, place: Triple): readonly number[] => resident.there(level, place);
+    return choose(cut, cells, there, this.#settings.views, (place) => this.#nearOf(place));
+  }
+
+  #nearOf(place: Triple): 'there' | 'coming' | 'never' {
+    const { cells, near } = this.#tree as Tree;
+    if (this.#without.has(nameOf(0, place))) return 'never';
+    if (near.there(0, place).length > 0) return 'there';
+    const { tier, place: subtree } = subtreeOf(cells.layout, 0, place);
+    return cells.knows(tier, subtree) && this.#filesOf(place).length === 0 ? 'there' : 'coming';
+  }
+
+  /** The files of a leaf's geometry, as far as it has some. */
+  #filesOf(place: Triple): Shard[] {
+    const { layout } = (this.#tree as Tree).cells;
+    const files = geometryOf(layout, place).map((name) => this.#files.get(name));
+    return files.filter((file) => file !== undefined && file[1] > 0) as Shard[];
   }
 
   #draw(camera: Camera): void {
     if (!this.#tree || !this.#cut) return;
-    const { drawer, resident } = this.#tree;
+    const { drawer, resident, near } = this.#tree;
     this.#hasMoved = this.#isDirty = false;
     this.#begin = performance.now();
     this.#isDrawing = true;
     const choice = this.#choose(this.#cut);
     resident.begin();
+    near.begin();
+    const meshes = choice.near.flatMap((place) => near.use(0, place, GEOMETRY));
     const items = choice.shown.flatMap(({ level, place, direction, box }): Item[] =>
       resident.use(level, place, direction).map((layer) => ({ layer, box })),
     );
-    const { splats, calls } = drawer.draw(items, camera, this.#settings.grid);
+    const { splats, triangles, calls } = drawer.draw(meshes, items, camera, this.#settings.grid);
     const kept = new Set(this.#base?.cells.map(({ level, place }) => nameOf(level, place)));
     resident.trim((level, place) => kept.has(nameOf(level, place)));
+    const { cells } = this.#tree;
+    const needed = this.#cut.leaves.flatMap(({ place }) => [place, ...cells.guestsOf(place)]);
+    const names = new Set(needed.map((place) => nameOf(0, place)));
+    near.trim((level, place) => names.has(nameOf(level, place)));
     const [{ waiting }, isCurrent] = [this.#queue, !this.#isAsked && !this.#isStale];
     this.facts = {
       views: choice.shown.length,
@@ -239,26 +316,36 @@ export class Viewer {
       waiting,
       holes: choice.holes,
       splats,
+      leaves: choice.near.length,
+      triangles,
       calls,
-      bytes: resident.bytes,
+      bytes: resident.bytes + near.bytes,
       kept: resident.count,
       isComplete: isCurrent && waiting === 0 && this.#cut.unknown.length === 0,
     };
   }
 
-  /** Ask for the views that are missing: those of coarse cells first, then the nearest ones. */
+  /** Ask for what is missing: coarse cells of the picture, then the cut, the nearest first, then other coarse cells. */
   #want(): void {
-    const missing = [this.#base, this.#cut].flatMap((cut) => (cut ? this.#choose(cut).missing : []));
     const wanted = new Map<string, Wanted>();
-    for (const { level, place, direction } of missing) {
-      const name = `${nameOf(level, place)}/${direction}`;
-      if (!wanted.has(name)) wanted.set(name, this.#wantedOf(level, place, direction));
+    const coarse = (isInPicture: boolean): Cut | null =>
+      this.#base && { ...this.#base, cells: this.#base.cells.filter((cell) => cell.isInPicture === isInPicture) };
+    for (const cut of [coarse(true), this.#cut, coarse(false)]) {
+      if (!cut) continue;
+      const { coming, missing } = this.#choose(cut);
+      // Leaves have few bytes, and take the most of the picture.
+      const leaves = coming.map((place) => ({ level: 0, place, direction: GEOMETRY }));
+      for (const { level, place, direction } of [...leaves, ...missing]) {
+        const name = `${nameOf(level, place)}/${direction}`;
+        if (!wanted.has(name)) wanted.set(name, this.#wantedOf(level, place, direction));
+      }
     }
     this.#queue.want(wanted);
   }
 
   #wantedOf(level: number, place: Triple, direction: number): Wanted {
     const { cells } = this.#tree as Tree;
+    if (direction === GEOMETRY) return { level, place, direction, generation: 0, shards: this.#filesOf(place) };
     const generation = cells.at(level, place)?.generation ?? 0;
     const shards = channelsOf(cells.layout).map((channel) => {
       const array = arrayOf(cells.layout, level, direction, channel);

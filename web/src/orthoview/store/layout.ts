@@ -15,6 +15,9 @@ export const CONNECTION_BITS = 4;
 /** Folder of a store for what Zarr does not know. */
 export const FOLDER = 'nearfar';
 
+/** Stands in the place of a direction for the geometry of a leaf. */
+export const GEOMETRY = -1;
+
 export interface Layout {
   /** Least corner of leaf (0, 0, 0), metres. */
   readonly origin: Triple;
@@ -36,6 +39,8 @@ export interface Layout {
   readonly subtree: number;
   readonly color: 'zstd' | 'webp';
   readonly layers: number;
+  /** Whether the store has the geometry of its leaves. */
+  readonly geometry: boolean;
 }
 
 /** The layout of a group's attribute; an error for what cannot be drawn. */
@@ -56,6 +61,7 @@ export function parseLayout(described: unknown): Layout {
     subtree: number(from['subtree'], 'subtree', (value) => isWhole(value, 1, 8)),
     color: from['color'] === 'webp' ? 'webp' : 'zstd',
     layers: number(from['layers'], 'layers', (value) => isWhole(value, 1, 2)),
+    geometry: from['geometry'] === true,
   };
   const { counts, levels, directions, names } = layout;
   const are26 =
@@ -107,6 +113,11 @@ export function arrayOf({ names }: Layout, level: number, direction: number, cha
 /** Path of the shard that holds a cell's chunk, below the generation's folder. */
 export function shardOf(layout: Layout, level: number, place: Triple, array: string): string {
   return `${array}/c/${subtreeOf(layout, level, place).place.join('/')}/0/0/0`;
+}
+
+/** Paths of the files of a leaf's geometry, of what stands and of what moves, below the generation's folder. */
+export function geometryOf({ levels }: Layout, place: Triple): readonly string[] {
+  return ['content', 'moving'].map((folder) => `geometry/${folder}/${levels - 1}/${place.join('/')}.glb`);
 }
 
 /** The channels of all layers. */

@@ -1,16 +1,25 @@
 /** The documents of a store: its layout, its generations, and which cells of a subtree show something. */
 import { damaged, StoreError } from './error';
 import type { Bytes, Files } from './files';
-import { fields, FOLDER, type Layout, overlay, parseLayout, type Triple } from './layout';
-import { checked, documentOf, numbersOf, sha256 } from './unpack';
-import { shapesOf } from '../cut/cells';
+import {
+  fields,
+  FOLDER,
+  type Layout,
+  overlay,
+  parseLayout,
+  shardSide,
+  subtreeOf as ownerOf,
+  type Triple,
+} from './layout';
+import { checked, documentOf, numbersOf, rowsOf, sha256 } from './unpack';
+import { nameOf, shapesOf } from '../cut/cells';
 
 /** Stands for a cell that is as in the generations before. */
 const AS_BEFORE = 0x8000_0000;
 
 const VERSION = 1;
 
-/** A shard's path with the folder of its generation, its size and the begin of its SHA-256. */
+/** Path, with the folder of its generation, of a shard or a file of geometry, its size and the begin of its SHA-256. */
 export type Shard = readonly [path: string, size: number, version: string];
 
 /** The cells of a subtree, as its records tell. */
@@ -22,6 +31,10 @@ export interface Subtree {
   /** Number of the generation in which each of these cells was computed. */
   readonly generations: readonly Uint16Array[];
   readonly shards: readonly Shard[];
+  /** Files of the leaves' geometry in the first generation. */
+  readonly geometry: readonly Shard[];
+  /** By the names of leaves the other leaves to which triangles belong that reach into them. */
+  readonly guests: ReadonlyMap<string, readonly Triple[]>;
 }
 
 export interface Records {
@@ -29,6 +42,8 @@ export interface Records {
   readonly generation: number;
   /** Shards of all generations but the first one. */
   readonly shards: readonly Shard[];
+  /** Files of geometry of the same, the newest ones first; one of 0 bytes stands for one that is there no more. */
+  readonly geometry: readonly Shard[];
   /** Read a subtree, given by its tier and its place. */
   subtree(tier: number, place: Triple): Promise<Subtree>;
 }
@@ -51,18 +66,20 @@ export async function openRecords(files: Files): Promise<Records> {
     'records.json',
   );
   const overlays: Overlay[] = [];
-  const shards: Shard[] = [];
+  const [shards, geometry]: [Shard[], Shard[]] = [[], []];
   // The newest one first.
   for (let number = generation; number > 0; number--) {
     const path = `${overlay(number)}generation.json`;
     const found = await document(files, path, 'orthoview_generation');
     overlays.push({ number, cells: fields(found['cells'], path) });
     shards.push(...shardsOf(found['shards'], overlay(number), path));
+    geometry.push(...shardsOf(found['geometry'], overlay(number), path));
   }
   return {
     layout,
     generation,
     shards,
+    geometry,
     subtree: (tier, place) => subtreeOf(files, layout, overlays, digests, tier, place),
   };
 }
@@ -79,8 +96,14 @@ async function subtreeOf(
   const shapes = shapesOf(layout, tier);
   const masks = shapes.map((count) => new Uint32Array(count).fill(AS_BEFORE));
   const generations = shapes.map((count) => new Uint16Array(count));
-  const put = async (views: unknown, number: number, file: string): Promise<void> => {
-    const known = await masksOf(views, layout, shapes, file);
+  const guests = new Map<string, Triple[]>();
+  const put = async (cells: Readonly<Record<string, unknown>>, number: number, file: string): Promise<void> => {
+    const known = await masksOf(cells['views'], layout, shapes, file);
+    for (const [at, leaf, guest] of await guestsOf(cells['guests'], layout, tier, place, file)) {
+      if (masks[0]?.[at] !== AS_BEFORE) continue;
+      const name = nameOf(0, leaf);
+      guests.set(name, [...(guests.get(name) ?? []), guest]);
+    }
     known.forEach((own, level) => {
       const [mask, generation] = [masks[level], generations[level]];
       own.forEach((bits, at) => {
@@ -93,18 +116,19 @@ async function subtreeOf(
   for (const { number, cells } of overlays) {
     if (!Object.hasOwn(cells, name)) continue;
     const file = `${overlay(number)}generation.json`;
-    await put(fields(cells[name], file)['views'], number, file);
+    await put(fields(cells[name], file), number, file);
   }
   const digest = digests[`${name}.json`];
-  let shards: readonly Shard[] = [];
+  let [shards, geometry]: [readonly Shard[], readonly Shard[]] = [[], []];
   if (digest !== undefined) {
     const file = `${FOLDER}/done/${name}.json`;
     const record = await document(files, file, 'orthoview_subtree', String(digest));
-    await put(record['views'], 0, file);
+    await put(record, 0, file);
     shards = shardsOf(record['shards'], '', file);
+    geometry = shardsOf(record['geometry'], '', file);
   }
   for (const mask of masks) mask.forEach((bits, at) => bits === AS_BEFORE && (mask[at] = 0));
-  return { tier, place, masks, generations, shards };
+  return { tier, place, masks, generations, shards, geometry, guests };
 }
 
 async function attributesOf(files: Files): Promise<Readonly<Record<string, unknown>>> {
@@ -151,6 +175,32 @@ async function masksOf(
   if (masks.some((mask) => mask.some(isWrong)))
     throw damaged(file, `views: expected bits of ${directions.length} directions`);
   return masks;
+}
+
+/** Leaves of a subtree, by their numbers in it and by their places, and their guests. */
+async function guestsOf(
+  text: unknown,
+  layout: Layout,
+  tier: number,
+  place: Triple,
+  file: string,
+): Promise<[at: number, leaf: Triple, guest: Triple][]> {
+  const rows = await rowsOf(text, 6, file);
+  const side = shardSide(layout, 0);
+  return Array.from({ length: rows.length / 6 }, (_, n) => {
+    const [a, b, c, x, y, z] = rows.subarray(6 * n, 6 * n + 6) as unknown as readonly number[] as [
+      number,
+      number,
+      number,
+      number,
+      number,
+      number,
+    ];
+    const isOwn = tier === 0 && ownerOf(layout, 0, [a, b, c]).place.join() === place.join();
+    const isWithin = [x, y, z].every((number, axis) => number < (layout.counts[axis] as number));
+    if (!isOwn || !isWithin) throw damaged(file, 'guests: expected leaves of the subtree, and others of the tree');
+    return [((a % side) * side + (b % side)) * side + (c % side), [a, b, c], [x, y, z]];
+  });
 }
 
 function shardsOf(listed: unknown, folder: string, file: string): Shard[] {

@@ -3,6 +3,9 @@ import { damaged, StoreError } from './error';
 import { fields } from './layout';
 import type { Bytes } from './files';
 
+/** Bytes to which a text of guests unpacks at most. */
+const MOST_BYTES = 2 ** 26;
+
 /** Hexadecimal SHA-256; null where the browser offers none: on pages without https, but for this machine's. */
 export async function sha256(bytes: Bytes): Promise<string | null> {
   if (!globalThis.crypto?.subtle) return null;
@@ -12,32 +15,54 @@ export async function sha256(bytes: Bytes): Promise<string | null> {
 
 /** Little-endian uint32 numbers of base64 of zlib; `length` of them are expected. */
 export async function numbersOf(text: unknown, length: number, file: string): Promise<Uint32Array> {
-  const packed = bytesOf(text, file);
-  const found = new Uint8Array(4 * length);
+  const found = await unpacked(text, 4 * length, 'views', file);
+  if (found.length !== 4 * length) throw damaged(file, `views: expected ${4 * length} bytes, got ${found.length}`);
+  return wordsOf(found);
+}
+
+/** The same, rows of so many numbers: as many as there are. */
+export async function rowsOf(text: unknown, width: number, file: string): Promise<Uint32Array> {
+  const found = await unpacked(text, MOST_BYTES, 'guests', file);
+  if (found.length % (4 * width) !== 0) throw damaged(file, `guests: expected rows, got ${found.length} bytes`);
+  return wordsOf(found);
+}
+
+function wordsOf(bytes: Bytes): Uint32Array {
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
+  return Uint32Array.from({ length: bytes.length / 4 }, (_, at) => view.getUint32(4 * at, true));
+}
+
+/** No more than is expected: a damaged text may unpack to any length. */
+async function unpacked(text: unknown, most: number, what: string, file: string): Promise<Bytes> {
+  const packed = bytesOf(text, what, file);
+  const parts: Uint8Array[] = [];
   let filled = 0;
   try {
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
     const reader = stream.getReader();
     for (let next = await reader.read(); !next.done; next = await reader.read()) {
-      // No more than is expected: a damaged text may unpack to any length.
-      if (filled + next.value.length > found.length) throw new RangeError('more numbers than cells');
-      found.set(next.value, filled);
       filled += next.value.length;
+      if (filled > most) throw new RangeError('more numbers than cells');
+      parts.push(next.value);
     }
   } catch (reason) {
-    throw damaged(file, `views: ${reason instanceof Error ? reason.message : reason}`);
+    throw damaged(file, `${what}: ${reason instanceof Error ? reason.message : reason}`);
   }
-  if (filled !== found.length) throw damaged(file, `views: expected ${found.length} bytes, got ${filled}`);
-  const view = new DataView(found.buffer);
-  return Uint32Array.from({ length }, (_, at) => view.getUint32(4 * at, true));
+  const found: Bytes = new Uint8Array(filled);
+  let at = 0;
+  for (const part of parts) {
+    found.set(part, at);
+    at += part.length;
+  }
+  return found;
 }
 
-function bytesOf(text: unknown, file: string): Bytes {
+function bytesOf(text: unknown, what: string, file: string): Bytes {
   try {
     if (typeof text !== 'string') throw new TypeError('no text');
     return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   } catch {
-    throw damaged(file, 'views: expected base64');
+    throw damaged(file, `${what}: expected base64`);
   }
 }
 

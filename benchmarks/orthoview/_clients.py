@@ -1,0 +1,222 @@
+"""Viewers in one Chromium that fly the same way: the page of trees, 3d-tiles-renderer and Spark."""
+
+from __future__ import annotations
+
+import base64
+import json
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.orthoview._gate import Gate
+from nearfar.orthoview import _spz
+from nearfar.orthoview._grid import Place
+from nearfar.orthoview._splat_cells import Cells
+from nearfar.orthoview._splat_export import sun_of
+from nearfar.view._tree import tree_page
+from tests.support.page_pictures import camera
+from tests.support.reader_cases import FOLDER
+
+PEERS = Path(__file__).parent / "peers"
+LIGHT = Path(__file__).resolve().parents[2] / "web" / "src" / "shaders" / "light.ts"
+SIZE = (640, 480)
+ANGLE = 60.0
+"""Vertical field of view, degrees: that of the page."""
+EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
+CLIENTS = {"nearfar": "&geometry=1", "nearfar, splats": "&geometry=0", "3d-tiles-renderer": "tiles", "Spark": "spark"}
+"""For each viewer what its address asks for: the page with near leaves as geometry and without, and the others."""
+QUIET = 5.0
+"""Seconds without a byte and without a change after which a client is taken to be done."""
+
+FLY = """async ([poses, cuts, step, seconds]) => {
+  const gl = document.querySelector('canvas').getContext('webgl2');
+  const frames = [];
+  const begin = performance.now();
+  for (;;) {
+    const at = (performance.now() - begin) / 1000;
+    if (at >= seconds) return frames;
+    const number = Math.min(Math.floor(at / step), poses.length - 2);
+    const [one, other, share] = [poses[number], poses[number + 1], at / step - number];
+    const mix = (a, b) => a + share * (b - a);
+    const position = one.position.map((value, axis) => mix(value, other.position[axis]));
+    const pose = { position, yaw: mix(one.yaw, other.yaw), pitch: one.pitch };
+    client.see(pose, cuts[number]);
+    const start = await new Promise(requestAnimationFrame);
+    await client.draw();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    frames.push([at, performance.now() - start, client.missing]);
+  }
+}"""
+
+STAND = """async ([pose, cut]) => {
+  client.see(pose, cut);
+  await new Promise(requestAnimationFrame);
+  await client.draw();
+  return JSON.stringify([client.missing, client.facts]);
+}"""
+
+STILL = """async ([width, height]) => {
+  const gl = document.querySelector('canvas').getContext('webgl2');
+  await client.draw();
+  client.paint?.();
+  const pixels = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  let text = '';
+  for (let at = 0; at < pixels.length; at += 8192) text += String.fromCharCode(...pixels.subarray(at, at + 8192));
+  return btoa(text);
+}"""
+
+
+@dataclass(frozen=True)
+class Way:
+    """A straight flight with a turn, by its places one `step` of seconds after another."""
+
+    tree: nf.orthoview.OrthoTree
+    height: float
+    speed: float
+    seconds: float
+    error: float
+    """Greatest width of a view's pixels in pixels of the picture."""
+    splat_error: float
+    """The same of the cells that Spark draws."""
+    step: float = 1.0
+
+    @cached_property
+    def poses(self) -> list[dict[str, Any]]:
+        """As the page has them."""
+        low, high = self.tree.bounds
+        place = low + np.array([0.33, 0.0, 0.39]) * (high - low) + [0.0, self.height, 0.0]
+        found = []
+        for number in range(int(self.seconds / self.step) + 1):
+            yaw = -1.87 + 0.15 * np.sin(2 * np.pi * number * self.step / self.seconds)
+            found.append({"position": place.tolist(), "yaw": float(yaw), "pitch": -0.15})
+            place = place + self.speed * self.step * np.array([-np.sin(yaw), 0.0, -np.cos(yaw)])
+        return found
+
+    def camera(self, number: int) -> nf.Camera:
+        pose = self.poses[number]
+        return camera(pose["position"], pose["yaw"], pose["pitch"], SIZE, ANGLE)
+
+    @cached_property
+    def cuts(self) -> list[dict[str, Any]]:
+        """For Spark: names of each cut's cells and of those above, coarse ones first, and which lie in which."""
+        return [self._cut(number) for number in range(len(self.poses))]
+
+    def _cut(self, number: int) -> dict[str, Any]:
+        cut = self.tree.cut(self.camera(number), error_px=self.splat_error, geometry=False)
+        distances: dict[tuple[int, Place], float] = {}
+        below: dict[tuple[int, Place], set[tuple[int, Place]]] = {}
+        top = self.tree._layout.grid.levels - 1
+        rows = zip(cut.level.tolist(), cut.place.tolist(), cut.distance.tolist(), cut.in_picture, strict=True)
+        for level, place, distance, is_seen in rows:
+            if not is_seen:
+                continue
+            key: tuple[int, Place] = (level, tuple(place))
+            below.setdefault(key, set())
+            distances[key] = min(distance, distances.get(key, np.inf))
+            while key[0] < top:
+                x, y, z = key[1]
+                above: tuple[int, Place] = (key[0] + 1, (x >> 1, y >> 1, z >> 1))
+                below.setdefault(above, set()).add(key)
+                distances[above] = min(distance, distances.get(above, np.inf))
+                key = above
+        order = sorted(distances, key=lambda each: (-each[0], distances[each]))
+
+        def described(key: tuple[int, Place]) -> dict[str, Any]:
+            return {"name": name_of(*key), "below": [described(child) for child in sorted(below[key])]}
+
+        return {"wanted": [name_of(*key) for key in order], "root": described((top, (0, 0, 0)))}
+
+
+def name_of(level: int, place: Place) -> str:
+    return "-".join(map(str, (level, *place)))
+
+
+def prepare(way: Way, folder: Path) -> dict[str, Path]:
+    """Write what the viewers read; the folders that are served."""
+    page, splats, job = (folder / name for name in ("page", "splats", "job"))
+    for each in (page, splats, job):
+        each.mkdir(exist_ok=True)
+    for name, content in tree_page().items():
+        (page / name).write_bytes(content)
+    cells = Cells(way.tree._files, way.tree._layout, way.tree.generation, EVERYWHERE, sun_of("sun"))
+    centers: dict[str, list[float]] = {}
+    for name in sorted({name for cut in way.cuts for name in cut["wanted"]}):
+        level, *place = map(int, name.split("-"))
+        key = (level, (place[0], place[1], place[2]))
+        centers[name] = way.tree.box(*key).mean(axis=0).tolist()
+        if not (splats / f"{name}.spz").is_file():
+            (splats / f"{name}.spz").write_bytes(_spz.encoded(cells.read(*key).gaussians))
+    irradiance = LIGHT.read_text().split("/* glsl */ `")[1].split("`")[0]
+    described = {
+        "size": SIZE,
+        "angle": ANGLE,
+        "tileset": "/store/geometry/tileset.json",
+        "cells": centers,
+        "irradiance": irradiance,
+    }
+    (job / "job.json").write_text(json.dumps(described))
+    store, packages = Path(way.tree.path), FOLDER / "node_modules"
+    return {"page": page, "splats": splats, "job": job, "store": store, "packages": packages, "peers": PEERS}
+
+
+class Client:
+    """A viewer in a page."""
+
+    def __init__(self, page: Any, way: Way, gate: Gate) -> None:
+        self._page, self._way, self._gate = page, way, gate
+
+    def settled(self, number: int, patience: float) -> dict[str, Any]:
+        """Stand at a place of the way until nothing comes and nothing changes; what is missing, and its own figures."""
+        begin = time.monotonic()
+        last, since = None, begin
+        pose, cut = self._way.poses[number], self._way.cuts[number]
+        while True:
+            told = self._page.evaluate(STAND, [pose, cut]), self._gate.sent
+            now = time.monotonic()
+            if told != last:
+                last, since = told, now
+            missing, facts = json.loads(told[0])
+            quiet = 1.0 if missing == 0 else QUIET
+            if now - since > quiet or now - begin > patience:
+                return {"missing": missing, **facts}
+            self._page.wait_for_timeout(200)
+
+    def picture(self) -> NDArray[np.uint8]:
+        """The picture (H, W, 4)."""
+        data = base64.b64decode(self._page.evaluate(STILL, list(SIZE)))
+        return np.frombuffer(data, np.uint8).reshape(SIZE[1], SIZE[0], 4)[::-1]
+
+    def fly(self, pace: float) -> NDArray[np.float64]:
+        """Fly as long as the way takes, at a part of its speed: times of frames, their ms and how much was missing."""
+        way = self._way
+        frames = self._page.evaluate(FLY, [way.poses, way.cuts, way.step / pace, way.seconds])
+        return np.array(frames, np.float64).reshape(-1, 3)
+
+
+@contextmanager
+def opened(chromium: Any, url: str, name: str, way: Way, gate: Gate) -> Iterator[Client]:
+    """A viewer without a cache, at the begin of the way."""
+    context = chromium.new_context(viewport={"width": SIZE[0], "height": SIZE[1]})
+    page = context.new_page()
+    page.on("pageerror", lambda error: print(f"{name}: {error}"))
+    try:
+        if name.startswith("nearfar"):
+            pose = way.poses[0]
+            link = f"#p={','.join(map(str, pose['position']))}&yaw={pose['yaw']}&pitch={pose['pitch']}"
+            page.goto(f"{url}page/?store=/store/&error={way.error:g}&megabytes=2048{CLIENTS[name]}{link}")
+            page.add_script_tag(path=str(PEERS / "page.mjs"))
+        else:
+            page.goto(f"{url}peers/?{CLIENTS[name]}")
+        page.wait_for_function("() => window.client")
+        yield Client(page, way, gate)
+    finally:
+        context.close()

@@ -1,0 +1,146 @@
+"""A server of files over one link of a certain rate, which stops when as many bytes have gone out as are allowed."""
+
+from __future__ import annotations
+
+import math
+import re
+import select
+import socket
+import threading
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+PIECE = 4096
+"""Bytes that are sent at once: so exactly a rate and a limit are kept."""
+
+
+@dataclass
+class Gate:
+    """Counts the bytes of contents, which all share one link."""
+
+    mbps: float = math.inf
+    rtt_ms: float = 0.0
+    allowed: float = math.inf
+    """Bytes that may go out in all."""
+    sent: int = 0
+    requests: int = 0
+    _free: float = 0.0
+    _changed: threading.Condition = field(default_factory=threading.Condition)
+
+    def allow(self, count: float) -> None:
+        """From now on let this many bytes out in all."""
+        with self._changed:
+            self.allowed = count
+            self._changed.notify_all()
+
+    def take(self, count: int, connection: socket.socket) -> int:
+        """Wait until some of a number of bytes may go out; 0 if nobody waits for them any more."""
+        with self._changed:
+            while self.sent >= self.allowed:
+                if _is_closed(connection):
+                    return 0
+                self._changed.wait(0.1)
+            taken = int(min(count, self.allowed - self.sent))
+            self.sent += taken
+            self._free = max(self._free, time.monotonic()) + taken * 8e-6 / self.mbps
+            free = self._free
+        time.sleep(max(free - time.monotonic(), 0.0))
+        return taken
+
+
+class _Handler(SimpleHTTPRequestHandler):
+    """Serves folders by the first part of the address; some of them through a gate."""
+
+    protocol_version = "HTTP/1.1"
+    disable_nagle_algorithm = True
+
+    def __init__(self, *request: Any, folders: Mapping[str, Path], gate: Gate, counted: frozenset[str]) -> None:
+        self._folders, self._gate, self._counted = folders, gate, counted
+        super().__init__(*request)
+
+    def translate_path(self, path: str) -> str:
+        name, _, rest = path.partition("?")[0].lstrip("/").partition("/")
+        folder = self._folders.get(name)
+        return str(folder / rest) if folder else ""
+
+    def do_GET(self) -> None:
+        path = Path(self.translate_path(self.path))
+        if path.is_dir():
+            path /= "index.html"
+        if not path.is_file():
+            self.send_error(404)
+            return
+        content, size = path.read_bytes(), path.stat().st_size
+        asked = re.fullmatch(r"bytes=(\d*)-(\d*)", self.headers.get("Range", ""))
+        if asked is not None:
+            first, last = asked.groups()
+            start = int(first) if first else max(size - int(last), 0)
+            stop = min(int(last) + 1, size) if first and last else size
+            content = content[start:stop]
+        if self._is_counted:
+            self._gate.requests += 1
+            time.sleep(self._gate.rtt_ms / 1e3)
+        self.send_response(200 if asked is None else 206)
+        if asked is not None:
+            self.send_header("Content-Range", f"bytes {start}-{stop - 1}/{size}")
+        self.send_header("Content-Type", self.guess_type(path))
+        self.send_header("Content-Length", str(len(content)))
+        self.end_headers()
+        self._send(content)
+
+    @property
+    def _is_counted(self) -> bool:
+        return self.path.lstrip("/").partition("/")[0] in self._counted
+
+    def _send(self, content: bytes) -> None:
+        if not self._is_counted:
+            self.wfile.write(content)
+            return
+        at = 0
+        while at < len(content):
+            taken = self._gate.take(min(PIECE, len(content) - at), self.connection)
+            if taken == 0:
+                self.close_connection = True
+                return
+            self.wfile.write(content[at : at + taken])
+            at += taken
+
+    def log_message(self, *_: Any) -> None:
+        """Print nothing."""
+
+
+class _Listener(ThreadingHTTPServer):
+    daemon_threads = True
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Pages break off what they want no more; that is no error."""
+
+
+def _is_closed(connection: socket.socket) -> bool:
+    """Whether the other side has closed a connection."""
+    readable, _, _ = select.select([connection], [], [], 0)
+    try:
+        return bool(readable) and not connection.recv(1, socket.MSG_PEEK)
+    except OSError:
+        return True
+
+
+@contextmanager
+def served(folders: Mapping[str, Path], gate: Gate, counted: frozenset[str]) -> Iterator[str]:
+    """Serve folders by name, those that are counted through the gate; the address."""
+    handler = partial(_Handler, folders=folders, gate=gate, counted=counted)
+    with _Listener(("127.0.0.1", 0), handler) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.05,))
+        thread.start()
+        try:
+            yield f"http://127.0.0.1:{server.server_port}/"
+        finally:
+            gate.allow(math.inf)
+            server.shutdown()
+            thread.join()

@@ -1,0 +1,185 @@
+"""The page of trees beside 3d-tiles-renderer and Spark in one Chromium: pictures after equal bytes, and a flight.
+
+    python -m benchmarks.orthoview.browsers [STORE] --out FOLDER
+
+STORE is a tree with geometry; without one a city is built. 3d-tiles-renderer reads the leaves' geometry, Spark the
+cells of the cuts as SPZ files. All get their bytes through one gate, which closes after a number of them. Pages need
+a browser and `npm ci --prefix tests/readers`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import tempfile
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.orthoview._clients import CLIENTS, Way, opened, prepare
+from benchmarks.orthoview._gate import Gate, served
+from tests.support.browser import started
+
+STEPS = (0.5, 1.0, 2.0, 4.0, 8.0)
+"""Megabytes after which pictures are taken at the first place."""
+MORE = 2.0
+"""Further megabytes at each place after it."""
+PLACES = 4
+SHEET = (1.0, 4.0)
+"""Megabytes of the pictures that stand side by side; the last row is the last place."""
+PACE = 0.4
+"""Part of the way's speed at which it is flown: software draws few frames a second."""
+RTT = 20.0
+PATIENCE = 180.0
+"""Seconds after which a picture is taken in any case."""
+TRUTH = 1e-6
+"""Error at which all leaves in the picture are triangles."""
+Array = NDArray[np.float64]
+Truth = tuple[Array, NDArray[np.bool_], Array]
+"""A picture, the pixels that are full of surfaces, and the sky alone."""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("store", nargs="?", help="a tree with geometry")
+    parser.add_argument("--error", type=float, default=3.0, help="error_px of the page's cuts")
+    parser.add_argument("--splat-error", type=float, default=12.0, help="error_px of Spark's cuts")
+    parser.add_argument("--height", type=float, default=120.0, help="metres above the bottom of the tree")
+    parser.add_argument("--speed", type=float, help="metres a second; a twentieth of the world in all by default")
+    parser.add_argument("--seconds", type=float, default=30.0)
+    parser.add_argument("--mbps", type=float, default=20.0, help="link of the flight")
+    parser.add_argument("--viewers", nargs="+", default=list(CLIENTS), choices=list(CLIENTS))
+    parser.add_argument("--only", choices=("standing", "flying"), help="one of the two tables")
+    parser.add_argument("--work", type=Path, help="folder that keeps what is made: SPZ files, truths, pictures")
+    parser.add_argument("--out", type=Path, help="folder for the picture")
+    given = parser.parse_args()
+    print(f"{machine()}\n")
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = given.work or Path(temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        tree = nf.orthoview.open(given.store) if given.store else city(folder)
+        speed = given.speed or float(np.ptp(tree.bounds[:, 0])) / 20 / given.seconds
+        way = Way(tree, given.height, speed, given.seconds, given.error, given.splat_error)
+        folders = prepare(way, folder)
+        gate = Gate()
+        counted = frozenset({"store", "splats"})
+        with served(folders, gate, counted) as url, started(flags=["--js-flags=--max-old-space-size=4096"]) as chromium:
+            if given.only != "flying":
+                standing(chromium, url, way, gate, given, folder)
+            if given.only != "standing":
+                flying(chromium, url, way, gate, given)
+
+
+def city(folder: Path) -> nf.orthoview.OrthoTree:
+    """A tree of 1 km of a city."""
+    box = np.array([[-512.0, -9.0, -512.0], [511.0, 200.0, 511.0]])
+    world = nf.datasets.city(blocks=12, detail=1)
+    return nf.orthoview.build(world, folder / "city.zarr", cell=64, aabb=box, size=128, directions=9)
+
+
+def standing(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Namespace, folder: Path) -> None:
+    """Pictures after equal bytes: ever more at the first place, and some more at each of the others."""
+    places = [round(n * (len(way.poses) - 1) / (PLACES - 1)) for n in range(PLACES)]
+    stops = [(places[0], step) for step in STEPS]
+    stops += [(place, STEPS[-1] + (n + 1) * MORE) for n, place in enumerate(places[1:])]
+    stops.append((places[-1], math.inf))
+    truths = {place: truth_of(way, place, folder) for place in places}
+    rows: list[list[str]] = []
+    for name in given.viewers:
+        begin, asked = gate.sent, gate.requests
+        gate.mbps, gate.rtt_ms = math.inf, 0.0
+        gate.allow(begin + 1e6 * stops[0][1])
+        with opened(chromium, url, name, way, gate) as client:
+            for place, megabytes in stops:
+                gate.allow(begin + 1e6 * megabytes)
+                facts = client.settled(place, PATIENCE)
+                told = [f"{(gate.sent - begin) / 1e6:.2f}", f"{gate.requests - asked}", f"{facts['missing']}"]
+                row = [f"{place * way.step:g}", f"{megabytes:g}", name, *told]
+                rows.append(row + compared(name, client.picture(), truths[place], folder / file_of(name, row)))
+                print(rows[-1], facts, flush=True)
+    rows.sort(key=lambda row: (float(row[0]), float(row[1])))
+    header = ["place, s", "MB allowed", "viewer", "MB", "requests", "missing", "PSNR, dB", "SSIM", "holes, %"]
+    print(table("Pictures after equal bytes", header, rows))
+    if given.out is not None:
+        shown = [(places[0], step) for step in SHEET] + [stops[-2]]
+        sheet(truths, shown, folder, given.out / "orthoview_browsers.png")
+
+
+def compared(name: str, shown: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
+    """How alike a viewer's picture is to the truth, and its holes; the picture is kept."""
+    right, solid, sky = truth
+    picture = shown[..., :3] / 255.0
+    if name.startswith("nearfar"):
+        # The canvas has no alpha: nothing is where the sky is.
+        is_hole = np.abs(picture - sky).max(axis=-1) < 2 / 255
+    else:
+        is_hole = shown[..., 3] < 128
+        picture = picture + (1 - shown[..., 3:] / 255.0) * sky
+    Image.fromarray(np.rint(255 * picture.clip(0, 1)).astype(np.uint8)).save(file)
+    psnr, ssim = (measure(right, picture, data_range=1.0) for measure in (nf.psnr, nf.ssim))
+    return [f"{psnr:.1f}", f"{ssim:.3f}", f"{100 * (is_hole & solid).sum() / solid.sum():.2f}"]
+
+
+def file_of(name: str, stop: Sequence[object]) -> str:
+    return f"{name}-{stop[0]}-{stop[1]}.png"
+
+
+def flying(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Namespace) -> None:
+    """From an empty cache the first picture over a link, and a flight from there."""
+    rows = []
+    for name in given.viewers:
+        start, asked = gate.sent, gate.requests
+        gate.mbps, gate.rtt_ms = given.mbps, RTT
+        gate.allow(math.inf)
+        with opened(chromium, url, name, way, gate) as client:
+            begin = time.monotonic()
+            facts = client.settled(0, PATIENCE)
+            waited, before = time.monotonic() - begin, gate.sent
+            moments, took, missing = client.fly(PACE).T
+        share = np.diff(np.append(moments, way.seconds)) / way.seconds
+        first = [f"{(before - start) / 1e6:.1f}", f"{waited:.0f}", f"{facts['missing']}"]
+        later = [f"{(gate.sent - before) / 1e6:.1f}", f"{gate.requests - asked}", f"{len(took)}"]
+        stalled = [f"{100 * (missing > 0).mean():.0f}", f"{100 * share[missing > 0].sum():.0f}"]
+        times = [f"{np.median(took):.0f}", f"{np.percentile(took, 95):.0f}"]
+        rows.append([name, *first, *later, *stalled, *times])
+        print(rows[-1], flush=True)
+    title = f"{way.seconds:g} s at {PACE * way.speed:g} m/s, {given.mbps:g} Mbit/s, {RTT:g} ms"
+    header = ["viewer", "first picture, MB", "s", "missing", "flight, MB", "requests in all", "frames"]
+    print(table(title, [*header, "stalled, % of frames", "% of time", "median frame, ms", "95 %"], rows))
+
+
+def truth_of(way: Way, place: int, folder: Path) -> Truth:
+    """The picture of all leaves' triangles, where it shows some in the whole pixel, and the sky alone."""
+    camera = way.camera(place)
+    kept = folder / f"truth-{place}.npz"
+    if not kept.is_file():
+        frame = way.tree.render(camera, error_px=TRUTH, samples=4, channels=("color", "coverage"))
+        assert frame.stats["views"] == 0
+        np.savez(kept, picture=frame.to_image(), coverage=frame.require("coverage"))
+    with np.load(kept) as found:
+        picture, coverage = found["picture"], found["coverage"]
+    sky = way.tree.render(camera, t_max=1e-3, channels=("color",)).to_image()
+    return picture / 255.0, coverage > 0.999, sky / 255.0
+
+
+def sheet(truths: dict[int, Truth], stops: list[tuple[int, float]], folder: Path, path: Path) -> None:
+    """A row for each stop: the truth, and the viewers whose pictures are there."""
+    rows = []
+    for place, megabytes in stops:
+        files = [folder / file_of(name, (place, f"{megabytes:g}")) for name in CLIENTS]
+        kept = [np.asarray(Image.open(file)) for file in files if file.is_file()]
+        rows.append(np.concatenate([np.rint(255 * truths[place][0]).astype(np.uint8), *kept], axis=1))
+    codes = np.concatenate(rows)
+    small = Image.fromarray(codes).resize((codes.shape[1] // 2, codes.shape[0] // 2), Image.Resampling.BOX)
+    small.quantize(128).save(path, optimize=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,146 @@
+"""Near leaves as geometry in the page that flies trees, in a browser: beside Python's pictures, and when files fail."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+from PIL import Image
+
+import nearfar as nf
+from nearfar.serve._server import Server
+from tests.support import need
+from tests.support.browser import opened, started, wait_until
+from tests.support.flown_page import SIZE, Pose, facts, flown, holes, likeness, link, picture, problems, rendered, seen
+from tests.support.range_server import served
+
+pytestmark = pytest.mark.slow
+
+NEAR: Pose = {"position": [3.0, 14.0, 34.0], "yaw": 0.5, "pitch": -0.2}
+STREET: Pose = {"position": [20.0, 3.0, 22.0], "yaw": 0.7, "pitch": 0.25}
+WALL: Pose = {"position": [0.0, 3.0, 9.0], "yaw": 0.2, "pitch": -0.1}
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[Any]:
+    need("browser")
+    with started() as program:
+        yield program
+
+
+@pytest.fixture(scope="module")
+def city(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+    """A small city with the geometry of its leaves, some of which are cars that could move."""
+    need("zarr")
+    path = tmp_path_factory.mktemp("trees") / "city.zarr"
+    box = np.array([[-60.0, -9.0, -60.0], [59.0, 50.0, 59.0]])
+    world = nf.datasets.city(blocks=2, detail=1)
+    return nf.orthoview.build(world, path, cell=30, aabb=box, size=32, directions=9)
+
+
+@pytest.fixture
+def copied(city: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
+    """A copy of the city's store, with the page in it."""
+    path = tmp_path / "copy.zarr"
+    shutil.copytree(city.path, path)
+    return path
+
+
+def textured() -> nf.Scene:
+    """A wall with a texture and a ball with colours of its corners and smooth normals."""
+    codes = np.random.default_rng(5).integers(0, 255, (8, 8, 3), np.uint8)
+    wall = trimesh.creation.box((16.0, 8.0, 1.0))
+    image = Image.fromarray(codes)
+    wall.visual = trimesh.visual.TextureVisuals(uv=np.asarray(wall.vertices)[:, :2] / 6.0, image=image)
+    ball = trimesh.creation.icosphere(2, 2.0)
+    ball.apply_translation((-1.0, 1.0, 3.0))
+    ball.visual.vertex_colors = np.random.default_rng(6).integers(0, 255, (len(ball.vertices), 4), np.uint8)
+    world = trimesh.Scene()
+    world.add_geometry(wall, node_name="wall")
+    world.add_geometry(ball, node_name="ball")
+    return nf.Scene.from_trimesh(world)
+
+
+@pytest.mark.parametrize(("pose", "least", "samples"), [(NEAR, 0.97, 1), (STREET, 0.99, 1), (NEAR, 0.99, 4)])
+def test_pictures_are_those_of_render_with_geometry(
+    chromium: Any, city: nf.orthoview.OrthoTree, pose: Pose, least: float, samples: int
+) -> None:
+    with Server.of_bundle(city.path) as server, opened(chromium, *SIZE) as page:
+        told = flown(page, f"{server.url}?samples={samples}{link(pose)}")
+        found = picture(page)
+        assert page.printed == []
+        assert problems(page) == []
+    frame = rendered(city, pose, samples, geometry=True)
+    assert told["views"] == frame.stats["views"]
+    assert told["leaves"] >= frame.stats["leaves"] > 0
+    assert told["triangles"] > 0
+    assert told["standIns"] == told["holes"] == 0
+    assert likeness(found, frame) > least
+    assert likeness(found, frame) > likeness(found, rendered(city, pose, samples)) + 0.02
+    assert holes(found, frame) < 0.001
+
+
+def test_textures_and_colours_are_drawn(chromium: Any, tmp_path: Path) -> None:
+    tree = nf.orthoview.build(textured(), tmp_path / "textured.zarr", cell=8, size=16, directions=5)
+    nf.view.write_page(tree.path)
+    with served(Path(tree.path)) as server, opened(chromium, *SIZE) as page:
+        told = flown(page, f"{server.url}index.html{link(WALL)}")
+        found = picture(page)
+        assert problems(page) == []
+    # Leaves share it, and the server says nothing of caches.
+    assert told["leaves"] >= 2
+    assert [count for (_, name, _), count in server.answers.items() if "images/" in name] == [1]
+    frame = rendered(tree, WALL, geometry=True)
+    assert frame.stats["views"] == 0
+    off = np.abs(frame.to_image().astype(int) - found).max(axis=-1)
+    assert (off <= 3).mean() > 0.97
+    assert len(np.unique(found.reshape(-1, 3), axis=0)) > 500
+
+
+def test_geometry_can_be_left_out(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
+    with Server.of_bundle(city.path) as server, opened(chromium, *SIZE) as page:
+        told = flown(page, f"{server.url}?geometry=0{link(NEAR)}")
+        found = picture(page)
+    assert told["leaves"] == told["triangles"] == 0
+    assert likeness(found, rendered(city, NEAR)) > 0.9
+
+
+@pytest.mark.parametrize("damage", ["altered", "missing"])
+def test_damaged_geometry_is_told_and_views_stand_in(
+    chromium: Any, city: nf.orthoview.OrthoTree, copied: Path, damage: str
+) -> None:
+    place = city.cut(seen(NEAR)).leaf_places(in_picture=True)[0]
+    (file,) = copied.glob(f"geometry/content/*/{'/'.join(map(str, place))}.glb")
+    with Server.of_bundle(copied) as server, opened(chromium, *SIZE) as page:
+        if damage == "missing":
+            file.unlink()
+        else:
+            content = bytearray(file.read_bytes())
+            content[-3] ^= 1
+            file.write_bytes(content)
+        told = flown(page, f"{server.url}{link(NEAR)}")
+        listed = problems(page)
+        found = picture(page)
+    assert len(listed) == 1
+    assert file.name in listed[0]
+    assert ("record" if damage == "altered" else "gone") in listed[0]
+    assert told["leaves"] > 0
+    assert told["views"] > city.render(seen(NEAR)).stats["views"]
+    assert told["holes"] == told["waiting"] == 0
+    assert holes(found, rendered(city, NEAR)) < 0.02
+
+
+def test_few_bytes_keep_the_leaves_of_the_picture(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
+    with Server.of_bundle(city.path) as server, opened(chromium, *SIZE) as page:
+        flown(page, f"{server.url}?megabytes=1{link(STREET)}")
+        there = {name: facts(page)[name] for name in ("leaves", "triangles", "waiting", "holes")}
+        page.evaluate("(pose) => window.orthoview.setPose(pose)", NEAR)
+        wait_until(page, lambda: facts(page)["isComplete"] and facts(page)["triangles"] != there["triangles"])
+        page.evaluate("(pose) => window.orthoview.setPose(pose)", STREET)
+        wait_until(page, lambda: facts(page)["isComplete"] and facts(page)["triangles"] == there["triangles"])
+        assert {name: facts(page)[name] for name in there} == there

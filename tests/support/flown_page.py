@@ -1,0 +1,77 @@
+"""The page that flies trees: its figures, and its pictures beside Python's."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._scene.srgb import to_srgb
+from tests.support.browser import canvas, wait_until
+from tests.support.page_pictures import camera
+
+Pose = dict[str, Any]
+
+SIZE = (240, 160)
+ANGLE = 60.0
+
+FACTS = "() => window.orthoview && ({ ...window.orthoview.facts })"
+PROBLEMS = "() => [...document.querySelectorAll('#message li')].map((each) => each.textContent)"
+
+
+def link(pose: Pose) -> str:
+    """The part of an address that names a pose."""
+    return f"#p={','.join(map(str, pose['position']))}&yaw={pose['yaw']}&pitch={pose['pitch']}"
+
+
+def facts(page: Any) -> dict[str, Any]:
+    """The page's own figures."""
+    return dict(page.evaluate(FACTS) or {"isComplete": False})
+
+
+def flown(page: Any, address: str) -> dict[str, Any]:
+    """Open the page, and wait until all views have come or failed."""
+    page.goto(address)
+    wait_until(page, lambda: facts(page)["isComplete"])
+    return facts(page)
+
+
+def picture(page: Any) -> NDArray[np.uint8]:
+    """The picture without what lies above it."""
+    page.evaluate("() => { document.querySelector('main').style.display = 'none'; }")
+    page.wait_for_timeout(300)
+    return canvas(page)
+
+
+def seen(pose: Pose) -> nf.Camera:
+    """The page's camera."""
+    return camera(pose["position"], pose["yaw"], pose["pitch"], SIZE, ANGLE)
+
+
+def rendered(tree: nf.orthoview.OrthoTree, pose: Pose, samples: int = 1, *, geometry: bool = False) -> nf.Frame:
+    """Python's picture."""
+    return tree.render(seen(pose), geometry=geometry, samples=samples, channels=("color", "coverage"))
+
+
+def likeness(found: NDArray[np.uint8], frame: nf.Frame) -> float:
+    """Structural similarity of the mean of the colours."""
+    return float(nf.ssim(frame.to_image().mean(axis=-1), found.mean(axis=-1), data_range=255))
+
+
+def holes(found: NDArray[np.uint8], frame: nf.Frame) -> float:
+    """Share of the pixels that Python covers in which the page shows the sky."""
+    height = frame.camera.rays()[1][..., 1:2]
+    end = np.where(height < 0, [0.24, 0.25, 0.26], [0.16, 0.34, 0.66])
+    horizon = np.array([0.66, 0.74, 0.82])
+    sky = to_srgb(horizon + (end - horizon) * np.sqrt(np.abs(height))) * 255
+    is_sky = np.abs(sky - found).max(axis=-1) < 2
+    covered = frame.require("coverage") == 1
+    assert covered.all() or is_sky[~covered].mean() > 0.5
+    return float(is_sky[covered].mean())
+
+
+def problems(page: Any) -> list[str]:
+    """The page's messages."""
+    return list(page.evaluate(PROBLEMS))

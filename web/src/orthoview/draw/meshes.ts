@@ -1,0 +1,136 @@
+/** Draws the geometry of near leaves into the samples, by the depth and the light of splats. */
+import { ROWS } from '../../decode/placements';
+import type { Piece } from '../decode/leaf';
+import type { Projector } from '../splats/sight';
+import type { Triple } from '../store/layout';
+import { type Program, programOf } from './gl';
+import { MESH_FRAGMENT, MESH_VERTEX } from './mesh_shaders';
+
+/** A piece of geometry on the GPU. */
+export interface Mesh {
+  readonly origin: Triple;
+  readonly material: Piece['material'];
+  readonly array: WebGLVertexArrayObject;
+  readonly buffers: readonly WebGLBuffer[];
+  /** Of colour and of emission; null for none. */
+  readonly textures: readonly (WebGLTexture | null)[];
+  readonly kind: number;
+  readonly corners: number;
+  readonly copies: number;
+  readonly bytes: number;
+}
+
+export interface Drawn {
+  readonly triangles: number;
+  readonly calls: number;
+}
+
+export class Meshes {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #program: Program;
+  readonly #white: WebGLTexture;
+
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+    this.#program = programOf(gl, MESH_VERTEX, MESH_FRAGMENT);
+    this.#white = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.#white);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  }
+
+  upload(piece: Piece): Mesh {
+    const gl = this.#gl;
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    const buffers: WebGLBuffer[] = [];
+    const fill = (target: number, data: ArrayBufferView<ArrayBuffer>): void => {
+      const buffer = gl.createBuffer();
+      buffers.push(buffer);
+      gl.bindBuffer(target, buffer);
+      gl.bufferData(target, data, gl.STATIC_DRAW);
+    };
+    const attribute = (place: number, data: Float32Array | Uint16Array | null, width: number): number => {
+      if (!data) return 0;
+      fill(gl.ARRAY_BUFFER, data as ArrayBufferView<ArrayBuffer>);
+      const isFloat = data instanceof Float32Array;
+      gl.enableVertexAttribArray(place);
+      gl.vertexAttribPointer(place, width, isFloat ? gl.FLOAT : gl.UNSIGNED_SHORT, !isFloat, 0, 0);
+      return data.byteLength;
+    };
+    let bytes = attribute(0, piece.positions, 3) + attribute(1, piece.normals, 3);
+    bytes += attribute(2, piece.uvs, 2) + attribute(3, piece.colors, 4);
+    fill(gl.ARRAY_BUFFER, piece.placements as ArrayBufferView<ArrayBuffer>);
+    for (let row = 0; row < 3; row++) {
+      gl.enableVertexAttribArray(4 + row);
+      gl.vertexAttribPointer(4 + row, 4, gl.FLOAT, false, 4 * ROWS, 16 * row);
+      gl.vertexAttribDivisor(4 + row, 1);
+    }
+    fill(gl.ELEMENT_ARRAY_BUFFER, piece.indices as ArrayBufferView<ArrayBuffer>);
+    gl.bindVertexArray(null);
+    const images = [piece.image, piece.glow];
+    // Mipmaps take a third more.
+    for (const image of images) bytes += image ? Math.ceil((16 * image.width * image.height) / 3) : 0;
+    return {
+      origin: piece.origin,
+      material: piece.material,
+      array,
+      buffers,
+      textures: images.map((image) => (image ? this.#textureOf(image) : null)),
+      kind: piece.indices instanceof Uint16Array ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
+      corners: piece.indices.length,
+      copies: piece.placements.length / ROWS,
+      bytes: bytes + piece.placements.byteLength + piece.indices.byteLength,
+    };
+  }
+
+  drop({ array, buffers, textures }: Mesh): void {
+    this.#gl.deleteVertexArray(array);
+    for (const buffer of buffers) this.#gl.deleteBuffer(buffer);
+    for (const texture of textures) this.#gl.deleteTexture(texture);
+  }
+
+  /** Draw meshes into the samples that are bound; depths are `nearest` over distances along the axis. */
+  draw(meshes: readonly Mesh[], { eye, rows, width, height }: Projector, nearest: number): Drawn {
+    const [gl, { at, program }] = [this.#gl, this.#program];
+    gl.useProgram(program);
+    gl.uniform3fv(at('gradients'), rows.flat());
+    gl.uniform2f(at('screen'), width, height);
+    gl.uniform1f(at('nearest'), nearest);
+    gl.uniform1i(at('image'), 0);
+    gl.uniform1i(at('glow'), 1);
+    let triangles = 0;
+    for (const mesh of meshes) {
+      const { origin, material, textures, corners, copies } = mesh;
+      // In float64: only what is near the eye is exact in float32.
+      gl.uniform3f(at('offset'), origin[0] - eye[0], origin[1] - eye[1], origin[2] - eye[2]);
+      gl.uniform4fv(at('base'), material.color);
+      gl.uniform3fv(at('emission'), material.emission ?? [0, 0, 0]);
+      gl.uniform1f(at('cutoff'), material.cutoff ?? -1);
+      gl.uniform1f(at('unlit'), material.isUnlit ? 1 : 0);
+      textures.forEach((texture, unit) => {
+        gl.activeTexture(gl.TEXTURE0 + unit);
+        gl.bindTexture(gl.TEXTURE_2D, texture ?? this.#white);
+      });
+      gl.bindVertexArray(mesh.array);
+      // What a piece has no arrays of: faces for normals, and white.
+      gl.vertexAttrib3f(1, 0, 0, 0);
+      gl.vertexAttrib4f(3, 1, 1, 1, 1);
+      gl.drawElementsInstanced(gl.TRIANGLES, corners, mesh.kind, 0, copies);
+      triangles += (corners / 3) * copies;
+    }
+    gl.bindVertexArray(null);
+    return { triangles, calls: meshes.length };
+  }
+
+  #textureOf(image: ImageBitmap): WebGLTexture {
+    const gl = this.#gl;
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, image);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    image.close();
+    return texture;
+  }
+}
