@@ -106,9 +106,13 @@ def test_the_cameras_pictures_count(tree: Tree) -> None:
 
 def test_settings_count(tree: Tree) -> None:
     eye = PLACES["inside"]
-    each: list[dict[str, Any]] = [{}, {"views": 1}, {"error_px": 4.0}, {"geometry": False}]
+    each: list[dict[str, Any]] = [{}, {"views": 1}, {"error_px": 4.0}, {"geometry": False}, {"lift_deg": 40.0}]
     for own in each:
-        assert tree.prefetch_queue(eye, **own).needed == parts_of(tree, nf.Camera(eye, **PAPER), **own)
+        found = tree.prefetch_queue(eye, **own)
+        assert found.needed == parts_of(tree, nf.Camera(eye, **PAPER), **own)
+        cuts = [parts_of(tree, nf.Camera(place, **PAPER), **own) for place in found.positions]
+        assert set(found.soon) == set().union(*cuts) - set(found.needed)
+    assert set(tree.prefetch_queue(eye, lift_deg=40.0).needed) != set(tree.prefetch_queue(eye).needed)
     bare = tree.prefetch_queue(eye, geometry=False)
     assert all(part[2] != GEOMETRY for part in [*bare.needed, *bare.soon])
     assert any(part[2] == GEOMETRY for part in tree.prefetch_queue(eye).needed)
