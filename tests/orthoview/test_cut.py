@@ -206,14 +206,36 @@ def test_each_leaf_is_covered_once(tree: nf.orthoview.OrthoTree, shown: Shown, n
             assert sum(cell in cells for cell in above) == 1, (x, y, z)
 
 
-def test_directions_of_a_tree_are_those_of_its_views(tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid) -> None:
-    camera, missing = CAMERAS["inside"], 0
-    cut = tree.cut(camera, views=4, around=True)
-    for level, place, numbers in zip(cut.level.tolist(), rows(cut.place), cut.directions.tolist(), strict=True):
-        toward = np.array(camera.position) - grid.box(level, place).mean(axis=0)
-        assert numbers == oracle.nearest_directions(toward, tree.directions, 4, shown[level, place])
-        missing += numbers.count(-1)
+SLANTED = looking((-31.7, 15.3, 22.3), (0, 5, 3), PLAN)
+
+
+@pytest.mark.parametrize("camera", [CAMERAS["inside"], CAMERAS["outside"], CAMERAS["face 3"], SLANTED])
+def test_directions_of_a_tree_are_those_of_its_views(
+    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, camera: nf.Camera
+) -> None:
+    """Nearest to the viewer, or to its direction raised by an angle, which changes nothing else of a cut."""
+    missing, doubtful, chosen = 0, 0, []
+    paper = tree.cut(camera, views=4, error_px=2.0, geometry=False, around=True)
+    for lift_deg in (0.0, 7.5, 30.0, 90.0):
+        cut = tree.cut(camera, views=4, error_px=2.0, geometry=False, around=True, lift_deg=lift_deg)
+        for level, place, numbers in zip(cut.level.tolist(), rows(cut.place), cut.directions.tolist(), strict=True):
+            toward = np.array(camera.position) - grid.box(level, place).mean(axis=0)
+            if isinstance(camera.fov, nf.Orthographic):
+                toward = -oracle.camera_axis(camera)
+            try:
+                right = oracle.nearest_directions(toward, tree.directions, 4, shown[level, place], lift_deg)
+            except oracle.DoubtfulError:
+                doubtful += 1
+                continue
+            assert numbers == right
+            missing += numbers.count(-1)
+        for field in ("level", "place", "distance", "in_picture", "partial"):
+            np.testing.assert_array_equal(getattr(cut, field), getattr(paper, field))
+        chosen.append(cut.directions.tobytes())
+    assert chosen[0] == paper.directions.tobytes()
+    assert len(set(chosen)) > 1
     assert missing > 0
+    assert doubtful == 0
 
 
 @pytest.mark.parametrize(("count", "widest"), [(5, 1.0), (9, math.sqrt(2)), (13, 4 / math.sqrt(6))])
@@ -264,6 +286,11 @@ BAD: dict[str, tuple[dict[str, Any], type[Exception], str]] = {
     "a number for around": ({"around": 0}, TypeError, "around: expected"),
     "a word for around": ({"around": "yes"}, TypeError, "around: expected"),
     "a number for continuous": ({"continuous": 1}, TypeError, "continuous: expected"),
+    "a lift below 0": ({"lift_deg": -1}, ValueError, "lift_deg: expected a number from 0 to 90, got -1"),
+    "a lift beyond the zenith": ({"lift_deg": 90.5}, ValueError, "lift_deg: expected a number from 0 to 90, got 90.5"),
+    "a lift of NaN": ({"lift_deg": math.nan}, ValueError, "lift_deg: expected"),
+    "a lift in words": ({"lift_deg": "30"}, TypeError, "lift_deg: expected"),
+    "no lift": ({"lift_deg": None}, TypeError, "lift_deg: expected"),
     "a gaze of three numbers": ({"gaze": (1, 2, 3)}, ValueError, "gaze: expected two numbers or None, got"),
     "a gaze of one number": ({"gaze": 3.0}, ValueError, "gaze: expected two numbers or None, got"),
     "a gaze of NaN": ({"gaze": (1, math.nan)}, ValueError, "gaze: expected"),
@@ -277,6 +304,18 @@ def test_bad_calls_are_named(tree: nf.orthoview.OrthoTree, name: str) -> None:
     call: Callable[..., OrthoCut] = tree.cut
     with pytest.raises(kind, match=message):
         call(**{"camera": CAMERAS["inside"]} | arguments)
+
+
+@pytest.mark.parametrize("name", [name for name in BAD if "lift" in name])
+def test_pictures_flights_and_queues_name_bad_lifts(tree: nf.orthoview.OrthoTree, name: str) -> None:
+    arguments, kind, message = BAD[name]
+    for call in (
+        lambda: tree.render(CAMERAS["inside"], **arguments),
+        lambda: tree.fly(**arguments),
+        lambda: tree.prefetch_queue(MIDDLE, **arguments),
+    ):
+        with pytest.raises(kind, match=message):
+            call()
 
 
 def test_a_tree_that_is_not_complete_has_no_cut(tmp_path: Path) -> None:

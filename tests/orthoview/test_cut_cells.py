@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import assume, given, reject, strategies as st
 
 import nearfar as nf
@@ -26,9 +29,12 @@ def one_cell(mask: int) -> _core.OrthoCells:
     return cells
 
 
-def directions_in(cells: _core.OrthoCells, camera: nf.Camera, directions: Sequence[Direction], views: int) -> list[int]:
+def directions_in(
+    cells: _core.OrthoCells, camera: nf.Camera, directions: Sequence[Direction], views: int, lift_deg: float = 0.0
+) -> list[int]:
     rule = _core.OrthoRule(camera._core, pitch=1.0, error=1.0)
-    arrays, _, unknown = cells.cut(camera._core, rule, directions=directions, views=views, geometry=False, around=True)
+    how: dict[str, Any] = {"views": views, "geometry": False, "around": True, "lift_deg": lift_deg}
+    arrays, _, unknown = cells.cut(camera._core, rule, directions=directions, **how)
     assert unknown == []
     (numbers,) = arrays["directions"].tolist()
     assert set(numbers[views:]) <= {-1}
@@ -41,10 +47,12 @@ def directions_in(cells: _core.OrthoCells, camera: nf.Camera, directions: Sequen
     st.integers(1, 8),
     st.integers(1, 2**26 - 1),
     st.booleans(),
+    st.sampled_from([0.0, 10.0, 30.0, 45.0, 90.0]) | st.floats(0, 90),
 )
 def test_directions_are_the_nearest_to_the_viewer_by_angle(
-    eye: tuple[float, float, float], count: int, views: int, mask: int, is_parallel: bool
+    eye: tuple[float, float, float], count: int, views: int, mask: int, is_parallel: bool, lift_deg: float
 ) -> None:
+    """To the viewer's direction raised by an angle, from above the horizon and below."""
     directions = directions_of(count)
     mask &= 2**count - 1
     assume(mask)
@@ -55,10 +63,58 @@ def test_directions_are_the_nearest_to_the_viewer_by_angle(
         place = np.array([0.3, 0.2, 0.1])  # of which parallel rays do not depend
         camera = nf.Camera.look_at(place, place - toward, fov=nf.Orthographic(-1, 1, -1, 1), size=(8, 8))
     try:
-        right = oracle.nearest_directions(toward, directions, views, mask)
+        right = oracle.nearest_directions(toward, directions, views, mask, lift_deg)
     except oracle.DoubtfulError:
         reject()
-    assert directions_in(one_cell(mask), camera, directions, views) == right
+    assert directions_in(one_cell(mask), camera, directions, views, lift_deg) == right
+
+
+NAMES = {"+z": (0, 0, 1), "+x": (1, 0, 0), "-z": (0, 0, -1), "-x": (-1, 0, 0), "top": (0, 1, 0), "bottom": (0, -1, 0)}
+NAMES |= {
+    f"{side} {end}": (x, y, z) for end, y in (("up", 1), ("down", -1)) for side, (x, _, z) in [*NAMES.items()][:4]
+}
+"""Sides, the top and the bottom, and the edges between them."""
+
+
+@pytest.mark.parametrize(
+    ("eye", "lift_deg", "right"),
+    [
+        # 0°, 30° and 50° above the horizon, a little to +x of +z: sides, edges at 45°, the top.
+        ((1, 0, 9), 0, ["+z", "+z up", "+z down", "+x"]),
+        ((1, 0, 9), 30, ["+z up", "+z", "top", "+x up"]),
+        ((1, 5.2, 9), 30, ["+z up", "top", "+x up", "-x up"]),
+        ((1, 10.7, 9), 30, ["top", "+z up", "+x up", "-x up"]),
+        # At the zenith all edges are equally near: those beside the viewer come first, from wherever it comes.
+        ((9, 20, 1), 30, ["top", "+x up", "+z up", "-z up"]),
+        ((-1, 0, -9), 90, ["top", "-z up", "-x up", "+x up"]),
+        # From 60° below to 30° below.
+        ((1, -15.6, 9), 0, ["+z down", "bottom", "+x down", "-x down"]),
+        ((1, -15.6, 9), 30, ["+z down", "+z", "bottom", "+x down"]),
+        # Straight up and down have no side to be turned on: equally near ones come by their numbers.
+        ((0, 5, 0), 0, ["top", "+z up", "+x up", "-z up", "-x up", "+z"]),
+        ((0, 5, 0), 30, ["top", "+z up", "+x up", "-z up", "-x up", "+z"]),
+        ((0, -5, 0), 0, ["bottom", "+z down", "+x down", "-z down", "-x down", "+z"]),
+        ((0, -5, 0), 30, ["bottom", "+z down", "+x down", "-z down", "-x down", "+z"]),
+        ((1e-12, -5, 0), 90, ["bottom", "+x down", "+z down", "-z down", "-x down", "+x"]),
+        # Of a viewer in the middle of a cell the direction is +y.
+        ((0, 0, 0), 60, ["top", "+z up", "+x up", "-z up", "-x up", "+z"]),
+    ],
+)
+def test_viewers_are_raised_at_most_to_the_zenith(
+    eye: tuple[float, float, float], lift_deg: float, right: list[str]
+) -> None:
+    directions = directions_of(26)
+    of_edges = sum(1 << directions.index(way) for way in NAMES.values())
+    found = directions_in(one_cell(of_edges), nf.Camera(eye, fov=NARROW, size=(8, 8)), directions, len(right), lift_deg)
+    names = {way: name for name, way in NAMES.items()}
+    assert [names[directions[number]] for number in found] == right
+
+
+@pytest.mark.parametrize("lift_deg", [-1e-9, 90.001, math.inf, math.nan])
+def test_other_angles_are_refused(lift_deg: float) -> None:
+    camera = nf.Camera((0, 0, 5), fov=NARROW, size=(8, 8))
+    with pytest.raises(ValueError, match="lift_deg: expected a number from 0 to 90"):
+        directions_in(one_cell(1), camera, directions_of(5), 3, lift_deg)
 
 
 def test_next_ones_take_the_place_of_views_that_show_nothing() -> None:

@@ -33,7 +33,9 @@ def flight(tree: Tree) -> Iterator[nf.orthoview.Flight]:
         yield flight
 
 
-@pytest.mark.parametrize("settings", [{}, {"geometry": False}, {"views": 1, "error_px": 2.5}])
+@pytest.mark.parametrize(
+    "settings", [{}, {"geometry": False}, {"views": 1, "error_px": 2.5}, {"views": 1, "lift_deg": 50.0}]
+)
 def test_after_a_wait_pictures_are_those_of_the_tree(tree: Tree, settings: dict[str, Any]) -> None:
     """From near and far, whatever was seen before."""
     leaves = 0

@@ -106,9 +106,14 @@ def test_the_cameras_pictures_count(tree: Tree) -> None:
 
 def test_settings_count(tree: Tree) -> None:
     eye = PLACES["inside"]
-    each: list[dict[str, Any]] = [{}, {"views": 1}, {"error_px": 4.0}, {"geometry": False}]
+    raised = {"views": 1, "geometry": False, "lift_deg": 40.0}
+    each: list[dict[str, Any]] = [{}, {"views": 1}, {"error_px": 4.0}, {"geometry": False}, raised]
     for own in each:
-        assert tree.prefetch_queue(eye, **own).needed == parts_of(tree, nf.Camera(eye, **PAPER), **own)
+        found = tree.prefetch_queue(eye, **own)
+        assert found.needed == parts_of(tree, nf.Camera(eye, **PAPER), **own)
+        cuts = [parts_of(tree, nf.Camera(place, **PAPER), **own) for place in found.positions]
+        assert set(found.soon) == set().union(*cuts) - set(found.needed)
+    assert set(found.needed) != set(tree.prefetch_queue(eye, views=1, geometry=False).needed)
     bare = tree.prefetch_queue(eye, geometry=False)
     assert all(part[2] != GEOMETRY for part in [*bare.needed, *bare.soon])
     assert any(part[2] == GEOMETRY for part in tree.prefetch_queue(eye).needed)

@@ -94,6 +94,23 @@ def test_views_show_the_world(shown: Tree, scene: nf.Scene, distance: float, ang
     assert frame.stats["leaves"] == 0 < frame.stats["splats_seen"] <= frame.stats["splats_in_picture"]
 
 
+def test_pictures_are_drawn_from_the_views_of_their_cut(shown: Tree, scene: nf.Scene) -> None:
+    """Of one view for each cell: that of its edge or, raised by 60 degrees, that from the top."""
+    camera, found = camera_at(shown, 200), []
+    for lift_deg in (0.0, 60.0):
+        tree = nf.orthoview.open(shown.path)
+        frame = tree.render(camera, views=1, lift_deg=lift_deg, geometry=False, channels=CHANNELS)
+        keys = tree.cut(camera, views=1, lift_deg=lift_deg, geometry=False).keys()
+        assert frame.stats["splats"] == sum(splats.count for splats in shown._viewer.views.get(keys))
+        assert all(key in tree._viewer.views for key in keys)
+        found.append((set(keys), frame, tree._viewer.views))
+    (paper, one, _), (raised, other, views) = found
+    assert len(paper) == len(raised)
+    assert not any(key in views for key in paper)
+    assert {direction for *_, direction in raised} == {shown.directions.index((0, 1, 0))}
+    assert differ(one, other)
+
+
 def test_a_near_viewer_sees_geometry(shown: Tree, scene: nf.Scene) -> None:
     """All leaves that it sees are geometry: the world, but for positions that are rounded to a millimetre."""
     camera = camera_at(shown, 140)

@@ -172,11 +172,41 @@ def is_sampled(camera: nf.Camera, points: NDArray[np.float64]) -> bool:
     return bool(((x >= 0) & (x <= camera.width) & (y >= 0) & (y <= camera.height)).any())
 
 
-def nearest_directions(toward: ArrayLike, directions: Sequence[Place], views: int, mask: int) -> list[int]:
-    """Numbers of the directions nearest to one, by angle, of those in a mask, filled up with −1."""
-    unit = np.asarray(toward) / np.linalg.norm(toward)
-    angles = [math.acos(np.clip(np.dot(unit, one) / np.linalg.norm(one), -1, 1)) for one in directions]
-    if min(np.diff(sorted(angles))) < DOUBT:
+def raised(unit: NDArray[np.float64], lift_deg: float) -> tuple[NDArray[np.float64], bool]:
+    """A direction turned about a horizontal axis towards +y, at most to +y, and whether it is there.
+
+    One straight up or down has no such axis, and stays.
+    """
+    axis = np.cross(unit, (0, 1, 0))
+    if lift_deg == 0 or not axis.any():
+        return unit, False
+    below = math.atan2(float(np.linalg.norm(axis)), unit[1])
+    if np.linalg.norm(axis) < DOUBT or abs(below - math.radians(lift_deg)) < DOUBT:
         raise DoubtfulError
-    numbers = [number for number in np.argsort(angles).tolist() if mask >> number & 1][:views]
+    angle = min(math.radians(lift_deg), below)
+    turned: NDArray[np.float64] = trimesh.transformations.rotation_matrix(angle, axis)[:3, :3] @ unit
+    return turned, angle == below
+
+
+def nearest_directions(
+    toward: ArrayLike, directions: Sequence[Place], views: int, mask: int, lift_deg: float = 0.0
+) -> list[int]:
+    """Numbers of the directions nearest to one, raised by an angle, of those in a mask, filled up with −1.
+
+    Those that are as far from +y as each other are as near to a viewer that is raised to there: then the nearest to the
+    viewer before come first.
+    """
+    unit = np.asarray(toward) / np.linalg.norm(toward)
+    lifted, is_highest = raised(unit, lift_deg)
+    own, others = ([angle_between(way, one) for one in directions] for way in (unit, lifted))
+    keys = sorted(zip((np.round(others, 6) if is_highest else others), own, range(len(directions)), strict=True))
+    for (angle, beside, _), (next_angle, next_beside, _) in itertools.pairwise(keys):
+        if next_angle - angle < DOUBT and (not is_highest or next_beside - beside < DOUBT):
+            raise DoubtfulError
+    numbers = [number for *_, number in keys if mask >> number & 1][:views]
     return numbers + [-1] * (views - len(numbers))
+
+
+def angle_between(unit: NDArray[np.float64], way: ArrayLike) -> float:
+    """Angle between a unit vector and a vector, radians."""
+    return math.acos(np.clip(np.dot(unit, way) / np.linalg.norm(way), -1, 1))

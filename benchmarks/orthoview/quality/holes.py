@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -22,8 +23,7 @@ from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import SAMPLES, Truth, shown_by
 from benchmarks.orthoview._worlds import World, forest, landscape, opened, tokyo
 from nearfar._camera.shot import Shot
-from nearfar.orthoview._cut import MOST_VIEWS, OrthoCut, Settings
-from nearfar.orthoview._directions import directions_of
+from nearfar.orthoview._cut import MOST_VIEWS, OrthoCut
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._viewer import Parts
 
@@ -45,8 +45,8 @@ NUDGE = 0.01
 """Metres by which points are moved to the viewer, so that those on a cell's side lie in the cell that shows them."""
 
 Bools = NDArray[np.bool_]
-Floats = NDArray[np.float64]
-Choice = Callable[[OrthoCut, Floats, nf.Camera], NDArray[np.int8]]
+Choice = Callable[[nf.orthoview.OrthoTree, nf.Camera], OrthoCut]
+"""The cut from which a picture is drawn."""
 
 
 def main() -> None:
@@ -66,7 +66,7 @@ def main() -> None:
         truth = nf.render(
             city.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", "range", "position", "normal")
         )
-        frame = drawn(tree, camera, nearest)
+        frame = drawn(tree, camera, lifted(0))
         cause, kind = causes(tree, all_views, truth, frame)
         surfaces += int(np.isfinite(truth.require("range")).sum())
         for n in range(len(CAUSES)):
@@ -87,15 +87,8 @@ def main() -> None:
 
 def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choice, samples: int = 1) -> nf.Frame:
     """The picture of a tree from chosen views."""
-    viewer, grid = tree._viewer, tree._viewer.cutter.grid
-    cut = viewer.cutter.whole(camera, Settings(views=MOST_VIEWS))
-    middles = np.array([grid.box(level, place).mean(axis=0) for level, place in cells(cut)])
-    keys = [
-        (level, place, int(direction))
-        for (level, place), directions in zip(cells(cut), choose(cut, middles, camera), strict=True)
-        for direction in directions
-        if direction >= 0
-    ]
+    viewer, cut = tree._viewer, choose(tree, camera)
+    keys = cut.keys()
     near = viewer.near.scene(viewer.cutter.with_guests(cut.leaf_places()))
     parts = Parts(viewer.views.get(keys), near, None, {"views": len(keys)})
     channels = ("color", "range") if samples == 1 else ("color",)
@@ -107,12 +100,6 @@ def cells(cut: OrthoCut) -> Iterator[tuple[int, Place]]:
     """Levels and places of a cut's cells."""
     places: Iterator[Place] = map(tuple, cut.place.tolist())
     return zip(cut.level.tolist(), places, strict=True)
-
-
-def nearest(cut: OrthoCut, middles: Floats, camera: nf.Camera) -> NDArray[np.int8]:
-    """The views that `tree.render` draws."""
-    del middles, camera
-    return cut.directions[:, :VIEWS]
 
 
 def causes(
@@ -155,31 +142,20 @@ def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
     return picture
 
 
-def lifted(degrees: float, views: int = VIEWS, directions: int = DIRECTIONS) -> Choice:
-    """The views that are nearest to the viewer's direction raised by an angle, of a set of the upper half."""
-
-    def choose(cut: OrthoCut, middles: Floats, camera: nf.Camera) -> NDArray[np.int8]:
-        toward = np.array(camera.position) - middles
-        flat = np.linalg.norm(toward[:, [0, 2]], axis=1)
-        angle = np.minimum(np.arctan2(toward[:, 1], flat) + np.radians(degrees), np.pi / 2)
-        raised = np.stack([toward[:, 0] / flat * np.cos(angle), np.sin(angle), toward[:, 2] / flat * np.cos(angle)], 1)
-        units = np.array([steps / np.linalg.norm(steps) for steps in np.array(directions_of(directions))])
-        cosine = np.take_along_axis(raised @ units.T, np.maximum(cut.directions, 0), axis=1)
-        order = np.argsort(np.where(cut.directions >= 0, -cosine, np.inf), axis=1, kind="stable")[:, :views]
-        return np.take_along_axis(cut.directions, order, axis=1)
-
-    return choose
+def lifted(degrees: float, views: int = VIEWS) -> Choice:
+    """The views that are nearest to the viewer's direction raised by an angle."""
+    return lambda tree, camera: tree.cut(camera, views=views, lift_deg=degrees)
 
 
-def with_top(cut: OrthoCut, middles: Floats, camera: nf.Camera) -> NDArray[np.int8]:
+def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
     """The two nearest views, and that from above."""
-    del middles, camera
-    top = directions_of(DIRECTIONS).index((0, 1, 0))
+    cut = tree.cut(camera, views=MOST_VIEWS)
+    top = tree.directions.index((0, 1, 0))
     several = []
     for row in cut.directions.tolist():
         others = [direction for direction in row if direction != top]
         several.append([*others[: VIEWS - 1], top] if top in row else others[:VIEWS])
-    return np.array(several, np.int8)
+    return replace(cut, directions=np.array(several, np.int8))
 
 
 def of_choices(world: World, trees: Path) -> list[list[str]]:
@@ -197,7 +173,7 @@ def of_choices(world: World, trees: Path) -> list[list[str]]:
 
 
 CHOICES: dict[str, Choice] = {
-    "3 nearest": nearest,
+    "3 nearest": lifted(0),
     **{f"3 nearest to {angle}° higher": lifted(angle) for angle in (10, 20, 30, 45)},
     "2 nearest, and the top": with_top,
     **{f"{views} nearest": lifted(0, views) for views in (4, 5, MOST_VIEWS)},
@@ -219,7 +195,7 @@ def elsewhere(world: World, trees: Path) -> list[list[str]]:
         for angle in (0, 20, 30, 45):
             shares = []
             for truth in truths:
-                found = drawn(tree, truth.camera, lifted(angle, VIEWS, directions)).require("range")
+                found = drawn(tree, truth.camera, lifted(angle)).require("range")
                 is_there = np.isfinite(truth.range)
                 shares.append(100 * float((is_there & ~np.isfinite(found)).sum() / max(is_there.sum(), 1)))
             rows.append([str(directions), f"{angle}°", f"{np.mean(shares):.2f}", f"{np.max(shares):.2f}"])

@@ -123,4 +123,5 @@ class OrthoCells:
         views: int,
         geometry: bool,
         around: bool,
+        lift_deg: float = 0.0,
     ) -> tuple[dict[str, Any], float, list[tuple[int, list[int]]]]: ...

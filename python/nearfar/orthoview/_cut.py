@@ -31,7 +31,7 @@ class Settings:
     """How a tree is viewed."""
 
     views: int = 3
-    """Views of a cell: those whose directions are nearest to the viewer's."""
+    """Views of a cell: those whose directions are nearest to the viewer's, raised by `lift_deg`."""
     error_px: float = 1.0
     """Greatest width of a view's pixels, in pixels of the picture."""
     geometry: bool = True
@@ -42,6 +42,8 @@ class Settings:
     """Place in the picture that the viewer looks at, pixels; None for a picture that is equally fine everywhere."""
     budget: int | None = None
     """Greatest number of splats; None for any."""
+    lift_deg: float = 0.0
+    """Degrees by which the viewer's direction is raised towards the zenith before views are chosen by it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,6 +164,7 @@ class Cutter:
             views=settings.views,
             geometry=settings.geometry and self._layout.geometry,
             around=around,
+            lift_deg=settings.lift_deg,
         )
         return _cut_of(arrays, unknown, reach, settings.views)
 

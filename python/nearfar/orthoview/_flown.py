@@ -29,6 +29,7 @@ class FlownTree(ShownTree):
         views: SupportsIndex = 3,
         error_px: SupportsFloat = 1.0,
         geometry: bool = True,
+        lift_deg: SupportsFloat = 0.0,
         prefetch: bool = True,
         margin_deg: SupportsFloat | None = MARGIN,
         adapt: bool = True,
@@ -39,7 +40,7 @@ class FlownTree(ShownTree):
 
         Parameters
         ----------
-        views, error_px, geometry
+        views, error_px, geometry, lift_deg
             As in `cut`.
         prefetch
             Whether what the viewer needs soon is read, besides what the picture shows.
@@ -62,6 +63,8 @@ class FlownTree(ShownTree):
         ------
         ValueError
             Values out of range; a tree that is not complete.
+        TypeError
+            Values of a wrong kind.
         FormatError, OSError
             Documents of the store that are damaged, or that cannot be read.
 
@@ -69,7 +72,7 @@ class FlownTree(ShownTree):
         ----------
         Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.
         """
-        settings = settings_of(views, error_px, geometry)
+        settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         margin = None if margin_deg is None else math.radians(check.within("margin_deg", margin_deg, 0.0, 180.0))
         ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
         return Flight(self._opened(), settings, ahead, threads, on_error, self._movers)
@@ -83,6 +86,7 @@ class FlownTree(ShownTree):
         views: SupportsIndex = 3,
         error_px: SupportsFloat = 1.0,
         geometry: bool = True,
+        lift_deg: SupportsFloat = 0.0,
     ) -> PrefetchQueue:
         """Return what a viewer at a position needs now and soon, all around it.
 
@@ -98,7 +102,7 @@ class FlownTree(ShownTree):
         velocity
             World velocity (3,), metres a second: positions ahead are along its direction. By default they are ahead
             along all axes.
-        views, error_px, geometry
+        views, error_px, geometry, lift_deg
             As in `cut`.
 
         Returns
@@ -115,7 +119,7 @@ class FlownTree(ShownTree):
         ----------
         Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.3.
         """
-        settings = settings_of(views, error_px, geometry)
+        settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         eye = check.vector("position", position)
         model = _paper(eye) if camera is None else check.instance("camera", camera, Camera)
         speed = np.zeros(3) if velocity is None else np.array(check.vector("velocity", velocity))

@@ -102,6 +102,7 @@ class ShownTree(StoredTree, Pictured):
         around: bool = False,
         continuous: bool = False,
         gaze: ArrayLike | None = None,
+        lift_deg: SupportsFloat = 0.0,
     ) -> OrthoCut:
         """Return the cells that a viewer sees: leaves near it as geometry, others from views, the coarser the farther.
 
@@ -126,6 +127,9 @@ class ShownTree(StoredTree, Pictured):
         gaze
             Place in the picture that the viewer looks at, pixels: `error_px` is over `nearfar.lod.acuity` beside it, at
             the least angle of a cell's points. None for a picture that is equally fine everywhere.
+        lift_deg
+            Degrees, 0 to 90, by which the viewer's direction is raised towards the zenith (+y), at most to it, before
+            the nearest views are chosen; straight down stays. For viewers above and directions of the upper half.
 
         Returns
         -------
@@ -138,7 +142,7 @@ class ShownTree(StoredTree, Pictured):
         ValueError
             Values out of range; a tree that is not complete.
         TypeError
-            Something that is no camera.
+            Something that is no camera, values of a wrong kind.
         FormatError, OSError
             A record of the store that is damaged, or that cannot be read.
 
@@ -146,7 +150,7 @@ class ShownTree(StoredTree, Pictured):
         ----------
         Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.2.
         """
-        settings = settings_of(views, error_px, geometry, continuous, gaze)
+        settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         own = check.instance("camera", camera, Camera)
         return self._viewer.cutter.whole(own, settings, around=check.flag("around", around))
 
@@ -159,6 +163,7 @@ class ShownTree(StoredTree, Pictured):
         geometry: bool = True,
         continuous: bool = False,
         gaze: ArrayLike | None = None,
+        lift_deg: SupportsFloat = 0.0,
         budget: SupportsIndex | None = None,
         t_min: float = 0.0,
         t_max: float = math.inf,
@@ -173,7 +178,7 @@ class ShownTree(StoredTree, Pictured):
         ----------
         camera
             The view, with any projection.
-        views, error_px, geometry, continuous, gaze
+        views, error_px, geometry, continuous, gaze, lift_deg
             As in `cut`.
         budget
             Greatest number of splats in `stats`, None for any: the error is the least one from `error_px` on for which
@@ -203,7 +208,7 @@ class ShownTree(StoredTree, Pictured):
         ValueError
             Values out of range; a tree that is not complete.
         TypeError
-            Something that is no camera.
+            Something that is no camera, values of a wrong kind.
         DeviceError
             As in `nearfar.render`; a picture whose views do not fit into the adapter's memory.
         FormatError, OSError
@@ -215,7 +220,7 @@ class ShownTree(StoredTree, Pictured):
         """
         shown = copy.copy(self)
         shown.__dict__["_viewer"] = self._viewer  # views that it reads are kept for the next picture
-        settings = settings_of(views, error_px, geometry, continuous, gaze)
+        settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         shown._settings = replace(
             settings, budget=None if budget is None else check.integer("budget", budget, 1, MOST_SPLATS)
         )
@@ -234,6 +239,7 @@ def settings_of(
     geometry: bool,
     continuous: bool = False,
     gaze: ArrayLike | None = None,
+    lift_deg: SupportsFloat = 0.0,
 ) -> Settings:
     """The settings that a caller asks for."""
     return Settings(
@@ -242,6 +248,7 @@ def settings_of(
         geometry=check.flag("geometry", geometry),
         continuous=check.flag("continuous", continuous),
         gaze=None if gaze is None else _pixel(gaze),
+        lift_deg=check.within("lift_deg", lift_deg, 0.0, 90.0),
     )
 
 

@@ -3,7 +3,7 @@
 use std::sync::{PoisonError, RwLock};
 
 use glam::{DVec3, UVec3};
-use nearfar_core::orthoview::cut::{Cells, Drawn, Gaze, Grid, Rule, View, cut};
+use nearfar_core::orthoview::cut::{Cells, Drawn, Gaze, Grid, Lift, Rule, View, cut};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -67,9 +67,10 @@ impl OrthoCells {
 
     /// The parts that a viewer sees, the nearest ones first: arrays of the cells that are drawn as views and, with the prefix
     /// "leaf_", of those that are drawn as geometry; the distance at which a leaf's pixels are as fine as
-    /// wanted; and the subtrees that are to be added.
+    /// wanted; and the subtrees that are to be added. `lift_deg` is the angle by which the viewer's direction is raised
+    /// before views are chosen by it.
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-    #[pyo3(signature = (camera, rule, *, directions, views, geometry, around))]
+    #[pyo3(signature = (camera, rule, *, directions, views, geometry, around, lift_deg=0.0))]
     fn cut<'py>(
         &self,
         py: Python<'py>,
@@ -79,9 +80,11 @@ impl OrthoCells {
         views: usize,
         geometry: bool,
         around: bool,
+        lift_deg: f64,
     ) -> PyResult<(Bound<'py, PyDict>, f64, Vec<Subtree>)> {
         let directions = directions_of(directions)?;
-        let view = View { camera: &camera.0, rule: rule.0, directions: &directions, views, geometry, around };
+        let lift = Lift::new(lift_deg).map_err(to_python)?;
+        let view = View { camera: &camera.0, rule: rule.0, directions: &directions, views, lift, geometry, around };
         let found = run::short(py, || cut(&self.0.read().unwrap_or_else(PoisonError::into_inner), &view))?;
         let arrays = PyDict::new(py);
         for (prefix, cells) in [("", &found.cells), ("leaf_", &found.leaves)] {

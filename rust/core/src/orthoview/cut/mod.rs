@@ -2,9 +2,11 @@
 
 mod cells;
 mod frustum;
+mod lift;
 mod rule;
 mod traverse;
 
 pub use cells::{Cells, Grid, Known};
+pub use lift::Lift;
 pub use rule::{Gaze, Rule};
 pub use traverse::{Cut, Drawn, View, cut};

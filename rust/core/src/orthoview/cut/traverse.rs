@@ -5,6 +5,7 @@ use glam::{DVec3, UVec3};
 
 use super::cells::{Cells, Known};
 use super::frustum::{Frustum, Side};
+use super::lift::Lift;
 use super::rule::Rule;
 use crate::base::{Error, Result};
 use crate::camera::Camera;
@@ -21,6 +22,8 @@ pub struct View<'a> {
     pub directions: &'a [Direction],
     /// Number of views of a cell.
     pub views: usize,
+    /// Angle by which the viewer's direction is raised before views are chosen by it.
+    pub lift: Lift,
     /// Whether nearer leaves are drawn as geometry.
     pub geometry: bool,
     /// Whether cells outside of the picture count, too: a viewer may turn faster than views arrive.
@@ -163,11 +166,15 @@ impl Traversal<'_> {
         Drawn { level, place, distance, in_picture, is_partial: false, directions: [0; Drawn::MOST], count: 0 }
     }
 
-    /// Draws a cell from the directions nearest to the viewer's, of those from which it shows something.
+    /// Draws a cell from the directions nearest to the viewer's raised one, of those from which it shows something.
     fn draw(&mut self, mut drawn: Drawn, center: DVec3, mask: u32) {
         let toward = self.toward.unwrap_or(self.view.camera.position - center).normalize_or(DVec3::Y);
-        let mut left: Vec<(f64, u8)> = self.units.iter().map(|unit| unit.dot(toward)).zip(0..).collect();
-        left.sort_by(|one, other| other.0.total_cmp(&one.0).then(one.1.cmp(&other.1)));
+        let raised = self.view.lift.raised(toward);
+        let cosines = self.units.iter().map(|unit| [raised, toward].map(|way| unit.dot(way)));
+        let mut left: Vec<([f64; 2], u8)> = cosines.zip(0..).collect();
+        // All directions that are equally high are equally near to +y: then the viewer's own direction decides.
+        let order = |one: &[f64; 2], other: &[f64; 2]| other[0].total_cmp(&one[0]).then(other[1].total_cmp(&one[1]));
+        left.sort_by(|one, other| order(&one.0, &other.0).then(one.1.cmp(&other.1)));
         for &(_, number) in left.iter().filter(|(_, number)| mask >> number & 1 == 1).take(self.view.views) {
             drawn.directions[drawn.count] = number;
             drawn.count += 1;

@@ -1,0 +1,39 @@
+//! Directions of viewers, raised towards the zenith.
+
+use glam::DVec3;
+
+use crate::base::{Error, Result};
+
+/// Sine of the angle from straight down within which a direction has no side to be raised on.
+const STRAIGHT: f64 = 1e-9;
+
+/// An angle by which directions are raised towards +y.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lift {
+    sine: f64,
+    cosine: f64,
+}
+
+impl Lift {
+    /// An angle in degrees, 0 to 90.
+    pub fn new(degrees: f64) -> Result<Self> {
+        if !(0.0..=90.0).contains(&degrees) {
+            return Err(Error::value("lift_deg", "a number from 0 to 90", degrees));
+        }
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        Ok(Self { sine, cosine })
+    }
+
+    /// A unit vector turned by the angle towards +y, at most to +y. One straight down stays: no side is its own.
+    pub fn raised(self, way: DVec3) -> DVec3 {
+        let flat = way.x.hypot(way.z);
+        if self.sine == 0.0 || (flat < STRAIGHT && way.y < 0.0) {
+            return way;
+        }
+        let across = flat * self.cosine - way.y * self.sine;
+        if across <= 0.0 {
+            return DVec3::Y;
+        }
+        DVec3::new(way.x / flat * across, way.y * self.cosine + flat * self.sine, way.z / flat * across)
+    }
+}
