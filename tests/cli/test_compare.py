@@ -162,6 +162,7 @@ def test_equal_pictures_keep_a_least_psnr(city: Path, tmp_path: Path, capsys: py
     assert any("no reduction: all 1,212 triangles stay geometry" in note for note in document["findings"])
 
 
+@pytest.mark.stress
 @pytest.mark.slow
 def test_the_default_view_shows_what_tells_the_methods_apart(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]

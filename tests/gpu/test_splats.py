@@ -181,7 +181,7 @@ def test_views_are_sent_once_and_leave_with_their_last_reference(device: _core.G
     assert _core.gpu_orthoview_bytes(device) == kept - own
 
 
-@pytest.mark.slow
+@pytest.mark.stress
 def test_pictures_in_several_bands(device: _core.GpuDevice) -> None:
     """The keys of 4 × 4 samples of so many pixels are more than are used at once."""
     splats, _ = cell_of(THREE, size=64)

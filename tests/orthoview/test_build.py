@@ -188,7 +188,7 @@ def within_query(number: int) -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("after", [1, 150, 400, 513])
+@pytest.mark.parametrize("after", [150, *(pytest.param(after, marks=pytest.mark.stress) for after in (1, 400, 513))])
 def test_a_kill_costs_the_cell_under_work(
     world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, after: int
 ) -> None:

@@ -87,6 +87,7 @@ def test_leaves_that_workers_do_not_get_are_named(world: nf.Scene, tmp_path: Pat
     assert whole.is_complete
 
 
+@pytest.mark.stress
 def test_without_its_scheduler_a_build_ends_and_goes_on_later(
     world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path
 ) -> None:

@@ -57,9 +57,11 @@ SCENES: dict[str, tuple[Callable[[], nf.Scene], float]] = {
     "tokyo": (lambda: nf.Scene.load(data("city/tokyo23/tokyo_core_lod1.glb")), 500.0),
 }
 
+STRESS = {"forest": pytest.mark.stress}
+
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=STRESS.get(name, ())) for name in SCENES])
 def test_both_ways_show_the_same_of_textures_instances_and_holes(name: str) -> None:
     """But for rays through edges, and for surfaces in one place, of which rounding decides which is first."""
     make, side = SCENES[name]

@@ -67,7 +67,7 @@ def assert_alike(stored: nf.Scene, slow: nf.Scene) -> None:
 
 
 # files ---------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("name", [*FILES[:-1], pytest.param(FILES[-1], marks=pytest.mark.slow)])
+@pytest.mark.parametrize("name", [*FILES[:-1], pytest.param(FILES[-1], marks=pytest.mark.stress)])
 def test_real_files_are_read_alike(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     need("data")
     path = data_files.find(name)

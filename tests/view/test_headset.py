@@ -76,7 +76,7 @@ def eyes_of(head: tuple[Vector, Quaternion], kind: str) -> dict[str, nf.Camera]:
 
 
 @pytest.mark.parametrize("kind", HEADSETS)
-@pytest.mark.parametrize("ring", [1, 2, 3])
+@pytest.mark.parametrize("ring", [3, *(pytest.param(ring, marks=pytest.mark.stress) for ring in (1, 2))])
 def test_each_eye_is_shown_the_picture_of_its_own_position(
     chromium: Any, server: str, bundle: nf.stream.Bundle, kind: str, ring: int
 ) -> None:
