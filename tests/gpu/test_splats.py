@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from typing import Any
 
@@ -202,3 +203,16 @@ def test_a_lost_device_is_told(device: _core.GpuDevice) -> None:
         drawn(splats, CAMERAS["perspective"], device=device)
     right = drawn(splats, CAMERAS["perspective"])
     check(drawn(splats, CAMERAS["perspective"], device=backends.opened()), right)
+
+
+def test_threads_share_a_device(device: _core.GpuDevice) -> None:
+    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE, size=32)
+    before = wall(camera, 47.0)
+    alone = [drawn(splats[:count], camera, ALL[:5], before=before, device=device) for count in (1, 2, 3)]
+    with ThreadPoolExecutor(6) as threads:
+        jobs = [
+            threads.submit(drawn, splats[: 1 + n % 3], camera, ALL[:5], before=before, device=device) for n in range(24)
+        ]
+        for n, job in enumerate(jobs):
+            for name in ALL[:5]:
+                assert job.result()[name].tobytes() == alone[n % 3][name].tobytes()

@@ -36,14 +36,16 @@ pub fn draw(
     let compressed = residents.compressed(views);
     let mut found = Images::new(&layout);
     progress.expect(u64::from(layout.bands().count() as u32) + 1);
+    let before = plan.before();
     let bands = {
-        // Until the work is submitted nobody else may take the room of these views.
+        // Until the work is submitted nobody else may take the room of these views. Nothing runs in parallel meanwhile: a
+        // thread that waits inside rayon may run another picture, which needs the same lock.
         let mut arena = residents.arena();
         let places = arena.keep(device, views, &compressed)?;
         set_places(&mut plan, &places);
         let calls = calls(&mut plan.pieces, |view| places[view as usize][0]);
         let pages = arena.buffers(device)?;
-        Drawing::new(device, &plan, &layout, &calls, &pages)?.submit(progress)?
+        Drawing::new(device, &plan, &layout, &calls, &pages, before.as_deref())?.submit(progress)?
     };
     let mut seen = 0;
     for band in bands {
@@ -76,6 +78,8 @@ struct Drawing<'a, 'b> {
     plan: &'b Plan<'b>,
     layout: &'b Layout,
     calls: &'b [Call],
+    /// Keys of all samples before anything is drawn, if there was something.
+    before: Option<&'b [[u32; 2]]>,
     pages: [BindingResource<'b>; 4],
     kernels: Kernels,
     views: LentBuffer<'a>,
@@ -90,6 +94,7 @@ impl<'a, 'b> Drawing<'a, 'b> {
         layout: &'b Layout,
         calls: &'b [Call],
         pages: &[&'b Buffer],
+        before: Option<&'b [[u32; 2]]>,
     ) -> Result<Self> {
         let page = |n: usize| pages.get(n).unwrap_or(&pages[0]).as_entire_binding();
         let samples = u64::from(layout.size[0]) * u64::from(layout.rows) * u64::from(layout.grid * layout.grid);
@@ -103,6 +108,7 @@ impl<'a, 'b> Drawing<'a, 'b> {
             plan,
             layout,
             calls,
+            before,
             pages: [0, 1, 2, 3].map(page),
             kernels: Kernels { is_parallel: plan.is_parallel(), is_long: device.uses_long_atomics() },
             views: filled(bytemuck::cast_slice(&plan.views))?,
@@ -153,14 +159,16 @@ impl<'a, 'b> Drawing<'a, 'b> {
         blocks.push(block);
         let uniforms = Uniforms::new(self.device, &blocks)?;
         let bytes = KEY * u64::from(pixels) * u64::from(grid * grid);
-        let before = self.plan.before(rows.start * grid..rows.end * grid);
-        match &before {
-            Some(keys) => self.keys.fill(bytemuck::cast_slice(keys), &Progress::new())?,
+        match self.before {
+            Some(keys) => {
+                let [first, after] = [rows.start, rows.end].map(|row| (row * grid) as usize * block.size[0] as usize);
+                self.keys.fill(bytemuck::cast_slice(&keys[first..after]), &Progress::new())?;
+            }
             None => work.encoder.clear_buffer(&self.keys, 0, Some(bytes)),
         }
         work.encoder.clear_buffer(&tiles.on_device, 0, Some(4 * u64::from(1 + tile_count)));
         for (number, call) in (0..drawn.len()).zip(self.calls.iter().cycle()) {
-            if call.begins && (number > 0 || before.is_some()) {
+            if call.begins && (number > 0 || self.before.is_some()) {
                 let resources =
                     [(0, uniforms.binding(number)), (7, tiles.on_device.binding()), (8, self.keys.binding())];
                 self.kernels.run(work, Kernel::Tiles, &resources, rows_of(tile_count))?;

@@ -215,14 +215,14 @@ impl<'a> Plan<'a> {
         relative.planes().iter().map(|plane| single(plane).to_array()).collect()
     }
 
-    /// The nearest splat's key before any is drawn, for some rows of samples: what was there before. `None` if there was
-    /// nothing.
-    pub fn before(&self, rows: std::ops::Range<u32>) -> Option<Vec<[u32; 2]>> {
+    /// The keys of all samples before a splat is drawn: what was there before. `None` if there was nothing.
+    pub fn before(&self) -> Option<Vec<[u32; 2]>> {
         self.picture.before?;
         let resolver = self.resolver();
-        let width = self.camera.width as i32;
-        let row = |y: u32| (0..width).map(|x| resolver.before(x, y as i32).halves()).collect::<Vec<_>>();
-        Some(rows.into_par_iter().flat_map_iter(row).collect())
+        let [width, height] = self.size();
+        let row = |y: u32| (0..width).map(move |x| (x, y));
+        let key = |(x, y): (u32, u32)| resolver.before(x as i32, y as i32).halves();
+        Some((0..height).into_par_iter().flat_map_iter(row).map(key).collect())
     }
 
     /// The frame of what a shader found in all rows, and the counts without those of hidden splats.
