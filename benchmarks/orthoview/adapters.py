@@ -77,10 +77,10 @@ def sizes(splats: Sequence[_core.OrthoSplats]) -> str:
     """Bytes of views on the processor and on adapters, and of the formats that graphics cards decode."""
     count, views = sum(view.count for view in splats), len(splats)
     on_adapters = sum(view.compressed_bytes for view in splats)
-    rows = [
-        ["on the processor", sum(view.bytes for view in splats)],
-        ["on adapters, without loss", on_adapters],
-        ["BC1 colour, BC5 normal, R16 depth of shown pixels alone, with loss", 3.5 * count],
+    rows: list[tuple[str, float]] = [
+        ("on the processor", sum(view.bytes for view in splats)),
+        ("on adapters, without loss", on_adapters),
+        ("BC1 colour, BC5 normal, R16 depth of shown pixels alone, with loss", 3.5 * count),
     ]
     header = ["views", "MB", "kB a view", "bytes a splat"]
     return table(
