@@ -109,8 +109,8 @@ def wall(camera: nf.Camera, range_: NDArray[Any] | float) -> dict[str, Any]:
     }
 
 
-def flat(color: int, depth: int = 100) -> _core.OrthoSplats:
-    """A view whose pixels have one depth and one colour."""
+def flat(color: int, depth: int = 100, z: float = 0.0) -> _core.OrthoSplats:
+    """A view whose pixels have one depth and one colour, of a cell at a height."""
     size, direction = 8, (0, 0, 1)
     views = _core.OrthoViews.from_arrays(
         [direction],
@@ -119,7 +119,7 @@ def flat(color: int, depth: int = 100) -> _core.OrthoSplats:
         np.full((1, size, size, 1), depth, np.uint16),
         np.full((1, size, size, 2), 127, np.uint16),
     )
-    return _core.OrthoSplats(views, 0, views.connected(CONNECTED), ((0.0, 0.0, 0.0), 8.0))
+    return _core.OrthoSplats(views, 0, views.connected(CONNECTED), ((0.0, 0.0, z), 8.0))
 
 
 def limits_of(name: str) -> dict[str, Any]:

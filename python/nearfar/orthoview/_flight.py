@@ -169,7 +169,7 @@ class Flight(Pictured):
 
         Raises
         ------
-        ValueError, TypeError
+        ValueError, TypeError, DeviceError
             As in `OrthoTree.render`.
         """
         now = None if time is None else check.number("time", time)
@@ -329,11 +329,12 @@ class Flight(Pictured):
 
     def _bring(self, parts: Sequence[Part]) -> None:
         """Bring views to the adapter that draws, before a picture shows them."""
-        if self._device is None:
+        device = self._device
+        if device is None:
             return
         splats = [layer for part in parts for layer in self._viewer.views.kept(part)]
-        with contextlib.suppress(DeviceError):  # the next picture tells of it
-            _core.gpu_keep_orthoviews(self._device, splats)
+        with contextlib.suppress(DeviceError, MemoryError):  # the picture that shows them brings them itself
+            _core.gpu_keep_orthoviews(device, splats)
 
     def _received(self) -> Received:
         views, near = self._viewer.views, self._viewer.near

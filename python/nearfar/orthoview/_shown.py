@@ -192,7 +192,7 @@ class ShownTree(StoredTree, Pictured):
             "albedo" and "shading_normal"; where they are seen, `object_id` and `face_id` are −1. On geometry these are
             numbers within this picture alone, see `with_dynamic`. The default is colour and range.
         backend
-            As in `nearfar.render`. On an adapter views stay in its memory, without loss, in 2 to 6 bytes a splat.
+            As in `nearfar.render`. On an adapter views stay in its memory, without loss and in fewer bytes.
 
         Returns
         -------
@@ -201,7 +201,7 @@ class ShownTree(StoredTree, Pictured):
             edge passes through a sample's place, or two splats are equally near, either may be shown. `stats` has the
             `error_px` that was chosen and counts the `cells` and `views` of the cut, its `leaves` of geometry, all
             `splats` of the views, `splats_in_picture` of parts that reach into it, `splats_seen` of those that are not
-            hidden, and `splats_projected`, once for each tile of the screen.
+            hidden, and `splats_projected`, on the CPU once for each tile of the screen.
 
         Raises
         ------

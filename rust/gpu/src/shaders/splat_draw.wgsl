@@ -6,7 +6,7 @@
 
 const DRAWN: u32 = 0x80000000u;
 
-var<workgroup> reached: u32;
+var<workgroup> reached: atomic<u32>;
 
 // First tile and number of tiles that a piece may show in, along both axes.
 fn tiles_of(piece: Piece) -> vec4<u32> {
@@ -167,18 +167,18 @@ fn splat_draw(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation
     let own = draw.work.x + number;
     let piece = pieces[own];
     if lane == 0u {
-        reached = 0u;
+        atomicStore(&reached, 0u);
     }
     workgroupBarrier();
     let around = tiles_of(piece);
     for (var n = lane; n < around.z * around.w; n += 64u) {
         let tile = (around.y + n / around.z) * tile_columns() + around.x + n % around.z;
         if atomicLoad(&tiles[1u + tile]) <= piece.order {
-            reached = 1u;
+            atomicStore(&reached, 1u);
         }
     }
     workgroupBarrier();
-    if reached == 0u {
+    if atomicLoad(&reached) == 0u {
         return;
     }
     if lane == 0u && (piece.blocks & DRAWN) == 0u {
@@ -187,7 +187,7 @@ fn splat_draw(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation
     }
     let view = views[piece.view];
     let first = piece.blocks & 0xffffffu;
-    for (var n = 0u; n < (piece.blocks >> 24u & 31u); n++) {
+    for (var n = 0u; n < ((piece.blocks >> 24u) & 31u); n++) {
         draw_splat(view, piece, first + n, lane);
     }
 }

@@ -38,7 +38,7 @@ fn head_of(place: vec4<u32>, block: u32) -> Head {
 
 // Whether a pixel of a block shows something.
 fn is_shown(head: Head, lane: u32) -> bool {
-    return (select(head.shown.x, head.shown.y, lane >= 32u) >> (lane & 31u) & 1u) == 1u;
+    return ((select(head.shown.x, head.shown.y, lane >= 32u) >> (lane & 31u)) & 1u) == 1u;
 }
 
 // Number of a block's splats before a pixel.
@@ -66,12 +66,12 @@ fn field(page: u32, first: u32, at: u32, width: u32) -> u32 {
 
 fn splat_of(page: u32, head: Head, lane: u32) -> Splat {
     let depth = head.widths & 31u;
-    let one = head.widths >> 5u & 15u;
-    let other = head.widths >> 9u & 15u;
-    let red = head.widths >> 13u & 15u;
-    let green = head.widths >> 17u & 15u;
-    let blue = head.widths >> 21u & 15u;
-    let kind = head.widths >> 25u & 3u;
+    let one = (head.widths >> 5u) & 15u;
+    let other = (head.widths >> 9u) & 15u;
+    let red = (head.widths >> 13u) & 15u;
+    let green = (head.widths >> 17u) & 15u;
+    let blue = (head.widths >> 21u) & 15u;
+    let kind = (head.widths >> 25u) & 3u;
     var at = rank_of(head, lane) * (depth + one + other + red + green + blue + kind);
     var splat: Splat;
     let rise = (i32(lane % BLOCK) * head.slopes.x + i32(lane / BLOCK) * head.slopes.y) >> FRACTION;
@@ -83,7 +83,7 @@ fn splat_of(page: u32, head: Head, lane: u32) -> Splat {
     at += other;
     splat.color.x = (head.color & 255u) + field(page, head.first, at, red);
     at += red;
-    splat.color.y = (head.color >> 8u & 255u) + field(page, head.first, at, green);
+    splat.color.y = ((head.color >> 8u) & 255u) + field(page, head.first, at, green);
     at += green;
     splat.color.z = (head.color >> 16u) + field(page, head.first, at, blue);
     at += blue;

@@ -11,18 +11,25 @@ use wgpu::{Buffer, BufferUsages};
 use super::room::Room;
 use crate::device::{Counted, Device, Scope};
 
-/// Words of the pages, at most: a pass binds as many buffers.
+/// Words of the pages, of which a pass binds all.
 const PAGES: [u64; 4] = [1 << 24, 1 << 26, 1 << 28, 1 << 28];
 const WORD: u64 = 4;
 
 /// Where a view lies: its page, and the first words of its blocks' heads and of their bits.
 pub(super) type Place = [u32; 3];
 
+/// Views as words, by their identities.
+pub(super) type Words = HashMap<usize, Compressed>;
+
 /// Views on a device.
 #[derive(Default)]
 pub(super) struct Arena {
     pages: Vec<Page>,
     known: HashMap<usize, Resident>,
+    /// Views of the last picture.
+    shown: HashSet<usize>,
+    /// There was no memory for one page more.
+    is_full: bool,
     /// Number of calls so far.
     now: u64,
 }
@@ -42,24 +49,32 @@ struct Resident {
 }
 
 impl Arena {
-    /// Brings views to the device that do not lie there; returns their places.
-    pub fn keep(
-        &mut self,
-        device: &Device,
-        views: &[Arc<Splats>],
-        compressed: &HashMap<usize, Compressed>,
-    ) -> Result<Vec<Place>> {
-        self.now += 1;
-        self.forget(|resident| resident.view.strong_count() == 0);
-        let wanted: HashSet<usize> = views.iter().map(identity).collect();
+    /// The places of a picture's views, which are brought to the device where they do not lie there.
+    pub fn show(&mut self, device: &Device, views: &[Arc<Splats>], compressed: &Words) -> Result<Vec<Place>> {
+        self.begin();
+        self.shown = views.iter().map(identity).collect();
+        let wanted = self.shown.clone();
         match self.place_all(device, views, compressed, &wanted) {
-            // Room in parts: once more from empty pages.
-            Err(Error::Device(_)) => {
+            // Free room may lie in pieces: once more from empty pages.
+            Err(Error::Device(_)) if device.check().is_ok() => {
                 self.forget(|_| true);
                 self.place_all(device, views, compressed, &wanted)
             }
             placed => placed,
         }
+    }
+
+    /// Brings views to the device before a picture shows them; those of the last picture stay.
+    pub fn keep(&mut self, device: &Device, views: &[Arc<Splats>], compressed: &Words) -> Result<()> {
+        self.begin();
+        let wanted = self.shown.iter().copied().chain(views.iter().map(identity)).collect();
+        self.place_all(device, views, compressed, &wanted).map(|_| ())
+    }
+
+    /// Counts a call, and forgets views that nobody references any more.
+    fn begin(&mut self) {
+        self.now += 1;
+        self.forget(|resident| resident.view.strong_count() == 0);
     }
 
     /// Views that do not lie on the device, each once.
@@ -88,7 +103,7 @@ impl Arena {
         &mut self,
         device: &Device,
         views: &[Arc<Splats>],
-        compressed: &HashMap<usize, Compressed>,
+        compressed: &Words,
         wanted: &HashSet<usize>,
     ) -> Result<Vec<Place>> {
         let one = |view: &Arc<Splats>| {
@@ -109,7 +124,10 @@ impl Arena {
             let (buffer, at) = (&self.pages[page].buffer, WORD * u64::from(first));
             let scope = Scope::open(device);
             device.with_queue(|queue| queue.write_buffer(buffer, at, bytemuck::cast_slice(&content.words)));
-            scope.close()?;
+            if let Err(error) = scope.close() {
+                self.pages[page].room.give_back(first, content.words.len() as u32);
+                return Err(error);
+            }
             device.count(Counted::UploadedBytes, WORD * content.words.len() as u64);
             let (words, blocks) = (content.words.len() as u32, content.blocks as u32);
             let resident = Resident { view: Arc::downgrade(view), page, first, words, blocks, used: self.now };
@@ -127,13 +145,16 @@ impl Arena {
             if let Some(found) = self.pages.iter_mut().enumerate().find_map(|(n, page)| Some((n, take(page)?))) {
                 return Ok(found);
             }
-            if self.pages.len() < PAGES.len() && words <= device.largest_binding() / WORD {
-                self.add_page(device, words)?;
+            if !self.is_full && self.pages.len() < PAGES.len() && words <= device.largest_binding() / WORD {
+                let added = self.add_page(device, words);
+                device.check()?;
+                // Without memory for it, others make room.
+                self.is_full = added.is_err();
                 continue;
             }
-            let spare = self.known.iter().filter(|(key, _)| !wanted.contains(key)).map(|(_, spare)| spare.used).min();
-            let Some(used) = spare else { return Err(too_many(device)) };
-            self.forget_spare(used, wanted);
+            let spare = self.known.iter().filter(|(key, _)| !wanted.contains(key)).min_by_key(|(_, one)| one.used);
+            let Some((&key, _)) = spare else { return Err(too_many(device)) };
+            self.forget_keys(&HashSet::from([key]));
         }
     }
 
@@ -143,16 +164,6 @@ impl Arena {
         let buffer = device.buffer("views", WORD * size, BufferUsages::STORAGE | BufferUsages::COPY_DST)?;
         self.pages.push(Page { buffer, room: Room::new(size as u32) });
         Ok(())
-    }
-
-    fn forget_spare(&mut self, used: u64, wanted: &HashSet<usize>) {
-        let spare: HashSet<usize> = self
-            .known
-            .iter()
-            .filter(|(key, one)| one.used == used && !wanted.contains(key))
-            .map(|(key, _)| *key)
-            .collect();
-        self.forget_keys(&spare);
     }
 
     fn forget(&mut self, is_over: impl Fn(&Resident) -> bool) {

@@ -41,7 +41,7 @@ pub fn draw(
         // Until the work is submitted nobody else may take the room of these views. Nothing runs in parallel meanwhile: a
         // thread that waits inside rayon may run another picture, which needs the same lock.
         let mut arena = residents.arena();
-        let places = arena.keep(device, views, &compressed)?;
+        let places = arena.show(device, views, &compressed)?;
         set_places(&mut plan, &places);
         let calls = calls(&mut plan.pieces, |view| places[view as usize][0]);
         let pages = arena.buffers(device)?;

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use nearfar_core::base::memory::room_for;
 use nearfar_core::base::{Error, Result};
 use nearfar_core::orthoview::splat::{Found, Plan};
 
@@ -40,6 +41,14 @@ impl Layout {
         if row > most {
             let label = device.report().label();
             return Err(Error::Device(format!("{label}: a row of {} pixels does not fit; use backend='cpu'", size[0])));
+        }
+        room_for(4 * u64::from(words) * u64::from(size[0]) * u64::from(size[1]))?;
+        let pieces = size_of_val(&*plan.pieces) as u64;
+        if pieces > device.largest_binding() {
+            let label = device.report().label();
+            return Err(Error::Device(format!(
+                "{label}: the parts of splats that cover much take {pieces} bytes, more than it holds; use backend='cpu'"
+            )));
         }
         let rows = (most / row).min(u64::from(size[1])) as u32;
         Ok(Self { size, grid, rows, wanted })

@@ -62,10 +62,10 @@ impl Kernels {
 
 /// The numbers that shaders share with the processor's kernels.
 fn numbers() -> String {
-    let (epsilon, greatest) = (f32::EPSILON, f32::MAX);
+    let epsilon = f32::EPSILON;
     format!(
         "const HEAD: u32 = {HEAD}u;\nconst LANE_BITS: u32 = {LANE_BITS}u;\nconst SQUARED_RADIUS: f32 = {SQUARED_RADIUS:?};\n\
          const BORDER: f32 = {BORDER:?};\nconst LEAST_COSINE: f32 = {LEAST_COSINE:?};\n\
-         const EPSILON: f32 = {epsilon:?};\nconst GREATEST: f32 = {greatest:?};\n"
+         const EPSILON: f32 = {epsilon:?};\nconst GREATEST: f32 = 0x1.fffffep+127f;\n"
     )
 }

@@ -1,13 +1,13 @@
 //! Views that stay on a device between pictures.
 
-use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use nearfar_core::base::Result;
-use nearfar_core::orthoview::splat::{Compressed, Splats};
+use nearfar_core::base::{Progress, Result};
+use nearfar_core::orthoview::splat::Splats;
 use rayon::prelude::*;
 
-use super::arena::{Arena, identity};
+use super::arena::{Arena, Words, identity};
+use crate::compute::programs::Work;
 use crate::device::Device;
 
 /// Views that lie on a device.
@@ -21,18 +21,20 @@ impl Views {
     }
 
     /// Views that do not lie on the device yet, as words. No lock is held during parallel work.
-    pub fn compressed(&self, views: &[Arc<Splats>]) -> HashMap<usize, Compressed> {
+    pub fn compressed(&self, views: &[Arc<Splats>]) -> Words {
         let missing = self.arena().missing(views);
         missing.par_iter().map(|view| (identity(view), view.compressed())).collect()
     }
 }
 
 /// Brings views to a device before a picture shows them.
-pub fn keep(device: &Device, views: &[Arc<Splats>]) -> Result<()> {
+pub fn keep(device: &Device, views: &[Arc<Splats>], progress: &Progress) -> Result<()> {
     device.check()?;
     let own = device.state::<Views>();
     let compressed = own.compressed(views);
-    own.arena().keep(device, views, &compressed).map(|_| ())
+    own.arena().keep(device, views, &compressed)?;
+    // Until something is submitted copies of the words wait in the processor's memory.
+    Work::new(device).submit(progress).map(|_| ())
 }
 
 /// Bytes of the views that lie on a device.

@@ -58,7 +58,7 @@ pub(crate) fn gpu_keep_orthoviews(
     views: Vec<Bound<'_, OrthoSplats>>,
 ) -> PyResult<()> {
     let views = shared(&views);
-    run::long(py, None, |_| splat::keep(&device.0, &views))
+    run::long(py, None, |progress| splat::keep(&device.0, &views, progress))
 }
 
 /// Bytes of the views that lie on a device.

@@ -1,5 +1,7 @@
 //! A picture of views as numbers for a shader that draws it, and the frame of what it found.
 
+use std::ops::Range;
+
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec4};
 use rayon::prelude::*;
@@ -40,7 +42,7 @@ pub struct ViewNumbers {
     pub axes: [[f32; 4]; 3],
     /// Scale of a normal's numbers to −1 … 1, and the least distance of what is shown.
     pub rest: [f32; 4],
-    /// Number of its first block among those of all views; the others are for who lends room to its words.
+    /// Number of its first block among those of all views, and three numbers of where its words lie on an adapter.
     pub place: [u32; 4],
 }
 
@@ -60,7 +62,7 @@ pub struct Piece {
     pub corner: [u32; 2],
     /// Number of the view.
     pub view: u32,
-    /// Its first block, and above the lowest 24 bits how many there are.
+    /// Its first block, and from bit 24 on how many there are; bit 31 is the shader's.
     pub blocks: u32,
     /// Number of its splats; where it is drawn in several parts, its share.
     pub count: u32,
@@ -95,6 +97,8 @@ pub struct Plan<'a> {
     camera: Camera,
     projector: Projector,
     prepared: Vec<Prepared<'a>>,
+    /// Number of splats of boxes that reach into the picture.
+    in_picture: u64,
     /// For each view, what a shader knows of it.
     pub views: Vec<ViewNumbers>,
     /// Nearest first.
@@ -133,44 +137,62 @@ impl<'a> Plan<'a> {
         };
         let numbers = prepared.iter().map(numbers).collect();
         let whole = Rect { low: [0, 0], high: [camera.width as i32, camera.height as i32] };
-        let mut plan =
-            Self { picture, rays: Rays::new(&camera), camera, projector, views: numbers, pieces: vec![], prepared };
-        plan.pieces = parts_of(&plan.prepared, &whole).iter().flat_map(|part| plan.pieces_of(part)).collect();
+        let mut plan = Self {
+            picture,
+            rays: Rays::new(&camera),
+            camera,
+            projector,
+            views: numbers,
+            pieces: vec![],
+            in_picture: 0,
+            prepared,
+        };
+        let parts = parts_of(&plan.prepared, &whole);
+        plan.pieces = parts.iter().flat_map(|part| plan.pieces_of(part)).collect();
+        plan.in_picture = parts.iter().map(|part| u64::from(part.contents.count)).sum();
         Ok(plan)
     }
 
     fn pieces_of(&self, part: &Part<'_>) -> Vec<Piece> {
-        let view = &self.prepared[part.number as usize];
         let [first, after] = part.contents.blocks;
         let most = self.most_samples(part);
-        // Splats that may cover much are drawn tile by tile.
-        let (tiles, most) =
-            if most > TURNS { (tiles_of(&part.seen.rect), (TILE * TILE) as f64) } else { (vec![part.seen.rect], most) };
-        let count = ((TURNS / most) as u32).clamp(1, PIECE);
-        let mut found = Vec::new();
-        for block in (first..after).step_by(count as usize) {
-            let own = &view.splats.blocks[block as usize..(block + count).min(after) as usize];
-            let Some(corner) = own.first().map(|block| block.corner) else { continue };
-            let [column, row] = corner.map(f64::from);
-            let splats: u32 = own.iter().map(|block| block.shown.count_ones()).sum();
-            let whole = Piece {
-                start: view.sight.at([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
-                order: ordered(part.seen.nearness),
-                corner: corner.map(u32::from),
-                view: part.number,
-                blocks: block | (own.len() as u32) << 24,
-                ..Piece::zeroed()
-            };
-            let share = |n: usize| (u64::from(splats) * n as u64 / tiles.len() as u64) as u32;
-            let piece = |(n, tile): (usize, &Rect)| Piece {
-                low: tile.low,
-                high: tile.high,
-                count: share(n + 1) - share(n),
-                ..whole
-            };
-            found.extend(tiles.iter().enumerate().map(piece));
+        if most > TURNS {
+            return (first..after).flat_map(|block| self.tiled(part.number, block)).collect();
         }
-        found
+        let count = ((TURNS / most) as u32).clamp(1, PIECE);
+        let starts = (first..after).step_by(count as usize);
+        starts.map(|block| self.piece(part.number, block..(block + count).min(after), &part.seen)).collect()
+    }
+
+    /// The pieces of a block whose splats may cover much: one for each tile of the part of the picture that shows it.
+    fn tiled(&self, number: u32, block: u32) -> Vec<Piece> {
+        let view = &self.prepared[number as usize];
+        let whole = Rect { low: [0, 0], high: self.size().map(|length| length as i32) };
+        let Some(seen) = view.sight.seen(&view.splats.blocks[block as usize].extent, &whole) else { return vec![] };
+        let (tiles, one) = (tiles_of(&seen.rect), self.piece(number, block..block + 1, &seen));
+        let share = |n: usize| (u64::from(one.count) * n as u64 / tiles.len() as u64) as u32;
+        let piece =
+            |(n, tile): (usize, &Rect)| Piece { low: tile.low, high: tile.high, count: share(n + 1) - share(n), ..one };
+        tiles.iter().enumerate().map(piece).collect()
+    }
+
+    /// Some blocks of a view.
+    fn piece(&self, number: u32, blocks: Range<u32>, seen: &Seen) -> Piece {
+        let view = &self.prepared[number as usize];
+        let own = &view.splats.blocks[blocks.start as usize..blocks.end as usize];
+        let corner = own.first().map(|block| block.corner).unwrap_or_default();
+        let [column, row] = corner.map(f64::from);
+        Piece {
+            start: view.sight.at([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
+            order: ordered(seen.nearness),
+            low: seen.rect.low,
+            high: seen.rect.high,
+            corner: corner.map(u32::from),
+            view: number,
+            blocks: blocks.start | (own.len() as u32) << 24,
+            count: own.iter().map(|block| block.shown.count_ones()).sum(),
+            unused: [0; 3],
+        }
     }
 
     /// Samples of the rectangle around a splat of a part, at most.
@@ -225,7 +247,7 @@ impl<'a> Plan<'a> {
         Some((0..height).into_par_iter().flat_map_iter(row).map(key).collect())
     }
 
-    /// The frame of what a shader found in all rows, and the counts without those of hidden splats.
+    /// The frame of what a shader found in all rows.
     pub fn frame(&self, found: &Found<'_>) -> Result<Frame> {
         let (picture, wanted) = (self.picture, self.picture.channels);
         let resolver = self.resolver();
@@ -261,8 +283,7 @@ impl<'a> Plan<'a> {
     /// Counts of the picture; a shader tells how many splats it drew.
     pub fn counts(&self, seen: u64) -> Counts {
         let total = self.prepared.iter().map(|view| view.splats.count() as u64).sum();
-        let in_picture = self.pieces.iter().map(|piece| u64::from(piece.count)).sum();
-        Counts { total, in_picture, seen, projected: seen }
+        Counts { total, in_picture: self.in_picture, seen, projected: seen }
     }
 
     fn resolver(&self) -> Resolver<'_> {
