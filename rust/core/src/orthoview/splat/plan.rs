@@ -66,7 +66,8 @@ pub struct Piece {
     pub blocks: u32,
     /// Number of its splats; where it is drawn in several parts, its share.
     pub count: u32,
-    unused: [u32; 3],
+    /// Fills the record.
+    pub unused: [u32; 3],
 }
 
 /// Rays of the samples: of the ray through the picture's corner, and changes by a sample to the right and down.
