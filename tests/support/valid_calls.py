@@ -30,7 +30,10 @@ NEEDS = {
 }
 """Parts of `tests.support.PARTS` that callables need."""
 
-NEED_ADAPTER = ("nearfar.gpu.", "nearfar.Scene.begin", "nearfar.ReducedScene.begin")
+NEED_ADAPTER = (
+    "nearfar.gpu.",
+    *(f"nearfar.{name}.begin" for name in ("Scene", "ReducedScene", "orthoview.OrthoTree", "orthoview.Flight")),
+)
 """Beginnings of the names of callables that need a graphics adapter."""
 
 
@@ -93,7 +96,7 @@ def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
 
     A name followed by " @" and a word is another call of the same callable, which reaches other checks.
     """
-    makers = (_scenes, _pictures, _arrays, _devices, _levels, streams, orthoviews.orthoviews, steady)
+    makers = (_scenes, _pictures, _arrays, orthoviews.orthoviews, _devices, _levels, streams, steady)
     return {name: arguments for make in makers for name, arguments in make(valid).items()}
 
 
@@ -419,7 +422,7 @@ def _devices(valid: Valid) -> dict[str, dict[str, Any]]:
         calls["nearfar.gpu.DeviceFrame"] = fields(frame)
         calls["nearfar.gpu.discontinuity"] = {"frame": frame}
         calls["nearfar.gpu.ssim"] = {"reference": frame, "test": frame}
-        for name in ("Scene", "ReducedScene"):
+        for name in ("Scene", "ReducedScene", "orthoview.OrthoTree", "orthoview.Flight"):
             calls[f"nearfar.{name}.begin"] = {"device": device, "shot": valid.shot}
     return calls
 

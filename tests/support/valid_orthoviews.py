@@ -38,6 +38,7 @@ def orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.orthoview.Flight": {
             "opened": own._opened(), "settings": Settings(), "ahead": Ahead(), "threads": 1, "on_error": None,
         },
+        "nearfar.orthoview.Flight.begin": {"device": None, "shot": valid.shot},
         "nearfar.orthoview.Flight.close": {},
         "nearfar.orthoview.Flight.look": {"camera": valid.camera, "time": 0.0},
         "nearfar.orthoview.Flight.refresh": {},
@@ -50,6 +51,7 @@ def orthoviews(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.orthoview.OrthoCut.keys": {},
         "nearfar.orthoview.OrthoCut.leaf_places": {},
         "nearfar.orthoview.OrthoTree": {"path": valid.store},
+        "nearfar.orthoview.OrthoTree.begin": {"device": None, "shot": valid.shot},
         "nearfar.orthoview.OrthoTree.box": {"level": 0, "place": (0, 0, 0)},
         "nearfar.orthoview.OrthoTree.cells": {"level": 0},
         "nearfar.orthoview.OrthoTree.compact": {"path": valid.folder / "compact.zarr"},

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
+from nearfar._base import check
 from nearfar._camera.shot import Shot, check_request
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._scene.scene import Scene
@@ -50,7 +51,8 @@ class Pictured(Renderable):
     def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> Sequence[Drawn]:
         """Draw the pictures of a shot on a device, one for each camera."""
         check_request(shot, report)
-        return [Drawn(images) for images in self._pictures(shot, device, report)]
+        own = check.instance("device", device, _core.GpuDevice)
+        return [Drawn(images) for images in self._pictures(shot, own, report)]
 
     @abstractmethod
     def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:
