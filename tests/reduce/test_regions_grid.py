@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
@@ -103,6 +103,8 @@ def test_cells_of_a_path_are_those_that_its_points_lie_in(listed: list[tuple[flo
 
 @pytest.mark.slow
 @settings(max_examples=20)
+@example([(0.0, 0.0), (0.0, 0.0), (1.0, 5e-324)])
+@example([(0.0, 0.0), (0.0, 0.0), (0.0, 5e-324)])
 @given(st.lists(st.tuples(NUMBERS, NUMBERS), min_size=3, max_size=6))
 def test_cells_of_an_area_are_those_that_its_points_lie_in(corners: list[tuple[float, float]]) -> None:
     outline = np.array(corners)

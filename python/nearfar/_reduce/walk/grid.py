@@ -71,7 +71,7 @@ class Grid:
         begin, end = np.zeros(len(cells)), np.ones(len(cells))
         for normal in self._normals:
             at, step = (starts - places) @ normal, (ends - starts) @ normal
-            with np.errstate(divide="ignore", invalid="ignore"):
+            with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
                 low, high = (-half - at) / step, (half - at) / step
             inside = np.abs(at) <= half
             still = step == 0.0
@@ -170,5 +170,7 @@ def _inside(points: Floats, corners: Floats) -> NDArray[np.bool_]:
     for (x0, z0), (x1, z1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
         if z0 != z1:
             crosses = (z0 > z) != (z1 > z)
-            inside ^= crosses & (x < x0 + (z - z0) * (x1 - x0) / (z1 - z0))
+            # Where it crosses, the share is from 0 to 1; elsewhere it may be any number.
+            with np.errstate(over="ignore", invalid="ignore"):
+                inside ^= crosses & (x < x0 + (z - z0) / (z1 - z0) * (x1 - x0))
     return inside
