@@ -51,7 +51,7 @@ def test_adapters_draw_trees(tree: Tree, distance: float, leaves: bool) -> None:
     check(got, right)
     same = ("cells", "views", "leaves", "error_px", "splats", "splats_in_picture")
     assert {name: got.stats[name] for name in same} == {name: right.stats[name] for name in same}
-    # What renders scenes renders trees.
+    # The function that renders scenes renders trees.
     again = nf.render(tree, camera, channels=CHANNELS, backend="gpu")
     for name in CHANNELS:
         assert again.require(name).tobytes() == got.require(name).tobytes()

@@ -30,7 +30,7 @@ LARGE = (2072, 1554)
 TRUTH = 256
 """Samples of a pixel."""
 PART, CROP, ZOOM = (128, 104, 320, 240), (256, 230, 80, 60), 4
-"""What is shown of the pictures, and what is enlarged: left, top, width and height in pixels."""
+"""Parts of the pictures that are shown and enlarged: left, top, width and height in pixels."""
 
 Picture = NDArray[np.uint8]
 

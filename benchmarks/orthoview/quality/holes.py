@@ -37,7 +37,7 @@ CAUSES = {
     "a view that is drawn": (30, 90, 230),
     "geometry, or no cell": (0, 150, 80),
 }
-"""What shows the surface of a hole, and its colour."""
+"""Causes of holes by the views that show the surface, and their colours."""
 SURFACES = ("walls", "roofs", "ground")
 FLAT = 0.7
 """Least upward part of a roof's normal."""

@@ -45,7 +45,7 @@ Floats = NDArray[np.float32]
 
 @dataclass(frozen=True)
 class Light:
-    """What lights a world: a sky of two colours, a sun, and lamps that stand in it."""
+    """Light of a world: a sky of two colours, a sun, and lamps that stand in it."""
 
     name: str
     sky: tuple[tuple[float, float, float], tuple[float, float, float]]

@@ -204,7 +204,7 @@ class Truth:
         return reduced(self.frame.require("color"))
 
     def compared(self, color: NDArray[np.uint8], depth: Floats) -> Findings:
-        """What differs in a picture of the same samples."""
+        """Differences in a picture of the same samples."""
         is_there = np.isfinite(depth)
         linear = to_linear(color / 255.0)
         picture = reduced(np.where(is_there[..., None], linear, self.sky))

@@ -10,7 +10,7 @@ use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollTy
 use super::adapters::{AdapterKind, AdapterReport, SAMPLES, VISIBLE};
 use super::extensions::Extensions;
 
-/// What atomic integers of 64 bits need.
+/// Features that atomic integers of 64 bits need.
 const LONG_ATOMICS: Features = Features::SHADER_INT64.union(Features::SHADER_INT64_ATOMIC_MIN_MAX);
 
 /// A device with the state that is kept on it between frames.

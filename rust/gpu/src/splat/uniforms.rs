@@ -1,4 +1,4 @@
-//! What is the same for all threads of a kernel, as uniform blocks.
+//! Uniform blocks: values that all threads of a kernel share.
 
 use std::num::NonZeroU64;
 use std::ops::Range;

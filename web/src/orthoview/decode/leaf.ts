@@ -83,7 +83,7 @@ export async function readLeaf(
   return parts.flat();
 }
 
-/** What may be sent without a copy. */
+/** Buffers that are sent without a copy. */
 export function buffersOf(pieces: readonly Piece[]): Transferable[] {
   const arrays = pieces.flatMap((piece) => [
     piece.positions,

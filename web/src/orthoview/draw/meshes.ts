@@ -113,7 +113,7 @@ export class Meshes {
         gl.bindTexture(gl.TEXTURE_2D, texture ?? this.#white);
       });
       gl.bindVertexArray(mesh.array);
-      // What a piece has no arrays of: faces for normals, and white.
+      // Stand-ins for arrays that a piece lacks: its faces' normals, and white.
       gl.vertexAttrib3f(1, 0, 0, 0);
       gl.vertexAttrib4f(3, 1, 1, 1, 1);
       gl.drawElementsInstanced(gl.TRIANGLES, corners, mesh.kind, 0, copies);
