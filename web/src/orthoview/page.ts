@@ -8,6 +8,7 @@ import { createFly } from './controls/fly';
 import { startOf } from './controls/start';
 import { cameraOf } from './cut/camera';
 import { createPanel } from './panel';
+import type { Graphics } from './show/start';
 import { type Facts, Viewer } from './show/viewer';
 import { type Failure, isPassing } from './store/error';
 import type { Layout } from './store/layout';
@@ -30,7 +31,7 @@ declare global {
       readonly received: number;
       setPose(pose: Pose): void;
       /** Draw the last picture again; the milliseconds until it is there. */
-      time(): number;
+      time(): Promise<number>;
     };
   }
 }
@@ -62,6 +63,7 @@ function main(): void {
     error: number(query, 'error', 1, 0.1, 64),
     geometry: query.get('geometry') !== '0',
     grid: Math.round(Math.sqrt(number(query, 'samples', 1, 1, 16))),
+    graphics: graphicsOf(query.get('graphics')),
     bytes: number(query, 'megabytes', (isSmall ? BYTES / 4 : BYTES) >> 20, 1, 1 << 14) * 2 ** 20,
     workers: Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4),
     received: meter.receive,
@@ -171,6 +173,10 @@ const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly
     text: 'Reload the page. If that does not help, tell whoever sent you here what stands below.',
   },
 };
+
+function graphicsOf(name: string | null): Graphics | null {
+  return name === 'webgl' || name === 'webgpu' ? name : null;
+}
 
 /** The same address as that of a folder. */
 function folderOf(url: URL): URL {

@@ -1,16 +1,47 @@
-/** GLSL of light and colour, which the shaders of scenes and of trees share. */
+/** Light and colour, which the shaders of scenes and of trees share, in GLSL and WGSL. */
 
-/** The shading formula of docs/render.md. */
+/** The constants of docs/render.md: of the light, and of the sky. */
+const CONSTANTS = {
+  SUN_DIRECTION: [0.5263158, 0.7894737, 0.3157895],
+  SUN: [0.6, 0.56, 0.5],
+  SKY_DIRECTION: [-0.2062843, 0.9282791, 0.3094264],
+  SKY_LOW: [0.13, 0.135, 0.15],
+  SKY_HIGH: [0.38, 0.42, 0.48],
+  HORIZON: [0.66, 0.74, 0.82],
+  ZENITH: [0.16, 0.34, 0.66],
+  NADIR: [0.24, 0.25, 0.26],
+} as const;
+
+type Name = keyof typeof CONSTANTS;
+
+const LIGHT = ['SUN_DIRECTION', 'SUN', 'SKY_DIRECTION', 'SKY_LOW', 'SKY_HIGH'] as const;
+const SKY = ['HORIZON', 'ZENITH', 'NADIR'] as const;
+
+/** A number as both languages write it. */
+export const float = (value: number): string => (Number.isInteger(value) ? value.toFixed(1) : String(value));
+
+const vector = (name: Name): string => CONSTANTS[name].map(float).join(', ');
+const glsl = (names: readonly Name[]): string =>
+  names.map((name) => `const vec3 ${name} = vec3(${vector(name)});`).join('\n');
+const wgsl = (names: readonly Name[]): string =>
+  names.map((name) => `const ${name} = vec3<f32>(${vector(name)});`).join('\n');
+
+/** The shading formula. */
 export const IRRADIANCE = /* glsl */ `
-const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);
-const vec3 SUN = vec3(0.60, 0.56, 0.50);
-const vec3 SKY_DIRECTION = vec3(-0.2062843, 0.9282791, 0.3094264);
-const vec3 SKY_LOW = vec3(0.130, 0.135, 0.150);
-const vec3 SKY_HIGH = vec3(0.380, 0.420, 0.480);
+${glsl(LIGHT)}
 
 vec3 irradiance(vec3 n) {
   float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
   return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
+}
+`;
+
+/** What a direction shows where nothing is hit. */
+export const BACKGROUND = /* glsl */ `
+${glsl(SKY)}
+
+vec3 background(vec3 direction) {
+  return mix(HORIZON, direction.y < 0.0 ? NADIR : ZENITH, sqrt(abs(direction.y)));
 }
 `;
 
@@ -19,5 +50,35 @@ export const SRGB = /* glsl */ `
 vec3 srgb_of(vec3 linear) {
   vec3 c = clamp(linear, 0.0, 1.0);
   return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThanEqual(c, vec3(0.0031308))));
+}
+`;
+
+/** Decoding of them. */
+export const LINEAR = /* glsl */ `
+vec3 linear_of(vec3 c) {
+  return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045))));
+}
+`;
+
+/** All of these in WGSL. */
+export const LIGHT_WGSL = /* wgsl */ `
+${wgsl([...LIGHT, ...SKY])}
+
+fn irradiance(n: vec3<f32>) -> vec3<f32> {
+  let sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
+  return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
+}
+
+fn background(direction: vec3<f32>) -> vec3<f32> {
+  return mix(HORIZON, select(ZENITH, NADIR, direction.y < 0.0), sqrt(abs(direction.y)));
+}
+
+fn srgb_of(linear: vec3<f32>) -> vec3<f32> {
+  let c = clamp(linear, vec3<f32>(0.0), vec3<f32>(1.0));
+  return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3<f32>(0.0031308));
+}
+
+fn linear_of(c: vec3<f32>) -> vec3<f32> {
+  return select(pow((c + 0.055) / 1.055, vec3<f32>(2.4)), c / 12.92, c <= vec3<f32>(0.04045));
 }
 `;

@@ -1,39 +1,17 @@
-/** Draws views: their splats into samples, and these into the canvas. */
+/** What the page needs of whatever draws. */
 import type { Camera } from '../cut/camera';
-import type { Part, Splats } from '../decode/pack';
-import { WORDS } from '../decode/pack';
-import type { Layout } from '../store/layout';
-import {
-  type Box,
-  isIn,
-  isSeen,
-  type Model,
-  type Projector,
-  projectorOf,
-  rowsOf,
-  sightOf,
-  VECTORS,
-  writeView,
-} from '../splats/sight';
-import { type Program, programOf, type Target, targetOf } from './gl';
-import { type Mesh, Meshes } from './meshes';
-import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, WHOLE_VERTEX } from './shaders';
+import type { Piece } from '../decode/leaf';
+import type { Splats } from '../decode/pack';
+import type { Box, Model } from '../splats/sight';
 
-/** A layer of a view on the GPU. */
-export interface Uploaded {
-  readonly model: Model;
-  readonly parts: readonly Part[];
-  readonly array: WebGLVertexArrayObject;
-  readonly buffer: WebGLBuffer;
+/** Something that lies on the GPU. */
+export interface Held {
   readonly bytes: number;
 }
 
-/** Metres along the axis at which geometry ends. */
-const NEAREST = 0.05;
-
-/** A layer that is drawn, of which a box may bound the splats' middles. */
-export interface Item {
-  readonly layer: Uploaded;
+/** A layer of a view that is drawn, of which a box may bound the splats' middles. */
+export interface Item<Layer> {
+  readonly layer: Layer;
   readonly box: Box | null;
 }
 
@@ -45,143 +23,18 @@ export interface Drawn {
   readonly calls: number;
 }
 
-export class Drawer {
-  readonly #gl: WebGL2RenderingContext;
-  readonly #splats: Program;
-  readonly #resolve: Program;
-  readonly meshes: Meshes;
-  readonly #numbers = new Float32Array(4 * VECTORS);
-  readonly #largest: number;
-  #target: Target | null = null;
-  #fence: WebGLSync | null = null;
-
-  constructor(
-    readonly canvas: HTMLCanvasElement | OffscreenCanvas,
-    readonly layout: Layout,
-  ) {
-    const gl = canvas.getContext('webgl2', { alpha: false, antialias: false, depth: false });
-    if (!gl) throw new Error('this browser has no WebGL 2');
-    this.#gl = gl as WebGL2RenderingContext;
-    this.#splats = programOf(this.#gl, SPLAT_VERTEX, SPLAT_FRAGMENT);
-    this.#resolve = programOf(this.#gl, WHOLE_VERTEX, RESOLVE_FRAGMENT);
-    this.meshes = new Meshes(this.#gl);
-    this.#largest = (this.#gl.getParameter(this.#gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] ?? 1;
-  }
-
-  upload(model: Model, { words, parts }: Splats): Uploaded {
-    const gl = this.#gl;
-    const [array, buffer] = [gl.createVertexArray(), gl.createBuffer()];
-    gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, words, gl.STATIC_DRAW);
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribIPointer(0, WORDS, gl.UNSIGNED_INT, 0, 0);
-    gl.bindVertexArray(null);
-    return { model, parts, array, buffer, bytes: words.byteLength };
-  }
-
-  drop({ array, buffer }: Uploaded): void {
-    this.#gl.deleteVertexArray(array);
-    this.#gl.deleteBuffer(buffer);
-  }
-
-  /** Draw geometry and layers with `grid` × `grid` samples for each pixel; the nearest ones should come first. */
-  draw(near: readonly Mesh[], items: readonly Item[], camera: Camera, grid: number): Drawn {
-    const gl = this.#gl;
-    const sampled = { ...camera, width: camera.width * grid, height: camera.height * grid };
-    const projector = projectorOf(sampled);
-    const target = this.#targetOf(sampled.width, sampled.height);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
-    gl.viewport(0, 0, target.width, target.height);
-    gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.GREATER);
-    gl.clearColor(0, 0, 0, 0);
-    gl.clearDepth(0);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const least = Math.min(...items.map(({ layer }) => Math.max(layer.model.pitch[0], layer.model.pitch[1])), 1e6);
-    const nearest = near.length > 0 ? Math.min(least / 2, NEAREST) : least / 2;
-    const { triangles, calls: before } = this.meshes.draw(near, projector, nearest);
-    gl.useProgram(this.#splats.program);
-    this.#setCamera(this.#splats, projector);
-    gl.uniform1f(this.#splats.at('nearest'), nearest);
-    let [splats, calls] = [0, before];
-    for (const item of items) {
-      const found = this.#drawItem(item, projector);
-      splats += found.splats;
-      calls += found.calls;
-    }
-    gl.bindVertexArray(null);
-    this.#show(target, projector, camera, grid);
-    return { splats, triangles, calls };
-  }
-
+/** Draws layers of views, and meshes of leaves. */
+export interface Drawer<Layer extends Held, Mesh extends Held> {
+  upload(model: Model, splats: Splats): Layer;
+  drop(layer: Layer): void;
+  uploadMesh(piece: Piece): Mesh;
+  dropMesh(mesh: Mesh): void;
+  /** Draw meshes and layers with `grid` × `grid` samples for each pixel; the nearest ones should come first. */
+  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, grid: number): Drawn;
   /** Whether the last picture is there, and not only asked for. */
-  get isDone(): boolean {
-    const gl = this.#gl;
-    if (this.#fence && gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
-    gl.deleteSync(this.#fence);
-    this.#fence = null;
-    return true;
-  }
-
-  /** Wait until the last picture is there. */
-  finish(): void {
-    this.#gl.readPixels(0, 0, 1, 1, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, new Uint8Array(4));
-  }
-
-  #drawItem({ layer, box }: Item, projector: Projector): Omit<Drawn, 'triangles'> {
-    const gl = this.#gl;
-    const sight = sightOf(layer.model, projector);
-    const rows = rowsOf(layer.model, this.layout, box);
-    const seen = layer.parts.filter(
-      (part) => isSeen(sight, part, projector.width, projector.height) && (!box || isIn(rows, part)),
-    );
-    if (seen.length === 0) return { splats: 0, calls: 0 };
-    writeView(this.#numbers, layer.model, sight, rows);
-    gl.uniform4fv(this.#splats.at('view'), this.#numbers);
-    gl.bindVertexArray(layer.array);
-    let [splats, calls] = [0, 0];
-    for (let n = 0; n < seen.length;) {
-      const { first } = seen[n] as Part;
-      let end = first;
-      // Parts beside one another in the buffer are one call.
-      for (; seen[n]?.first === end; n++) end += (seen[n] as Part).count;
-      gl.drawArrays(gl.POINTS, first, end - first);
-      splats += end - first;
-      calls += 1;
-    }
-    return { splats, calls };
-  }
-
-  #setCamera(program: Program, { rows, rays, width, height }: Projector): void {
-    const gl = this.#gl;
-    gl.uniform3fv(program.at('gradients'), rows.flat());
-    gl.uniform3fv(program.at('rays'), rays.flat());
-    gl.uniform3f(program.at('screen'), width, height, this.#largest);
-  }
-
-  #show(target: Target, projector: Projector, { width, height }: Camera, grid: number): void {
-    const gl = this.#gl;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.viewport(0, 0, width, height);
-    gl.disable(gl.DEPTH_TEST);
-    gl.useProgram(this.#resolve.program);
-    this.#setCamera(this.#resolve, projector);
-    gl.uniform1i(this.#resolve.at('grid'), grid);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, target.color);
-    gl.uniform1i(this.#resolve.at('samples'), 0);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.deleteSync(this.#fence);
-    this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-  }
-
-  #targetOf(width: number, height: number): Target {
-    if (this.#target?.width !== width || this.#target.height !== height) {
-      this.#target?.dispose();
-      this.#target = targetOf(this.#gl, width, height);
-    }
-    return this.#target;
-  }
+  readonly isDone: boolean;
+  /** Wait until it is. */
+  finish(): Promise<void>;
+  /** Splats of the last picture that is there without parts that lie behind others; null where they are drawn, too. */
+  readonly unhidden: number | null;
 }

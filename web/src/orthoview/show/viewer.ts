@@ -4,9 +4,6 @@ import type { Camera } from '../cut/camera';
 import type { Cut, Settings } from '../cut/cut';
 import type { FromCutter, ToCutter } from '../cut/messages';
 import type { Wanted } from '../decode/reader';
-import { Drawer, type Item, type Uploaded } from '../draw/drawer';
-import type { Mesh } from '../draw/meshes';
-import { modelOf } from '../splats/sight';
 import type { Failure } from '../store/error';
 import {
   arrayOf,
@@ -22,8 +19,9 @@ import {
 import type { Shard } from '../store/records';
 import { Queue } from './queue';
 import { type Readers, startReaders } from './readers';
-import { Resident } from './resident';
 import { type Choice, choose } from './stand_in';
+import { type Graphics, startStock } from './start';
+import type { Stock } from './stock';
 
 export interface ViewerSettings {
   readonly base: URL;
@@ -35,6 +33,8 @@ export interface ViewerSettings {
   readonly geometry: boolean;
   /** Samples along each axis of a pixel. */
   readonly grid: number;
+  /** What draws; null for what is there. */
+  readonly graphics: Graphics | null;
   /** Bytes of the GPU that views may take, and a quarter of it geometry; those of one picture may take more. */
   readonly bytes: number;
   readonly workers: number;
@@ -59,7 +59,9 @@ export interface Facts {
   readonly waiting: number;
   /** Cells of which nothing is there. */
   readonly holes: number;
+  /** Splats of parts that reach into the picture, and those that no others hide; null until that is known. */
   readonly splats: number;
+  readonly unhidden: number | null;
   /** Leaves that are drawn as geometry, with their guests, and their triangles. */
   readonly leaves: number;
   readonly triangles: number;
@@ -69,6 +71,7 @@ export interface Facts {
   readonly kept: number;
   /** All views of the cut for this camera have come. */
   readonly isComplete: boolean;
+  readonly graphics: Graphics | null;
 }
 
 const NOTHING: Facts = {
@@ -77,20 +80,20 @@ const NOTHING: Facts = {
   waiting: 0,
   holes: 0,
   splats: 0,
+  unhidden: null,
   leaves: 0,
   triangles: 0,
   calls: 0,
   bytes: 0,
   kept: 0,
   isComplete: false,
+  graphics: null,
 };
 
 interface Tree {
   readonly cells: Cells;
-  readonly drawer: Drawer;
-  readonly resident: Resident<Uploaded>;
-  /** The geometry of leaves. */
-  readonly near: Resident<Mesh>;
+  readonly stock: Stock;
+  readonly graphics: Graphics;
 }
 
 export class Viewer {
@@ -149,7 +152,7 @@ export class Viewer {
     if (this.#isStale && !this.#isAsked) this.#look(camera);
     // Failed views may be due again.
     this.#queue.fill();
-    if (!this.#cut || !this.#isDone(this.#tree.drawer)) return false;
+    if (!this.#cut || !this.#isDone(this.#tree.stock)) return false;
     const isDue = performance.now() - this.#end >= Math.max(PAUSE, this.took / SHARE - this.took);
     if (!(this.#hasMoved || (this.#isDirty && (isDue || this.#queue.waiting === 0)))) return false;
     this.#draw(camera);
@@ -162,19 +165,23 @@ export class Viewer {
   }
 
   /** Draw the last picture again; the milliseconds until it is there. */
-  time(): number {
+  async time(): Promise<number> {
     if (!this.#camera || !this.#tree) return 0;
+    const { stock } = this.#tree;
+    if (!stock.isDone) await stock.finish();
     this.#draw(this.#camera);
-    this.#tree.drawer.finish();
-    return performance.now() - this.#begin;
+    const begin = this.#begin;
+    await stock.finish();
+    return performance.now() - begin;
   }
 
   /** Whether the graphics are done with the last picture: others would only pile up. */
-  #isDone(drawer: Drawer): boolean {
+  #isDone(stock: Stock): boolean {
     if (!this.#isDrawing) return true;
-    if (!drawer.isDone) return false;
+    if (!stock.isDone) return false;
     this.#end = performance.now();
     this.#isDrawing = false;
+    this.facts = { ...this.facts, unhidden: stock.unhidden };
     return true;
   }
 
@@ -195,7 +202,7 @@ export class Viewer {
   #hear(message: FromCutter): void {
     switch (message.kind) {
       case 'opened':
-        this.#open(message.layout, message.shards, message.geometry);
+        void this.#open(message.layout, message.shards, message.geometry);
         break;
       case 'learned':
         this.#tree?.cells.add(message.subtree);
@@ -218,32 +225,22 @@ export class Viewer {
     }
   }
 
-  #open(layout: Layout, shards: readonly Shard[], geometry: readonly Shard[]): void {
-    const drawer = new Drawer(this.canvas, layout);
+  async #open(layout: Layout, shards: readonly Shard[], geometry: readonly Shard[]): Promise<void> {
     const { scripts, workers, base, bytes } = this.#settings;
-    this.#tree = {
-      cells: new Cells(layout),
-      drawer,
-      resident: new Resident((layer) => drawer.drop(layer), bytes),
-      near: new Resident((mesh) => drawer.meshes.drop(mesh), bytes / 4),
-    };
+    const stock = await this.#stock(layout, bytes);
+    if (!stock) return;
+    this.#tree = { cells: new Cells(layout), ...stock };
     this.#know(shards, geometry);
     this.#readers = startReaders(scripts.reader, workers, base, layout, {
       view: (id, layers) => {
         const found = this.#queue.done(id);
-        if (found) {
-          const { level, place, direction } = found;
-          const model = modelOf(layout, level, place, direction);
-          const uploaded = layers.map((splats) => drawer.upload(model, splats));
-          this.#tree?.resident.add(level, place, direction, uploaded);
-        }
+        if (found) this.#tree?.stock.addView(found.level, found.place, found.direction, layers);
         this.#isDirty = true;
         this.#queue.fill();
       },
       leaf: (id, pieces) => {
         const found = this.#queue.done(id);
-        const uploaded = found ? pieces.map((piece) => drawer.meshes.upload(piece)) : [];
-        if (found) this.#tree?.near.add(0, found.place, GEOMETRY, uploaded);
+        if (found) this.#tree?.stock.addLeaf(found.place, pieces);
         this.#isDirty = true;
         this.#queue.fill();
       },
@@ -260,6 +257,17 @@ export class Viewer {
     this.#settings.opened(layout);
   }
 
+  /** The stock of whatever draws; null if nothing does. */
+  async #stock(layout: Layout, bytes: number): Promise<Pick<Tree, 'stock' | 'graphics'> | null> {
+    const failed = (message: string): void => this.#settings.failed({ kind: 'other', message }, true);
+    try {
+      return await startStock(this.canvas, layout, { graphics: this.#settings.graphics, bytes, failed });
+    } catch (reason) {
+      failed(reason instanceof Error ? reason.message : String(reason));
+      return null;
+    }
+  }
+
   #know(shards: readonly Shard[], geometry: readonly Shard[]): void {
     for (const shard of shards) this.#shards.set(shard[0], shard);
     for (const file of geometry) {
@@ -269,15 +277,15 @@ export class Viewer {
   }
 
   #choose(cut: Cut): Choice {
-    const { cells, resident } = this.#tree as Tree;
-    const there = (level: number, place: Triple): readonly number[] => resident.there(level, place);
+    const { cells, stock } = this.#tree as Tree;
+    const there = (level: number, place: Triple): readonly number[] => stock.there(level, place);
     return choose(cut, cells, there, this.#settings.views, (place) => this.#nearOf(place));
   }
 
   #nearOf(place: Triple): 'there' | 'coming' | 'never' {
-    const { cells, near } = this.#tree as Tree;
+    const { cells, stock } = this.#tree as Tree;
     if (this.#without.has(nameOf(0, place))) return 'never';
-    if (near.there(0, place).length > 0) return 'there';
+    if (stock.hasLeaf(place)) return 'there';
     const { tier, place: subtree } = subtreeOf(cells.layout, 0, place);
     return cells.knows(tier, subtree) && this.#filesOf(place).length === 0 ? 'there' : 'coming';
   }
@@ -291,37 +299,29 @@ export class Viewer {
 
   #draw(camera: Camera): void {
     if (!this.#tree || !this.#cut) return;
-    const { drawer, resident, near } = this.#tree;
+    const { cells, stock, graphics } = this.#tree;
     this.#hasMoved = this.#isDirty = false;
     this.#begin = performance.now();
     this.#isDrawing = true;
     const choice = this.#choose(this.#cut);
-    resident.begin();
-    near.begin();
-    const meshes = choice.near.flatMap((place) => near.use(0, place, GEOMETRY));
-    const items = choice.shown.flatMap(({ level, place, direction, box }): Item[] =>
-      resident.use(level, place, direction).map((layer) => ({ layer, box })),
-    );
-    const { splats, triangles, calls } = drawer.draw(meshes, items, camera, this.#settings.grid);
-    const kept = new Set(this.#base?.cells.map(({ level, place }) => nameOf(level, place)));
-    resident.trim((level, place) => kept.has(nameOf(level, place)));
-    const { cells } = this.#tree;
     const needed = this.#cut.leaves.flatMap(({ place }) => [place, ...cells.guestsOf(place)]);
-    const names = new Set(needed.map((place) => nameOf(0, place)));
-    near.trim((level, place) => names.has(nameOf(level, place)));
+    const drawn = stock.draw(choice, camera, this.#settings.grid, {
+      cells: new Set(this.#base?.cells.map(({ level, place }) => nameOf(level, place))),
+      leaves: new Set(needed.map((place) => nameOf(0, place))),
+    });
     const [{ waiting }, isCurrent] = [this.#queue, !this.#isAsked && !this.#isStale];
     this.facts = {
       views: choice.shown.length,
       standIns: choice.shown.filter(({ box }) => box !== null).length,
       waiting,
       holes: choice.holes,
-      splats,
+      ...drawn,
+      unhidden: null,
       leaves: choice.near.length,
-      triangles,
-      calls,
-      bytes: resident.bytes + near.bytes,
-      kept: resident.count,
+      bytes: stock.bytes,
+      kept: stock.views,
       isComplete: isCurrent && waiting === 0 && this.#cut.unknown.length === 0,
+      graphics,
     };
   }
 

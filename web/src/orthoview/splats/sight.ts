@@ -112,14 +112,25 @@ function ballOf({ pitch }: Model): number {
   return Math.hypot(pitch[0], pitch[1]) / 2;
 }
 
-/** Whether a picture may show a part of a view. */
-export function isSeen(
+/** The part of a picture that may show a part of a view: first columns and rows, and those after the last. */
+export interface Seen {
+  readonly low: readonly [number, number];
+  readonly high: readonly [number, number];
+  /** 1/W of its nearest point; infinite where that is too near. */
+  readonly nearness: number;
+}
+
+/** Where a picture may show a part of a view; null where it does not. */
+export function seenOf(
   { start, steps, least, margin }: Sight,
   { low, high }: Part,
   width: number,
   height: number,
-): boolean {
+): Seen | null {
   let [left, right, above, below, behind] = [true, true, true, true, true];
+  let nearest = Number.POSITIVE_INFINITY;
+  const from = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY] as [number, number];
+  const to = [Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY] as [number, number];
   for (let corner = 0; corner < 8; corner++) {
     const at = low.map((lowest, axis) =>
       (corner >> axis) & 1 ? (high[axis] as number) + (margin[axis] as number) : lowest - (margin[axis] as number),
@@ -136,8 +147,19 @@ export function isSeen(
     above &&= y < -w;
     below &&= y > (height + 1) * w;
     behind &&= w < least;
+    nearest = Math.min(nearest, w);
+    from[0] = Math.min(from[0], x / w);
+    from[1] = Math.min(from[1], y / w);
+    to[0] = Math.max(to[0], x / w);
+    to[1] = Math.max(to[1], y / w);
   }
-  return !(left || right || above || below || behind);
+  if (left || right || above || below || behind) return null;
+  if (nearest < least) return { low: [0, 0], high: [width, height], nearness: Number.POSITIVE_INFINITY };
+  return {
+    low: [Math.max(Math.floor(from[0]) - 1, 0), Math.max(Math.floor(from[1]) - 1, 0)],
+    high: [Math.min(Math.floor(to[0]) + 2, width), Math.min(Math.floor(to[1]) + 2, height)],
+    nearness: 1 / nearest,
+  };
 }
 
 /** Whether the middles of a part's splats may lie in a box. */

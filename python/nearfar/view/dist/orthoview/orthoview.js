@@ -1,29 +1,53 @@
-var Gt=Object.defineProperty;var a=(t,e)=>Gt(t,"name",{value:e,configurable:!0});function z(t,e,r){return Math.min(Math.max(t,e),r)}a(z,"bounded");function fe(t){return t-2*Math.PI*Math.round(t/(2*Math.PI))}a(fe,"wrapped");function Ie({yaw:t,pitch:e}){return[-Math.sin(t)*Math.cos(e),Math.sin(e),-Math.cos(t)*Math.cos(e)]}a(Ie,"ahead");function Ce(t){return[Math.cos(t),0,-Math.sin(t)]}a(Ce,"rightOf");function K(t,e,r){return[t[0]+r*e[0],t[1]+r*e[1],t[2]+r*e[2]]}a(K,"moved");var Vt=512,Kt=3e7,Xt=/^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d{1,3})?$/i;function ye(t){if(t.length>Vt)return null;let e=new URLSearchParams(t.replace(/^#/,"")),[r,n,o,...s]=(e.get("p")??"").split(",").map(he);if(!pe(r)||!pe(n)||!pe(o)||s.length>0)return null;let[i,l]=[he(e.get("yaw")??"0"),he(e.get("pitch")??"0")];return i===null||l===null?null:{position:[r,n,o],yaw:fe(i),pitch:z(l,-1.5,1.5)}}a(ye,"readLink");function De({position:t,yaw:e,pitch:r}){return`#p=${t.map(o=>be(o,3)).join(",")}&yaw=${be(fe(e),4)}&pitch=${be(r,4)}`}a(De,"writeLink");function he(t){let e=Xt.test(t)?Number(t):Number.NaN;return Number.isFinite(e)?e:null}a(he,"numberIn");function pe(t){return t!=null&&Math.abs(t)<=Kt}a(pe,"isPlace");function be(t,e){return String(Number(t.toFixed(e)))}a(be,"rounded");function Ue(t=()=>performance.now()/1e3){let e=0,r=[],n=[];return{receive(o){e+=o,r.push({time:t(),bytes:o})},frame(o){n.push(o);let s=n.reduce((i,l)=>i+l,0);for(;n.length>1&&s>1;)s-=n.shift()??0},restart(){e=0,r=[],n=[]},read(){let o=t()-1;r=r.filter(({time:l})=>l>o);let s=r.reduce((l,c)=>l+c.bytes,0),i=n.reduce((l,c)=>l+c,0)/Math.max(n.length,1);return{received:e,rate:s>0?8*s/1:null,frame:1e3*i,longest:1e3*Math.max(0,...n)}}}}a(Ue,"createMeter");function E(t,e={},...r){let n=document.createElement(t);return ve(n,e),n.append(...r),n}a(E,"make");var ze="http://www.w3.org/2000/svg";function X(t){let e=document.createElementNS(ze,"svg");ve(e,{viewBox:"0 0 24 24",class:"icon","aria-hidden":"true",focusable:"false"});let r=document.createElementNS(ze,"path");return ve(r,{d:t}),e.append(r),e}a(X,"icon");function We(t,e){t.textContent!==e&&(t.textContent=e)}a(We,"write");function ve(t,e){for(let[r,n]of Object.entries(e))n!==void 0&&n!==!1&&t.setAttribute(r,n===!0?"":n)}a(ve,"setAll");var Y={walk:"M13 4.5a1.5 1.5 0 1 0 0-.01M9.5 21l2-5.5-2-3 1-4.5 3 .5 2 3 2.5 1M7 12.5l.5-3 3-1.5M12.5 13l2.5 3.5.5 4.5",orbit:"M12 14a2 2 0 1 0 0-4 2 2 0 0 0 0 4M17 8c2.5.8 4 2.2 4 4 0 2.8-4 5-9 5s-9-2.2-9-5 4-5 9-5M9.5 4L13 7l-3.5 3",split:"M12 3v18M4 6h5M4 6v12h5M20 6h-5M20 6v12h-5",photo:"M4 8h3.5L9 5.5h6L16.5 8H20v11H4zM12 16.5a3.25 3.25 0 1 0 0-6.5 3.25 3.25 0 0 0 0 6.5",link:"M10 14a4 4 0 0 0 5.7 0l3-3a4 4 0 0 0-5.7-5.7l-1 1M14 10a4 4 0 0 0-5.7 0l-3 3a4 4 0 0 0 5.7 5.7l1-1",home:"M4 11.5L12 5l8 6.5M6 10v9h4v-5h4v5h4v-9",next:"M12 21c-4-4.6-6-7.9-6-10.5a6 6 0 0 1 12 0C18 13.1 16 16.4 12 21M10 8.5l2.5 2-2.5 2",panel:"M4 5h16v14H4zM7 9h6M7 12h10M7 15h8",help:"M9 9a3 3 0 1 1 4.5 2.6c-1 .6-1.5 1.2-1.5 2.4M12 17.5v.01M12 21a9 9 0 1 0 0-18 9 9 0 0 0 0 18",headset:"M3 8.5h18v8h-5.5L13.5 14h-3l-2 2.5H3zM7.5 12v.01M16.5 12v.01",close:"M6 6l12 12M18 6L6 18",grip:"M9 7l-5 5 5 5M15 7l5 5-5 5"};var ge=3;function we(t,e,{detail:r,retry:n}={}){let o=E("h1",{tabindex:"-1",id:"message-title"},t),s=E("div",{class:"fatal-card"},E("p",{class:"fatal-brand"},"nearfar"),o);s.append(E("p",{},e)),r&&s.append(E("p",{class:"fatal-detail"},r)),n&&s.append(He("Try again","button-main",n));let i=xe();i.replaceChildren(s),i.dataset.kind="fatal";for(let l of document.querySelectorAll("canvas, [data-behind]"))l.setAttribute("inert","");o.focus({preventScroll:!0})}a(we,"showFatal");function Be(t,e){let r=xe();if(r.dataset.kind==="fatal")return;let n=E("ul",{},...t.slice(0,ge).map(i=>E("li",{},i)));t.length>ge&&n.append(E("li",{},`and ${t.length-ge} more`));let o=E("button",{type:"button",class:"button-icon","aria-label":"Dismiss",title:"Dismiss"});o.append(X(Y.close)),o.addEventListener("click",$e);let s=E("div",{class:"banner-text"},E("strong",{},"Not all of the scene is shown"),n);t.length===0?$e():(r.replaceChildren(s,He("Try again","button-main",e),o),r.dataset.kind="banner")}a(Be,"showProblems");function $e(){let t=xe();t.replaceChildren(),delete t.dataset.kind;for(let e of document.querySelectorAll("canvas, [data-behind]"))e.removeAttribute("inert")}a($e,"clearMessage");function He(t,e,r){let n=E("button",{type:"button",class:e},t);return n.addEventListener("click",r),n}a(He,"button");function xe(){let t=document.getElementById("message");if(t)return t;let e=E("div",{id:"message",role:"alert"});return document.body.append(e),e}a(xe,"message");var I={right:0,ahead:0,turn:0,look:0,isHasty:!1};function q(...t){let e=a(i=>t.reduce((l,c)=>l+i(c),0),"sum"),[r,n]=j(e(i=>i.right),e(i=>i.ahead)),[o,s]=j(e(i=>i.turn),e(i=>i.look));return{right:r,ahead:n,turn:o,look:s,isHasty:t.some(i=>i.isHasty)}}a(q,"together");function j(t,e){let r=Math.max(Math.hypot(t,e),1);return[t/r,e/r]}a(j,"within");function $(t,e,r){let n=Math.hypot(t,e);if(!(n>r))return[0,0];let o=Math.min((n-r)/(1-r),1)/n;return[t*o,e*o]}a($,"beyondRest");var[Yt,jt,qt]=[300,400,16];function Ge(t){let e=new Map,r=null,n=a((o,s)=>Math.hypot(o.clientX-s.clientX,o.clientY-s.clientY)<=qt,"isNear");return{down(o){e.size>0&&(r=null),e.set(o.pointerId,o)},up(o){let s=e.get(o.pointerId),i=e.size===1;if(e.delete(o.pointerId),!(s&&i&&o.timeStamp-s.timeStamp<=Yt&&n(s,o))){r=null;return}let c=r!==null&&o.timeStamp-r.timeStamp<=jt&&n(r,o);r=c?null:o,c&&t(o)}}}a(Ge,"createTaps");var[J,Ve]=[1.6,Math.PI],Te=1.5,Jt=.0015,Qt=[1,16,400],Q=56,Zt=.12;function Ke(t,e){let r=new Map,n=new AbortController,o=I,s=Ge(d),i=!1,l=a(()=>1/Math.max(t.clientHeight,1),"scale"),c=a(()=>t.ownerDocument.pointerLockElement===t,"isLocked");function d({clientX:b,clientY:x}){let{left:S,top:M,width:A,height:L}=t.getBoundingClientRect();c()?e.go(.5,.5):e.go((b-S)/Math.max(A,1),(x-M)/Math.max(L,1))}a(d,"go");function u(b){if(c())return;i=b.pointerType==="touch";let x=b.pointerType==="mouse",S=b.button===0&&!b.shiftKey;if(e.mode()==="walk"&&x&&!S)return;t.setPointerCapture(b.pointerId),i&&s.down(b);let M=m(b)?"step":S?"turn":"pan";r.set(b.pointerId,{x:b.clientX,y:b.clientY,task:M}),M==="step"&&v({x:b.clientX,y:b.clientY},b)}a(u,"down");function m({pointerType:b,clientX:x}){if(e.mode()!=="walk"||b!=="touch"||[...r.values()].some(({task:A})=>A==="step"))return!1;let{left:S,width:M}=t.getBoundingClientRect();return x-S<M/2}a(m,"isThumb");function f(b){let x=r.get(b.pointerId);if(!x){c()&&e.look(-b.movementX*J*l(),-b.movementY*J*l());return}if(x.task==="step"){v(x,b);return}let S={...x,x:b.clientX,y:b.clientY},M=[...r].find(([P,{task:N}])=>P!==b.pointerId&&N!=="step")?.[1],[A,L]=[(S.x-x.x)*l(),(S.y-x.y)*l()];r.set(b.pointerId,S),e.mode()==="walk"?e.look(A*J,L*J):M?g(x,S,M):x.task==="pan"?e.pan(-A*Te,L*Te):e.rotate(-A*Ve,-L*Ve)}a(f,"move");function v({x:b,y:x},{clientX:S,clientY:M}){let[A,L]=$((S-b)/Q,(M-x)/Q,Zt);o={...I,right:A,ahead:0-L},e.thumb({x:b,y:x,right:S-b,down:M-x})}a(v,"step");function g(b,x,S){let[M,A]=[b,x].map(({x:P,y:N})=>Math.hypot(P-S.x,N-S.y));M&&A&&e.zoom(M/A);let L=.5*Te*l();e.pan(-(x.x-b.x)*L,(x.y-b.y)*L)}a(g,"pinch");function h(b){b.pointerType==="touch"&&s.up(b),r.get(b.pointerId)?.task==="step"&&p(),r.delete(b.pointerId)}a(h,"up");function p(){o=I,e.thumb(null)}a(p,"rest");function y(b){e.mode()==="orbit"&&(b.preventDefault(),e.zoom(Math.exp(Jt*b.deltaY*(Qt[b.deltaMode]??1)*(b.ctrlKey?6:1))))}a(y,"wheel");function w(){e.mode()==="walk"&&Promise.resolve(t.requestPointerLock()).catch(()=>{})}a(w,"lock");let{signal:T}=n;t.addEventListener("pointerdown",u,{signal:T}),t.addEventListener("pointermove",f,{signal:T}),t.addEventListener("pointerup",h,{signal:T}),t.addEventListener("pointercancel",h,{signal:T}),t.addEventListener("dblclick",b=>i||d(b),{signal:T}),t.addEventListener("wheel",y,{signal:T,passive:!1}),t.addEventListener("contextmenu",b=>b.preventDefault(),{signal:T});function R(){r.clear(),p(),c()&&t.ownerDocument.exitPointerLock()}return a(R,"release"),{get drive(){return o},lock:w,release:R,dispose(){R(),n.abort()}}}a(Ke,"createPointers");function Xe(t){let e=E("div",{class:"thumb",hidden:!0,"aria-hidden":"true"},E("span",{}));return t.append(e),{show(r){if(e.hidden=r===null,!r)return;let{x:n,y:o,right:s,down:i}=r,l=Math.min(1,Q/Math.max(Math.hypot(s,i),1)),c={"--x":n,"--y":o,"--right":s*l,"--down":i*l};for(let[d,u]of Object.entries(c))e.style.setProperty(d,`${u}px`)},dispose:a(()=>e.remove(),"dispose")}}a(Xe,"createThumbMark");var Ye=.18,er=[4,10];function je(t){let e=t.filter(r=>r!==null&&r.connected&&r.mapping==="standard");return e.length===0?I:q(...e.map(r=>r?tr(r):I))}a(je,"readPads");function tr({axes:t,buttons:e}){let[r,n]=$(t[0]??0,t[1]??0,Ye),[o,s]=$(t[2]??0,t[3]??0,Ye),i=er.some(l=>e[l]?.pressed??!1);return{right:r,ahead:0-n,turn:0-o,look:0-s,isHasty:i}}a(tr,"wishOf");var qe={KeyW:[0,1,0,0],KeyS:[0,-1,0,0],KeyA:[-1,0,0,0],KeyD:[1,0,0,0],ArrowUp:[0,1,0,0],ArrowDown:[0,-1,0,0],ArrowLeft:[0,0,1,0],ArrowRight:[0,0,-1,0],PageUp:[0,0,0,1],PageDown:[0,0,0,-1]};function rr(t){return Object.hasOwn(qe,t)}a(rr,"isMoving");function Ee(t){if(t.defaultPrevented||t.ctrlKey||t.metaKey||t.altKey)return!0;let{target:e}=t;return typeof Element<"u"&&e instanceof Element&&e.closest(nr)!==null}a(Ee,"isElsewhere");var nr="input, textarea, select, [contenteditable], dialog[open]";function Je(t){let e=new Set,r=new AbortController,n=a((s,i)=>t.addEventListener(s,i,{signal:r.signal}),"listen"),o=!1;return n("keydown",s=>{let i=s;o=i.shiftKey,!(!rr(i.code)||Ee(i))&&(e.add(i.code),i.preventDefault())}),n("keyup",s=>{o=s.shiftKey,e.delete(s.code),s.key==="Meta"&&e.clear()}),n("blur",()=>{e.clear(),o=!1}),{get drive(){let s=[0,0,0,0];for(let f of e)qe[f]?.forEach((v,g)=>s[g]=(s[g]??0)+v);let[i=0,l=0,c=0,d=0]=s,[u,m]=j(i,l);return{right:u,ahead:m,turn:Math.sign(c),look:Math.sign(d),isHasty:o}},dispose:a(()=>r.abort(),"dispose")}}a(Je,"createKeys");var[or,sr]=[.6,3],[ar,Qe,ir]=[4,5,.004],Ze=1.2,lr=.25,et={KeyE:1,Space:1,KeyQ:-1,KeyC:-1};function cr(t,e,r,n,o,s){let i=t.yaw+Ze*e.turn*s,l=z(t.pitch+Ze*e.look*s,-1.5,1.5),c=Math.max(t.position[1]-o,sr),d=or*c*2**n*(e.isHasty?ar:1)*s,u=K(t.position,Ie({yaw:i,pitch:l}),d*e.ahead);return u=K(u,Ce(i),d*e.right),{position:K(u,[0,1,0],d*r),yaw:i,pitch:l}}a(cr,"flown");function tt(t,e,r,n){let o=e,s=0,i=new Set,l=Je(window),c=a((m,f)=>{o={...o,yaw:o.yaw+m,pitch:z(o.pitch+f,-1.5,1.5)}},"turn"),d=a(()=>{},"none"),u=Ke(t,{mode:a(()=>"walk","mode"),look:c,rotate:d,pan:d,zoom:d,thumb:n,go:d});return window.addEventListener("keydown",m=>{!Object.hasOwn(et,m.code)||Ee(m)||(i.add(m.code),m.target instanceof HTMLButtonElement||m.preventDefault())}),window.addEventListener("keyup",({code:m})=>i.delete(m)),window.addEventListener("blur",()=>i.clear()),t.addEventListener("wheel",m=>{m.preventDefault(),s=z(s-ir*m.deltaY*(m.deltaMode===1?16:1),-Qe,Qe)},{passive:!1}),{get pose(){return o},get power(){return s},update(m){let f=m>0?Math.min(m,lr):0,v=q(l.drive,u.drive,je(ur())),g=Math.sign([...i].reduce((p,y)=>p+(et[y]??0),0));return g===0&&[v.right,v.ahead,v.turn,v.look].every(p=>p===0)||(o=cr(o,v,g,s,r(),f)),o},setPose(m){o=m}}}a(tt,"createFly");function ur(){try{return navigator.getGamepads?.()??[]}catch{return[]}}a(ur,"padsOf");var[dr,Me]=[.55,.45];function rt({origin:t,cell:e,counts:r}){let n=t.map((i,l)=>i+e*r[l]/2),o=dr*e*Math.max(r[0],r[2]);return{position:[n[0],t[1]+o*Math.sin(Me),n[2]+o*Math.cos(Me)],yaw:0,pitch:-Me}}a(rt,"startOf");function nt({position:t,yaw:e,pitch:r},n,o,s){let[i,l,c,d]=[Math.sin(e),Math.cos(e),Math.sin(r),Math.cos(r)],u=Math.tan(n/2),m=u*o/s;return{position:t,right:[l,0,-i],up:[i*c,d,l*c],back:[i*d,-c,l*d],fov:{left:-m,right:m,down:-u,up:u},width:o,height:s}}a(nt,"cameraOf");function Z({right:t,up:e,back:r,fov:n,width:o,height:s},i,l){let c=n.left+(n.right-n.left)*i/o,d=n.up+(n.down-n.up)*l/s;return[0,1,2].map(u=>{let[m,f,v]=[t[u],e[u],r[u]];return c*m+d*f-v})}a(Z,"directionAt");function C(t,e){return t[0]*e[0]+t[1]*e[1]+t[2]*e[2]}a(C,"dot");function Se(t,e){return[t[1]*e[2]-t[2]*e[1],t[2]*e[0]-t[0]*e[2],t[0]*e[1]-t[1]*e[0]]}a(Se,"cross");function W(t){let e=Math.sqrt(C(t,t));return e>0?[t[0]/e,t[1]/e,t[2]/e]:[0,1,0]}a(W,"unit");var ot=["","k","M","G","T"];function ee(t){return lt(t,"B")}a(ee,"bytes");function st(t){return t===null?"idle":lt(t,"b/s")}a(st,"rate");function at(t){return te(t)?t>=9995e5?`${(t/1e9).toFixed(2)}\xA0billion`:t>=999999.5?`${(t/1e6).toFixed(2)}\xA0million`:Math.round(t).toLocaleString("en"):"\u2013"}a(at,"count");function it(t){return te(t)?`${t.toFixed(t<99.95?1:0)}\xA0ms`:"\u2013"}a(it,"milliseconds");function Ae(t){return te(t)?t>=999.5?`${(t/1e3).toFixed(1)}\xA0km`:`${t.toFixed(t<.995?2:t<99.95?1:0)}\xA0m`:"\u2013"}a(Ae,"metres");function lt(t,e){if(!te(t))return"\u2013";let r=mr(t);return`${fr(t,r)}\xA0${ot[r]}${e}`}a(lt,"scaled");function mr(t){let e=0;for(;e<ot.length-1&&t/1e3**e>=999.5;)e+=1;return e}a(mr,"powerOf");function fr(t,e){let r=t/1e3**e;return r.toFixed(e>1&&r<99.95?1:0)}a(fr,"digits");function te(t){return Number.isFinite(t)&&t>=0}a(te,"isAmount");var hr={frame:"Frame",splats:"Splats",views:"Views",waiting:"Waiting",loaded:"Loaded",memory:"On the GPU",height:"Height"};function ct(t,e){let r=new Map,n=Object.entries(hr).map(([u,m])=>{let f=E("dd",{},"\u2013");return r.set(u,f),E("div",{},E("dt",{},m),f)}),o=E("div",{class:"panel card",role:"region","aria-label":"Figures"}),s=Re("Figures","chip card",()=>d(!0)),i=E("button",{type:"button","aria-label":"Hide the figures",title:"Hide"},X(Y.close));i.addEventListener("click",()=>d(!1)),o.append(E("header",{},E("h1",{},"nearfar"),i),E("div",{class:"panel-body"},E("dl",{class:"figures"},...n)));let l=E("p",{class:"note card"}),c=E("div",{class:"tools"},Re("Home","tool",e),Re("Help","tool",()=>l.hidden=!l.hidden));l.textContent=pr,l.hidden=!0,t.append(E("div",{class:"frame"},E("div",{class:"top"},o,s),E("div",{class:"bottom"},l,c)));function d(u){o.hidden=!u,s.hidden=u}return a(d,"show"),d(window.innerWidth>600),{update({facts:u,frame:m,received:f,rate:v,height:g,power:h}){let p=a((y,w)=>We(r.get(y),w),"put");p("frame",it(m)),p("splats",at(u.splats)),p("views",u.standIns>0?`${u.views}, ${u.standIns} coarser`:String(u.views)),p("waiting",u.waiting>0?`${u.waiting} views`:"nothing"),p("loaded",v===null?ee(f):`${ee(f)}, ${st(v)}`),p("memory",ee(u.bytes)),p("height",h===0?Ae(g):`${Ae(g)}, speed \xD7 ${(2**h).toFixed(h<0?2:1)}`)}}}a(ct,"createPanel");var pr="Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four times as fast, the wheel changes the speed. The address leads back to this place.";function Re(t,e,r){let n=E("button",{type:"button",class:e},t);return n.addEventListener("click",r),n}a(Re,"button");function k({kind:t}){return t==="refused"||t==="unreachable"}a(k,"isPassing");var _e=["color","depth","normal"],br="behind_";var yr="nearfar",O=-1;function ut({depthBits:t}){return Math.floor((2**t-1)/6)*6}a(ut,"stepsOf");function B({cell:t},e){return t*2**e}a(B,"sideAt");function re(t,e,[r,n,o]){let[s,[i,l,c]]=[B(t,e),t.origin];return[i+r*s,l+n*s,c+o*s]}a(re,"cornerOf");function Le({subtree:t},e){return 2**(t-e%t)}a(Le,"shardSide");function D(t,e,[r,n,o]){let s=Le(t,e),i=[Math.floor(r/s),Math.floor(n/s),Math.floor(o/s)];return{tier:Math.floor(e/t.subtree),place:i}}a(D,"subtreeOf");function dt(t){return t===0?"":`${yr}/generations/${t}/`}a(dt,"overlay");function mt({names:t},e,r,n){return`${e}/${t[r]}/${n}`}a(mt,"arrayOf");function ft(t,e,r,n){return`${n}/c/${D(t,e,r).place.join("/")}/0/0/0`}a(ft,"shardOf");function ht({levels:t},e){return["content","moving"].map(r=>`geometry/${r}/${t-1}/${e.join("/")}.glb`)}a(ht,"geometryOf");function pt({layers:t}){return t===2?[..._e,..._e.map(e=>br+e)]:_e}a(pt,"channelsOf");function _(t,[e,r,n]){return`${t}/${e}/${r}/${n}`}a(_,"nameOf");function Pe([t,e,r]){return Array.from({length:8},(n,o)=>[2*t+(o>>2),2*e+(o>>1&1),2*r+(o&1)])}a(Pe,"childrenOf");function bt([t,e,r],n){let o=2**n;return[Math.floor(t/o),Math.floor(e/o),Math.floor(r/o)]}a(bt,"above");var vr={mask:0,generation:0},ne=class{constructor(e){this.layout=e}layout;static{a(this,"Cells")}#e=new Map;add(e){this.#e.set(_(e.tier,e.place),e)}knows(e,r){return this.#e.has(_(e,r))}guestsOf(e){let{tier:r,place:n}=D(this.layout,0,e);return this.#e.get(_(r,n))?.guests.get(_(0,e))??[]}at(e,r){let{tier:n,place:o}=D(this.layout,e,r),s=this.#e.get(_(n,o));if(!s)return null;let i=Le(this.layout,e),[l,c,d]=r.map((g,h)=>g-o[h]*i),u=(l*i+c)*i+d,m=e%this.layout.subtree,[f,v]=[s.masks[m]?.[u],s.generations[m]?.[u]];return f===void 0||v===void 0?vr:{mask:f,generation:v}}};var yt=3;function ke(t){let e=t[0]===0&&t[2]===0?[1,0,0]:[t[2],0,-t[0]],r=[e,Se(t,e),t],n=r.map(o=>(Math.abs(o[0])+Math.abs(o[1])+Math.abs(o[2]))/Math.hypot(...o));return{axes:[W(r[0]),W(r[1]),W(r[2])],extents:n}}a(ke,"frameOf");var[Oe,H]=[1.27,.5],Ne=.25,oe=10;function vt(t,e,r,n){let o=B(t,e),s=re(t,e,r),i=ke(t.directions[n]),l=i.extents.map(h=>h*o),c=[l[0]/t.size,l[1]/t.size,l[2]/ut(t)],[d,u,m]=i.axes,f=s.map((h,p)=>h+o/2+(-d[p]*l[0]+u[p]*l[1]+m[p]*l[2])/2),v=a((h,p)=>[h[0]*p,h[1]*p,h[2]*p],"scaled"),g=[v(d,c[0]),v(u,-c[1]),v(m,-c[2])];return{frame:i,pitch:c,start:f,steps:g,normalBits:t.normalBits/2}}a(vt,"modelOf");function gt(t){let{position:e,right:r,up:n,back:o,fov:s,width:i,height:l}=t,[c,d]=[i/(s.right-s.left),l/(s.up-s.down)],u=a(g=>[g(0),g(1),g(2)],"row"),m=[u(g=>c*(r[g]+s.left*o[g])),u(g=>-d*(n[g]+s.up*o[g])),u(g=>-o[g])],f=Z(t,0,0),v=a((g,h)=>{let p=Z(t,g,h);return[p[0]-f[0],p[1]-f[1],p[2]-f[2]]},"step");return{eye:e,rows:m,rays:[f,v(1,0),v(0,1)],width:i,height:l}}a(gt,"projectorOf");function wt(t,{eye:e,rows:r}){let{start:n,steps:o,pitch:s}=t,i=[n[0]-e[0],n[1]-e[1],n[2]-e[2]],l=a(f=>[C(r[0],f),C(r[1],f),C(r[2],f)],"along"),[c,d]=[Oe*Math.sqrt(H),xt(t)],u=a(f=>Math.max(c,d/f)-.5,"across"),m=c*(s[0]+s[1])/Ne;return{start:l(i),steps:[l(o[0]),l(o[1]),l(o[2])],least:Math.max(s[0],s[1]),margin:[u(s[0]),u(s[1]),Math.max(m,d)/s[2]]}}a(wt,"sightOf");function xt({pitch:t}){return Math.hypot(t[0],t[1])/2}a(xt,"ballOf");function Tt({start:t,steps:e,least:r,margin:n},{low:o,high:s},i,l){let[c,d,u,m,f]=[!0,!0,!0,!0,!0];for(let v=0;v<8;v++){let g=o.map((T,R)=>v>>R&1?s[R]+n[R]:T-n[R]),h=a(T=>t[T]+g[0]*e[0][T]+g[1]*e[1][T]+g[2]*e[2][T],"value"),[p,y,w]=[h(0),h(1),h(2)];c&&=p<-w,d&&=p>(i+1)*w,u&&=y<-w,m&&=y>(l+1)*w,f&&=w<r}return!(c||d||u||m||f)}a(Tt,"isSeen");function Et(t,{low:e,high:r}){return t.every(([n,o,s,i])=>{let l=[n,o,s].map((d,u)=>{let[m,f]=[d*e[u],d*r[u]];return[Math.min(m,f),Math.max(m,f)]}),c=a(d=>l.reduce((u,m)=>u+m[d],i),"sum");return c(0)<1&&c(1)>=0})}a(Et,"isIn");function Mt(t,e,r){if(!r)return[0,1,2].map(()=>[0,0,0,.5]);let n=B(e,r.level),o=re(e,r.level,r.place);return[0,1,2].map(s=>{let i=a(l=>t.steps[l][s]/n,"factor");return[i(0),i(1),i(2),(t.start[s]-o[s])/n]})}a(Mt,"rowsOf");function St(t,e,r,n){let{frame:o,pitch:s}=e,[i,l,c]=o.axes,d=2/(2**e.normalBits-2),u=a((f,[v,g,h],p)=>t.set([v,g,h,p],4*f),"put"),m=a((f,v)=>[f[0]*v,f[1]*v,f[2]*v],"scaled");u(0,r.start,r.least),u(1,r.steps[0],d),u(2,r.steps[1],xt(e)/Math.sqrt(H)),u(3,r.steps[2],0),u(4,m(i,s[0]/s[2]),0),u(5,m(l,s[1]/s[2]),0),u(6,c,0),n.forEach((f,v)=>t.set(f,4*(7+v)))}a(St,"writeView");function G(t,e,r){let n=t.createProgram();for(let[s,i]of[[t.VERTEX_SHADER,e],[t.FRAGMENT_SHADER,r]]){let l=t.createShader(s);if(!l)throw new Error("the browser has taken the graphics away");t.shaderSource(l,i),t.compileShader(l),t.attachShader(n,l),t.deleteShader(l)}if(t.linkProgram(n),!t.getProgramParameter(n,t.LINK_STATUS)){let s=(t.getAttachedShaders(n)??[]).map(i=>t.getShaderInfoLog(i));throw new Error(`a shader does not compile: ${[...s,t.getProgramInfoLog(n)].filter(Boolean).join(" ")}`)}let o=new Map;return{program:n,at(s){return o.has(s)||o.set(s,t.getUniformLocation(n,s)),o.get(s)??null}}}a(G,"programOf");function At(t,e,r){let[n,o,s]=[t.createFramebuffer(),t.createTexture(),t.createRenderbuffer()];return t.bindTexture(t.TEXTURE_2D,o),t.texStorage2D(t.TEXTURE_2D,1,t.SRGB8_ALPHA8,e,r),t.texParameteri(t.TEXTURE_2D,t.TEXTURE_MIN_FILTER,t.NEAREST),t.texParameteri(t.TEXTURE_2D,t.TEXTURE_MAG_FILTER,t.NEAREST),t.bindRenderbuffer(t.RENDERBUFFER,s),t.renderbufferStorage(t.RENDERBUFFER,t.DEPTH_COMPONENT32F,e,r),t.bindFramebuffer(t.FRAMEBUFFER,n),t.framebufferTexture2D(t.FRAMEBUFFER,t.COLOR_ATTACHMENT0,t.TEXTURE_2D,o,0),t.framebufferRenderbuffer(t.FRAMEBUFFER,t.DEPTH_ATTACHMENT,t.RENDERBUFFER,s),t.bindFramebuffer(t.FRAMEBUFFER,null),{frame:n,color:o,width:e,height:r,dispose(){t.deleteFramebuffer(n),t.deleteTexture(o),t.deleteRenderbuffer(s)}}}a(At,"targetOf");var se=`
-const vec3 SUN_DIRECTION = vec3(0.5263158, 0.7894737, 0.3157895);
-const vec3 SUN = vec3(0.60, 0.56, 0.50);
-const vec3 SKY_DIRECTION = vec3(-0.2062843, 0.9282791, 0.3094264);
-const vec3 SKY_LOW = vec3(0.130, 0.135, 0.150);
-const vec3 SKY_HIGH = vec3(0.380, 0.420, 0.480);
+var Ar=Object.defineProperty;var i=(r,e)=>Ar(r,"name",{value:e,configurable:!0});function $(r,e,t){return Math.min(Math.max(r,e),t)}i($,"bounded");function De(r){return r-2*Math.PI*Math.round(r/(2*Math.PI))}i(De,"wrapped");function ut({yaw:r,pitch:e}){return[-Math.sin(r)*Math.cos(e),Math.sin(e),-Math.cos(r)*Math.cos(e)]}i(ut,"ahead");function ct(r){return[Math.cos(r),0,-Math.sin(r)]}i(ct,"rightOf");function oe(r,e,t){return[r[0]+t*e[0],r[1]+t*e[1],r[2]+t*e[2]]}i(oe,"moved");var Lr=512,Or=3e7,Ur=/^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d{1,3})?$/i;function $e(r){if(r.length>Lr)return null;let e=new URLSearchParams(r.replace(/^#/,"")),[t,n,o,...s]=(e.get("p")??"").split(",").map(Fe);if(!We(t)||!We(n)||!We(o)||s.length>0)return null;let[a,l]=[Fe(e.get("yaw")??"0"),Fe(e.get("pitch")??"0")];return a===null||l===null?null:{position:[t,n,o],yaw:De(a),pitch:$(l,-1.5,1.5)}}i($e,"readLink");function dt({position:r,yaw:e,pitch:t}){return`#p=${r.map(o=>He(o,3)).join(",")}&yaw=${He(De(e),4)}&pitch=${He(t,4)}`}i(dt,"writeLink");function Fe(r){let e=Ur.test(r)?Number(r):Number.NaN;return Number.isFinite(e)?e:null}i(Fe,"numberIn");function We(r){return r!=null&&Math.abs(r)<=Or}i(We,"isPlace");function He(r,e){return String(Number(r.toFixed(e)))}i(He,"rounded");function ft(r=()=>performance.now()/1e3){let e=0,t=[],n=[];return{receive(o){e+=o,t.push({time:r(),bytes:o})},frame(o){n.push(o);let s=n.reduce((a,l)=>a+l,0);for(;n.length>1&&s>1;)s-=n.shift()??0},restart(){e=0,t=[],n=[]},read(){let o=r()-1;t=t.filter(({time:l})=>l>o);let s=t.reduce((l,u)=>l+u.bytes,0),a=n.reduce((l,u)=>l+u,0)/Math.max(n.length,1);return{received:e,rate:s>0?8*s/1:null,frame:1e3*a,longest:1e3*Math.max(0,...n)}}}}i(ft,"createMeter");function S(r,e={},...t){let n=document.createElement(r);return Ve(n,e),n.append(...t),n}i(S,"make");var mt="http://www.w3.org/2000/svg";function se(r){let e=document.createElementNS(mt,"svg");Ve(e,{viewBox:"0 0 24 24",class:"icon","aria-hidden":"true",focusable:"false"});let t=document.createElementNS(mt,"path");return Ve(t,{d:r}),e.append(t),e}i(se,"icon");function pt(r,e){r.textContent!==e&&(r.textContent=e)}i(pt,"write");function Ve(r,e){for(let[t,n]of Object.entries(e))n!==void 0&&n!==!1&&r.setAttribute(t,n===!0?"":n)}i(Ve,"setAll");var ae={walk:"M13 4.5a1.5 1.5 0 1 0 0-.01M9.5 21l2-5.5-2-3 1-4.5 3 .5 2 3 2.5 1M7 12.5l.5-3 3-1.5M12.5 13l2.5 3.5.5 4.5",orbit:"M12 14a2 2 0 1 0 0-4 2 2 0 0 0 0 4M17 8c2.5.8 4 2.2 4 4 0 2.8-4 5-9 5s-9-2.2-9-5 4-5 9-5M9.5 4L13 7l-3.5 3",split:"M12 3v18M4 6h5M4 6v12h5M20 6h-5M20 6v12h-5",photo:"M4 8h3.5L9 5.5h6L16.5 8H20v11H4zM12 16.5a3.25 3.25 0 1 0 0-6.5 3.25 3.25 0 0 0 0 6.5",link:"M10 14a4 4 0 0 0 5.7 0l3-3a4 4 0 0 0-5.7-5.7l-1 1M14 10a4 4 0 0 0-5.7 0l-3 3a4 4 0 0 0 5.7 5.7l1-1",home:"M4 11.5L12 5l8 6.5M6 10v9h4v-5h4v5h4v-9",next:"M12 21c-4-4.6-6-7.9-6-10.5a6 6 0 0 1 12 0C18 13.1 16 16.4 12 21M10 8.5l2.5 2-2.5 2",panel:"M4 5h16v14H4zM7 9h6M7 12h10M7 15h8",help:"M9 9a3 3 0 1 1 4.5 2.6c-1 .6-1.5 1.2-1.5 2.4M12 17.5v.01M12 21a9 9 0 1 0 0-18 9 9 0 0 0 0 18",headset:"M3 8.5h18v8h-5.5L13.5 14h-3l-2 2.5H3zM7.5 12v.01M16.5 12v.01",close:"M6 6l12 12M18 6L6 18",grip:"M9 7l-5 5 5 5M15 7l5 5-5 5"};var je=3;function Ke(r,e,{detail:t,retry:n}={}){let o=S("h1",{tabindex:"-1",id:"message-title"},r),s=S("div",{class:"fatal-card"},S("p",{class:"fatal-brand"},"nearfar"),o);s.append(S("p",{},e)),t&&s.append(S("p",{class:"fatal-detail"},t)),n&&s.append(bt("Try again","button-main",n));let a=Ye();a.replaceChildren(s),a.dataset.kind="fatal";for(let l of document.querySelectorAll("canvas, [data-behind]"))l.setAttribute("inert","");o.focus({preventScroll:!0})}i(Ke,"showFatal");function yt(r,e){let t=Ye();if(t.dataset.kind==="fatal")return;let n=S("ul",{},...r.slice(0,je).map(a=>S("li",{},a)));r.length>je&&n.append(S("li",{},`and ${r.length-je} more`));let o=S("button",{type:"button",class:"button-icon","aria-label":"Dismiss",title:"Dismiss"});o.append(se(ae.close)),o.addEventListener("click",ht);let s=S("div",{class:"banner-text"},S("strong",{},"Not all of the scene is shown"),n);r.length===0?ht():(t.replaceChildren(s,bt("Try again","button-main",e),o),t.dataset.kind="banner")}i(yt,"showProblems");function ht(){let r=Ye();r.replaceChildren(),delete r.dataset.kind;for(let e of document.querySelectorAll("canvas, [data-behind]"))e.removeAttribute("inert")}i(ht,"clearMessage");function bt(r,e,t){let n=S("button",{type:"button",class:e},r);return n.addEventListener("click",t),n}i(bt,"button");function Ye(){let r=document.getElementById("message");if(r)return r;let e=S("div",{id:"message",role:"alert"});return document.body.append(e),e}i(Ye,"message");var D={right:0,ahead:0,turn:0,look:0,isHasty:!1};function le(...r){let e=i(a=>r.reduce((l,u)=>l+a(u),0),"sum"),[t,n]=ie(e(a=>a.right),e(a=>a.ahead)),[o,s]=ie(e(a=>a.turn),e(a=>a.look));return{right:t,ahead:n,turn:o,look:s,isHasty:r.some(a=>a.isHasty)}}i(le,"together");function ie(r,e){let t=Math.max(Math.hypot(r,e),1);return[r/t,e/t]}i(ie,"within");function K(r,e,t){let n=Math.hypot(r,e);if(!(n>t))return[0,0];let o=Math.min((n-t)/(1-t),1)/n;return[r*o,e*o]}i(K,"beyondRest");var[Gr,Nr,kr]=[300,400,16];function gt(r){let e=new Map,t=null,n=i((o,s)=>Math.hypot(o.clientX-s.clientX,o.clientY-s.clientY)<=kr,"isNear");return{down(o){e.size>0&&(t=null),e.set(o.pointerId,o)},up(o){let s=e.get(o.pointerId),a=e.size===1;if(e.delete(o.pointerId),!(s&&a&&o.timeStamp-s.timeStamp<=Gr&&n(s,o))){t=null;return}let u=t!==null&&o.timeStamp-t.timeStamp<=Nr&&n(t,o);t=u?null:o,u&&r(o)}}}i(gt,"createTaps");var[ue,wt]=[1.6,Math.PI],Xe=1.5,Ir=.0015,zr=[1,16,400],ce=56,Cr=.12;function vt(r,e){let t=new Map,n=new AbortController,o=D,s=gt(d),a=!1,l=i(()=>1/Math.max(r.clientHeight,1),"scale"),u=i(()=>r.ownerDocument.pointerLockElement===r,"isLocked");function d({clientX:h,clientY:w}){let{left:P,top:_,width:M,height:A}=r.getBoundingClientRect();u()?e.go(.5,.5):e.go((h-P)/Math.max(M,1),(w-_)/Math.max(A,1))}i(d,"go");function c(h){if(u())return;a=h.pointerType==="touch";let w=h.pointerType==="mouse",P=h.button===0&&!h.shiftKey;if(e.mode()==="walk"&&w&&!P)return;r.setPointerCapture(h.pointerId),a&&s.down(h);let _=f(h)?"step":P?"turn":"pan";t.set(h.pointerId,{x:h.clientX,y:h.clientY,task:_}),_==="step"&&p({x:h.clientX,y:h.clientY},h)}i(c,"down");function f({pointerType:h,clientX:w}){if(e.mode()!=="walk"||h!=="touch"||[...t.values()].some(({task:M})=>M==="step"))return!1;let{left:P,width:_}=r.getBoundingClientRect();return w-P<_/2}i(f,"isThumb");function m(h){let w=t.get(h.pointerId);if(!w){u()&&e.look(-h.movementX*ue*l(),-h.movementY*ue*l());return}if(w.task==="step"){p(w,h);return}let P={...w,x:h.clientX,y:h.clientY},_=[...t].find(([k,{task:C}])=>k!==h.pointerId&&C!=="step")?.[1],[M,A]=[(P.x-w.x)*l(),(P.y-w.y)*l()];t.set(h.pointerId,P),e.mode()==="walk"?e.look(M*ue,A*ue):_?y(w,P,_):w.task==="pan"?e.pan(-M*Xe,A*Xe):e.rotate(-M*wt,-A*wt)}i(m,"move");function p({x:h,y:w},{clientX:P,clientY:_}){let[M,A]=K((P-h)/ce,(_-w)/ce,Cr);o={...D,right:M,ahead:0-A},e.thumb({x:h,y:w,right:P-h,down:_-w})}i(p,"step");function y(h,w,P){let[_,M]=[h,w].map(({x:k,y:C})=>Math.hypot(k-P.x,C-P.y));_&&M&&e.zoom(_/M);let A=.5*Xe*l();e.pan(-(w.x-h.x)*A,(w.y-h.y)*A)}i(y,"pinch");function b(h){h.pointerType==="touch"&&s.up(h),t.get(h.pointerId)?.task==="step"&&g(),t.delete(h.pointerId)}i(b,"up");function g(){o=D,e.thumb(null)}i(g,"rest");function v(h){e.mode()==="orbit"&&(h.preventDefault(),e.zoom(Math.exp(Ir*h.deltaY*(zr[h.deltaMode]??1)*(h.ctrlKey?6:1))))}i(v,"wheel");function x(){e.mode()==="walk"&&Promise.resolve(r.requestPointerLock()).catch(()=>{})}i(x,"lock");let{signal:T}=n;r.addEventListener("pointerdown",c,{signal:T}),r.addEventListener("pointermove",m,{signal:T}),r.addEventListener("pointerup",b,{signal:T}),r.addEventListener("pointercancel",b,{signal:T}),r.addEventListener("dblclick",h=>a||d(h),{signal:T}),r.addEventListener("wheel",v,{signal:T,passive:!1}),r.addEventListener("contextmenu",h=>h.preventDefault(),{signal:T});function E(){t.clear(),g(),u()&&r.ownerDocument.exitPointerLock()}return i(E,"release"),{get drive(){return o},lock:x,release:E,dispose(){E(),n.abort()}}}i(vt,"createPointers");function xt(r){let e=S("div",{class:"thumb",hidden:!0,"aria-hidden":"true"},S("span",{}));return r.append(e),{show(t){if(e.hidden=t===null,!t)return;let{x:n,y:o,right:s,down:a}=t,l=Math.min(1,ce/Math.max(Math.hypot(s,a),1)),u={"--x":n,"--y":o,"--right":s*l,"--down":a*l};for(let[d,c]of Object.entries(u))e.style.setProperty(d,`${c}px`)},dispose:i(()=>e.remove(),"dispose")}}i(xt,"createThumbMark");var Tt=.18,Br=[4,10];function Et(r){let e=r.filter(t=>t!==null&&t.connected&&t.mapping==="standard");return e.length===0?D:le(...e.map(t=>t?Dr(t):D))}i(Et,"readPads");function Dr({axes:r,buttons:e}){let[t,n]=K(r[0]??0,r[1]??0,Tt),[o,s]=K(r[2]??0,r[3]??0,Tt),a=Br.some(l=>e[l]?.pressed??!1);return{right:t,ahead:0-n,turn:0-o,look:0-s,isHasty:a}}i(Dr,"wishOf");var Pt={KeyW:[0,1,0,0],KeyS:[0,-1,0,0],KeyA:[-1,0,0,0],KeyD:[1,0,0,0],ArrowUp:[0,1,0,0],ArrowDown:[0,-1,0,0],ArrowLeft:[0,0,1,0],ArrowRight:[0,0,-1,0],PageUp:[0,0,0,1],PageDown:[0,0,0,-1]};function Fr(r){return Object.hasOwn(Pt,r)}i(Fr,"isMoving");function qe(r){if(r.defaultPrevented||r.ctrlKey||r.metaKey||r.altKey)return!0;let{target:e}=r;return typeof Element<"u"&&e instanceof Element&&e.closest(Wr)!==null}i(qe,"isElsewhere");var Wr="input, textarea, select, [contenteditable], dialog[open]";function St(r){let e=new Set,t=new AbortController,n=i((s,a)=>r.addEventListener(s,a,{signal:t.signal}),"listen"),o=!1;return n("keydown",s=>{let a=s;o=a.shiftKey,!(!Fr(a.code)||qe(a))&&(e.add(a.code),a.preventDefault())}),n("keyup",s=>{o=s.shiftKey,e.delete(s.code),s.key==="Meta"&&e.clear()}),n("blur",()=>{e.clear(),o=!1}),{get drive(){let s=[0,0,0,0];for(let m of e)Pt[m]?.forEach((p,y)=>s[y]=(s[y]??0)+p);let[a=0,l=0,u=0,d=0]=s,[c,f]=ie(a,l);return{right:c,ahead:f,turn:Math.sign(u),look:Math.sign(d),isHasty:o}},dispose:i(()=>t.abort(),"dispose")}}i(St,"createKeys");var[Hr,$r]=[.6,3],[Vr,_t,jr]=[4,5,.004],Mt=1.2,Kr=.25,Rt={KeyE:1,Space:1,KeyQ:-1,KeyC:-1};function Yr(r,e,t,n,o,s){let a=r.yaw+Mt*e.turn*s,l=$(r.pitch+Mt*e.look*s,-1.5,1.5),u=Math.max(r.position[1]-o,$r),d=Hr*u*2**n*(e.isHasty?Vr:1)*s,c=oe(r.position,ut({yaw:a,pitch:l}),d*e.ahead);return c=oe(c,ct(a),d*e.right),{position:oe(c,[0,1,0],d*t),yaw:a,pitch:l}}i(Yr,"flown");function At(r,e,t,n){let o=e,s=0,a=new Set,l=St(window),u=i((f,m)=>{o={...o,yaw:o.yaw+f,pitch:$(o.pitch+m,-1.5,1.5)}},"turn"),d=i(()=>{},"none"),c=vt(r,{mode:i(()=>"walk","mode"),look:u,rotate:d,pan:d,zoom:d,thumb:n,go:d});return window.addEventListener("keydown",f=>{!Object.hasOwn(Rt,f.code)||qe(f)||(a.add(f.code),f.target instanceof HTMLButtonElement||f.preventDefault())}),window.addEventListener("keyup",({code:f})=>a.delete(f)),window.addEventListener("blur",()=>a.clear()),r.addEventListener("wheel",f=>{f.preventDefault(),s=$(s-jr*f.deltaY*(f.deltaMode===1?16:1),-_t,_t)},{passive:!1}),{get pose(){return o},get power(){return s},update(f){let m=f>0?Math.min(f,Kr):0,p=le(l.drive,c.drive,Et(Xr())),y=Math.sign([...a].reduce((g,v)=>g+(Rt[v]??0),0));return y===0&&[p.right,p.ahead,p.turn,p.look].every(g=>g===0)||(o=Yr(o,p,y,s,t(),m)),o},setPose(f){o=f}}}i(At,"createFly");function Xr(){try{return navigator.getGamepads?.()??[]}catch{return[]}}i(Xr,"padsOf");var[qr,Je]=[.55,.45];function Lt({origin:r,cell:e,counts:t}){let n=r.map((a,l)=>a+e*t[l]/2),o=qr*e*Math.max(t[0],t[2]);return{position:[n[0],r[1]+o*Math.sin(Je),n[2]+o*Math.cos(Je)],yaw:0,pitch:-Je}}i(Lt,"startOf");function Ot({position:r,yaw:e,pitch:t},n,o,s){let[a,l,u,d]=[Math.sin(e),Math.cos(e),Math.sin(t),Math.cos(t)],c=Math.tan(n/2),f=c*o/s;return{position:r,right:[l,0,-a],up:[a*u,d,l*u],back:[a*d,-u,l*d],fov:{left:-f,right:f,down:-c,up:c},width:o,height:s}}i(Ot,"cameraOf");function de({right:r,up:e,back:t,fov:n,width:o,height:s},a,l){let u=n.left+(n.right-n.left)*a/o,d=n.up+(n.down-n.up)*l/s;return[0,1,2].map(c=>{let[f,m,p]=[r[c],e[c],t[c]];return u*f+d*m-p})}i(de,"directionAt");function F(r,e){return r[0]*e[0]+r[1]*e[1]+r[2]*e[2]}i(F,"dot");function Qe(r,e){return[r[1]*e[2]-r[2]*e[1],r[2]*e[0]-r[0]*e[2],r[0]*e[1]-r[1]*e[0]]}i(Qe,"cross");function V(r){let e=Math.sqrt(F(r,r));return e>0?[r[0]/e,r[1]/e,r[2]/e]:[0,1,0]}i(V,"unit");var Ut=["","k","M","G","T"];function fe(r){return It(r,"B")}i(fe,"bytes");function Gt(r){return r===null?"idle":It(r,"b/s")}i(Gt,"rate");function Nt(r){return me(r)?r>=9995e5?`${(r/1e9).toFixed(2)}\xA0billion`:r>=999999.5?`${(r/1e6).toFixed(2)}\xA0million`:Math.round(r).toLocaleString("en"):"\u2013"}i(Nt,"count");function kt(r){return me(r)?`${r.toFixed(r<99.95?1:0)}\xA0ms`:"\u2013"}i(kt,"milliseconds");function Ze(r){return me(r)?r>=999.5?`${(r/1e3).toFixed(1)}\xA0km`:`${r.toFixed(r<.995?2:r<99.95?1:0)}\xA0m`:"\u2013"}i(Ze,"metres");function It(r,e){if(!me(r))return"\u2013";let t=Jr(r);return`${Qr(r,t)}\xA0${Ut[t]}${e}`}i(It,"scaled");function Jr(r){let e=0;for(;e<Ut.length-1&&r/1e3**e>=999.5;)e+=1;return e}i(Jr,"powerOf");function Qr(r,e){let t=r/1e3**e;return t.toFixed(e>1&&t<99.95?1:0)}i(Qr,"digits");function me(r){return Number.isFinite(r)&&r>=0}i(me,"isAmount");var Zr={frame:"Frame",splats:"Splats",views:"Views",waiting:"Waiting",loaded:"Loaded",memory:"On the GPU",height:"Height"};function zt(r,e){let t=new Map,n=Object.entries(Zr).map(([c,f])=>{let m=S("dd",{},"\u2013");return t.set(c,m),S("div",{},S("dt",{},f),m)}),o=S("div",{class:"panel card",role:"region","aria-label":"Figures"}),s=et("Figures","chip card",()=>d(!0)),a=S("button",{type:"button","aria-label":"Hide the figures",title:"Hide"},se(ae.close));a.addEventListener("click",()=>d(!1)),o.append(S("header",{},S("h1",{},"nearfar"),a),S("div",{class:"panel-body"},S("dl",{class:"figures"},...n)));let l=S("p",{class:"note card"}),u=S("div",{class:"tools"},et("Home","tool",e),et("Help","tool",()=>l.hidden=!l.hidden));l.textContent=en,l.hidden=!0,r.append(S("div",{class:"frame"},S("div",{class:"top"},o,s),S("div",{class:"bottom"},l,u)));function d(c){o.hidden=!c,s.hidden=c}return i(d,"show"),d(window.innerWidth>600),{update({facts:c,frame:f,received:m,rate:p,height:y,power:b}){let g=i((v,x)=>pt(t.get(v),x),"put");g("frame",kt(f)),g("splats",Nt(c.splats)),g("views",c.standIns>0?`${c.views}, ${c.standIns} coarser`:String(c.views)),g("waiting",c.waiting>0?`${c.waiting} views`:"nothing"),g("loaded",p===null?fe(m):`${fe(m)}, ${Gt(p)}`),g("memory",fe(c.bytes)),g("height",b===0?Ze(y):`${Ze(y)}, speed \xD7 ${(2**b).toFixed(b<0?2:1)}`)}}}i(zt,"createPanel");var en="Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four times as fast, the wheel changes the speed. The address leads back to this place.";function et(r,e,t){let n=S("button",{type:"button",class:e},r);return n.addEventListener("click",t),n}i(et,"button");function I({kind:r}){return r==="refused"||r==="unreachable"}i(I,"isPassing");var tt=["color","depth","normal"],tn="behind_";var rn="nearfar",U=-1;function Ct({depthBits:r}){return Math.floor((2**r-1)/6)*6}i(Ct,"stepsOf");function Y({cell:r},e){return r*2**e}i(Y,"sideAt");function pe(r,e,[t,n,o]){let[s,[a,l,u]]=[Y(r,e),r.origin];return[a+t*s,l+n*s,u+o*s]}i(pe,"cornerOf");function rt({subtree:r},e){return 2**(r-e%r)}i(rt,"shardSide");function W(r,e,[t,n,o]){let s=rt(r,e),a=[Math.floor(t/s),Math.floor(n/s),Math.floor(o/s)];return{tier:Math.floor(e/r.subtree),place:a}}i(W,"subtreeOf");function Bt(r){return r===0?"":`${rn}/generations/${r}/`}i(Bt,"overlay");function Dt({names:r},e,t,n){return`${e}/${r[t]}/${n}`}i(Dt,"arrayOf");function Ft(r,e,t,n){return`${n}/c/${W(r,e,t).place.join("/")}/0/0/0`}i(Ft,"shardOf");function Wt({levels:r},e){return["content","moving"].map(t=>`geometry/${t}/${r-1}/${e.join("/")}.glb`)}i(Wt,"geometryOf");function Ht({layers:r}){return r===2?[...tt,...tt.map(e=>tn+e)]:tt}i(Ht,"channelsOf");function R(r,[e,t,n]){return`${r}/${e}/${t}/${n}`}i(R,"nameOf");function nt([r,e,t]){return Array.from({length:8},(n,o)=>[2*r+(o>>2),2*e+(o>>1&1),2*t+(o&1)])}i(nt,"childrenOf");function $t([r,e,t],n){let o=2**n;return[Math.floor(r/o),Math.floor(e/o),Math.floor(t/o)]}i($t,"above");var nn={mask:0,generation:0},he=class{constructor(e){this.layout=e}layout;static{i(this,"Cells")}#e=new Map;add(e){this.#e.set(R(e.tier,e.place),e)}knows(e,t){return this.#e.has(R(e,t))}guestsOf(e){let{tier:t,place:n}=W(this.layout,0,e);return this.#e.get(R(t,n))?.guests.get(R(0,e))??[]}at(e,t){let{tier:n,place:o}=W(this.layout,e,t),s=this.#e.get(R(n,o));if(!s)return null;let a=rt(this.layout,e),[l,u,d]=t.map((y,b)=>y-o[b]*a),c=(l*a+u)*a+d,f=e%this.layout.subtree,[m,p]=[s.masks[f]?.[c],s.generations[f]?.[c]];return m===void 0||p===void 0?nn:{mask:m,generation:p}}};var[on,sn]=[1,30],Vt="",ye=class{constructor(e){this.settings=e}settings;static{i(this,"Queue")}#e=new Map;#t=new Map;#r=new Set;#n=new Map;#s=0;get waiting(){return[...this.#n.keys()].filter(e=>this.#t.get(e)?.again!==Number.POSITIVE_INFINITY).length}want(e){this.#n=e;for(let[t,n]of this.#e)n.isCancelled||e.has(n.name)||(n.isCancelled=!0,this.settings.cancel(t));this.fill()}fill(){let e=new Set([...this.#e.values()].map(({name:n})=>n)),t=this.settings.now();for(let[n,o]of this.#n){if(this.#e.size>=this.settings.atOnce)return;if(e.has(n)||(this.#t.get(n)?.again??0)>t)continue;let s=++this.#s;this.#e.set(s,{name:n,job:o,isCancelled:!1}),this.settings.send(s,o)}}done(e){let t=this.#a(e);return t&&(this.#t.delete(t.name),this.#n.delete(t.name),this.#r.delete(Vt)&&this.settings.recovered()),t?.job??null}cancelled(e){this.#a(e),this.fill()}failed(e,t){let n=this.#a(e);if(n){let o=Math.min(2*(this.#t.get(n.name)?.pause??on/2),sn),s=I(t)?this.settings.now()+o:Number.POSITIVE_INFINITY;this.#t.set(n.name,{again:s,pause:o});let a=I(t)?Vt:t.message;this.#r.has(a)||this.settings.failed(t),this.#r.add(a)}return this.fill(),I(t)?null:n?.job??null}retry(){this.#t.clear(),this.#r.clear(),this.fill()}#a(e){let t=this.#e.get(e);return this.#e.delete(e),t??null}};function jt(r,e,t,n,o){let s=new Map,a=Array.from({length:e},()=>new Worker(r,{type:"module"}));for(let l of a)l.onmessage=({data:u})=>{switch(u.kind){case"view":s.delete(u.id),o.view(u.id,u.layers);break;case"leaf":s.delete(u.id),o.leaf(u.id,u.pieces);break;case"failed":s.delete(u.id),o.failed(u.id,u.failure);break;case"cancelled":s.delete(u.id),o.cancelled(u.id);break;case"received":o.received(u.bytes)}},l.onerror=({message:u})=>{let d={kind:"other",message:`a worker stopped: ${u||"the browser gives no reason"}`};for(let[c,f]of s)f===l&&o.failed(c,d)},ot(l,{kind:"open",base:t.href,layout:n});return{read(l,u){let d=u.direction===U?"":u.shards[0]?.[0]??"",c=a[an(d)%a.length];s.set(l,c),ot(c,{kind:"read",id:l,wanted:u})},cancel(l){let u=s.get(l);u&&ot(u,{kind:"cancel",id:l})}}}i(jt,"startReaders");function ot(r,e){r.postMessage(e)}i(ot,"send");function an(r){let e=2166136261;for(let t=0;t<r.length;t++)e=Math.imul(e^r.charCodeAt(t),16777619);return e>>>0}i(an,"hash");function st(r){let e=r[0]===0&&r[2]===0?[1,0,0]:[r[2],0,-r[0]],t=[e,Qe(r,e),r],n=t.map(o=>(Math.abs(o[0])+Math.abs(o[1])+Math.abs(o[2]))/Math.hypot(...o));return{axes:[V(t[0]),V(t[1]),V(t[2])],extents:n}}i(st,"frameOf");function Kt(r,{views:e}){let[t,n]=[0,r];for(;n!==0;n&=n-1)t+=1;return Math.min(t,e)}i(Kt,"countOf");var ln=3;function Yt(r,e,t,n,o){let s=[],a=[],l=new Map,u=new Map,d=0,c=i((b,g,v=null)=>t(b,g).map(x=>({level:b,place:g,direction:x,box:v})),"all"),f=i((b,g)=>{let v=e.at(b,g)?.mask??0;return v!==0&&t(b,g).length>=Kt(v,{views:n})},"isFull");function m(b,g,v){if(b===0||v===0)return null;let x=[];for(let T of nt(g)){let E=e.at(b-1,T);if(!E)return null;if(E.mask===0)continue;let h=f(b-1,T)?c(b-1,T).slice(-n):m(b-1,T,v-1);if(!h)return null;x.push(...h)}return x}i(m,"below");function p(b){let g=[];for(let v=b.level+1;v<e.layout.levels;v++){let x=$t(b.place,v-b.level),T={level:b.level,place:b.place};if(f(v,x))return c(v,x,T).slice(-n);g.length===0&&(g=c(v,x,T))}return g}i(p,"standIn");function y(b,g){let{level:v,place:x,directions:T}=b,E=new Set(t(v,x)),h=T.filter(M=>E.has(M)),w=T.filter(M=>g&&!E.has(M));if(a.push(...w.map(M=>({level:v,place:x,direction:M}))),h.length===T.length){s.push(...h.map(M=>({level:v,place:x,direction:M,box:null})));return}let P=f(v,x)?un(h,E,T.length):null;if(P){s.push(...P.map(M=>({level:v,place:x,direction:M,box:null})));return}let _=m(v,x,ln)??p(b);_.length===0&&(_=c(v,x)),_.length===0&&(d+=1),s.push(..._)}i(y,"show");for(let b of r.leaves){let g=[b.place,...e.guestsOf(b.place)],v=g.map(o),x=!v.includes("never"),T=g.filter((E,h)=>v[h]==="coming");if(x&&T.length===0)for(let E of g)l.set(R(0,E),E);else y(b,!x);if(x)for(let E of T)u.set(R(0,E),E)}for(let b of r.cells)y(b,!0);return{shown:cn(s),near:[...l.values()],coming:[...u.values()],missing:a,holes:d}}i(Yt,"choose");function un(r,e,t){let n=[...e].filter(o=>!r.includes(o));return[...r,...n.slice(n.length-(t-r.length))]}i(un,"fill");function cn(r){let e=new Map;for(let t of r){let n=t.box?R(t.box.level,t.box.place):"";e.set(`${R(t.level,t.place)}/${t.direction}/${n}`,t)}return[...e.values()]}i(cn,"unique");var be=3;var[X,z]=[1.27,.5],q=.25,G=10;function Xt(r,e,t,n){let o=Y(r,e),s=pe(r,e,t),a=st(r.directions[n]),l=a.extents.map(b=>b*o),u=[l[0]/r.size,l[1]/r.size,l[2]/Ct(r)],[d,c,f]=a.axes,m=s.map((b,g)=>b+o/2+(-d[g]*l[0]+c[g]*l[1]+f[g]*l[2])/2),p=i((b,g)=>[b[0]*g,b[1]*g,b[2]*g],"scaled"),y=[p(d,u[0]),p(c,-u[1]),p(f,-u[2])];return{frame:a,pitch:u,start:m,steps:y,normalBits:r.normalBits/2}}i(Xt,"modelOf");function ge(r){let{position:e,right:t,up:n,back:o,fov:s,width:a,height:l}=r,[u,d]=[a/(s.right-s.left),l/(s.up-s.down)],c=i(y=>[y(0),y(1),y(2)],"row"),f=[c(y=>u*(t[y]+s.left*o[y])),c(y=>-d*(n[y]+s.up*o[y])),c(y=>-o[y])],m=de(r,0,0),p=i((y,b)=>{let g=de(r,y,b);return[g[0]-m[0],g[1]-m[1],g[2]-m[2]]},"step");return{eye:e,rows:f,rays:[m,p(1,0),p(0,1)],width:a,height:l}}i(ge,"projectorOf");function we(r,{eye:e,rows:t}){let{start:n,steps:o,pitch:s}=r,a=[n[0]-e[0],n[1]-e[1],n[2]-e[2]],l=i(m=>[F(t[0],m),F(t[1],m),F(t[2],m)],"along"),[u,d]=[X*Math.sqrt(z),qt(r)],c=i(m=>Math.max(u,d/m)-.5,"across"),f=u*(s[0]+s[1])/q;return{start:l(a),steps:[l(o[0]),l(o[1]),l(o[2])],least:Math.max(s[0],s[1]),margin:[c(s[0]),c(s[1]),Math.max(f,d)/s[2]]}}i(we,"sightOf");function qt({pitch:r}){return Math.hypot(r[0],r[1])/2}i(qt,"ballOf");function ve({start:r,steps:e,least:t,margin:n},{low:o,high:s},a,l){let[u,d,c,f,m]=[!0,!0,!0,!0,!0],p=Number.POSITIVE_INFINITY,y=[Number.POSITIVE_INFINITY,Number.POSITIVE_INFINITY],b=[Number.NEGATIVE_INFINITY,Number.NEGATIVE_INFINITY];for(let g=0;g<8;g++){let v=o.map((w,P)=>g>>P&1?s[P]+n[P]:w-n[P]),x=i(w=>r[w]+v[0]*e[0][w]+v[1]*e[1][w]+v[2]*e[2][w],"value"),[T,E,h]=[x(0),x(1),x(2)];u&&=T<-h,d&&=T>(a+1)*h,c&&=E<-h,f&&=E>(l+1)*h,m&&=h<t,p=Math.min(p,h),y[0]=Math.min(y[0],T/h),y[1]=Math.min(y[1],E/h),b[0]=Math.max(b[0],T/h),b[1]=Math.max(b[1],E/h)}return u||d||c||f||m?null:p<t?{low:[0,0],high:[a,l],nearness:Number.POSITIVE_INFINITY}:{low:[Math.max(Math.floor(y[0])-1,0),Math.max(Math.floor(y[1])-1,0)],high:[Math.min(Math.floor(b[0])+2,a),Math.min(Math.floor(b[1])+2,l)],nearness:1/p}}i(ve,"seenOf");function xe(r,{low:e,high:t}){return r.every(([n,o,s,a])=>{let l=[n,o,s].map((d,c)=>{let[f,m]=[d*e[c],d*t[c]];return[Math.min(f,m),Math.max(f,m)]}),u=i(d=>l.reduce((c,f)=>c+f[d],a),"sum");return u(0)<1&&u(1)>=0})}i(xe,"isIn");function Te(r,e,t){if(!t)return[0,1,2].map(()=>[0,0,0,.5]);let n=Y(e,t.level),o=pe(e,t.level,t.place);return[0,1,2].map(s=>{let a=i(l=>r.steps[l][s]/n,"factor");return[a(0),a(1),a(2),(r.start[s]-o[s])/n]})}i(Te,"rowsOf");function Ee(r,e,t,n){let{frame:o,pitch:s}=e,[a,l,u]=o.axes,d=2/(2**e.normalBits-2),c=i((m,[p,y,b],g)=>r.set([p,y,b,g],4*m),"put"),f=i((m,p)=>[m[0]*p,m[1]*p,m[2]*p],"scaled");c(0,t.start,t.least),c(1,t.steps[0],d),c(2,t.steps[1],qt(e)/Math.sqrt(z)),c(3,t.steps[2],0),c(4,f(a,s[0]/s[2]),0),c(5,f(l,s[1]/s[2]),0),c(6,u,0),n.forEach((m,p)=>r.set(m,4*(7+p)))}i(Ee,"writeView");function Pe(r,e){let t=1e6;for(let{layer:n}of r)t=Math.min(t,Math.max(n.model.pitch[0],n.model.pitch[1]));return e?Math.min(t/2,.05):t/2}i(Pe,"nearestOf");function J(r,e,t){let n=r.createProgram();for(let[s,a]of[[r.VERTEX_SHADER,e],[r.FRAGMENT_SHADER,t]]){let l=r.createShader(s);if(!l)throw new Error("the browser has taken the graphics away");r.shaderSource(l,a),r.compileShader(l),r.attachShader(n,l),r.deleteShader(l)}if(r.linkProgram(n),!r.getProgramParameter(n,r.LINK_STATUS)){let s=(r.getAttachedShaders(n)??[]).map(a=>r.getShaderInfoLog(a));throw new Error(`a shader does not compile: ${[...s,r.getProgramInfoLog(n)].filter(Boolean).join(" ")}`)}let o=new Map;return{program:n,at(s){return o.has(s)||o.set(s,r.getUniformLocation(n,s)),o.get(s)??null}}}i(J,"programOf");function Jt(r,e,t){let[n,o,s]=[r.createFramebuffer(),r.createTexture(),r.createRenderbuffer()];return r.bindTexture(r.TEXTURE_2D,o),r.texStorage2D(r.TEXTURE_2D,1,r.SRGB8_ALPHA8,e,t),r.texParameteri(r.TEXTURE_2D,r.TEXTURE_MIN_FILTER,r.NEAREST),r.texParameteri(r.TEXTURE_2D,r.TEXTURE_MAG_FILTER,r.NEAREST),r.bindRenderbuffer(r.RENDERBUFFER,s),r.renderbufferStorage(r.RENDERBUFFER,r.DEPTH_COMPONENT32F,e,t),r.bindFramebuffer(r.FRAMEBUFFER,n),r.framebufferTexture2D(r.FRAMEBUFFER,r.COLOR_ATTACHMENT0,r.TEXTURE_2D,o,0),r.framebufferRenderbuffer(r.FRAMEBUFFER,r.DEPTH_ATTACHMENT,r.RENDERBUFFER,s),r.bindFramebuffer(r.FRAMEBUFFER,null),{frame:n,color:o,width:e,height:t,dispose(){r.deleteFramebuffer(n),r.deleteTexture(o),r.deleteRenderbuffer(s)}}}i(Jt,"targetOf");var dn={SUN_DIRECTION:[.5263158,.7894737,.3157895],SUN:[.6,.56,.5],SKY_DIRECTION:[-.2062843,.9282791,.3094264],SKY_LOW:[.13,.135,.15],SKY_HIGH:[.38,.42,.48],HORIZON:[.66,.74,.82],ZENITH:[.16,.34,.66],NADIR:[.24,.25,.26]},Qt=["SUN_DIRECTION","SUN","SKY_DIRECTION","SKY_LOW","SKY_HIGH"],Zt=["HORIZON","ZENITH","NADIR"],L=i(r=>Number.isInteger(r)?r.toFixed(1):String(r),"float"),er=i(r=>dn[r].map(L).join(", "),"vector"),tr=i(r=>r.map(e=>`const vec3 ${e} = vec3(${er(e)});`).join(`
+`),"glsl"),fn=i(r=>r.map(e=>`const ${e} = vec3<f32>(${er(e)});`).join(`
+`),"wgsl"),Se=`
+${tr(Qt)}
 
 vec3 irradiance(vec3 n) {
   float sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
   return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
 }
-`,Rt=`
+`,rr=`
+${tr(Zt)}
+
+vec3 background(vec3 direction) {
+  return mix(HORIZON, direction.y < 0.0 ? NADIR : ZENITH, sqrt(abs(direction.y)));
+}
+`,nr=`
 vec3 srgb_of(vec3 linear) {
   vec3 c = clamp(linear, 0.0, 1.0);
   return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThanEqual(c, vec3(0.0031308))));
 }
-`;var U=`#version 300 es
-precision highp float;
-precision highp int;
-`,ae=a(t=>Number.isInteger(t)?t.toFixed(1):String(t),"float"),gr=`
+`,or=`
 vec3 linear_of(vec3 c) {
   return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045))));
 }
-`,_t=`${U}
+`,Q=`
+${fn([...Qt,...Zt])}
+
+fn irradiance(n: vec3<f32>) -> vec3<f32> {
+  let sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
+  return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * max(dot(n, SUN_DIRECTION), 0.0);
+}
+
+fn background(direction: vec3<f32>) -> vec3<f32> {
+  return mix(HORIZON, select(ZENITH, NADIR, direction.y < 0.0), sqrt(abs(direction.y)));
+}
+
+fn srgb_of(linear: vec3<f32>) -> vec3<f32> {
+  let c = clamp(linear, vec3<f32>(0.0), vec3<f32>(1.0));
+  return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3<f32>(0.0031308));
+}
+
+fn linear_of(c: vec3<f32>) -> vec3<f32> {
+  return select(pow((c + 0.055) / 1.055, vec3<f32>(2.4)), c / 12.92, c <= vec3<f32>(0.04045));
+}
+`;var H=`#version 300 es
+precision highp float;
+precision highp int;
+`,sr=`${H}
 layout(location = 0) in uvec3 splat;
-uniform vec4 view[${oe}];
+uniform vec4 view[${G}];
 // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
 uniform vec3 gradients[3];
 uniform vec3 rays[3];
@@ -33,10 +57,10 @@ flat out vec4 v_inverse;
 flat out vec2 v_middle;
 flat out vec3 v_nearness;
 flat out vec3 v_color;
-const float RADIUS = ${ae(Math.sqrt(H))};
+const float RADIUS = ${L(Math.sqrt(z))};
 const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
-${se}
-${gr}
+${Se}
+${or}
 // Half of the extent of a ball along an axis: the length of the gradient of X/W.
 float disc(vec3 own, float place, float over) {
   return length((own - place * gradients[2]) * over) * view[2].w;
@@ -57,11 +81,11 @@ void main() {
   float fold = max(-normal.z, 0.0);
   normal.xy -= vec2(normal.x < 0.0 ? -fold : fold, normal.y < 0.0 ? -fold : fold);
   normal = normalize(normal);
-  float facing = 1.0 / max(dot(view[6].xyz, normal), ${ae(Ne)});
+  float facing = 1.0 / max(dot(view[6].xyz, normal), ${L(q)});
   vec3 u = view[1].xyz + dot(view[4].xyz, normal) * facing * view[3].xyz;
   vec3 v = view[2].xyz - dot(view[5].xyz, normal) * facing * view[3].xyz;
   bool is_surfel = (splat.z >> 24 & 1u) == 1u;
-  float factor = is_surfel ? ((splat.z >> 25 & 1u) == 1u ? 1.0 : ${ae(Oe)}) : 0.0;
+  float factor = is_surfel ? ((splat.z >> 25 & 1u) == 1u ? 1.0 : ${L(X)}) : 0.0;
 
   // The ellipse's axes in the picture, and the changes of nearness along them.
   vec2 du = (u.xy - middle * u.z) * over * factor;
@@ -102,7 +126,7 @@ void main() {
   vec2 place = start / screen.xy * 2.0 - 1.0;
   gl_Position = is_shown ? vec4(place.x, -place.y, 0.0, 1.0) : NOWHERE;
 }
-`,Lt=`${U}
+`,ar=`${H}
 uniform vec3 screen;
 // Metres at which the depth buffer ends.
 uniform float nearest;
@@ -116,7 +140,7 @@ void main() {
   vec2 at = vec2(gl_FragCoord.x, screen.y - gl_FragCoord.y);
   vec2 p = at - v_middle;
   vec2 q = vec2(dot(v_inverse.xy, p), dot(v_inverse.zw, p));
-  bool is_inside = dot(q, q) <= ${ae(H)};
+  bool is_inside = dot(q, q) <= ${L(z)};
   // The sample that holds a splat's middle always belongs to it.
   if (!is_inside && any(notEqual(floor(at), floor(v_middle)))) {
     discard;
@@ -126,24 +150,19 @@ void main() {
   gl_FragDepth = nearest * nearness;
   shade = vec4(v_color, 1.0);
 }
-`,Pt=`${U}
+`,ir=`${H}
 void main() {
   gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }
-`,kt=`${U}
+`,lr=`${H}
 uniform sampler2D samples;
 // Samples along each axis of a pixel.
 uniform int grid;
 uniform vec3 screen;
 uniform vec3 rays[3];
 out vec4 shade;
-${Rt}
-vec3 background(vec3 direction) {
-  const vec3 HORIZON = vec3(0.66, 0.74, 0.82);
-  vec3 end = direction.y < 0.0 ? vec3(0.24, 0.25, 0.26) : vec3(0.16, 0.34, 0.66);
-  return mix(HORIZON, end, sqrt(abs(direction.y)));
-}
-
+${nr}
+${rr}
 void main() {
   ivec2 first = ivec2(gl_FragCoord.xy) * grid;
   vec3 sum = vec3(0.0);
@@ -158,7 +177,7 @@ void main() {
   }
   shade = vec4(srgb_of(sum / float(grid * grid)), 1.0);
 }
-`;var Ot=`${U}
+`;var ur=`${H}
 layout(location = 0) in vec3 position;
 // Of length 0 where faces are flat.
 layout(location = 1) in vec3 normal;
@@ -193,7 +212,7 @@ void main() {
   vec2 place = 2.0 * shown.xy / screen - shown.z;
   gl_Position = vec4(place.x, -place.y, shown.z - 2.0 * nearest, shown.z);
 }
-`,Nt=`${U}
+`,cr=`${H}
 uniform sampler2D image;
 uniform sampler2D glow;
 uniform vec4 base;
@@ -207,7 +226,7 @@ in vec3 v_normal;
 in vec2 v_uv;
 in vec3 v_color;
 out vec4 shade;
-${se}
+${Se}
 // The face's normal towards the viewer; the vertices' one on its side.
 vec3 shading_normal() {
   vec3 face = cross(dFdx(v_point), dFdy(v_point));
@@ -242,4 +261,497 @@ void main() {
   // As that of splats: nearest over the distance along the axis.
   gl_FragDepth = nearest * gl_FragCoord.w;
 }
-`;var ie=class{static{a(this,"Meshes")}#e;#r;#t;constructor(e){this.#e=e,this.#r=G(e,Ot,Nt),this.#t=e.createTexture(),e.bindTexture(e.TEXTURE_2D,this.#t),e.texImage2D(e.TEXTURE_2D,0,e.RGBA,1,1,0,e.RGBA,e.UNSIGNED_BYTE,new Uint8Array([255,255,255,255])),e.texParameteri(e.TEXTURE_2D,e.TEXTURE_MIN_FILTER,e.NEAREST)}upload(e){let r=this.#e,n=r.createVertexArray();r.bindVertexArray(n);let o=[],s=a((d,u)=>{let m=r.createBuffer();o.push(m),r.bindBuffer(d,m),r.bufferData(d,u,r.STATIC_DRAW)},"fill"),i=a((d,u,m)=>{if(!u)return 0;s(r.ARRAY_BUFFER,u);let f=u instanceof Float32Array;return r.enableVertexAttribArray(d),r.vertexAttribPointer(d,m,f?r.FLOAT:r.UNSIGNED_SHORT,!f,0,0),u.byteLength},"attribute"),l=i(0,e.positions,3)+i(1,e.normals,3);l+=i(2,e.uvs,2)+i(3,e.colors,4),s(r.ARRAY_BUFFER,e.placements);for(let d=0;d<3;d++)r.enableVertexAttribArray(4+d),r.vertexAttribPointer(4+d,4,r.FLOAT,!1,48,16*d),r.vertexAttribDivisor(4+d,1);s(r.ELEMENT_ARRAY_BUFFER,e.indices),r.bindVertexArray(null);let c=[e.image,e.glow];for(let d of c)l+=d?Math.ceil(16*d.width*d.height/3):0;return{origin:e.origin,material:e.material,array:n,buffers:o,textures:c.map(d=>d?this.#o(d):null),kind:e.indices instanceof Uint16Array?r.UNSIGNED_SHORT:r.UNSIGNED_INT,corners:e.indices.length,copies:e.placements.length/12,bytes:l+e.placements.byteLength+e.indices.byteLength}}drop({array:e,buffers:r,textures:n}){this.#e.deleteVertexArray(e);for(let o of r)this.#e.deleteBuffer(o);for(let o of n)this.#e.deleteTexture(o)}draw(e,{eye:r,rows:n,width:o,height:s},i){let[l,{at:c,program:d}]=[this.#e,this.#r];l.useProgram(d),l.uniform3fv(c("gradients"),n.flat()),l.uniform2f(c("screen"),o,s),l.uniform1f(c("nearest"),i),l.uniform1i(c("image"),0),l.uniform1i(c("glow"),1);let u=0;for(let m of e){let{origin:f,material:v,textures:g,corners:h,copies:p}=m;l.uniform3f(c("offset"),f[0]-r[0],f[1]-r[1],f[2]-r[2]),l.uniform4fv(c("base"),v.color),l.uniform3fv(c("emission"),v.emission??[0,0,0]),l.uniform1f(c("cutoff"),v.cutoff??-1),l.uniform1f(c("unlit"),v.isUnlit?1:0),g.forEach((y,w)=>{l.activeTexture(l.TEXTURE0+w),l.bindTexture(l.TEXTURE_2D,y??this.#t)}),l.bindVertexArray(m.array),l.vertexAttrib3f(1,0,0,0),l.vertexAttrib4f(3,1,1,1,1),l.drawElementsInstanced(l.TRIANGLES,h,m.kind,0,p),u+=h/3*p}return l.bindVertexArray(null),{triangles:u,calls:e.length}}#o(e){let r=this.#e,n=r.createTexture();return r.bindTexture(r.TEXTURE_2D,n),r.texImage2D(r.TEXTURE_2D,0,r.SRGB8_ALPHA8,r.RGBA,r.UNSIGNED_BYTE,e),r.generateMipmap(r.TEXTURE_2D),r.texParameteri(r.TEXTURE_2D,r.TEXTURE_MIN_FILTER,r.LINEAR_MIPMAP_LINEAR),e.close(),n}};var wr=.05,le=class{constructor(e,r){this.canvas=e;this.layout=r;let n=e.getContext("webgl2",{alpha:!1,antialias:!1,depth:!1});if(!n)throw new Error("this browser has no WebGL 2");this.#e=n,this.#r=G(this.#e,_t,Lt),this.#t=G(this.#e,Pt,kt),this.meshes=new ie(this.#e),this.#i=this.#e.getParameter(this.#e.ALIASED_POINT_SIZE_RANGE)[1]??1}canvas;layout;static{a(this,"Drawer")}#e;#r;#t;meshes;#o=new Float32Array(4*oe);#i;#s=null;#n=null;upload(e,{words:r,parts:n}){let o=this.#e,[s,i]=[o.createVertexArray(),o.createBuffer()];return o.bindVertexArray(s),o.bindBuffer(o.ARRAY_BUFFER,i),o.bufferData(o.ARRAY_BUFFER,r,o.STATIC_DRAW),o.enableVertexAttribArray(0),o.vertexAttribIPointer(0,yt,o.UNSIGNED_INT,0,0),o.bindVertexArray(null),{model:e,parts:n,array:s,buffer:i,bytes:r.byteLength}}drop({array:e,buffer:r}){this.#e.deleteVertexArray(e),this.#e.deleteBuffer(r)}draw(e,r,n,o){let s=this.#e,i={...n,width:n.width*o,height:n.height*o},l=gt(i),c=this.#c(i.width,i.height);s.bindFramebuffer(s.FRAMEBUFFER,c.frame),s.viewport(0,0,c.width,c.height),s.enable(s.DEPTH_TEST),s.depthFunc(s.GREATER),s.clearColor(0,0,0,0),s.clearDepth(0),s.clear(s.COLOR_BUFFER_BIT|s.DEPTH_BUFFER_BIT);let d=Math.min(...r.map(({layer:h})=>Math.max(h.model.pitch[0],h.model.pitch[1])),1e6),u=e.length>0?Math.min(d/2,wr):d/2,{triangles:m,calls:f}=this.meshes.draw(e,l,u);s.useProgram(this.#r.program),this.#a(this.#r,l),s.uniform1f(this.#r.at("nearest"),u);let[v,g]=[0,f];for(let h of r){let p=this.#d(h,l);v+=p.splats,g+=p.calls}return s.bindVertexArray(null),this.#l(c,l,n,o),{splats:v,triangles:m,calls:g}}get isDone(){let e=this.#e;return this.#n&&e.getSyncParameter(this.#n,e.SYNC_STATUS)!==e.SIGNALED?!1:(e.deleteSync(this.#n),this.#n=null,!0)}finish(){this.#e.readPixels(0,0,1,1,this.#e.RGBA,this.#e.UNSIGNED_BYTE,new Uint8Array(4))}#d({layer:e,box:r},n){let o=this.#e,s=wt(e.model,n),i=Mt(e.model,this.layout,r),l=e.parts.filter(u=>Tt(s,u,n.width,n.height)&&(!r||Et(i,u)));if(l.length===0)return{splats:0,calls:0};St(this.#o,e.model,s,i),o.uniform4fv(this.#r.at("view"),this.#o),o.bindVertexArray(e.array);let[c,d]=[0,0];for(let u=0;u<l.length;){let{first:m}=l[u],f=m;for(;l[u]?.first===f;u++)f+=l[u].count;o.drawArrays(o.POINTS,m,f-m),c+=f-m,d+=1}return{splats:c,calls:d}}#a(e,{rows:r,rays:n,width:o,height:s}){let i=this.#e;i.uniform3fv(e.at("gradients"),r.flat()),i.uniform3fv(e.at("rays"),n.flat()),i.uniform3f(e.at("screen"),o,s,this.#i)}#l(e,r,{width:n,height:o},s){let i=this.#e;i.bindFramebuffer(i.FRAMEBUFFER,null),i.viewport(0,0,n,o),i.disable(i.DEPTH_TEST),i.useProgram(this.#t.program),this.#a(this.#t,r),i.uniform1i(this.#t.at("grid"),s),i.activeTexture(i.TEXTURE0),i.bindTexture(i.TEXTURE_2D,e.color),i.uniform1i(this.#t.at("samples"),0),i.drawArrays(i.TRIANGLES,0,3),i.deleteSync(this.#n),this.#n=i.fenceSync(i.SYNC_GPU_COMMANDS_COMPLETE,0),i.flush()}#c(e,r){return(this.#s?.width!==e||this.#s.height!==r)&&(this.#s?.dispose(),this.#s=At(this.#e,e,r)),this.#s}};var[xr,Tr]=[1,30],It="",ce=class{constructor(e){this.settings=e}settings;static{a(this,"Queue")}#e=new Map;#r=new Map;#t=new Set;#o=new Map;#i=0;get waiting(){return[...this.#o.keys()].filter(e=>this.#r.get(e)?.again!==Number.POSITIVE_INFINITY).length}want(e){this.#o=e;for(let[r,n]of this.#e)n.isCancelled||e.has(n.name)||(n.isCancelled=!0,this.settings.cancel(r));this.fill()}fill(){let e=new Set([...this.#e.values()].map(({name:n})=>n)),r=this.settings.now();for(let[n,o]of this.#o){if(this.#e.size>=this.settings.atOnce)return;if(e.has(n)||(this.#r.get(n)?.again??0)>r)continue;let s=++this.#i;this.#e.set(s,{name:n,job:o,isCancelled:!1}),this.settings.send(s,o)}}done(e){let r=this.#s(e);return r&&(this.#r.delete(r.name),this.#o.delete(r.name),this.#t.delete(It)&&this.settings.recovered()),r?.job??null}cancelled(e){this.#s(e),this.fill()}failed(e,r){let n=this.#s(e);if(n){let o=Math.min(2*(this.#r.get(n.name)?.pause??xr/2),Tr),s=k(r)?this.settings.now()+o:Number.POSITIVE_INFINITY;this.#r.set(n.name,{again:s,pause:o});let i=k(r)?It:r.message;this.#t.has(i)||this.settings.failed(r),this.#t.add(i)}return this.fill(),k(r)?null:n?.job??null}retry(){this.#r.clear(),this.#t.clear(),this.fill()}#s(e){let r=this.#e.get(e);return this.#e.delete(e),r??null}};function Ct(t,e,r,n,o){let s=new Map,i=Array.from({length:e},()=>new Worker(t,{type:"module"}));for(let l of i)l.onmessage=({data:c})=>{switch(c.kind){case"view":s.delete(c.id),o.view(c.id,c.layers);break;case"leaf":s.delete(c.id),o.leaf(c.id,c.pieces);break;case"failed":s.delete(c.id),o.failed(c.id,c.failure);break;case"cancelled":s.delete(c.id),o.cancelled(c.id);break;case"received":o.received(c.bytes)}},l.onerror=({message:c})=>{let d={kind:"other",message:`a worker stopped: ${c||"the browser gives no reason"}`};for(let[u,m]of s)m===l&&o.failed(u,d)},Fe(l,{kind:"open",base:r.href,layout:n});return{read(l,c){let d=c.direction===O?"":c.shards[0]?.[0]??"",u=i[Er(d)%i.length];s.set(l,u),Fe(u,{kind:"read",id:l,wanted:c})},cancel(l){let c=s.get(l);c&&Fe(c,{kind:"cancel",id:l})}}}a(Ct,"startReaders");function Fe(t,e){t.postMessage(e)}a(Fe,"send");function Er(t){let e=2166136261;for(let r=0;r<t.length;r++)e=Math.imul(e^t.charCodeAt(r),16777619);return e>>>0}a(Er,"hash");var V=class{constructor(e,r){this.drop=e;this.most=r}drop;most;static{a(this,"Resident")}#e=new Map;#r=new Map;#t=0;bytes=0;get count(){return this.#e.size}add(e,r,n,o){let s=`${_(e,r)}/${n}`;this.#o(s);let i=o.reduce((l,c)=>l+c.bytes,0);this.#e.set(s,{level:e,place:r,direction:n,layers:o,bytes:i,used:this.#t}),this.#r.set(_(e,r),[...this.there(e,r),n]),this.bytes+=i}there(e,r){return this.#r.get(_(e,r))??[]}begin(){this.#t+=1}use(e,r,n){let o=`${_(e,r)}/${n}`,s=this.#e.get(o);return s?(s.used!==this.#t&&(s.used=this.#t,this.#e.delete(o),this.#e.set(o,s)),s.layers):[]}trim(e){for(let[r,n]of this.#e){if(this.bytes<=this.most)break;n.used===this.#t||e(n.level,n.place)||this.#o(r)}}#o(e){let r=this.#e.get(e);if(!r)return;let{level:n,place:o,direction:s,layers:i,bytes:l}=r;i.forEach(u=>this.drop(u)),this.#e.delete(e),this.bytes-=l;let c=_(n,o),d=this.there(n,o).filter(u=>u!==s);d.length>0?this.#r.set(c,d):this.#r.delete(c)}};function Dt(t,{views:e}){let[r,n]=[0,t];for(;n!==0;n&=n-1)r+=1;return Math.min(r,e)}a(Dt,"countOf");var Mr=3;function Ut(t,e,r,n,o){let s=[],i=[],l=new Map,c=new Map,d=0,u=a((h,p,y=null)=>r(h,p).map(w=>({level:h,place:p,direction:w,box:y})),"all"),m=a((h,p)=>{let y=e.at(h,p)?.mask??0;return y!==0&&r(h,p).length>=Dt(y,{views:n})},"isFull");function f(h,p,y){if(h===0||y===0)return null;let w=[];for(let T of Pe(p)){let R=e.at(h-1,T);if(!R)return null;if(R.mask===0)continue;let b=m(h-1,T)?u(h-1,T).slice(-n):f(h-1,T,y-1);if(!b)return null;w.push(...b)}return w}a(f,"below");function v(h){let p=[];for(let y=h.level+1;y<e.layout.levels;y++){let w=bt(h.place,y-h.level),T={level:h.level,place:h.place};if(m(y,w))return u(y,w,T).slice(-n);p.length===0&&(p=u(y,w,T))}return p}a(v,"standIn");function g(h,p){let{level:y,place:w,directions:T}=h,R=new Set(r(y,w)),b=T.filter(A=>R.has(A)),x=T.filter(A=>p&&!R.has(A));if(i.push(...x.map(A=>({level:y,place:w,direction:A}))),b.length===T.length){s.push(...b.map(A=>({level:y,place:w,direction:A,box:null})));return}let S=m(y,w)?Sr(b,R,T.length):null;if(S){s.push(...S.map(A=>({level:y,place:w,direction:A,box:null})));return}let M=f(y,w,Mr)??v(h);M.length===0&&(M=u(y,w)),M.length===0&&(d+=1),s.push(...M)}a(g,"show");for(let h of t.leaves){let p=[h.place,...e.guestsOf(h.place)],y=p.map(o),w=!y.includes("never"),T=p.filter((R,b)=>y[b]==="coming");if(w&&T.length===0)for(let R of p)l.set(_(0,R),R);else g(h,!w);if(w)for(let R of T)c.set(_(0,R),R)}for(let h of t.cells)g(h,!0);return{shown:Ar(s),near:[...l.values()],coming:[...c.values()],missing:i,holes:d}}a(Ut,"choose");function Sr(t,e,r){let n=[...e].filter(o=>!t.includes(o));return[...t,...n.slice(n.length-(r-t.length))]}a(Sr,"fill");function Ar(t){let e=new Map;for(let r of t){let n=r.box?_(r.box.level,r.box.place):"";e.set(`${_(r.level,r.place)}/${r.direction}/${n}`,r)}return[...e.values()]}a(Ar,"unique");var Rr=6,_r=/^nearfar\/generations\/\d+\//,[Lr,Pr]=[50,.5],kr={views:0,standIns:0,waiting:0,holes:0,splats:0,leaves:0,triangles:0,calls:0,bytes:0,kept:0,isComplete:!1},ue=class{constructor(e,r){this.canvas=e;this.#e=r,this.#r=new Worker(r.scripts.cutter,{type:"module"}),this.#r.onmessage=({data:n})=>this.#A(n),this.#r.onerror=({message:n})=>r.failed({kind:"other",message:`a worker stopped: ${n}`},!0),this.#t=new ce({atOnce:Rr*r.workers,send:a((n,o)=>this.#d?.read(n,o),"send"),cancel:a(n=>this.#d?.cancel(n),"cancel"),failed:a(n=>r.failed(n,!1),"failed"),recovered:r.recovered,now:a(()=>performance.now()/1e3,"now")}),this.#v({kind:"open",base:r.base.href})}canvas;static{a(this,"Viewer")}#e;#r;#t;#o=new Map;#i=new Map;#s=new Set;#n=null;#d=null;#a=null;#l=null;#c=null;#m=!1;#f=!1;#h=!0;#u=!0;#p=0;#b=0;#y=!1;facts=kr;frame(e){if(!this.#n||((!this.#c||!Or(this.#c,e))&&(this.#c=e,this.#f=this.#h=!0),this.#f&&!this.#m&&this.#S(e),this.#t.fill(),!this.#a||!this.#M(this.#n.drawer)))return!1;let r=performance.now()-this.#b>=Math.max(Lr,this.took/Pr-this.took);return this.#h||this.#u&&(r||this.#t.waiting===0)?(this.#T(e),!0):!1}get took(){return Math.max(this.#b-this.#p,0)}time(){return!this.#c||!this.#n?0:(this.#T(this.#c),this.#n.drawer.finish(),performance.now()-this.#p)}#M(e){return this.#y?e.isDone?(this.#b=performance.now(),this.#y=!1,!0):!1:!0}retry(){this.#s.clear(),this.#t.retry(),this.#v({kind:"retry"})}#S(e){let{views:r,error:n,geometry:o}=this.#e,s={views:r,error:n,isAround:!1,geometry:o};[this.#m,this.#f]=[!0,!1],this.#v({kind:"look",camera:e,settings:s})}#A(e){switch(e.kind){case"opened":this.#R(e.layout,e.shards,e.geometry);break;case"learned":this.#n?.cells.add(e.subtree),this.#g(e.subtree.shards,e.subtree.geometry);break;case"base":this.#l=e.cut;break;case"cut":this.#a=e.cut,this.#m=!1,this.#u=!0,this.#E();break;case"received":this.#e.received(e.bytes);break;case"failed":this.#e.failed(e.failure,e.isFatal)}}#R(e,r,n){let o=new le(this.canvas,e),{scripts:s,workers:i,base:l,bytes:c}=this.#e;this.#n={cells:new ne(e),drawer:o,resident:new V(d=>o.drop(d),c),near:new V(d=>o.meshes.drop(d),c/4)},this.#g(r,n),this.#d=Ct(s.reader,i,l,e,{view:a((d,u)=>{let m=this.#t.done(d);if(m){let{level:f,place:v,direction:g}=m,h=vt(e,f,v,g),p=u.map(y=>o.upload(h,y));this.#n?.resident.add(f,v,g,p)}this.#u=!0,this.#t.fill()},"view"),leaf:a((d,u)=>{let m=this.#t.done(d),f=m?u.map(v=>o.meshes.upload(v)):[];m&&this.#n?.near.add(0,m.place,O,f),this.#u=!0,this.#t.fill()},"leaf"),failed:a((d,u)=>{let m=this.#t.failed(d,u);m?.direction===O&&(this.#s.add(_(0,m.place)),this.#u=!0,this.#E())},"failed"),cancelled:a(d=>this.#t.cancelled(d),"cancelled"),received:this.#e.received}),this.#e.opened(e)}#g(e,r){for(let n of e)this.#o.set(n[0],n);for(let n of r){let o=n[0].replace(_r,"");this.#i.has(o)||this.#i.set(o,n)}}#w(e){let{cells:r,resident:n}=this.#n;return Ut(e,r,a((s,i)=>n.there(s,i),"there"),this.#e.views,s=>this.#_(s))}#_(e){let{cells:r,near:n}=this.#n;if(this.#s.has(_(0,e)))return"never";if(n.there(0,e).length>0)return"there";let{tier:o,place:s}=D(r.layout,0,e);return r.knows(o,s)&&this.#x(e).length===0?"there":"coming"}#x(e){let{layout:r}=this.#n.cells;return ht(r,e).map(o=>this.#i.get(o)).filter(o=>o!==void 0&&o[1]>0)}#T(e){if(!this.#n||!this.#a)return;let{drawer:r,resident:n,near:o}=this.#n;this.#h=this.#u=!1,this.#p=performance.now(),this.#y=!0;let s=this.#w(this.#a);n.begin(),o.begin();let i=s.near.flatMap(y=>o.use(0,y,O)),l=s.shown.flatMap(({level:y,place:w,direction:T,box:R})=>n.use(y,w,T).map(b=>({layer:b,box:R}))),{splats:c,triangles:d,calls:u}=r.draw(i,l,e,this.#e.grid),m=new Set(this.#l?.cells.map(({level:y,place:w})=>_(y,w)));n.trim((y,w)=>m.has(_(y,w)));let{cells:f}=this.#n,v=this.#a.leaves.flatMap(({place:y})=>[y,...f.guestsOf(y)]),g=new Set(v.map(y=>_(0,y)));o.trim((y,w)=>g.has(_(y,w)));let[{waiting:h},p]=[this.#t,!this.#m&&!this.#f];this.facts={views:s.shown.length,standIns:s.shown.filter(({box:y})=>y!==null).length,waiting:h,holes:s.holes,splats:c,leaves:s.near.length,triangles:d,calls:u,bytes:n.bytes+o.bytes,kept:n.count,isComplete:p&&h===0&&this.#a.unknown.length===0}}#E(){let e=new Map,r=a(n=>this.#l&&{...this.#l,cells:this.#l.cells.filter(o=>o.isInPicture===n)},"coarse");for(let n of[r(!0),this.#a,r(!1)]){if(!n)continue;let{coming:o,missing:s}=this.#w(n),i=o.map(l=>({level:0,place:l,direction:O}));for(let{level:l,place:c,direction:d}of[...i,...s]){let u=`${_(l,c)}/${d}`;e.has(u)||e.set(u,this.#L(l,c,d))}}this.#t.want(e)}#L(e,r,n){let{cells:o}=this.#n;if(n===O)return{level:e,place:r,direction:n,generation:0,shards:this.#x(r)};let s=o.at(e,r)?.generation??0,i=pt(o.layout).map(l=>{let c=mt(o.layout,e,n,l);return this.#o.get(dt(s)+ft(o.layout,e,r,c))});return{level:e,place:r,direction:n,generation:s,shards:i.filter(l=>l!==void 0)}}#v(e){this.#r.postMessage(e)}};function Or(t,e){let r=a(({position:o,right:s,up:i,fov:l,width:c,height:d})=>[...o,...s,...i,...Object.values(l),c,d],"numbers"),n=r(e);return r(t).every((o,s)=>o===n[s])}a(Or,"isSame");var Nr=Math.PI/3,Fr=1.5,[zt,Ir]=[.25,.5],Wt=1<<29;function Cr(){let t=new URLSearchParams(location.search),[e,r]=[$t("canvas",HTMLCanvasElement),$t("#ui",HTMLElement)],n=Math.min(screen.width,screen.height)<600,o=Ue(),s=a(({kind:x,message:S})=>{let{title:M,text:A}=Bt[x];we(M,A,{detail:S,retry:a(()=>location.reload(),"retry")})},"fatal"),i=[],l=a(x=>{i=x,Be(i.map(({message:S})=>S),h)},"show"),c=new ue(e,{base:zr(new URL(t.get("store")??".",location.href)),scripts:{cutter:new URL("orthoview-cut.js",import.meta.url),reader:new URL("orthoview-read.js",import.meta.url)},views:de(t,"views",3,1,8),error:de(t,"error",1,.1,64),geometry:t.get("geometry")!=="0",grid:Math.round(Math.sqrt(de(t,"samples",1,1,16))),bytes:de(t,"megabytes",(n?Wt/4:Wt)>>20,1,16384)*2**20,workers:Math.min(Math.max((navigator.hardwareConcurrency||2)-1,1),4),received:o.receive,opened:g,failed(x,S){if(S){s(x);return}let M=k(x)?{...x,message:`${x.message}; ${Dr}`}:x;i.some(({kind:L,message:P})=>k(M)?L===M.kind:P===M.message)||l([...i,M])},recovered:a(()=>l(i.filter(x=>!k(x))),"recovered")}),[d,u]=[0,{position:[0,0,0],yaw:0,pitch:0}],m=ye(location.hash),f=tt(e,m??u,()=>d,Xe(r).show),v=ct(r,()=>f.setPose(u));window.addEventListener("hashchange",()=>f.setPose(ye(location.hash)??f.pose)),e.addEventListener("webglcontextlost",()=>s({kind:"other",message:Ur}));function g(x){d=x.origin[1],u=rt(x),m||f.setPose(u),R=!0}a(g,"opened");function h(){l([]),c.retry()}a(h,"retry");let[p,y,w]=[performance.now(),zt,0],[T,R]=["",!1];window.orthoview={get facts(){return c.facts},get pose(){return f.pose},get received(){return o.read().received},setPose:f.setPose,time:a(()=>c.time(),"time")};function b(x){let S=Math.max(x-p,0)/1e3;p=x;let M=f.update(S),A=Math.min(window.devicePixelRatio||1,Fr),[L,P]=[e.clientWidth,e.clientHeight].map(me=>Math.max(Math.round(me*A),1));if((e.width!==L||e.height!==P)&&([e.width,e.height]=[L,P]),c.frame(nt(M,Nr,e.width,e.height)),y+=S,w+=S,y>=zt){y=0;let{received:me,rate:Ht}=o.read();v.update({facts:c.facts,frame:c.took,received:me,rate:Ht,height:M.position[1]-d,power:f.power})}let N=De(M);R&&w>=Ir&&N!==T&&([w,T]=[0,N],history.replaceState(null,"",N)),requestAnimationFrame(b)}a(b,"frame"),requestAnimationFrame(b)}a(Cr,"main");var Dr="what has come stays, and the rest is asked for again",Ur="The browser has taken the graphics away.",Bt={gone:{title:"There is no tree at this address",text:"The page shows the store of orthoviews in whose folder it lies, or the one that ?store= names."},refused:{title:"The server refuses the tree",text:"Tell whoever runs the server what stands below."},unreachable:{title:"The tree cannot be reached",text:"Check the connection and the address, and try again."},damaged:{title:"The tree is damaged",text:"A file is not what the build has written. Check it with nearfar orthoview verify."},newer:{title:"The tree needs a newer nearfar",text:"It was written in a later format than this page reads."},other:{title:"The tree cannot be shown",text:"Reload the page. If that does not help, tell whoever sent you here what stands below."}};function zr(t){return t.pathname.endsWith("/")||(t.pathname+="/"),t.hash="",t}a(zr,"folderOf");function de(t,e,r,n,o){let s=t.get(e),i=s===null||s===""?r:Number(s);return Number.isFinite(i)?Math.min(Math.max(i,n),o):r}a(de,"number");function $t(t,e){let r=document.querySelector(t);if(!(r instanceof e))throw new Error(`the page has no ${t}`);return r}a($t,"element");try{Cr()}catch(t){let{title:e,text:r}=Bt.other;we(e,r,{detail:t instanceof Error?t.message:String(t)})}
+`;var _e=class{static{i(this,"Meshes")}#e;#t;#r;constructor(e){this.#e=e,this.#t=J(e,ur,cr),this.#r=e.createTexture(),e.bindTexture(e.TEXTURE_2D,this.#r),e.texImage2D(e.TEXTURE_2D,0,e.RGBA,1,1,0,e.RGBA,e.UNSIGNED_BYTE,new Uint8Array([255,255,255,255])),e.texParameteri(e.TEXTURE_2D,e.TEXTURE_MIN_FILTER,e.NEAREST)}upload(e){let t=this.#e,n=t.createVertexArray();t.bindVertexArray(n);let o=[],s=i((d,c)=>{let f=t.createBuffer();o.push(f),t.bindBuffer(d,f),t.bufferData(d,c,t.STATIC_DRAW)},"fill"),a=i((d,c,f)=>{if(!c)return 0;s(t.ARRAY_BUFFER,c);let m=c instanceof Float32Array;return t.enableVertexAttribArray(d),t.vertexAttribPointer(d,f,m?t.FLOAT:t.UNSIGNED_SHORT,!m,0,0),c.byteLength},"attribute"),l=a(0,e.positions,3)+a(1,e.normals,3);l+=a(2,e.uvs,2)+a(3,e.colors,4),s(t.ARRAY_BUFFER,e.placements);for(let d=0;d<3;d++)t.enableVertexAttribArray(4+d),t.vertexAttribPointer(4+d,4,t.FLOAT,!1,48,16*d),t.vertexAttribDivisor(4+d,1);s(t.ELEMENT_ARRAY_BUFFER,e.indices),t.bindVertexArray(null);let u=[e.image,e.glow];for(let d of u)l+=d?Math.ceil(16*d.width*d.height/3):0;return{origin:e.origin,material:e.material,array:n,buffers:o,textures:u.map(d=>d?this.#n(d):null),kind:e.indices instanceof Uint16Array?t.UNSIGNED_SHORT:t.UNSIGNED_INT,corners:e.indices.length,copies:e.placements.length/12,bytes:l+e.placements.byteLength+e.indices.byteLength}}drop({array:e,buffers:t,textures:n}){this.#e.deleteVertexArray(e);for(let o of t)this.#e.deleteBuffer(o);for(let o of n)this.#e.deleteTexture(o)}draw(e,{eye:t,rows:n,width:o,height:s},a){let[l,{at:u,program:d}]=[this.#e,this.#t];l.useProgram(d),l.uniform3fv(u("gradients"),n.flat()),l.uniform2f(u("screen"),o,s),l.uniform1f(u("nearest"),a),l.uniform1i(u("image"),0),l.uniform1i(u("glow"),1);let c=0;for(let f of e){let{origin:m,material:p,textures:y,corners:b,copies:g}=f;l.uniform3f(u("offset"),m[0]-t[0],m[1]-t[1],m[2]-t[2]),l.uniform4fv(u("base"),p.color),l.uniform3fv(u("emission"),p.emission??[0,0,0]),l.uniform1f(u("cutoff"),p.cutoff??-1),l.uniform1f(u("unlit"),p.isUnlit?1:0),y.forEach((v,x)=>{l.activeTexture(l.TEXTURE0+x),l.bindTexture(l.TEXTURE_2D,v??this.#r)}),l.bindVertexArray(f.array),l.vertexAttrib3f(1,0,0,0),l.vertexAttrib4f(3,1,1,1,1),l.drawElementsInstanced(l.TRIANGLES,b,f.kind,0,g),c+=b/3*g}return l.bindVertexArray(null),{triangles:c,calls:e.length}}#n(e){let t=this.#e,n=t.createTexture();return t.bindTexture(t.TEXTURE_2D,n),t.texImage2D(t.TEXTURE_2D,0,t.SRGB8_ALPHA8,t.RGBA,t.UNSIGNED_BYTE,e),t.generateMipmap(t.TEXTURE_2D),t.texParameteri(t.TEXTURE_2D,t.TEXTURE_MIN_FILTER,t.LINEAR_MIPMAP_LINEAR),e.close(),n}};var Me=class{constructor(e,t){this.canvas=e;this.layout=t;let n=e.getContext("webgl2",{alpha:!1,antialias:!1,depth:!1});if(!n)throw new Error("this browser has no WebGL 2");this.#e=n,this.#t=J(this.#e,sr,ar),this.#r=J(this.#e,ir,lr),this.#n=new _e(this.#e),this.#a=this.#e.getParameter(this.#e.ALIASED_POINT_SIZE_RANGE)[1]??1}canvas;layout;static{i(this,"WebglDrawer")}#e;#t;#r;#n;#s=new Float32Array(4*G);#a;#o=null;#i=null;unhidden=null;upload(e,{words:t,parts:n}){let o=this.#e,[s,a]=[o.createVertexArray(),o.createBuffer()];return o.bindVertexArray(s),o.bindBuffer(o.ARRAY_BUFFER,a),o.bufferData(o.ARRAY_BUFFER,t,o.STATIC_DRAW),o.enableVertexAttribArray(0),o.vertexAttribIPointer(0,be,o.UNSIGNED_INT,0,0),o.bindVertexArray(null),{model:e,parts:n,array:s,buffer:a,bytes:t.byteLength}}drop({array:e,buffer:t}){this.#e.deleteVertexArray(e),this.#e.deleteBuffer(t)}uploadMesh(e){return this.#n.upload(e)}dropMesh(e){this.#n.drop(e)}draw(e,t,n,o){let s=this.#e,a={...n,width:n.width*o,height:n.height*o},l=ge(a),u=this.#u(a.width,a.height);s.bindFramebuffer(s.FRAMEBUFFER,u.frame),s.viewport(0,0,u.width,u.height),s.enable(s.DEPTH_TEST),s.depthFunc(s.GREATER),s.clearColor(0,0,0,0),s.clearDepth(0),s.clear(s.COLOR_BUFFER_BIT|s.DEPTH_BUFFER_BIT);let d=Pe(t,e.length>0),{triangles:c,calls:f}=this.#n.draw(e,l,d);s.useProgram(this.#t.program),this.#c(this.#t,l),s.uniform1f(this.#t.at("nearest"),d);let[m,p]=[0,f];for(let y of t){let b=this.#l(y,l);m+=b.splats,p+=b.calls}return s.bindVertexArray(null),this.#d(u,l,n,o),{splats:m,triangles:c,calls:p}}get isDone(){let e=this.#e;return this.#i&&e.getSyncParameter(this.#i,e.SYNC_STATUS)!==e.SIGNALED?!1:(e.deleteSync(this.#i),this.#i=null,!0)}async finish(){this.#e.readPixels(0,0,1,1,this.#e.RGBA,this.#e.UNSIGNED_BYTE,new Uint8Array(4))}#l({layer:e,box:t},n){let o=this.#e,s=we(e.model,n),a=Te(e.model,this.layout,t),l=e.parts.filter(c=>ve(s,c,n.width,n.height)&&(!t||xe(a,c)));if(l.length===0)return{splats:0,calls:0};Ee(this.#s,e.model,s,a),o.uniform4fv(this.#t.at("view"),this.#s),o.bindVertexArray(e.array);let[u,d]=[0,0];for(let c=0;c<l.length;){let{first:f}=l[c],m=f;for(;l[c]?.first===m;c++)m+=l[c].count;o.drawArrays(o.POINTS,f,m-f),u+=m-f,d+=1}return{splats:u,calls:d}}#c(e,{rows:t,rays:n,width:o,height:s}){let a=this.#e;a.uniform3fv(e.at("gradients"),t.flat()),a.uniform3fv(e.at("rays"),n.flat()),a.uniform3f(e.at("screen"),o,s,this.#a)}#d(e,t,{width:n,height:o},s){let a=this.#e;a.bindFramebuffer(a.FRAMEBUFFER,null),a.viewport(0,0,n,o),a.disable(a.DEPTH_TEST),a.useProgram(this.#r.program),this.#c(this.#r,t),a.uniform1i(this.#r.at("grid"),s),a.activeTexture(a.TEXTURE0),a.bindTexture(a.TEXTURE_2D,e.color),a.uniform1i(this.#r.at("samples"),0),a.drawArrays(a.TRIANGLES,0,3),a.deleteSync(this.#i),this.#i=a.fenceSync(a.SYNC_GPU_COMMANDS_COMPLETE,0),a.flush()}#u(e,t){return(this.#o?.width!==e||this.#o.height!==t)&&(this.#o?.dispose(),this.#o=Jt(this.#e,e,t)),this.#o}};var mn=["maxBufferSize","maxStorageBufferBindingSize","maxTextureDimension2D"];async function dr(r){let e=await navigator.gpu?.requestAdapter({powerPreference:"high-performance"});if(!e||e.info.isFallbackAdapter&&!r)return null;let t=Object.fromEntries(mn.map(n=>[n,e.limits[n]]));return e.requestDevice({requiredLimits:t})}i(dr,"deviceOf");var Re=class{constructor(e){this.device=e}device;static{i(this,"Arena")}#e=[];put(e){let t=Math.max(Math.ceil(e.length/64),1)*64,{page:n,gap:o}=this.#r(t)??this.#n(t),s={page:n,first:o.first,words:t,bytes:4*t};return o.first+=t,o.words-=t,o.words===0&&n.gaps.splice(n.gaps.indexOf(o),1),this.device.queue.writeBuffer(n.buffer,4*s.first,e),s}free({page:e,first:t,words:n}){let{gaps:o}=e,s=o.findIndex(l=>l.first>t),a=s<0?o.length:s;o.splice(a,0,{first:t,words:n}),this.#t(o,a),this.#t(o,a-1),o[0]?.words===e.words&&(e.buffer.destroy(),this.#e.splice(this.#e.indexOf(e),1))}#t(e,t){let[n,o]=[e[t],e[t+1]];!n||!o||n.first+n.words!==o.first||(n.words+=o.words,e.splice(t+1,1))}#r(e){for(let t of this.#e){let n=t.gaps.find(o=>o.words>=e);if(n)return{page:t,gap:n}}return null}#n(e){let{maxBufferSize:t,maxStorageBufferBindingSize:n}=this.device.limits,o=Math.floor(Math.min(t,n)/4/64)*64;if(e>o)throw new Error(`a view of ${4*e} bytes is larger than the graphics allow`);let s=Math.min(Math.max(e,16777216),o),a=GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_DST,l=this.device.createBuffer({label:"views",size:4*s,usage:a}),u={first:0,words:s},d={buffer:l,words:s,gaps:[u]};return this.#e.push(d),{page:d,gap:u}}};var Le=256,fr=8,Ae=[1/16,1/8,1/4,1/2];function mr(r,e,t,n){let o=[],s=[],a=new Float32Array(4*G),l=0;for(let{layer:u,box:d}of r){let c=we(u.model,e),f=Te(u.model,t,d),m=o.length/(4*G),p=s.length;for(let y of u.parts){let b=ve(c,y,e.width,e.height);if(!b||d&&!xe(f,y))continue;let{count:g}=y;s.push({view:m,first:u.first+be*y.first,number:l,count:g,place:b,page:u.page}),l+=g}s.length!==p&&(Ee(a,u.model,c,f),o.push(...a))}return{views:new Float32Array(o),splats:l,...bn(s,l,n)}}i(mr,"workOf");var[pn,hn]=(r=>[new Float32Array(r),new Uint32Array(r)])(new ArrayBuffer(4));function yn(r){return pn[0]=r,hn[0]+(Number.isFinite(r)?1:0)}i(yn,"orderOf");function bn(r,e,t){let n=[...r].sort((c,f)=>gn(f.place.nearness,c.place.nearness)),o=[...new Set(r.map(({page:c})=>c))],s=new Uint32Array(fr*r.length),a=new Map,l=[],u=[];for(let c of vn(n,e)){let f=!0;for(let m of o){let p=c.filter(v=>v.page===m);if(p.length===0)continue;let[y,b]=[a.size,l.length/2];for(let v of p){let x=a.size;s.set(wn(v,o.indexOf(m),t),fr*x);for(let T=0;T<v.count;T+=Le)l.push(x,T);a.set(v,x)}let g=l.length/2-b;u.push({page:m,begins:f,parts:{first:y,count:p.length},jobs:{first:b,count:g}}),f=!1}}let d={first:l.length/2,count:r.length};for(let c of r)l.push(a.get(c),0);return{parts:s,jobs:new Uint32Array(l),listed:d,pages:o,calls:u}}i(bn,"sharedOut");function gn(r,e){return+(r>e)-+(r<e)}i(gn,"compared");function wn({view:r,first:e,number:t,count:n,place:o},s,a){let{low:l,high:u,nearness:d}=o,c=yn(a*d);return[r,e,n,t,c,l[0]|l[1]<<16,u[0]|u[1]<<16,s]}i(wn,"numbersOf");function vn(r,e){let t=[],[n,o,s]=[[],0,0];for(let a of r)if(n.push(a),o+=a.count,!(s>=Ae.length||o<e*Ae[s])){for(;s<Ae.length&&o>=e*Ae[s];)s+=1;t.push(n),n=[]}return n.length>0&&t.push(n),t}i(vn,"batchesOf");var[j,ee]=[64,16384],Oe=16,xn=256,te=`
+struct Draw {
+  // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
+  gradients: array<vec4<f32>, 3>,
+  rays: array<vec4<f32>, 3>,
+  // Width and height of the samples that are drawn, the picture's first row of them, samples along each axis of a pixel.
+  size: vec4<u32>,
+  // First job or part, number of them, number of the round.
+  work: vec4<u32>,
+  // Where the parts are listed by numbers of splats, how many there are, and number of the page.
+  parts: vec4<u32>,
+  // Metres at which depths end.
+  nearest: f32,
+}
+
+@group(0) @binding(0) var<uniform> draw: Draw;
+`,pr=`
+${te}
+struct Part {
+  view: u32,
+  // Its first word in its page, number of splats, and the number of its first one among those of all parts.
+  first: u32,
+  count: u32,
+  number: u32,
+  order: u32,
+  // Columns and rows of its place in the picture, in 16 bits each: the first ones, and those after the last.
+  low: u32,
+  high: u32,
+  // Number of its page, and SEEN.
+  page: u32,
+}
+
+const SEEN = 0x80000000u;
+
+@group(0) @binding(1) var<storage, read> views: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read_write> parts: array<Part>;
+// Parts and numbers of their splats; then all parts, those of the first numbers first.
+@group(0) @binding(3) var<storage, read> jobs: array<vec2<u32>>;
+@group(0) @binding(4) var<storage, read> words: array<u32>;
+// The number of splats of parts that were drawn, then the farthest order of each tile.
+@group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
+// Bits of the samples' depths, whose order is that of floats of at least 0; LAST less the numbers of their splats, in the
+// end colours.
+@group(0) @binding(6) var<storage, read_write> orders: array<atomic<u32>>;
+@group(0) @binding(7) var<storage, read_write> colors: array<atomic<u32>>;
+${Q}
+const TILE = ${Oe}u;
+const GROUP = ${j}u;
+const ROW = ${ee}u;
+const RADIUS = ${L(Math.sqrt(z))};
+const SQUARED_RADIUS = ${L(z)};
+
+struct Ellipse {
+  middle: vec2<f32>,
+  // By rows: the inverse of its axes.
+  inverse: vec4<f32>,
+  // 1/W at the middle, and its changes by a column and a row.
+  nearness: vec3<f32>,
+  // First and last columns and rows; nothing is shown if they are in the wrong order.
+  low: vec2<i32>,
+  high: vec2<i32>,
+  normal: vec3<f32>,
+  code: u32,
+}
+
+const LAST = 0x7fffffffu;
+// Marks a colour.
+const COLOR = 0x80000000u;
+
+fn column_of(view: u32, n: u32) -> vec4<f32> {
+  return views[view * ${G}u + n];
+}
+
+// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+fn disc(view: u32, own: vec3<f32>, place: f32, over: f32) -> f32 {
+  return length((own - place * draw.gradients[2].xyz) * over) * column_of(view, 2u).w;
+}
+
+fn normal_of(codes: u32, scale: f32) -> vec3<f32> {
+  let flat = vec2<f32>(f32(codes & 4095u), f32((codes >> 12u) & 4095u)) * scale - 1.0;
+  let z = 1.0 - abs(flat.x) - abs(flat.y);
+  let fold = max(-z, 0.0);
+  return normalize(vec3<f32>(flat - select(vec2<f32>(fold), vec2<f32>(-fold), flat < vec2<f32>(0.0)), z));
+}
+
+fn ellipse_of(part: Part, number: u32) -> Ellipse {
+  let at_word = part.first + 3u * number;
+  let word = vec3<u32>(words[at_word], words[at_word + 1u], words[at_word + 2u]);
+  let own = part.view;
+  let column = column_of(own, 1u);
+  let row = column_of(own, 2u);
+  let step = column_of(own, 3u).xyz;
+  let depth = f32(((word.x >> 24u) << 8u) | (word.y >> 24u)) - 0.5;
+  let at = vec3<f32>(f32(word.z & 4095u) + 0.5, f32((word.z >> 12u) & 4095u) + 0.5, depth);
+  let box_x = column_of(own, 7u);
+  let box_y = column_of(own, 8u);
+  let box_z = column_of(own, 9u);
+  let inside = vec3<f32>(dot(box_x.xyz, at) + box_x.w, dot(box_y.xyz, at) + box_y.w, dot(box_z.xyz, at) + box_z.w);
+  let start = column_of(own, 0u);
+  let function = start.xyz + at.x * column.xyz + at.y * row.xyz + at.z * step;
+  let over = 1.0 / function.z;
+  let middle = function.xy * over;
+
+  // The normal, and the depth steps by which its plane falls for each pixel.
+  var normal = normal_of(word.y, column.w);
+  let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${L(q)});
+  let u = column.xyz + dot(column_of(own, 4u).xyz, normal) * facing * step;
+  let v = row.xyz - dot(column_of(own, 5u).xyz, normal) * facing * step;
+  let is_surfel = ((word.z >> 24u) & 1u) == 1u;
+  let factor = select(0.0, select(${L(X)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
+
+  var found: Ellipse;
+  found.middle = middle;
+  found.nearness = vec3<f32>(over, 0.0, 0.0);
+  // The ellipse's axes in the picture, and the changes of nearness along them.
+  let du = (u.xy - middle * u.z) * over * factor;
+  let dv = (v.xy - middle * v.z) * over * factor;
+  let slope = -vec2<f32>(u.z, v.z) * over * over * factor;
+  var half_size = vec2<f32>(0.0);
+  if is_surfel {
+    // A surfel that is seen from its edge is a line: only the sample of its middle shows it.
+    let determinant = du.x * dv.y - dv.x * du.y;
+    let is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
+    if is_flat {
+      found.inverse = vec4<f32>(1e9);
+    } else {
+      let inverse = vec4<f32>(dv.y, -dv.x, -du.y, du.x) / determinant;
+      found.inverse = inverse;
+      found.nearness.y = slope.x * inverse.x + slope.y * inverse.z;
+      found.nearness.z = slope.x * inverse.y + slope.y * inverse.w;
+      half_size = RADIUS * sqrt(vec2<f32>(du.x * du.x + dv.x * dv.x, du.y * du.y + dv.y * dv.y));
+    }
+  } else {
+    let ball = vec2<f32>(
+      disc(own, draw.gradients[0].xyz, middle.x, over),
+      disc(own, draw.gradients[1].xyz, middle.y, over),
+    );
+    found.inverse = vec4<f32>(1.0 / ball.x, 0.0, 0.0, 1.0 / ball.y);
+    half_size = RADIUS * ball;
+  }
+  let first = f32(draw.size.z);
+  let least = vec2<f32>(0.0, first);
+  let most = vec2<f32>(f32(draw.size.x), first + f32(draw.size.y)) - 1.0;
+  found.low = vec2<i32>(max(min(ceil(middle - half_size - 0.5), floor(middle)), least));
+  found.high = vec2<i32>(min(max(floor(middle + half_size - 0.5), floor(middle)), most));
+  found.code = word.x & 0xffffffu;
+  found.normal = normal;
+  // Near the eye the derivative at the middle would sweep ellipses across the picture.
+  let is_shown = function.z - RADIUS * factor * length(vec2<f32>(u.z, v.z)) >= start.w
+    && all(inside >= vec3<f32>(0.0)) && all(inside < vec3<f32>(1.0));
+  if !is_shown {
+    found.high.x = -1;
+    found.low.x = 0;
+  }
+  return found;
+}
+
+fn cover(own: Ellipse, at: vec2<i32>, number: u32) {
+  let p = vec2<f32>(at) + 0.5 - own.middle;
+  let q = vec2<f32>(dot(own.inverse.xy, p), dot(own.inverse.zw, p));
+  let is_inside = dot(q, q) <= SQUARED_RADIUS;
+  // The sample that holds a splat's middle always belongs to it.
+  if !is_inside && any(at != vec2<i32>(floor(own.middle))) {
+    return;
+  }
+  let nearness = own.nearness.x + select(0.0, dot(own.nearness.yz, p), is_inside);
+  let order = bitcast<u32>(clamp(draw.nearest * nearness, 1e-30, 1.0));
+  let sample = (u32(at.y) - draw.size.z) * draw.size.x + u32(at.x);
+  if draw.work.z == 0u {
+    atomicMax(&orders[sample], order);
+  } else if order == atomicLoad(&orders[sample]) {
+    atomicMax(&colors[sample], LAST - number);
+  }
+}
+
+fn extent_of(own: Ellipse) -> vec2<u32> {
+  return vec2<u32>(max(own.high - own.low + 1, vec2<i32>(0)));
+}
+
+// Splats of a job that cover much.
+var<workgroup> large_count: atomic<u32>;
+var<workgroup> large: array<u32, ${Le}>;
+
+@compute @workgroup_size(GROUP)
+fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let number = group.y * ROW + group.x;
+  if number >= draw.work.y {
+    return;
+  }
+  let job = jobs[draw.work.x + number];
+  let part = parts[job.x];
+  let is_seen = (part.page & SEEN) != 0u;
+  let end = select(job.y, min(job.y + ${Le}u, part.count), is_seen);
+  for (var n = job.y + lane; n < end; n += GROUP) {
+    let own = ellipse_of(part, n);
+    let extent = extent_of(own);
+    if extent.x * extent.y > ${xn}u {
+      large[atomicAdd(&large_count, 1u)] = n;
+      continue;
+    }
+    for (var y = own.low.y; y <= own.high.y; y++) {
+      for (var x = own.low.x; x <= own.high.x; x++) {
+        cover(own, vec2<i32>(x, y), part.number + n);
+      }
+    }
+  }
+  workgroupBarrier();
+  for (var turn = 0u; turn < atomicLoad(&large_count); turn++) {
+    let n = large[turn];
+    let own = ellipse_of(part, n);
+    let extent = extent_of(own);
+    for (var at = lane; at < extent.x * extent.y; at += GROUP) {
+      cover(own, own.low + vec2<i32>(vec2<u32>(at % extent.x, at / extent.x)), part.number + n);
+    }
+  }
+}
+
+// Of a part, the first tile and number of tiles in which it may show.
+fn tiles_of(part: Part) -> vec4<u32> {
+  let low = vec2<u32>(part.low & 0xffffu, max(part.low >> 16u, draw.size.z) - draw.size.z);
+  let bottom = min(part.high >> 16u, draw.size.z + draw.size.y);
+  let high = vec2<u32>(part.high & 0xffffu, max(bottom, draw.size.z) - draw.size.z);
+  if any(high <= low) {
+    return vec4<u32>(0u);
+  }
+  return vec4<u32>(low / TILE, (high + TILE - 1u) / TILE - low / TILE);
+}
+
+fn tile_columns() -> u32 {
+  return (draw.size.x + TILE - 1u) / TILE;
+}
+
+var<workgroup> reached: atomic<u32>;
+
+// Whether a part is seen: it is not if it lies behind what all of its tiles show.
+@compute @workgroup_size(GROUP)
+fn seen_parts(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let number = group.y * ROW + group.x;
+  if number >= draw.work.y {
+    return;
+  }
+  let own = draw.work.x + number;
+  let part = parts[own];
+  let around = tiles_of(part);
+  for (var n = lane; n < around.z * around.w; n += GROUP) {
+    let tile = (around.y + n / around.z) * tile_columns() + around.x + n % around.z;
+    if atomicLoad(&tiles[1u + tile]) <= part.order {
+      atomicStore(&reached, 1u);
+    }
+  }
+  workgroupBarrier();
+  if lane != 0u {
+    return;
+  }
+  let is_seen = atomicLoad(&reached) == 1u;
+  parts[own].page = select(part.page & ~SEEN, part.page | SEEN, is_seen);
+  if is_seen && draw.work.z == 0u {
+    atomicAdd(&tiles[0], part.count);
+  }
+}
+
+// Number of the part that has a splat.
+fn part_of(splat: u32) -> u32 {
+  var low = 0u;
+  var high = draw.parts.y;
+  while high - low > 1u {
+    let middle = (low + high) / 2u;
+    if parts[jobs[draw.parts.x + middle].x].number <= splat {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return jobs[draw.parts.x + low].x;
+}
+
+// Light on the splats that samples show, as far as they lie in this page.
+@compute @workgroup_size(GROUP)
+fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let sample = (group.y * ROW + group.x) * GROUP + lane;
+  if sample >= draw.size.x * draw.size.y {
+    return;
+  }
+  let code = atomicLoad(&colors[sample]);
+  if code == 0u || (code & COLOR) != 0u {
+    return;
+  }
+  let part = parts[part_of(LAST - code)];
+  if (part.page & ~SEEN) != draw.parts.z {
+    return;
+  }
+  let own = ellipse_of(part, LAST - code - part.number);
+  // A view sees the insides of what a cell's side cuts open: normals are turned towards the viewer.
+  let ray = draw.rays[0].xyz + own.middle.x * draw.rays[1].xyz + own.middle.y * draw.rays[2].xyz;
+  let normal = select(own.normal, -own.normal, dot(own.normal, ray) > 0.0);
+  let albedo = linear_of(vec3<f32>(vec3<u32>(own.code, own.code >> 8u, own.code >> 16u) & vec3<u32>(255u)) / 255.0);
+  let bits = vec3<u32>(srgb_of(albedo * irradiance(normal)) * 1023.0 + 0.5);
+  atomicStore(&colors[sample], COLOR | (bits.x << 20u) | (bits.y << 10u) | bits.z);
+}
+
+var<workgroup> farthest: atomic<u32>;
+
+@compute @workgroup_size(GROUP)
+fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let number = group.y * ROW + group.x;
+  let rows = (draw.size.y + TILE - 1u) / TILE;
+  if number >= tile_columns() * rows {
+    return;
+  }
+  if lane == 0u {
+    atomicStore(&farthest, 0xffffffffu);
+  }
+  workgroupBarrier();
+  let first = vec2<u32>(number % tile_columns(), number / tile_columns()) * TILE;
+  var least = 0xffffffffu;
+  for (var n = lane; n < TILE * TILE; n += GROUP) {
+    let at = first + vec2<u32>(n % TILE, n / TILE);
+    if all(at < draw.size.xy) {
+      least = min(least, atomicLoad(&orders[at.y * draw.size.x + at.x]));
+    }
+  }
+  atomicMin(&farthest, least);
+  workgroupBarrier();
+  if lane == 0u {
+    atomicStore(&tiles[1u + number], atomicLoad(&farthest));
+  }
+}
+`,hr=`
+${te}
+@group(0) @binding(1) var depths: texture_depth_2d;
+@group(0) @binding(2) var<storage, read_write> orders: array<u32>;
+
+@compute @workgroup_size(${j})
+fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let sample = (group.y * ${ee}u + group.x) * ${j}u + lane;
+  if sample >= draw.size.x * draw.size.y {
+    return;
+  }
+  let at = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
+  orders[sample] = bitcast<u32>(textureLoad(depths, at, 0));
+}
+`,yr=`
+${te}
+@group(0) @binding(1) var geometry: texture_2d<f32>;
+@group(0) @binding(2) var<storage, read> orders: array<u32>;
+@group(0) @binding(3) var<storage, read> colors: array<u32>;
+${Q}
+@vertex
+fn whole(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
+  return vec4<f32>(f32(n & 1u) * 4.0 - 1.0, f32(n >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+@fragment
+fn resolve(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
+  let grid = draw.size.w;
+  let first = vec2<u32>(place.xy) * grid;
+  var sum = vec3<f32>(0.0);
+  for (var row = 0u; row < grid; row++) {
+    for (var column = 0u; column < grid; column++) {
+      let at = first + vec2<u32>(column, row);
+      let own = vec2<u32>(at.x, at.y - draw.size.z);
+      let sample = own.y * draw.size.x + own.x;
+      let code = colors[sample];
+      if code != 0u {
+        let bits = vec3<u32>(code >> 20u, code >> 10u, code) & vec3<u32>(1023u);
+        sum += linear_of(vec3<f32>(bits) / 1023.0);
+      } else if orders[sample] != 0u {
+        sum += textureLoad(geometry, own, 0).rgb;
+      } else {
+        let middle = vec2<f32>(at) + 0.5;
+        sum += background(normalize(draw.rays[0].xyz + middle.x * draw.rays[1].xyz + middle.y * draw.rays[2].xyz));
+      }
+    }
+  }
+  return vec4<f32>(srgb_of(sum / f32(grid * grid)), 1.0);
+}
+`;function br(r,e){let t=i((g,v)=>{let T=[{buffer:{hasDynamicOffset:!0}},...v].map((E,h)=>({binding:h,visibility:g,...E}));return r.createBindGroupLayout({entries:T})},"layoutOf"),{COMPUTE:n,FRAGMENT:o,VERTEX:s}=GPUShaderStage,a={buffer:{type:"read-only-storage"}},l={buffer:{type:"storage"}},u=t(s|o,[]),d=t(n,[a,l,a,a,l,l,l]),c=t(n,[{texture:{sampleType:"depth"}},l]),f=t(o,[{texture:{sampleType:"unfilterable-float"}},a,a]),m=i((g,v)=>r.createShaderModule({label:g,code:v}),"moduleOf"),p=i((g,v,x)=>r.createComputePipeline({label:x,layout:r.createPipelineLayout({bindGroupLayouts:[g]}),compute:{module:v,entryPoint:x}}),"computed"),[y,b]=[m("splats",pr),m("resolve",yr)];return{draw:u,work:d,begun:c,resolved:f,seen:p(d,y,"seen_parts"),splats:p(d,y,"splats"),tiles:p(d,y,"farthest_of_tiles"),shade:p(d,y,"shade"),begin:p(c,m("begin",hr),"begin"),resolve:r.createRenderPipeline({label:"resolve",layout:r.createPipelineLayout({bindGroupLayouts:[f]}),vertex:{module:b},fragment:{module:b,targets:[{format:e}]}})}}i(br,"kernelsOf");var gr=`
+${te}
+struct Mesh {
+  // Place of the leaf's origin from the eye; least alpha that is drawn, below 0 where nothing is cut out.
+  offset: vec4<f32>,
+  base: vec4<f32>,
+  // Of light, and whether it is drawn without light.
+  emission: vec4<f32>,
+}
+
+@group(1) @binding(0) var<uniform> mesh: Mesh;
+@group(2) @binding(0) var image: texture_2d<f32>;
+@group(2) @binding(1) var glow: texture_2d<f32>;
+@group(2) @binding(2) var smooth_texels: sampler;
+${Q}
+struct Corner {
+  @builtin(position) place: vec4<f32>,
+  @location(0) point: vec3<f32>,
+  @location(1) normal: vec3<f32>,
+  @location(2) uv: vec2<f32>,
+  @location(3) color: vec3<f32>,
+}
+
+@vertex
+fn corner(
+  @location(0) position: vec3<f32>,
+  // Of length 0 where faces are flat.
+  @location(1) normal: vec3<f32>,
+  @location(2) uv: vec2<f32>,
+  @location(3) color: vec4<f32>,
+  // Rows of the matrix to metres from the leaf's origin.
+  @location(4) row_x: vec4<f32>,
+  @location(5) row_y: vec4<f32>,
+  @location(6) row_z: vec4<f32>,
+) -> Corner {
+  let at = vec4<f32>(position, 1.0);
+  var out: Corner;
+  out.point = vec3<f32>(dot(row_x, at), dot(row_y, at), dot(row_z, at)) + mesh.offset.xyz;
+  // Normals go by the cofactors of the matrix, whatever its scale and handedness.
+  let x = cross(row_y.xyz, row_z.xyz);
+  let y = cross(row_z.xyz, row_x.xyz);
+  let z = cross(row_x.xyz, row_y.xyz);
+  out.normal = vec3<f32>(dot(x, normal), dot(y, normal), dot(z, normal));
+  out.uv = uv;
+  out.color = color.rgb;
+  let gradients = draw.gradients;
+  let shown = vec3<f32>(
+    dot(gradients[0].xyz, out.point),
+    dot(gradients[1].xyz, out.point),
+    dot(gradients[2].xyz, out.point),
+  );
+  let row = shown.y - f32(draw.size.z) * shown.z;
+  // Depths are the nearest distance over that along the axis, as those of splats.
+  out.place = vec4<f32>(
+    2.0 * shown.x / f32(draw.size.x) - shown.z,
+    shown.z - 2.0 * row / f32(draw.size.y),
+    draw.nearest,
+    shown.z,
+  );
+  return out;
+}
+
+// The face's normal towards the viewer; the vertices' one on its side.
+fn shading_normal(own: Corner, face_vector: vec3<f32>) -> vec3<f32> {
+  let toward = -normalize(own.point);
+  let size = length(face_vector);
+  var face = select(toward, face_vector / size, size > 0.0);
+  face = select(face, -face, dot(face, toward) < 0.0);
+  let long_normal = length(own.normal);
+  if long_normal == 0.0 {
+    return face;
+  }
+  let n = own.normal / long_normal;
+  return select(n, -n, dot(n, face) < 0.0);
+}
+
+// The level at which a texel is as large as a pixel, by areas.
+fn level_of(texture: texture_2d<f32>, right: vec2<f32>, down: vec2<f32>) -> f32 {
+  let size = vec2<f32>(textureDimensions(texture));
+  let dx = right * size;
+  let dy = down * size;
+  return 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
+}
+
+@fragment
+fn shade(own: Corner) -> @location(0) vec4<f32> {
+  let normal = shading_normal(own, cross(dpdx(own.point), dpdy(own.point)));
+  let right = dpdx(own.uv);
+  let down = dpdy(own.uv);
+  let texel = textureSampleLevel(image, smooth_texels, own.uv, level_of(image, right, down));
+  let light = textureSampleLevel(glow, smooth_texels, own.uv, level_of(glow, right, down)).rgb;
+  let alpha = mesh.base.a * textureSampleLevel(image, smooth_texels, own.uv, 0.0).a;
+  if alpha < mesh.offset.w {
+    discard;
+  }
+  let albedo = mesh.base.rgb * own.color * texel.rgb;
+  return vec4<f32>(albedo * mix(irradiance(normal), vec3<f32>(1.0), mesh.emission.w) + mesh.emission.rgb * light, 1.0);
+}
+`,wr=`
+@group(0) @binding(0) var finer: texture_2d<f32>;
+@group(0) @binding(1) var smooth_texels: sampler;
+
+struct Corner {
+  @builtin(position) place: vec4<f32>,
+  @location(0) uv: vec2<f32>,
+}
+
+@vertex
+fn whole(@builtin(vertex_index) n: u32) -> Corner {
+  let at = vec2<f32>(f32(n & 1u) * 2.0, f32(n >> 1u) * 2.0);
+  return Corner(vec4<f32>(at.x * 2.0 - 1.0, 1.0 - at.y * 2.0, 0.0, 1.0), at);
+}
+
+@fragment
+fn level(own: Corner) -> @location(0) vec4<f32> {
+  return textureSampleLevel(finer, smooth_texels, own.uv, 0.0);
+}
+`;var N=class{constructor(e,t,n){this.device=e;this.label=t;this.usage=n}device;label;usage;static{i(this,"Room")}#e=null;ofSize(e){if(this.#e&&this.#e.size>=e)return this.#e;this.#e?.destroy();let t=Math.max(2**Math.ceil(Math.log2(Math.max(e,1))),256),n=this.usage|GPUBufferUsage.COPY_DST;return this.#e=this.device.createBuffer({label:this.label,size:t,usage:n}),this.#e}with(e){let t=this.ofSize(e.byteLength);return this.device.queue.writeBuffer(t,0,e),t}};var vr="rgba8unorm-srgb",Ue=class{constructor(e){this.device=e;let t=e.createShaderModule({label:"levels of textures",code:wr});this.#e=e.createRenderPipeline({label:"levels of textures",layout:"auto",vertex:{module:t},fragment:{module:t,targets:[{format:vr}]}}),this.#t=e.createSampler({minFilter:"linear"}),this.white=this.#r(1,1),e.queue.writeTexture({texture:this.white},new Uint8Array([255,255,255,255]),{},[1,1])}device;static{i(this,"Textures")}#e;#t;white;of(e){let{width:t,height:n}=e,o=this.#r(t,n);this.device.queue.copyExternalImageToTexture({source:e},{texture:o},[t,n]),e.close();let s=this.device.createCommandEncoder();for(let a=1;a<o.mipLevelCount;a++)this.#n(s,o,a);return this.device.queue.submit([s.finish()]),o}#r(e,t){return this.device.createTexture({label:"image",size:[e,t],format:vr,mipLevelCount:1+Math.floor(Math.log2(Math.max(e,t))),usage:GPUTextureUsage.TEXTURE_BINDING|GPUTextureUsage.COPY_DST|GPUTextureUsage.RENDER_ATTACHMENT})}#n(e,t,n){let o=i(l=>t.createView({baseMipLevel:l,mipLevelCount:1}),"view"),s=e.beginRenderPass({colorAttachments:[{view:o(n),loadOp:"clear",storeOp:"store"}]});s.setPipeline(this.#e);let a=[{binding:0,resource:o(n-1)},{binding:1,resource:this.#t}];s.setBindGroup(0,this.device.createBindGroup({layout:this.#e.getBindGroupLayout(0),entries:a})),s.draw(3),s.end()}};var[re,at]=["rgba8unorm-srgb","depth32float"],Tn=[{format:"float32x3",stride:12},{format:"float32x3",stride:12},{format:"float32x2",stride:8},{format:"unorm16x4",stride:8}],[En,Pn]=[0,12],Ge=class{constructor(e,t){this.device=e;this.#e=e.createShaderModule({label:"meshes",code:gr}),this.#t=e.createBindGroupLayout({entries:[{binding:0,visibility:GPUShaderStage.VERTEX|GPUShaderStage.FRAGMENT,buffer:{hasDynamicOffset:!0}}]});let n=GPUShaderStage.FRAGMENT;this.#r=e.createBindGroupLayout({entries:[{binding:0,visibility:n,texture:{}},{binding:1,visibility:n,texture:{}},{binding:2,visibility:n,sampler:{}}]}),this.#n=e.createPipelineLayout({bindGroupLayouts:[t,this.#t,this.#r]}),this.#s=new Ue(e),this.#a=e.createSampler({addressModeU:"repeat",addressModeV:"repeat",minFilter:"linear",magFilter:"linear",mipmapFilter:"linear"}),this.#o=this.#u(new Uint32Array([0,0,0,4294967295,4294967295]),GPUBufferUsage.VERTEX),this.#l=new N(e,"meshes",GPUBufferUsage.UNIFORM)}device;static{i(this,"Meshes")}#e;#t;#r;#n;#s;#a;#o;#i=new Map;#l;upload(e){let{positions:t,normals:n,uvs:o,colors:s,placements:a,indices:l}=e,u=i(y=>y&&this.#u(y,GPUBufferUsage.VERTEX),"fill"),d=[t,n,o,s,a].map(u),c=[e.image,e.glow],f=[...d,this.#u(l,GPUBufferUsage.INDEX)],m=f.reduce((y,b)=>y+(b?.size??0),0);for(let y of c)m+=y?Math.ceil(16*y.width*y.height/3):0;let p=c.map(y=>y&&this.#s.of(y));return{origin:e.origin,material:e.material,pipeline:this.#d(!0,n!==null,o!==null,s!==null),buffers:d,indices:f.at(-1),format:l instanceof Uint16Array?"uint16":"uint32",corners:l.length,copies:a.length/12,textures:p,group:this.#c(p),bytes:m}}drop({buffers:e,indices:t,textures:n}){for(let o of[...e,t,...n])o?.destroy()}record(e,t,n){let o=new Float32Array(256/4*t.length);t.forEach((l,u)=>o.set(Sn(l,n),256/4*u));let s={buffer:this.#l.with(o),size:256},a=this.device.createBindGroup({layout:this.#t,entries:[{binding:0,resource:s}]});return t.reduce((l,u,d)=>(e.setPipeline(u.pipeline),e.setBindGroup(1,a,[256*d]),e.setBindGroup(2,u.group),u.buffers.forEach((c,f)=>{c?e.setVertexBuffer(f,c):e.setVertexBuffer(f,this.#o,f===3?Pn:En)}),e.setIndexBuffer(u.indices,u.format),e.drawIndexed(u.corners,u.copies),l+u.corners/3*u.copies),0)}#c(e){let n=[...e.map((o,s)=>({binding:s,resource:(o??this.#s.white).createView()})),{binding:2,resource:this.#a}];return this.device.createBindGroup({layout:this.#r,entries:n})}#d(...e){let t=e.join(),n=this.#i.get(t);if(n)return n;let o=Tn.map(({format:u,stride:d},c)=>({arrayStride:e[c]?d:0,attributes:[{shaderLocation:c,offset:0,format:u}]})),s=[0,1,2].map(u=>({shaderLocation:4+u,offset:16*u,format:"float32x4"})),a={arrayStride:48,stepMode:"instance",attributes:s},l=this.device.createRenderPipeline({label:"meshes",layout:this.#n,vertex:{module:this.#e,buffers:[...o,a]},fragment:{module:this.#e,targets:[{format:re}]},depthStencil:{format:at,depthWriteEnabled:!0,depthCompare:"greater"}});return this.#i.set(t,l),l}#u(e,t){let n=4*Math.ceil(Math.max(e.byteLength,4)/4),o=this.device.createBuffer({label:"mesh",size:n,usage:t,mappedAtCreation:!0});return new Uint8Array(o.getMappedRange()).set(new Uint8Array(e.buffer,e.byteOffset,e.byteLength)),o.unmap(),o}};function Sn({origin:r,material:e},t){let{color:n,cutoff:o,emission:s,isUnlit:a}=e;return[...[r[0]-t[0],r[1]-t[1],r[2]-t[2]],o??-1,...n,...s??[0,0,0],a?1:0]}i(Sn,"numbersOf");var _n={first:0,count:0},Ne=class{constructor(e,t){this.common=e;this.#e=new ArrayBuffer(256*t)}common;static{i(this,"Numbers")}#e;#t=0;get all(){return new Uint32Array(this.#e)}put(e,{span:t=_n,round:n=0,page:o=0}){let{projector:s,grid:a,nearest:l,listed:u}=this.common,d=256*this.#t,c=new Float32Array(this.#e,d,256/4);return[...s.rows,...s.rays].forEach((f,m)=>c.set(f,4*m)),new Uint32Array(this.#e,d+96,12).set([s.width,e.rows,e.first,a,t.first,t.count,n,0,u.first,u.count,o,0]),c[36]=l,this.#t+=1,d}};var Mn=1<<27;function xr(r,e,t,n){let{maxStorageBufferBindingSize:o,maxTextureDimension2D:s}=r.limits,a=Math.min(Math.min(o,Mn)/(4*e),s),l=Math.max(Math.floor(a/n),1)*n;return Array.from({length:Math.ceil(t/l)},(u,d)=>({number:d,first:d*l,rows:Math.min(l,t-d*l)}))}i(xr,"bandsOf");function it(r,e){return Math.ceil(r/Oe)*Math.ceil(e/Oe)}i(it,"tilesOf");var ke=class{constructor(e){this.device=e;let t=i(n=>new N(e,n,GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_SRC),"room");[this.#e,this.#t,this.#r]=[t("orders"),t("colors"),t("tiles")]}device;static{i(this,"Samples")}#e;#t;#r;#n=null;get counts(){return this.#r.ofSize(0)}buffers(e,t){let n=4*e*t,o=this.#r.ofSize(4*(1+it(e,t)));return{orders:this.#e.ofSize(n),colors:this.#t.ofSize(n),tiles:o}}textures(e,t){let n=this.#n;if(n&&n.color.width===e&&n.color.height===t)return n;n?.color.destroy(),n?.depth.destroy();let o=GPUTextureUsage.RENDER_ATTACHMENT|GPUTextureUsage.TEXTURE_BINDING,s=i(a=>this.device.createTexture({label:"samples",size:[e,t],format:a,usage:o}),"made");return this.#n={color:s(re),depth:s(at)},this.#n}};var Ie=class{constructor(e,t,n,o){this.layout=t;this.device=n;let s=e.getContext("webgpu");if(!s)throw new Error("this browser has no WebGPU for pictures");this.#e=s;let a=navigator.gpu.getPreferredCanvasFormat();s.configure({device:n,format:a,alphaMode:"opaque"}),this.#t=br(n,a),this.#r=new Re(n),this.#n=new Ge(n,this.#t.draw),this.#s=new ke(n),this.#a=new N(n,"calls",GPUBufferUsage.UNIFORM);let l=i(u=>new N(n,u,GPUBufferUsage.STORAGE),"room");[this.#o,this.#i,this.#l]=[l("views"),l("parts"),l("jobs")],this.#c=n.createTexture({size:[1,1],format:re,usage:GPUTextureUsage.TEXTURE_BINDING}),n.lost.then(({message:u,reason:d})=>d!=="destroyed"&&o(`the graphics are gone: ${u}`)),n.onuncapturederror=({error:u})=>o(`the graphics cannot go on: ${u.message}`)}layout;device;static{i(this,"WebgpuDrawer")}#e;#t;#r;#n;#s;#a;#o;#i;#l;#c;#d=Promise.resolve();#u=0;unhidden=null;upload(e,{words:t,parts:n}){let o=this.#r.put(t);return{model:e,parts:n,page:o.page,first:o.first,place:o,bytes:o.bytes}}drop({place:e}){this.#r.free(e)}uploadMesh(e){return this.#n.upload(e)}dropMesh(e){this.#n.drop(e)}draw(e,t,n,o){let s=ge({...n,width:n.width*o,height:n.height*o}),a=Pe(t,e.length>0),l=mr(t,s,this.layout,a),u=xr(this.device,s.width,s.height,o),d=u.length*(1+6*l.calls.length+l.pages.length),c={meshes:e,projector:s,grid:o,work:l,numbers:new Ne({projector:s,grid:o,nearest:a,listed:l.listed},d),bound:{buffer:this.#a.ofSize(256*d),size:256},views:this.#o.with(l.views),parts:this.#i.with(l.parts),jobs:this.#l.with(l.jobs),target:this.#e.getCurrentTexture().createView()},f=this.device.createCommandEncoder(),m=0;for(let p of u)m=this.#p(f,c,p);return this.#a.with(c.numbers.all),this.#b(f,u),{splats:l.splats,triangles:m,calls:u.length*(2*l.calls.length+l.pages.length+e.length)}}get isDone(){return this.#u===0}finish(){return this.#d}#p(e,t,n){let{meshes:o,projector:s}=t,a=4*s.width*n.rows,{orders:l,colors:u,tiles:d}=this.#s.buffers(s.width,n.rows),{color:c,depth:f}=o.length>0?this.#s.textures(s.width,n.rows):{color:this.#c,depth:null};n.number===0&&e.clearBuffer(d,0,4),e.clearBuffer(u,0,a);let m=t.numbers.put(n,{}),p=0;if(f){p=this.#h(e,t,m,c,f);let b=this.#m(this.#t.begun,[t.bound,f.createView(),{buffer:l}]),g=e.beginComputePass({label:"begin"});g.setPipeline(this.#t.begin),g.setBindGroup(0,b,[m]),Tr(g,Math.ceil(s.width*n.rows/j)),g.end()}else e.clearBuffer(l,0,a);this.#f(e,t,n,[{buffer:d},{buffer:l},{buffer:u}]);let y=[t.bound,c.createView(),{buffer:l},{buffer:u}];return this.#y(e,t,n,m,this.#m(this.#t.resolved,y)),p}#h(e,{meshes:t,projector:n,bound:o},s,a,l){let u=e.beginRenderPass({label:"meshes",colorAttachments:[{view:a.createView(),loadOp:"clear",storeOp:"store"}],depthStencilAttachment:{view:l.createView(),depthClearValue:0,depthLoadOp:"clear",depthStoreOp:"store"}});u.setBindGroup(0,this.#m(this.#t.draw,[o]),[s]);let d=this.#n.record(u,t,n.eye);return u.end(),d}#f(e,{projector:t,work:n,numbers:o,bound:s,views:a,parts:l,jobs:u},d,c){let f=new Map;for(let E of n.pages){let h=[a,l,u,E.buffer].map(w=>({buffer:w}));f.set(E,this.#m(this.#t.work,[s,...h,...c]))}let m=e.beginComputePass({label:"splats"}),p=i((E,h,w,P)=>{m.setPipeline(E),m.setBindGroup(0,f.get(h),[o.put(d,P)]),Tr(m,w)},"call"),{seen:y,splats:b,tiles:g,shade:v}=this.#t,x=it(t.width,d.rows);for(let E of[0,1])for(let[h,w]of n.calls.entries())w.begins&&(E===0||h===0)&&p(g,w.page,x,{}),p(y,w.page,w.parts.count,{span:w.parts,round:E}),p(b,w.page,w.jobs.count,{span:w.jobs,round:E});let T=Math.ceil(t.width*d.rows/j);for(let[E,h]of n.pages.entries())p(v,h,T,{page:E});m.end()}#y(e,{projector:t,grid:n,target:o},{number:s,first:a,rows:l},u,d){let c=s===0?"clear":"load",f=e.beginRenderPass({label:"show",colorAttachments:[{view:o,loadOp:c,storeOp:"store"}]});f.setPipeline(this.#t.resolve),f.setBindGroup(0,d,[u]),f.setScissorRect(0,a/n,t.width/n,l/n),f.draw(3),f.end()}#b(e,t){let n=this.device.createBuffer({size:4,usage:GPUBufferUsage.MAP_READ|GPUBufferUsage.COPY_DST});t.length>0&&e.copyBufferToBuffer(this.#s.counts,0,n,0,4),this.device.queue.submit([e.finish()]),this.#u+=1;let o=i(()=>{this.unhidden=new Uint32Array(n.getMappedRange())[0]??0,n.destroy()},"read");this.#d=n.mapAsync(GPUMapMode.READ).then(o,()=>{}).finally(()=>this.#u-=1)}#m(e,t){let n=t.map((o,s)=>({binding:s,resource:o}));return this.device.createBindGroup({layout:e,entries:n})}};function Tr(r,e){r.dispatchWorkgroups(Math.min(e,ee),Math.ceil(e/ee))}i(Tr,"dispatch");var ne=class{constructor(e,t){this.drop=e;this.most=t}drop;most;static{i(this,"Resident")}#e=new Map;#t=new Map;#r=0;bytes=0;get count(){return this.#e.size}add(e,t,n,o){let s=`${R(e,t)}/${n}`;this.#n(s);let a=o.reduce((l,u)=>l+u.bytes,0);this.#e.set(s,{level:e,place:t,direction:n,layers:o,bytes:a,used:this.#r}),this.#t.set(R(e,t),[...this.there(e,t),n]),this.bytes+=a}there(e,t){return this.#t.get(R(e,t))??[]}begin(){this.#r+=1}use(e,t,n){let o=`${R(e,t)}/${n}`,s=this.#e.get(o);return s?(s.used!==this.#r&&(s.used=this.#r,this.#e.delete(o),this.#e.set(o,s)),s.layers):[]}trim(e){for(let[t,n]of this.#e){if(this.bytes<=this.most)break;n.used===this.#r||e(n.level,n.place)||this.#n(t)}}#n(e){let t=this.#e.get(e);if(!t)return;let{level:n,place:o,direction:s,layers:a,bytes:l}=t;a.forEach(c=>this.drop(c)),this.#e.delete(e),this.bytes-=l;let u=R(n,o),d=this.there(n,o).filter(c=>c!==s);d.length>0?this.#t.set(u,d):this.#t.delete(u)}};function lt(r,e,t){let n=new ne(s=>e.drop(s),t),o=new ne(s=>e.dropMesh(s),t/4);return{addView(s,a,l,u){let d=Xt(r,s,a,l);n.add(s,a,l,u.map(c=>e.upload(d,c)))},addLeaf(s,a){o.add(0,s,U,a.map(l=>e.uploadMesh(l)))},there:i((s,a)=>n.there(s,a),"there"),hasLeaf:i(s=>o.there(0,s).length>0,"hasLeaf"),draw({near:s,shown:a},l,u,d){n.begin(),o.begin();let c=s.flatMap(p=>o.use(0,p,U)),f=a.flatMap(({level:p,place:y,direction:b,box:g})=>n.use(p,y,b).map(v=>({layer:v,box:g}))),m=e.draw(c,f,l,u);return n.trim((p,y)=>d.cells.has(R(p,y))),o.trim((p,y)=>d.leaves.has(R(p,y))),m},get bytes(){return n.bytes+o.bytes},get views(){return n.count},get isDone(){return e.isDone},finish:i(()=>e.finish(),"finish"),get unhidden(){return e.unhidden}}}i(lt,"stockOf");async function Er(r,e,{graphics:t,bytes:n,failed:o}){let s=t==="webgl"?null:await dr(t==="webgpu");if(s){let a=new Ie(r,e,s,o);return{stock:lt(e,a,n),graphics:"webgpu"}}if(t==="webgpu")throw new Error("this browser has no WebGPU");return{stock:lt(e,new Me(r,e),n),graphics:"webgl"}}i(Er,"startStock");var Rn=6,An=/^nearfar\/generations\/\d+\//,[Ln,On]=[50,.5],Un={views:0,standIns:0,waiting:0,holes:0,splats:0,unhidden:null,leaves:0,triangles:0,calls:0,bytes:0,kept:0,isComplete:!1,graphics:null},ze=class{constructor(e,t){this.canvas=e;this.#e=t,this.#t=new Worker(t.scripts.cutter,{type:"module"}),this.#t.onmessage=({data:n})=>this.#_(n),this.#t.onerror=({message:n})=>t.failed({kind:"other",message:`a worker stopped: ${n}`},!0),this.#r=new ye({atOnce:Rn*t.workers,send:i((n,o)=>this.#i?.read(n,o),"send"),cancel:i(n=>this.#i?.cancel(n),"cancel"),failed:i(n=>t.failed(n,!1),"failed"),recovered:t.recovered,now:i(()=>performance.now()/1e3,"now")}),this.#g({kind:"open",base:t.base.href})}canvas;static{i(this,"Viewer")}#e;#t;#r;#n=new Map;#s=new Map;#a=new Set;#o=null;#i=null;#l=null;#c=null;#d=null;#u=!1;#p=!1;#h=!0;#f=!0;#y=0;#b=0;#m=!1;facts=Un;frame(e){if(!this.#o||((!this.#d||!Gn(this.#d,e))&&(this.#d=e,this.#p=this.#h=!0),this.#p&&!this.#u&&this.#S(e),this.#r.fill(),!this.#l||!this.#P(this.#o.stock)))return!1;let t=performance.now()-this.#b>=Math.max(Ln,this.took/On-this.took);return this.#h||this.#f&&(t||this.#r.waiting===0)?(this.#T(e),!0):!1}get took(){return Math.max(this.#b-this.#y,0)}async time(){if(!this.#d||!this.#o)return 0;let{stock:e}=this.#o;e.isDone||await e.finish(),this.#T(this.#d);let t=this.#y;return await e.finish(),performance.now()-t}#P(e){return this.#m?e.isDone?(this.#b=performance.now(),this.#m=!1,this.facts={...this.facts,unhidden:e.unhidden},!0):!1:!0}retry(){this.#a.clear(),this.#r.retry(),this.#g({kind:"retry"})}#S(e){let{views:t,error:n,geometry:o}=this.#e,s={views:t,error:n,isAround:!1,geometry:o};[this.#u,this.#p]=[!0,!1],this.#g({kind:"look",camera:e,settings:s})}#_(e){switch(e.kind){case"opened":this.#M(e.layout,e.shards,e.geometry);break;case"learned":this.#o?.cells.add(e.subtree),this.#w(e.subtree.shards,e.subtree.geometry);break;case"base":this.#c=e.cut;break;case"cut":this.#l=e.cut,this.#u=!1,this.#f=!0,this.#E();break;case"received":this.#e.received(e.bytes);break;case"failed":this.#e.failed(e.failure,e.isFatal)}}async#M(e,t,n){let{scripts:o,workers:s,base:a,bytes:l}=this.#e,u=await this.#R(e,l);u&&(this.#o={cells:new he(e),...u},this.#w(t,n),this.#i=jt(o.reader,s,a,e,{view:i((d,c)=>{let f=this.#r.done(d);f&&this.#o?.stock.addView(f.level,f.place,f.direction,c),this.#f=!0,this.#r.fill()},"view"),leaf:i((d,c)=>{let f=this.#r.done(d);f&&this.#o?.stock.addLeaf(f.place,c),this.#f=!0,this.#r.fill()},"leaf"),failed:i((d,c)=>{let f=this.#r.failed(d,c);f?.direction===U&&(this.#a.add(R(0,f.place)),this.#f=!0,this.#E())},"failed"),cancelled:i(d=>this.#r.cancelled(d),"cancelled"),received:this.#e.received}),this.#e.opened(e))}async#R(e,t){let n=i(o=>this.#e.failed({kind:"other",message:o},!0),"failed");try{return await Er(this.canvas,e,{graphics:this.#e.graphics,bytes:t,failed:n})}catch(o){return n(o instanceof Error?o.message:String(o)),null}}#w(e,t){for(let n of e)this.#n.set(n[0],n);for(let n of t){let o=n[0].replace(An,"");this.#s.has(o)||this.#s.set(o,n)}}#v(e){let{cells:t,stock:n}=this.#o;return Yt(e,t,i((s,a)=>n.there(s,a),"there"),this.#e.views,s=>this.#A(s))}#A(e){let{cells:t,stock:n}=this.#o;if(this.#a.has(R(0,e)))return"never";if(n.hasLeaf(e))return"there";let{tier:o,place:s}=W(t.layout,0,e);return t.knows(o,s)&&this.#x(e).length===0?"there":"coming"}#x(e){let{layout:t}=this.#o.cells;return Wt(t,e).map(o=>this.#s.get(o)).filter(o=>o!==void 0&&o[1]>0)}#T(e){if(!this.#o||!this.#l)return;let{cells:t,stock:n,graphics:o}=this.#o;this.#h=this.#f=!1,this.#y=performance.now(),this.#m=!0;let s=this.#v(this.#l),a=this.#l.leaves.flatMap(({place:c})=>[c,...t.guestsOf(c)]),l=n.draw(s,e,this.#e.grid,{cells:new Set(this.#c?.cells.map(({level:c,place:f})=>R(c,f))),leaves:new Set(a.map(c=>R(0,c)))}),[{waiting:u},d]=[this.#r,!this.#u&&!this.#p];this.facts={views:s.shown.length,standIns:s.shown.filter(({box:c})=>c!==null).length,waiting:u,holes:s.holes,...l,unhidden:null,leaves:s.near.length,bytes:n.bytes,kept:n.views,isComplete:d&&u===0&&this.#l.unknown.length===0,graphics:o}}#E(){let e=new Map,t=i(n=>this.#c&&{...this.#c,cells:this.#c.cells.filter(o=>o.isInPicture===n)},"coarse");for(let n of[t(!0),this.#l,t(!1)]){if(!n)continue;let{coming:o,missing:s}=this.#v(n),a=o.map(l=>({level:0,place:l,direction:U}));for(let{level:l,place:u,direction:d}of[...a,...s]){let c=`${R(l,u)}/${d}`;e.has(c)||e.set(c,this.#L(l,u,d))}}this.#r.want(e)}#L(e,t,n){let{cells:o}=this.#o;if(n===U)return{level:e,place:t,direction:n,generation:0,shards:this.#x(t)};let s=o.at(e,t)?.generation??0,a=Ht(o.layout).map(l=>{let u=Dt(o.layout,e,n,l);return this.#n.get(Bt(s)+Ft(o.layout,e,t,u))});return{level:e,place:t,direction:n,generation:s,shards:a.filter(l=>l!==void 0)}}#g(e){this.#t.postMessage(e)}};function Gn(r,e){let t=i(({position:o,right:s,up:a,fov:l,width:u,height:d})=>[...o,...s,...a,...Object.values(l),u,d],"numbers"),n=t(e);return t(r).every((o,s)=>o===n[s])}i(Gn,"isSame");var Nn=Math.PI/3,kn=1.5,[Pr,In]=[.25,.5],Sr=1<<29;function zn(){let r=new URLSearchParams(location.search),[e,t]=[_r("canvas",HTMLCanvasElement),_r("#ui",HTMLElement)],n=Math.min(screen.width,screen.height)<600,o=ft(),s=i(({kind:w,message:P})=>{let{title:_,text:M}=Mr[w];Ke(_,M,{detail:P,retry:i(()=>location.reload(),"retry")})},"fatal"),a=[],l=i(w=>{a=w,yt(a.map(({message:P})=>P),b)},"show"),u=new ze(e,{base:Fn(new URL(r.get("store")??".",location.href)),scripts:{cutter:new URL("orthoview-cut.js",import.meta.url),reader:new URL("orthoview-read.js",import.meta.url)},views:Ce(r,"views",3,1,8),error:Ce(r,"error",1,.1,64),geometry:r.get("geometry")!=="0",grid:Math.round(Math.sqrt(Ce(r,"samples",1,1,16))),graphics:Dn(r.get("graphics")),bytes:Ce(r,"megabytes",(n?Sr/4:Sr)>>20,1,16384)*2**20,workers:Math.min(Math.max((navigator.hardwareConcurrency||2)-1,1),4),received:o.receive,opened:y,failed(w,P){if(P){s(w);return}let _=I(w)?{...w,message:`${w.message}; ${Cn}`}:w;a.some(({kind:A,message:k})=>I(_)?A===_.kind:k===_.message)||l([...a,_])},recovered:i(()=>l(a.filter(w=>!I(w))),"recovered")}),[d,c]=[0,{position:[0,0,0],yaw:0,pitch:0}],f=$e(location.hash),m=At(e,f??c,()=>d,xt(t).show),p=zt(t,()=>m.setPose(c));window.addEventListener("hashchange",()=>m.setPose($e(location.hash)??m.pose)),e.addEventListener("webglcontextlost",()=>s({kind:"other",message:Bn}));function y(w){d=w.origin[1],c=Lt(w),f||m.setPose(c),E=!0}i(y,"opened");function b(){l([]),u.retry()}i(b,"retry");let[g,v,x]=[performance.now(),Pr,0],[T,E]=["",!1];window.orthoview={get facts(){return u.facts},get pose(){return m.pose},get received(){return o.read().received},setPose:m.setPose,time:i(()=>u.time(),"time")};function h(w){let P=Math.max(w-g,0)/1e3;g=w;let _=m.update(P),M=Math.min(window.devicePixelRatio||1,kn),[A,k]=[e.clientWidth,e.clientHeight].map(Be=>Math.max(Math.round(Be*M),1));if((e.width!==A||e.height!==k)&&([e.width,e.height]=[A,k]),u.frame(Ot(_,Nn,e.width,e.height)),v+=P,x+=P,v>=Pr){v=0;let{received:Be,rate:Rr}=o.read();p.update({facts:u.facts,frame:u.took,received:Be,rate:Rr,height:_.position[1]-d,power:m.power})}let C=dt(_);E&&x>=In&&C!==T&&([x,T]=[0,C],history.replaceState(null,"",C)),requestAnimationFrame(h)}i(h,"frame"),requestAnimationFrame(h)}i(zn,"main");var Cn="what has come stays, and the rest is asked for again",Bn="The browser has taken the graphics away.",Mr={gone:{title:"There is no tree at this address",text:"The page shows the store of orthoviews in whose folder it lies, or the one that ?store= names."},refused:{title:"The server refuses the tree",text:"Tell whoever runs the server what stands below."},unreachable:{title:"The tree cannot be reached",text:"Check the connection and the address, and try again."},damaged:{title:"The tree is damaged",text:"A file is not what the build has written. Check it with nearfar orthoview verify."},newer:{title:"The tree needs a newer nearfar",text:"It was written in a later format than this page reads."},other:{title:"The tree cannot be shown",text:"Reload the page. If that does not help, tell whoever sent you here what stands below."}};function Dn(r){return r==="webgl"||r==="webgpu"?r:null}i(Dn,"graphicsOf");function Fn(r){return r.pathname.endsWith("/")||(r.pathname+="/"),r.hash="",r}i(Fn,"folderOf");function Ce(r,e,t,n,o){let s=r.get(e),a=s===null||s===""?t:Number(s);return Number.isFinite(a)?Math.min(Math.max(a,n),o):t}i(Ce,"number");function _r(r,e){let t=document.querySelector(r);if(!(t instanceof e))throw new Error(`the page has no ${r}`);return t}i(_r,"element");try{zn()}catch(r){let{title:e,text:t}=Mr.other;Ke(e,t,{detail:r instanceof Error?r.message:String(r)})}

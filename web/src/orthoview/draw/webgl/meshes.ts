@@ -1,8 +1,8 @@
 /** Draws the geometry of near leaves into the samples, by the depth and the light of splats. */
-import { ROWS } from '../../decode/placements';
-import type { Piece } from '../decode/leaf';
-import type { Projector } from '../splats/sight';
-import type { Triple } from '../store/layout';
+import { ROWS } from '../../../decode/placements';
+import type { Piece } from '../../decode/leaf';
+import type { Projector } from '../../splats/sight';
+import type { Triple } from '../../store/layout';
 import { type Program, programOf } from './gl';
 import { MESH_FRAGMENT, MESH_VERTEX } from './mesh_shaders';
 

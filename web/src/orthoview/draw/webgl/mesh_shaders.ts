@@ -1,5 +1,5 @@
 /** GLSL of the geometry of near leaves. */
-import { IRRADIANCE } from '../../shaders/light';
+import { IRRADIANCE } from '../../../shaders/light';
 import { HEAD } from './shaders';
 
 export const MESH_VERTEX = /* glsl */ `${HEAD}

@@ -1,20 +1,10 @@
 /** GLSL of splats, of light and of the picture's samples. */
-import { IRRADIANCE, SRGB } from '../../shaders/light';
-import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../splats/sight';
+import { BACKGROUND, float, IRRADIANCE, LINEAR, SRGB } from '../../../shaders/light';
+import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
 
 export const HEAD = /* glsl */ `#version 300 es
 precision highp float;
 precision highp int;
-`;
-
-/** A number as GLSL writes it. */
-const float = (value: number): string => (Number.isInteger(value) ? value.toFixed(1) : String(value));
-
-/** Decoding of the colours of views. */
-const LINEAR = /* glsl */ `
-vec3 linear_of(vec3 c) {
-  return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045))));
-}
 `;
 
 /**
@@ -146,12 +136,7 @@ uniform vec3 screen;
 uniform vec3 rays[3];
 out vec4 shade;
 ${SRGB}
-vec3 background(vec3 direction) {
-  const vec3 HORIZON = vec3(0.66, 0.74, 0.82);
-  vec3 end = direction.y < 0.0 ? vec3(0.24, 0.25, 0.26) : vec3(0.16, 0.34, 0.66);
-  return mix(HORIZON, end, sqrt(abs(direction.y)));
-}
-
+${BACKGROUND}
 void main() {
   ivec2 first = ivec2(gl_FragCoord.xy) * grid;
   vec3 sum = vec3(0.0);

@@ -1,0 +1,87 @@
+/** Room for views in a few large buffers, so that one call draws many of them. */
+import type { Held } from '../drawer';
+
+/** Words of 32 bits in a page, at least: 64 MB. */
+const PAGE = 1 << 24;
+/** Words of which all places are multiples. */
+const UNIT = 64;
+
+/** Words of a page. */
+export interface Place extends Held {
+  readonly page: Page;
+  readonly first: number;
+  readonly words: number;
+}
+
+interface Gap {
+  first: number;
+  words: number;
+}
+
+export interface Page {
+  readonly buffer: GPUBuffer;
+  readonly words: number;
+  /** Words that nobody has, by their places. */
+  readonly gaps: Gap[];
+}
+
+export class Arena {
+  readonly #pages: Page[] = [];
+
+  constructor(readonly device: GPUDevice) {}
+
+  /** Bring words to the GPU. */
+  put(words: Uint32Array<ArrayBuffer>): Place {
+    const wanted = Math.max(Math.ceil(words.length / UNIT), 1) * UNIT;
+    const { page, gap } = this.#find(wanted) ?? this.#grow(wanted);
+    const place: Place = { page, first: gap.first, words: wanted, bytes: 4 * wanted };
+    gap.first += wanted;
+    gap.words -= wanted;
+    if (gap.words === 0) page.gaps.splice(page.gaps.indexOf(gap), 1);
+    this.device.queue.writeBuffer(page.buffer, 4 * place.first, words);
+    return place;
+  }
+
+  /** Leave a place to others. */
+  free({ page, first, words }: Place): void {
+    const { gaps } = page;
+    const next = gaps.findIndex((gap) => gap.first > first);
+    const at = next < 0 ? gaps.length : next;
+    gaps.splice(at, 0, { first, words });
+    this.#join(gaps, at);
+    this.#join(gaps, at - 1);
+    if (gaps[0]?.words !== page.words) return;
+    // Pictures that were asked for keep what they read.
+    page.buffer.destroy();
+    this.#pages.splice(this.#pages.indexOf(page), 1);
+  }
+
+  /** One gap of a gap and the next one, if they touch. */
+  #join(gaps: Gap[], at: number): void {
+    const [one, other] = [gaps[at], gaps[at + 1]];
+    if (!one || !other || one.first + one.words !== other.first) return;
+    one.words += other.words;
+    gaps.splice(at + 1, 1);
+  }
+
+  #find(words: number): { page: Page; gap: Gap } | null {
+    for (const page of this.#pages) {
+      const gap = page.gaps.find((each) => each.words >= words);
+      if (gap) return { page, gap };
+    }
+    return null;
+  }
+
+  #grow(words: number): { page: Page; gap: Gap } {
+    const { maxBufferSize, maxStorageBufferBindingSize } = this.device.limits;
+    const most = Math.floor(Math.min(maxBufferSize, maxStorageBufferBindingSize) / 4 / UNIT) * UNIT;
+    if (words > most) throw new Error(`a view of ${4 * words} bytes is larger than the graphics allow`);
+    const size = Math.min(Math.max(words, PAGE), most);
+    const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST;
+    const buffer = this.device.createBuffer({ label: 'views', size: 4 * size, usage });
+    const gap = { first: 0, words: size };
+    const page = { buffer, words: size, gaps: [gap] };
+    this.#pages.push(page);
+    return { page, gap };
+  }
+}

@@ -1,0 +1,255 @@
+/** Draws views by WebGPU: compute shaders raise the samples' depths, and the nearest splats give their colours. */
+import type { Camera } from '../../cut/camera';
+import type { Piece } from '../../decode/leaf';
+import type { Part, Splats } from '../../decode/pack';
+import { type Model, type Projector, projectorOf } from '../../splats/sight';
+import type { Layout } from '../../store/layout';
+import type { Drawer, Drawn, Held, Item } from '../drawer';
+import { nearestOf } from '../nearest';
+import { Arena, type Page, type Place } from './arena';
+import { type Kernels, kernelsOf } from './kernels';
+import { COLOR, type Mesh, Meshes } from './meshes';
+import { type Called, Numbers } from './numbers';
+import { Room, SLOT } from './room';
+import { type Band, bandsOf, Samples, tilesOf } from './samples';
+import { GROUP, ROW } from './splat_shaders';
+import { type Work, workOf } from './work';
+
+/** A layer of a view on the GPU. */
+export interface Layer extends Held {
+  readonly model: Model;
+  readonly parts: readonly Part[];
+  readonly page: Page;
+  readonly first: number;
+  readonly place: Place;
+}
+
+interface Picture {
+  readonly meshes: readonly Mesh[];
+  /** Of the samples. */
+  readonly projector: Projector;
+  readonly grid: number;
+  readonly work: Work<Page>;
+  readonly numbers: Numbers;
+  /** One of them at a time. */
+  readonly bound: GPUBufferBinding;
+  readonly views: GPUBuffer;
+  readonly parts: GPUBuffer;
+  readonly jobs: GPUBuffer;
+  readonly target: GPUTextureView;
+}
+
+export class WebgpuDrawer implements Drawer<Layer, Mesh> {
+  readonly #context: GPUCanvasContext;
+  readonly #kernels: Kernels;
+  readonly #arena: Arena;
+  readonly #meshes: Meshes;
+  readonly #samples: Samples;
+  readonly #numbers: Room;
+  readonly #views: Room;
+  readonly #parts: Room;
+  readonly #jobs: Room;
+  /** Stands for the geometry of pictures that have none. */
+  readonly #nothing: GPUTexture;
+  #done: Promise<void> = Promise.resolve();
+  /** Pictures that are asked for. */
+  #coming = 0;
+  unhidden: number | null = null;
+
+  constructor(
+    canvas: HTMLCanvasElement,
+    readonly layout: Layout,
+    readonly device: GPUDevice,
+    failed: (message: string) => void,
+  ) {
+    const context = canvas.getContext('webgpu');
+    if (!context) throw new Error('this browser has no WebGPU for pictures');
+    this.#context = context;
+    const format = navigator.gpu.getPreferredCanvasFormat();
+    context.configure({ device, format, alphaMode: 'opaque' });
+    this.#kernels = kernelsOf(device, format);
+    this.#arena = new Arena(device);
+    this.#meshes = new Meshes(device, this.#kernels.draw);
+    this.#samples = new Samples(device);
+    this.#numbers = new Room(device, 'calls', GPUBufferUsage.UNIFORM);
+    const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE);
+    [this.#views, this.#parts, this.#jobs] = [room('views'), room('parts'), room('jobs')];
+    this.#nothing = device.createTexture({ size: [1, 1], format: COLOR, usage: GPUTextureUsage.TEXTURE_BINDING });
+    void device.lost.then(({ message, reason }) => reason !== 'destroyed' && failed(`the graphics are gone: ${message}`));
+    device.onuncapturederror = ({ error }): void => failed(`the graphics cannot go on: ${error.message}`);
+  }
+
+  upload(model: Model, { words, parts }: Splats): Layer {
+    const place = this.#arena.put(words);
+    return { model, parts, page: place.page, first: place.first, place, bytes: place.bytes };
+  }
+
+  drop({ place }: Layer): void {
+    this.#arena.free(place);
+  }
+
+  uploadMesh(piece: Piece): Mesh {
+    return this.#meshes.upload(piece);
+  }
+
+  dropMesh(mesh: Mesh): void {
+    this.#meshes.drop(mesh);
+  }
+
+  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, grid: number): Drawn {
+    const projector = projectorOf({ ...camera, width: camera.width * grid, height: camera.height * grid });
+    const nearest = nearestOf(items, meshes.length > 0);
+    const work = workOf(items, projector, this.layout, nearest);
+    const bands = bandsOf(this.device, projector.width, projector.height, grid);
+    const calls = bands.length * (1 + 6 * work.calls.length + work.pages.length);
+    const picture: Picture = {
+      meshes,
+      projector,
+      grid,
+      work,
+      numbers: new Numbers({ projector, grid, nearest, listed: work.listed }, calls),
+      bound: { buffer: this.#numbers.ofSize(SLOT * calls), size: SLOT },
+      views: this.#views.with(work.views),
+      parts: this.#parts.with(work.parts),
+      jobs: this.#jobs.with(work.jobs),
+      target: this.#context.getCurrentTexture().createView(),
+    };
+    const encoder = this.device.createCommandEncoder();
+    let triangles = 0;
+    for (const band of bands) triangles = this.#drawBand(encoder, picture, band);
+    this.#numbers.with(picture.numbers.all);
+    this.#submit(encoder, bands);
+    return { splats: work.splats, triangles, calls: bands.length * (2 * work.calls.length + work.pages.length + meshes.length) };
+  }
+
+  get isDone(): boolean {
+    return this.#coming === 0;
+  }
+
+  finish(): Promise<void> {
+    return this.#done;
+  }
+
+  /** Record a band's work; returns the triangles of its geometry. */
+  #drawBand(encoder: GPUCommandEncoder, picture: Picture, band: Band): number {
+    const { meshes, projector } = picture;
+    const bytes = 4 * projector.width * band.rows;
+    const { orders, colors, tiles } = this.#samples.buffers(projector.width, band.rows);
+    const { color, depth } =
+      meshes.length > 0 ? this.#samples.textures(projector.width, band.rows) : { color: this.#nothing, depth: null };
+    if (band.number === 0) encoder.clearBuffer(tiles, 0, 4);
+    encoder.clearBuffer(colors, 0, bytes);
+    const slot = picture.numbers.put(band, {});
+    let triangles = 0;
+    if (depth) {
+      triangles = this.#drawMeshes(encoder, picture, slot, color, depth);
+      const group = this.#group(this.#kernels.begun, [picture.bound, depth.createView(), { buffer: orders }]);
+      const pass = encoder.beginComputePass({ label: 'begin' });
+      pass.setPipeline(this.#kernels.begin);
+      pass.setBindGroup(0, group, [slot]);
+      dispatch(pass, Math.ceil((projector.width * band.rows) / GROUP));
+      pass.end();
+    } else encoder.clearBuffer(orders, 0, bytes);
+    this.#drawSplats(encoder, picture, band, [{ buffer: tiles }, { buffer: orders }, { buffer: colors }]);
+    const found = [picture.bound, color.createView(), { buffer: orders }, { buffer: colors }];
+    this.#show(encoder, picture, band, slot, this.#group(this.#kernels.resolved, found));
+    return triangles;
+  }
+
+  #drawMeshes(
+    encoder: GPUCommandEncoder,
+    { meshes, projector, bound }: Picture,
+    slot: number,
+    color: GPUTexture,
+    depth: GPUTexture,
+  ): number {
+    const pass = encoder.beginRenderPass({
+      label: 'meshes',
+      colorAttachments: [{ view: color.createView(), loadOp: 'clear', storeOp: 'store' }],
+      depthStencilAttachment: {
+        view: depth.createView(),
+        depthClearValue: 0,
+        depthLoadOp: 'clear',
+        depthStoreOp: 'store',
+      },
+    });
+    pass.setBindGroup(0, this.#group(this.#kernels.draw, [bound]), [slot]);
+    const triangles = this.#meshes.record(pass, meshes, projector.eye);
+    pass.end();
+    return triangles;
+  }
+
+  /** First the nearest parts, so that others behind them are left out; then the splats that are seen, and their light. */
+  #drawSplats(
+    encoder: GPUCommandEncoder,
+    { projector, work, numbers, bound, views, parts, jobs }: Picture,
+    band: Band,
+    found: readonly GPUBindingResource[],
+  ): void {
+    const groups = new Map<Page, GPUBindGroup>();
+    for (const page of work.pages) {
+      const given = [views, parts, jobs, page.buffer].map((buffer) => ({ buffer }));
+      groups.set(page, this.#group(this.#kernels.work, [bound, ...given, ...found]));
+    }
+    const pass = encoder.beginComputePass({ label: 'splats' });
+    const call = (pipeline: GPUComputePipeline, page: Page, count: number, called: Called): void => {
+      pass.setPipeline(pipeline);
+      pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, called)]);
+      dispatch(pass, count);
+    };
+    const { seen, splats, tiles, shade } = this.#kernels;
+    const count = tilesOf(projector.width, band.rows);
+    for (const round of [0, 1]) {
+      for (const [n, each] of work.calls.entries()) {
+        if (each.begins && (round === 0 || n === 0)) call(tiles, each.page, count, {});
+        call(seen, each.page, each.parts.count, { span: each.parts, round });
+        call(splats, each.page, each.jobs.count, { span: each.jobs, round });
+      }
+    }
+    const groupsOfSamples = Math.ceil((projector.width * band.rows) / GROUP);
+    for (const [number, page] of work.pages.entries()) call(shade, page, groupsOfSamples, { page: number });
+    pass.end();
+  }
+
+  #show(
+    encoder: GPUCommandEncoder,
+    { projector, grid, target }: Picture,
+    { number, first, rows }: Band,
+    slot: number,
+    group: GPUBindGroup,
+  ): void {
+    const loadOp = number === 0 ? 'clear' : 'load';
+    const pass = encoder.beginRenderPass({
+      label: 'show',
+      colorAttachments: [{ view: target, loadOp, storeOp: 'store' }],
+    });
+    pass.setPipeline(this.#kernels.resolve);
+    pass.setBindGroup(0, group, [slot]);
+    pass.setScissorRect(0, first / grid, projector.width / grid, rows / grid);
+    pass.draw(3);
+    pass.end();
+  }
+
+  #submit(encoder: GPUCommandEncoder, bands: readonly Band[]): void {
+    const count = this.device.createBuffer({ size: 4, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
+    if (bands.length > 0) encoder.copyBufferToBuffer(this.#samples.counts, 0, count, 0, 4);
+    this.device.queue.submit([encoder.finish()]);
+    this.#coming += 1;
+    const read = (): void => {
+      this.unhidden = new Uint32Array(count.getMappedRange())[0] ?? 0;
+      count.destroy();
+    };
+    // A device that is lost tells of it by itself.
+    this.#done = count.mapAsync(GPUMapMode.READ).then(read, () => undefined).finally(() => (this.#coming -= 1));
+  }
+
+  #group(layout: GPUBindGroupLayout, resources: readonly GPUBindingResource[]): GPUBindGroup {
+    const entries = resources.map((resource, binding) => ({ binding, resource }));
+    return this.device.createBindGroup({ layout, entries });
+  }
+}
+
+/** Workgroups in rows, since a row is limited. */
+function dispatch(pass: GPUComputePassEncoder, groups: number): void {
+  pass.dispatchWorkgroups(Math.min(groups, ROW), Math.ceil(groups / ROW));
+}

@@ -1,0 +1,125 @@
+/** WGSL of the geometry of near leaves, and of textures' smaller levels. */
+import { LIGHT_WGSL } from '../../../shaders/light';
+import { DRAW } from './splat_shaders';
+
+export const MESHES = /* wgsl */ `
+${DRAW}
+struct Mesh {
+  // Place of the leaf's origin from the eye; least alpha that is drawn, below 0 where nothing is cut out.
+  offset: vec4<f32>,
+  base: vec4<f32>,
+  // Of light, and whether it is drawn without light.
+  emission: vec4<f32>,
+}
+
+@group(1) @binding(0) var<uniform> mesh: Mesh;
+@group(2) @binding(0) var image: texture_2d<f32>;
+@group(2) @binding(1) var glow: texture_2d<f32>;
+@group(2) @binding(2) var smooth_texels: sampler;
+${LIGHT_WGSL}
+struct Corner {
+  @builtin(position) place: vec4<f32>,
+  @location(0) point: vec3<f32>,
+  @location(1) normal: vec3<f32>,
+  @location(2) uv: vec2<f32>,
+  @location(3) color: vec3<f32>,
+}
+
+@vertex
+fn corner(
+  @location(0) position: vec3<f32>,
+  // Of length 0 where faces are flat.
+  @location(1) normal: vec3<f32>,
+  @location(2) uv: vec2<f32>,
+  @location(3) color: vec4<f32>,
+  // Rows of the matrix to metres from the leaf's origin.
+  @location(4) row_x: vec4<f32>,
+  @location(5) row_y: vec4<f32>,
+  @location(6) row_z: vec4<f32>,
+) -> Corner {
+  let at = vec4<f32>(position, 1.0);
+  var out: Corner;
+  out.point = vec3<f32>(dot(row_x, at), dot(row_y, at), dot(row_z, at)) + mesh.offset.xyz;
+  // Normals go by the cofactors of the matrix, whatever its scale and handedness.
+  let x = cross(row_y.xyz, row_z.xyz);
+  let y = cross(row_z.xyz, row_x.xyz);
+  let z = cross(row_x.xyz, row_y.xyz);
+  out.normal = vec3<f32>(dot(x, normal), dot(y, normal), dot(z, normal));
+  out.uv = uv;
+  out.color = color.rgb;
+  let gradients = draw.gradients;
+  let shown = vec3<f32>(
+    dot(gradients[0].xyz, out.point),
+    dot(gradients[1].xyz, out.point),
+    dot(gradients[2].xyz, out.point),
+  );
+  let row = shown.y - f32(draw.size.z) * shown.z;
+  // Depths are the nearest distance over that along the axis, as those of splats.
+  out.place = vec4<f32>(
+    2.0 * shown.x / f32(draw.size.x) - shown.z,
+    shown.z - 2.0 * row / f32(draw.size.y),
+    draw.nearest,
+    shown.z,
+  );
+  return out;
+}
+
+// The face's normal towards the viewer; the vertices' one on its side.
+fn shading_normal(own: Corner, face_vector: vec3<f32>) -> vec3<f32> {
+  let toward = -normalize(own.point);
+  let size = length(face_vector);
+  var face = select(toward, face_vector / size, size > 0.0);
+  face = select(face, -face, dot(face, toward) < 0.0);
+  let long_normal = length(own.normal);
+  if long_normal == 0.0 {
+    return face;
+  }
+  let n = own.normal / long_normal;
+  return select(n, -n, dot(n, face) < 0.0);
+}
+
+// The level at which a texel is as large as a pixel, by areas.
+fn level_of(texture: texture_2d<f32>, right: vec2<f32>, down: vec2<f32>) -> f32 {
+  let size = vec2<f32>(textureDimensions(texture));
+  let dx = right * size;
+  let dy = down * size;
+  return 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
+}
+
+@fragment
+fn shade(own: Corner) -> @location(0) vec4<f32> {
+  let normal = shading_normal(own, cross(dpdx(own.point), dpdy(own.point)));
+  let right = dpdx(own.uv);
+  let down = dpdy(own.uv);
+  let texel = textureSampleLevel(image, smooth_texels, own.uv, level_of(image, right, down));
+  let light = textureSampleLevel(glow, smooth_texels, own.uv, level_of(glow, right, down)).rgb;
+  let alpha = mesh.base.a * textureSampleLevel(image, smooth_texels, own.uv, 0.0).a;
+  if alpha < mesh.offset.w {
+    discard;
+  }
+  let albedo = mesh.base.rgb * own.color * texel.rgb;
+  return vec4<f32>(albedo * mix(irradiance(normal), vec3<f32>(1.0), mesh.emission.w) + mesh.emission.rgb * light, 1.0);
+}
+`;
+
+/** A level of a texture from the one before it: four texels become one. */
+export const LEVEL = /* wgsl */ `
+@group(0) @binding(0) var finer: texture_2d<f32>;
+@group(0) @binding(1) var smooth_texels: sampler;
+
+struct Corner {
+  @builtin(position) place: vec4<f32>,
+  @location(0) uv: vec2<f32>,
+}
+
+@vertex
+fn whole(@builtin(vertex_index) n: u32) -> Corner {
+  let at = vec2<f32>(f32(n & 1u) * 2.0, f32(n >> 1u) * 2.0);
+  return Corner(vec4<f32>(at.x * 2.0 - 1.0, 1.0 - at.y * 2.0, 0.0, 1.0), at);
+}
+
+@fragment
+fn level(own: Corner) -> @location(0) vec4<f32> {
+  return textureSampleLevel(finer, smooth_texels, own.uv, 0.0);
+}
+`;

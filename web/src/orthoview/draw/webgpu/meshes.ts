@@ -1,0 +1,186 @@
+/** Draws the geometry of near leaves, by the depth and the light of splats. */
+import { ROWS } from '../../../decode/placements';
+import type { Piece } from '../../decode/leaf';
+import type { Triple } from '../../store/layout';
+import type { Held } from '../drawer';
+import { MESHES } from './mesh_shaders';
+import { Room, SLOT } from './room';
+import { Textures } from './textures';
+
+/** Of samples: linear light in 8 bits of sRGB, and depths of which the greater ones are nearer. */
+export const [COLOR, DEPTH] = ['rgba8unorm-srgb', 'depth32float'] as const;
+
+/** A piece of geometry on the GPU. */
+export interface Mesh extends Held {
+  readonly origin: Triple;
+  readonly material: Piece['material'];
+  readonly pipeline: GPURenderPipeline;
+  /** Of positions, normals, texture coordinates, colours and placements. */
+  readonly buffers: readonly (GPUBuffer | null)[];
+  readonly indices: GPUBuffer;
+  readonly format: GPUIndexFormat;
+  readonly corners: number;
+  readonly copies: number;
+  readonly textures: readonly (GPUTexture | null)[];
+  readonly group: GPUBindGroup;
+}
+
+/** Formats and strides of the arrays of corners, and one more for placements. */
+const ARRAYS = [
+  { format: 'float32x3', stride: 12 },
+  { format: 'float32x3', stride: 12 },
+  { format: 'float32x2', stride: 8 },
+  { format: 'unorm16x4', stride: 8 },
+] as const;
+/** For arrays that a piece lacks: zeros for flat normals and places in images, and white behind them. */
+const [ZEROS, WHITE] = [0, 12] as const;
+
+export class Meshes {
+  readonly #module: GPUShaderModule;
+  readonly #numbersLayout: GPUBindGroupLayout;
+  readonly #texturesLayout: GPUBindGroupLayout;
+  readonly #layout: GPUPipelineLayout;
+  readonly #textures: Textures;
+  readonly #sampler: GPUSampler;
+  readonly #nothing: GPUBuffer;
+  readonly #pipelines = new Map<string, GPURenderPipeline>();
+  readonly #numbers: Room;
+
+  constructor(
+    readonly device: GPUDevice,
+    /** Of the numbers of a call. */
+    draw: GPUBindGroupLayout,
+  ) {
+    this.#module = device.createShaderModule({ label: 'meshes', code: MESHES });
+    this.#numbersLayout = device.createBindGroupLayout({
+      entries: [
+        {
+          binding: 0,
+          visibility: GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT,
+          buffer: { hasDynamicOffset: true },
+        },
+      ],
+    });
+    const visibility = GPUShaderStage.FRAGMENT;
+    this.#texturesLayout = device.createBindGroupLayout({
+      entries: [
+        { binding: 0, visibility, texture: {} },
+        { binding: 1, visibility, texture: {} },
+        { binding: 2, visibility, sampler: {} },
+      ],
+    });
+    this.#layout = device.createPipelineLayout({
+      bindGroupLayouts: [draw, this.#numbersLayout, this.#texturesLayout],
+    });
+    this.#textures = new Textures(device);
+    this.#sampler = device.createSampler({
+      addressModeU: 'repeat',
+      addressModeV: 'repeat',
+      minFilter: 'linear',
+      magFilter: 'linear',
+      mipmapFilter: 'linear',
+    });
+    this.#nothing = this.#filled(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
+    this.#numbers = new Room(device, 'meshes', GPUBufferUsage.UNIFORM);
+  }
+
+  upload(piece: Piece): Mesh {
+    const { positions, normals, uvs, colors, placements, indices } = piece;
+    const fill = (data: ArrayBufferView | null): GPUBuffer | null => data && this.#filled(data, GPUBufferUsage.VERTEX);
+    const buffers = [positions, normals, uvs, colors, placements].map(fill);
+    const images = [piece.image, piece.glow];
+    const arrays = [...buffers, this.#filled(indices, GPUBufferUsage.INDEX)];
+    let bytes = arrays.reduce((sum, buffer) => sum + (buffer?.size ?? 0), 0);
+    // Levels take a third more.
+    for (const image of images) bytes += image ? Math.ceil((16 * image.width * image.height) / 3) : 0;
+    const textures = images.map((image) => image && this.#textures.of(image));
+    return {
+      origin: piece.origin,
+      material: piece.material,
+      pipeline: this.#pipelineOf(true, normals !== null, uvs !== null, colors !== null),
+      buffers,
+      indices: arrays.at(-1) as GPUBuffer,
+      format: indices instanceof Uint16Array ? 'uint16' : 'uint32',
+      corners: indices.length,
+      copies: placements.length / ROWS,
+      textures,
+      group: this.#groupOf(textures),
+      bytes,
+    };
+  }
+
+  drop({ buffers, indices, textures }: Mesh): void {
+    for (const held of [...buffers, indices, ...textures]) held?.destroy();
+  }
+
+  /** Draw meshes for a viewer in a pass whose first group has the numbers of the call; returns their triangles. */
+  record(pass: GPURenderPassEncoder, meshes: readonly Mesh[], eye: Triple): number {
+    const numbers = new Float32Array((SLOT / 4) * meshes.length);
+    meshes.forEach((mesh, n) => numbers.set(numbersOf(mesh, eye), (SLOT / 4) * n));
+    const resource = { buffer: this.#numbers.with(numbers), size: SLOT };
+    const group = this.device.createBindGroup({
+      layout: this.#numbersLayout,
+      entries: [{ binding: 0, resource }],
+    });
+    return meshes.reduce((sum, mesh, n) => {
+      pass.setPipeline(mesh.pipeline);
+      pass.setBindGroup(1, group, [SLOT * n]);
+      pass.setBindGroup(2, mesh.group);
+      mesh.buffers.forEach((buffer, slot) => {
+        if (buffer) pass.setVertexBuffer(slot, buffer);
+        else pass.setVertexBuffer(slot, this.#nothing, slot === 3 ? WHITE : ZEROS);
+      });
+      pass.setIndexBuffer(mesh.indices, mesh.format);
+      pass.drawIndexed(mesh.corners, mesh.copies);
+      return sum + (mesh.corners / 3) * mesh.copies;
+    }, 0);
+  }
+
+  #groupOf(textures: readonly (GPUTexture | null)[]): GPUBindGroup {
+    const images = textures.map((texture, binding) => ({
+      binding,
+      resource: (texture ?? this.#textures.white).createView(),
+    }));
+    const entries = [...images, { binding: 2, resource: this.#sampler }];
+    return this.device.createBindGroup({ layout: this.#texturesLayout, entries });
+  }
+
+  /** The pipeline for pieces that have these arrays. */
+  #pipelineOf(...has: readonly boolean[]): GPURenderPipeline {
+    const name = has.join();
+    const found = this.#pipelines.get(name);
+    if (found) return found;
+    const corners = ARRAYS.map(({ format, stride }, shaderLocation) => ({
+      // A stride of 0 gives all corners the same.
+      arrayStride: has[shaderLocation] ? stride : 0,
+      attributes: [{ shaderLocation, offset: 0, format }],
+    }));
+    const rows = [0, 1, 2].map((row) => ({ shaderLocation: 4 + row, offset: 16 * row, format: 'float32x4' as const }));
+    const copies = { arrayStride: 4 * ROWS, stepMode: 'instance' as const, attributes: rows };
+    const pipeline = this.device.createRenderPipeline({
+      label: 'meshes',
+      layout: this.#layout,
+      vertex: { module: this.#module, buffers: [...corners, copies] },
+      fragment: { module: this.#module, targets: [{ format: COLOR }] },
+      depthStencil: { format: DEPTH, depthWriteEnabled: true, depthCompare: 'greater' },
+    });
+    this.#pipelines.set(name, pipeline);
+    return pipeline;
+  }
+
+  #filled(data: ArrayBufferView, usage: GPUBufferUsageFlags): GPUBuffer {
+    const size = 4 * Math.ceil(Math.max(data.byteLength, 4) / 4);
+    const buffer = this.device.createBuffer({ label: 'mesh', size, usage, mappedAtCreation: true });
+    new Uint8Array(buffer.getMappedRange()).set(new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
+    buffer.unmap();
+    return buffer;
+  }
+}
+
+/** The numbers of a mesh, as the shader reads them. */
+function numbersOf({ origin, material }: Mesh, eye: Triple): number[] {
+  const { color, cutoff, emission, isUnlit } = material;
+  // In float64: only what is near the eye is exact in float32.
+  const offset = [origin[0] - eye[0], origin[1] - eye[1], origin[2] - eye[2]];
+  return [...offset, cutoff ?? -1, ...color, ...(emission ?? [0, 0, 0]), isUnlit ? 1 : 0];
+}

@@ -1,0 +1,68 @@
+/** Where a picture's samples lie: all of them at once, or in bands of rows where they are too many. */
+import { COLOR, DEPTH } from './meshes';
+import { Room } from './room';
+import { TILE } from './splat_shaders';
+
+/** Bytes of the depths of a band's samples, and of their colours, at most. */
+const MOST = 1 << 27;
+
+/** Rows of samples. */
+export interface Band {
+  readonly number: number;
+  readonly first: number;
+  readonly rows: number;
+}
+
+/** Bands of whole pixels of a picture. */
+export function bandsOf(device: GPUDevice, width: number, height: number, grid: number): Band[] {
+  const { maxStorageBufferBindingSize, maxTextureDimension2D } = device.limits;
+  const rows = Math.min(Math.min(maxStorageBufferBindingSize, MOST) / (4 * width), maxTextureDimension2D);
+  const most = Math.max(Math.floor(rows / grid), 1) * grid;
+  return Array.from({ length: Math.ceil(height / most) }, (_, n) => ({
+    number: n,
+    first: n * most,
+    rows: Math.min(most, height - n * most),
+  }));
+}
+
+/** Tiles that cover samples. */
+export function tilesOf(width: number, rows: number): number {
+  return Math.ceil(width / TILE) * Math.ceil(rows / TILE);
+}
+
+export class Samples {
+  readonly #orders: Room;
+  readonly #colors: Room;
+  readonly #tiles: Room;
+  #textures: { readonly color: GPUTexture; readonly depth: GPUTexture } | null = null;
+
+  constructor(readonly device: GPUDevice) {
+    const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
+    [this.#orders, this.#colors, this.#tiles] = [room('orders'), room('colors'), room('tiles')];
+  }
+
+  /** The buffer that begins with the number of splats that were drawn. */
+  get counts(): GPUBuffer {
+    return this.#tiles.ofSize(0);
+  }
+
+  /** Buffers for a band of samples. */
+  buffers(width: number, rows: number): { orders: GPUBuffer; colors: GPUBuffer; tiles: GPUBuffer } {
+    const bytes = 4 * width * rows;
+    const tiles = this.#tiles.ofSize(4 * (1 + tilesOf(width, rows)));
+    return { orders: this.#orders.ofSize(bytes), colors: this.#colors.ofSize(bytes), tiles };
+  }
+
+  /** Textures that geometry is drawn into. */
+  textures(width: number, rows: number): { readonly color: GPUTexture; readonly depth: GPUTexture } {
+    const found = this.#textures;
+    if (found && found.color.width === width && found.color.height === rows) return found;
+    found?.color.destroy();
+    found?.depth.destroy();
+    const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING;
+    const made = (format: GPUTextureFormat): GPUTexture =>
+      this.device.createTexture({ label: 'samples', size: [width, rows], format, usage });
+    this.#textures = { color: made(COLOR), depth: made(DEPTH) };
+    return this.#textures;
+  }
+}

@@ -1,0 +1,399 @@
+/** WGSL of splats: they raise the samples' depths, and then those that are the nearest give their colours. */
+import { float, LIGHT_WGSL } from '../../../shaders/light';
+import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
+import { CHUNK } from './work';
+
+/** Threads of a workgroup, and workgroups in a row of a call. */
+export const [GROUP, ROW] = [64, 16384] as const;
+/** Width and height of a tile of samples whose farthest depth is known. */
+export const TILE = 16;
+/** Samples of a rectangle around a splat that one thread looks at; the whole group looks at those of larger ones. */
+const MOST = 256;
+
+/** The numbers of a call. */
+export const DRAW = /* wgsl */ `
+struct Draw {
+  // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
+  gradients: array<vec4<f32>, 3>,
+  rays: array<vec4<f32>, 3>,
+  // Width and height of the samples that are drawn, the picture's first row of them, samples along each axis of a pixel.
+  size: vec4<u32>,
+  // First job or part, number of them, number of the round.
+  work: vec4<u32>,
+  // Where the parts are listed by numbers of splats, how many there are, and number of the page.
+  parts: vec4<u32>,
+  // Metres at which depths end.
+  nearest: f32,
+}
+
+@group(0) @binding(0) var<uniform> draw: Draw;
+`;
+
+/** Draws jobs; the farthest depths of tiles. */
+export const SPLATS = /* wgsl */ `
+${DRAW}
+struct Part {
+  view: u32,
+  // Its first word in its page, number of splats, and the number of its first one among those of all parts.
+  first: u32,
+  count: u32,
+  number: u32,
+  order: u32,
+  // Columns and rows of its place in the picture, in 16 bits each: the first ones, and those after the last.
+  low: u32,
+  high: u32,
+  // Number of its page, and SEEN.
+  page: u32,
+}
+
+const SEEN = 0x80000000u;
+
+@group(0) @binding(1) var<storage, read> views: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read_write> parts: array<Part>;
+// Parts and numbers of their splats; then all parts, those of the first numbers first.
+@group(0) @binding(3) var<storage, read> jobs: array<vec2<u32>>;
+@group(0) @binding(4) var<storage, read> words: array<u32>;
+// The number of splats of parts that were drawn, then the farthest order of each tile.
+@group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
+// Bits of the samples' depths, whose order is that of floats of at least 0; LAST less the numbers of their splats, in the
+// end colours.
+@group(0) @binding(6) var<storage, read_write> orders: array<atomic<u32>>;
+@group(0) @binding(7) var<storage, read_write> colors: array<atomic<u32>>;
+${LIGHT_WGSL}
+const TILE = ${TILE}u;
+const GROUP = ${GROUP}u;
+const ROW = ${ROW}u;
+const RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
+const SQUARED_RADIUS = ${float(SQUARED_RADIUS)};
+
+struct Ellipse {
+  middle: vec2<f32>,
+  // By rows: the inverse of its axes.
+  inverse: vec4<f32>,
+  // 1/W at the middle, and its changes by a column and a row.
+  nearness: vec3<f32>,
+  // First and last columns and rows; nothing is shown if they are in the wrong order.
+  low: vec2<i32>,
+  high: vec2<i32>,
+  normal: vec3<f32>,
+  code: u32,
+}
+
+const LAST = 0x7fffffffu;
+// Marks a colour.
+const COLOR = 0x80000000u;
+
+fn column_of(view: u32, n: u32) -> vec4<f32> {
+  return views[view * ${VECTORS}u + n];
+}
+
+// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+fn disc(view: u32, own: vec3<f32>, place: f32, over: f32) -> f32 {
+  return length((own - place * draw.gradients[2].xyz) * over) * column_of(view, 2u).w;
+}
+
+fn normal_of(codes: u32, scale: f32) -> vec3<f32> {
+  let flat = vec2<f32>(f32(codes & 4095u), f32((codes >> 12u) & 4095u)) * scale - 1.0;
+  let z = 1.0 - abs(flat.x) - abs(flat.y);
+  let fold = max(-z, 0.0);
+  return normalize(vec3<f32>(flat - select(vec2<f32>(fold), vec2<f32>(-fold), flat < vec2<f32>(0.0)), z));
+}
+
+fn ellipse_of(part: Part, number: u32) -> Ellipse {
+  let at_word = part.first + 3u * number;
+  let word = vec3<u32>(words[at_word], words[at_word + 1u], words[at_word + 2u]);
+  let own = part.view;
+  let column = column_of(own, 1u);
+  let row = column_of(own, 2u);
+  let step = column_of(own, 3u).xyz;
+  let depth = f32(((word.x >> 24u) << 8u) | (word.y >> 24u)) - 0.5;
+  let at = vec3<f32>(f32(word.z & 4095u) + 0.5, f32((word.z >> 12u) & 4095u) + 0.5, depth);
+  let box_x = column_of(own, 7u);
+  let box_y = column_of(own, 8u);
+  let box_z = column_of(own, 9u);
+  let inside = vec3<f32>(dot(box_x.xyz, at) + box_x.w, dot(box_y.xyz, at) + box_y.w, dot(box_z.xyz, at) + box_z.w);
+  let start = column_of(own, 0u);
+  let function = start.xyz + at.x * column.xyz + at.y * row.xyz + at.z * step;
+  let over = 1.0 / function.z;
+  let middle = function.xy * over;
+
+  // The normal, and the depth steps by which its plane falls for each pixel.
+  var normal = normal_of(word.y, column.w);
+  let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${float(LEAST_COSINE)});
+  let u = column.xyz + dot(column_of(own, 4u).xyz, normal) * facing * step;
+  let v = row.xyz - dot(column_of(own, 5u).xyz, normal) * facing * step;
+  let is_surfel = ((word.z >> 24u) & 1u) == 1u;
+  let factor = select(0.0, select(${float(BORDER)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
+
+  var found: Ellipse;
+  found.middle = middle;
+  found.nearness = vec3<f32>(over, 0.0, 0.0);
+  // The ellipse's axes in the picture, and the changes of nearness along them.
+  let du = (u.xy - middle * u.z) * over * factor;
+  let dv = (v.xy - middle * v.z) * over * factor;
+  let slope = -vec2<f32>(u.z, v.z) * over * over * factor;
+  var half_size = vec2<f32>(0.0);
+  if is_surfel {
+    // A surfel that is seen from its edge is a line: only the sample of its middle shows it.
+    let determinant = du.x * dv.y - dv.x * du.y;
+    let is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
+    if is_flat {
+      found.inverse = vec4<f32>(1e9);
+    } else {
+      let inverse = vec4<f32>(dv.y, -dv.x, -du.y, du.x) / determinant;
+      found.inverse = inverse;
+      found.nearness.y = slope.x * inverse.x + slope.y * inverse.z;
+      found.nearness.z = slope.x * inverse.y + slope.y * inverse.w;
+      half_size = RADIUS * sqrt(vec2<f32>(du.x * du.x + dv.x * dv.x, du.y * du.y + dv.y * dv.y));
+    }
+  } else {
+    let ball = vec2<f32>(
+      disc(own, draw.gradients[0].xyz, middle.x, over),
+      disc(own, draw.gradients[1].xyz, middle.y, over),
+    );
+    found.inverse = vec4<f32>(1.0 / ball.x, 0.0, 0.0, 1.0 / ball.y);
+    half_size = RADIUS * ball;
+  }
+  let first = f32(draw.size.z);
+  let least = vec2<f32>(0.0, first);
+  let most = vec2<f32>(f32(draw.size.x), first + f32(draw.size.y)) - 1.0;
+  found.low = vec2<i32>(max(min(ceil(middle - half_size - 0.5), floor(middle)), least));
+  found.high = vec2<i32>(min(max(floor(middle + half_size - 0.5), floor(middle)), most));
+  found.code = word.x & 0xffffffu;
+  found.normal = normal;
+  // Near the eye the derivative at the middle would sweep ellipses across the picture.
+  let is_shown = function.z - RADIUS * factor * length(vec2<f32>(u.z, v.z)) >= start.w
+    && all(inside >= vec3<f32>(0.0)) && all(inside < vec3<f32>(1.0));
+  if !is_shown {
+    found.high.x = -1;
+    found.low.x = 0;
+  }
+  return found;
+}
+
+fn cover(own: Ellipse, at: vec2<i32>, number: u32) {
+  let p = vec2<f32>(at) + 0.5 - own.middle;
+  let q = vec2<f32>(dot(own.inverse.xy, p), dot(own.inverse.zw, p));
+  let is_inside = dot(q, q) <= SQUARED_RADIUS;
+  // The sample that holds a splat's middle always belongs to it.
+  if !is_inside && any(at != vec2<i32>(floor(own.middle))) {
+    return;
+  }
+  let nearness = own.nearness.x + select(0.0, dot(own.nearness.yz, p), is_inside);
+  let order = bitcast<u32>(clamp(draw.nearest * nearness, 1e-30, 1.0));
+  let sample = (u32(at.y) - draw.size.z) * draw.size.x + u32(at.x);
+  if draw.work.z == 0u {
+    atomicMax(&orders[sample], order);
+  } else if order == atomicLoad(&orders[sample]) {
+    atomicMax(&colors[sample], LAST - number);
+  }
+}
+
+fn extent_of(own: Ellipse) -> vec2<u32> {
+  return vec2<u32>(max(own.high - own.low + 1, vec2<i32>(0)));
+}
+
+// Splats of a job that cover much.
+var<workgroup> large_count: atomic<u32>;
+var<workgroup> large: array<u32, ${CHUNK}>;
+
+@compute @workgroup_size(GROUP)
+fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let number = group.y * ROW + group.x;
+  if number >= draw.work.y {
+    return;
+  }
+  let job = jobs[draw.work.x + number];
+  let part = parts[job.x];
+  let is_seen = (part.page & SEEN) != 0u;
+  let end = select(job.y, min(job.y + ${CHUNK}u, part.count), is_seen);
+  for (var n = job.y + lane; n < end; n += GROUP) {
+    let own = ellipse_of(part, n);
+    let extent = extent_of(own);
+    if extent.x * extent.y > ${MOST}u {
+      large[atomicAdd(&large_count, 1u)] = n;
+      continue;
+    }
+    for (var y = own.low.y; y <= own.high.y; y++) {
+      for (var x = own.low.x; x <= own.high.x; x++) {
+        cover(own, vec2<i32>(x, y), part.number + n);
+      }
+    }
+  }
+  workgroupBarrier();
+  for (var turn = 0u; turn < atomicLoad(&large_count); turn++) {
+    let n = large[turn];
+    let own = ellipse_of(part, n);
+    let extent = extent_of(own);
+    for (var at = lane; at < extent.x * extent.y; at += GROUP) {
+      cover(own, own.low + vec2<i32>(vec2<u32>(at % extent.x, at / extent.x)), part.number + n);
+    }
+  }
+}
+
+// Of a part, the first tile and number of tiles in which it may show.
+fn tiles_of(part: Part) -> vec4<u32> {
+  let low = vec2<u32>(part.low & 0xffffu, max(part.low >> 16u, draw.size.z) - draw.size.z);
+  let bottom = min(part.high >> 16u, draw.size.z + draw.size.y);
+  let high = vec2<u32>(part.high & 0xffffu, max(bottom, draw.size.z) - draw.size.z);
+  if any(high <= low) {
+    return vec4<u32>(0u);
+  }
+  return vec4<u32>(low / TILE, (high + TILE - 1u) / TILE - low / TILE);
+}
+
+fn tile_columns() -> u32 {
+  return (draw.size.x + TILE - 1u) / TILE;
+}
+
+var<workgroup> reached: atomic<u32>;
+
+// Whether a part is seen: it is not if it lies behind what all of its tiles show.
+@compute @workgroup_size(GROUP)
+fn seen_parts(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let number = group.y * ROW + group.x;
+  if number >= draw.work.y {
+    return;
+  }
+  let own = draw.work.x + number;
+  let part = parts[own];
+  let around = tiles_of(part);
+  for (var n = lane; n < around.z * around.w; n += GROUP) {
+    let tile = (around.y + n / around.z) * tile_columns() + around.x + n % around.z;
+    if atomicLoad(&tiles[1u + tile]) <= part.order {
+      atomicStore(&reached, 1u);
+    }
+  }
+  workgroupBarrier();
+  if lane != 0u {
+    return;
+  }
+  let is_seen = atomicLoad(&reached) == 1u;
+  parts[own].page = select(part.page & ~SEEN, part.page | SEEN, is_seen);
+  if is_seen && draw.work.z == 0u {
+    atomicAdd(&tiles[0], part.count);
+  }
+}
+
+// Number of the part that has a splat.
+fn part_of(splat: u32) -> u32 {
+  var low = 0u;
+  var high = draw.parts.y;
+  while high - low > 1u {
+    let middle = (low + high) / 2u;
+    if parts[jobs[draw.parts.x + middle].x].number <= splat {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return jobs[draw.parts.x + low].x;
+}
+
+// Light on the splats that samples show, as far as they lie in this page.
+@compute @workgroup_size(GROUP)
+fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let sample = (group.y * ROW + group.x) * GROUP + lane;
+  if sample >= draw.size.x * draw.size.y {
+    return;
+  }
+  let code = atomicLoad(&colors[sample]);
+  if code == 0u || (code & COLOR) != 0u {
+    return;
+  }
+  let part = parts[part_of(LAST - code)];
+  if (part.page & ~SEEN) != draw.parts.z {
+    return;
+  }
+  let own = ellipse_of(part, LAST - code - part.number);
+  // A view sees the insides of what a cell's side cuts open: normals are turned towards the viewer.
+  let ray = draw.rays[0].xyz + own.middle.x * draw.rays[1].xyz + own.middle.y * draw.rays[2].xyz;
+  let normal = select(own.normal, -own.normal, dot(own.normal, ray) > 0.0);
+  let albedo = linear_of(vec3<f32>(vec3<u32>(own.code, own.code >> 8u, own.code >> 16u) & vec3<u32>(255u)) / 255.0);
+  let bits = vec3<u32>(srgb_of(albedo * irradiance(normal)) * 1023.0 + 0.5);
+  atomicStore(&colors[sample], COLOR | (bits.x << 20u) | (bits.y << 10u) | bits.z);
+}
+
+var<workgroup> farthest: atomic<u32>;
+
+@compute @workgroup_size(GROUP)
+fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let number = group.y * ROW + group.x;
+  let rows = (draw.size.y + TILE - 1u) / TILE;
+  if number >= tile_columns() * rows {
+    return;
+  }
+  if lane == 0u {
+    atomicStore(&farthest, 0xffffffffu);
+  }
+  workgroupBarrier();
+  let first = vec2<u32>(number % tile_columns(), number / tile_columns()) * TILE;
+  var least = 0xffffffffu;
+  for (var n = lane; n < TILE * TILE; n += GROUP) {
+    let at = first + vec2<u32>(n % TILE, n / TILE);
+    if all(at < draw.size.xy) {
+      least = min(least, atomicLoad(&orders[at.y * draw.size.x + at.x]));
+    }
+  }
+  atomicMin(&farthest, least);
+  workgroupBarrier();
+  if lane == 0u {
+    atomicStore(&tiles[1u + number], atomicLoad(&farthest));
+  }
+}
+`;
+
+/** What geometry left, as where splats begin. */
+export const BEGIN = /* wgsl */ `
+${DRAW}
+@group(0) @binding(1) var depths: texture_depth_2d;
+@group(0) @binding(2) var<storage, read_write> orders: array<u32>;
+
+@compute @workgroup_size(${GROUP})
+fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+  let sample = (group.y * ${ROW}u + group.x) * ${GROUP}u + lane;
+  if sample >= draw.size.x * draw.size.y {
+    return;
+  }
+  let at = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
+  orders[sample] = bitcast<u32>(textureLoad(depths, at, 0));
+}
+`;
+
+/** The mean of a pixel's samples in linear light, before the sky of docs/render.md. */
+export const RESOLVE = /* wgsl */ `
+${DRAW}
+@group(0) @binding(1) var geometry: texture_2d<f32>;
+@group(0) @binding(2) var<storage, read> orders: array<u32>;
+@group(0) @binding(3) var<storage, read> colors: array<u32>;
+${LIGHT_WGSL}
+@vertex
+fn whole(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
+  return vec4<f32>(f32(n & 1u) * 4.0 - 1.0, f32(n >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+@fragment
+fn resolve(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
+  let grid = draw.size.w;
+  let first = vec2<u32>(place.xy) * grid;
+  var sum = vec3<f32>(0.0);
+  for (var row = 0u; row < grid; row++) {
+    for (var column = 0u; column < grid; column++) {
+      let at = first + vec2<u32>(column, row);
+      let own = vec2<u32>(at.x, at.y - draw.size.z);
+      let sample = own.y * draw.size.x + own.x;
+      let code = colors[sample];
+      if code != 0u {
+        let bits = vec3<u32>(code >> 20u, code >> 10u, code) & vec3<u32>(1023u);
+        sum += linear_of(vec3<f32>(bits) / 1023.0);
+      } else if orders[sample] != 0u {
+        sum += textureLoad(geometry, own, 0).rgb;
+      } else {
+        let middle = vec2<f32>(at) + 0.5;
+        sum += background(normalize(draw.rays[0].xyz + middle.x * draw.rays[1].xyz + middle.y * draw.rays[2].xyz));
+      }
+    }
+  }
+  return vec4<f32>(srgb_of(sum / f32(grid * grid)), 1.0);
+}
+`;

@@ -1,0 +1,171 @@
+/** A picture's work as numbers for the shaders: views, their parts, and which parts are drawn by which call. */
+import { type Part, WORDS } from '../../decode/pack';
+import {
+  isIn,
+  type Model,
+  type Projector,
+  rowsOf,
+  type Seen as Place,
+  seenOf,
+  sightOf,
+  VECTORS,
+  writeView,
+} from '../../splats/sight';
+import type { Layout } from '../../store/layout';
+import type { Item } from '../drawer';
+
+/** Splats that a workgroup draws. */
+export const CHUNK = 256;
+/** Numbers of 32 bits of a part. */
+export const PART = 8;
+/** Shares of a picture's splats that are drawn before tiles are looked at again; the last call draws the rest. */
+const BATCHES = [1 / 16, 1 / 8, 1 / 4, 1 / 2] as const;
+
+/** A layer of a view in a page of words. */
+export interface Placed<Page> {
+  readonly model: Model;
+  readonly parts: readonly Part[];
+  readonly page: Page;
+  /** Its first word in the page. */
+  readonly first: number;
+}
+
+/** Numbers [first, first + count). */
+export interface Span {
+  readonly first: number;
+  readonly count: number;
+}
+
+/** Parts whose splats lie in one page, and their jobs. */
+export interface Call<Page> {
+  readonly page: Page;
+  readonly parts: Span;
+  readonly jobs: Span;
+  /** Whether a batch begins with it. */
+  readonly begins: boolean;
+}
+
+export interface Work<Page> {
+  readonly views: Float32Array<ArrayBuffer>;
+  /** As the shaders have them, in the order of the calls. */
+  readonly parts: Uint32Array<ArrayBuffer>;
+  /** Of each workgroup: part, and number of its first splat. Behind them all parts, those of the first splats first. */
+  readonly jobs: Uint32Array<ArrayBuffer>;
+  readonly listed: Span;
+  readonly pages: readonly Page[];
+  readonly calls: readonly Call<Page>[];
+  readonly splats: number;
+}
+
+interface Seen<Page> {
+  /** Number of its view, its first word, and that of its first splat among those of all parts. */
+  readonly view: number;
+  readonly first: number;
+  readonly number: number;
+  readonly count: number;
+  readonly place: Place;
+  readonly page: Page;
+}
+
+/** The work of a picture, nearest parts first, whose depths are `nearest` times their nearness. */
+export function workOf<Page>(
+  items: readonly Item<Placed<Page>>[],
+  projector: Projector,
+  layout: Layout,
+  nearest: number,
+): Work<Page> {
+  const views: number[] = [];
+  const seen: Seen<Page>[] = [];
+  const numbers = new Float32Array(4 * VECTORS);
+  let number = 0;
+  for (const { layer, box } of items) {
+    const sight = sightOf(layer.model, projector);
+    const rows = rowsOf(layer.model, layout, box);
+    const view = views.length / (4 * VECTORS);
+    const before = seen.length;
+    for (const part of layer.parts) {
+      const place = seenOf(sight, part, projector.width, projector.height);
+      if (!place || (box && !isIn(rows, part))) continue;
+      const { count } = part;
+      seen.push({ view, first: layer.first + WORDS * part.first, number, count, place, page: layer.page });
+      number += count;
+    }
+    if (seen.length === before) continue;
+    writeView(numbers, layer.model, sight, rows);
+    views.push(...numbers);
+  }
+  return { views: new Float32Array(views), splats: number, ...sharedOut(seen, number, nearest) };
+}
+
+const [FLOATS, BITS] = ((buffer) => [new Float32Array(buffer), new Uint32Array(buffer)] as const)(new ArrayBuffer(4));
+
+/** Bits of the float32 above a depth, whose order is that of depths of at least 0. */
+function orderOf(depth: number): number {
+  FLOATS[0] = depth;
+  return (BITS[0] as number) + (Number.isFinite(depth) ? 1 : 0);
+}
+
+/** Parts, jobs and calls; `seen` comes in the order of the splats' numbers. */
+function sharedOut<Page>(
+  seen: readonly Seen<Page>[],
+  splats: number,
+  nearest: number,
+): Omit<Work<Page>, 'views' | 'splats'> {
+  const sorted = [...seen].sort((one, other) => compared(other.place.nearness, one.place.nearness));
+  const pages = [...new Set(seen.map(({ page }) => page))];
+  const parts = new Uint32Array(PART * seen.length);
+  const places = new Map<Seen<Page>, number>();
+  const jobs: number[] = [];
+  const calls: Call<Page>[] = [];
+  for (const batch of batchesOf(sorted, splats)) {
+    let begins = true;
+    for (const page of pages) {
+      const own = batch.filter((part) => part.page === page);
+      if (own.length === 0) continue;
+      const [firstPart, firstJob] = [places.size, jobs.length / 2];
+      for (const part of own) {
+        const at = places.size;
+        parts.set(numbersOf(part, pages.indexOf(page), nearest), PART * at);
+        for (let start = 0; start < part.count; start += CHUNK) jobs.push(at, start);
+        places.set(part, at);
+      }
+      const count = jobs.length / 2 - firstJob;
+      calls.push({ page, begins, parts: { first: firstPart, count: own.length }, jobs: { first: firstJob, count } });
+      begins = false;
+    }
+  }
+  const listed = { first: jobs.length / 2, count: seen.length };
+  for (const part of seen) jobs.push(places.get(part) as number, 0);
+  return { parts, jobs: new Uint32Array(jobs), listed, pages, calls };
+}
+
+/** As comparisons tell, also for infinite numbers. */
+function compared(one: number, other: number): number {
+  return Number(one > other) - Number(one < other);
+}
+
+/** A part as the shaders have it. */
+function numbersOf<Page>({ view, first, number, count, place }: Seen<Page>, page: number, nearest: number): number[] {
+  const { low, high, nearness } = place;
+  const order = orderOf(nearest * nearness);
+  return [view, first, count, number, order, low[0] | (low[1] << 16), high[0] | (high[1] << 16), page];
+}
+
+/** Parts in batches, each of which has about as many splats as all before it. */
+export function batchesOf<Each extends { readonly count: number }>(
+  parts: readonly Each[],
+  splats: number,
+): readonly (readonly Each[])[] {
+  const batches: Each[][] = [];
+  let [batch, drawn, next]: [Each[], number, number] = [[], 0, 0];
+  for (const part of parts) {
+    batch.push(part);
+    drawn += part.count;
+    if (next >= BATCHES.length || drawn < splats * (BATCHES[next] as number)) continue;
+    while (next < BATCHES.length && drawn >= splats * (BATCHES[next] as number)) next += 1;
+    batches.push(batch);
+    batch = [];
+  }
+  if (batch.length > 0) batches.push(batch);
+  return batches;
+}
