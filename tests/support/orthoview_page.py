@@ -58,15 +58,15 @@ def cases_of(tree: nf.orthoview.OrthoTree, some: Sequence[nf.Camera]) -> list[di
     found = []
     for number, camera in enumerate(some):
         views, error, around = 1 + number % 4, (0.5, 1.0, 2.0)[number % 3], number % 5 == 0
-        geometry = number % 2 == 0
-        cut = tree.cut(camera, views=views, error_px=error, geometry=geometry, around=around)
+        geometry, lift = number % 2 == 0, (0.0, 30.0, 75.0)[number % 7 % 3]
+        cut = tree.cut(camera, views=views, error_px=error, geometry=geometry, around=around, lift_deg=lift)
         directions = [[n for n in row if n >= 0] for row in cut.directions.tolist()]
         rows = zip(cut.level, cut.place, cut.distance, cut.in_picture, directions, strict=True)
         cells = [[int(a), b.tolist(), float(c), bool(d), e] for a, b, c, d, e in rows]
         leaf_rows = zip(cut.leaves, cut.leaf_distance, cut.leaf_in_picture, strict=True)
         leaves = [[a.tolist(), float(b), bool(c)] for a, b, c in leaf_rows]
         files = tree._viewer.cutter.with_guests(cut.leaf_places())
-        settings = {"views": views, "error": error, "around": around, "geometry": geometry}
+        settings = {"views": views, "error": error, "around": around, "geometry": geometry, "lift": lift}
         near = {"leaves": leaves, "files": files}
         found.append({"camera": camera_of(camera), **settings, "reach": cut.reach, "cells": cells, **near})
     return found

@@ -16,6 +16,7 @@ interface Case {
   readonly error: number;
   readonly around: boolean;
   readonly geometry: boolean;
+  readonly lift: number;
   readonly reach: number;
   /** Level, place, distance, whether it is in the picture, and directions of each cell. */
   readonly cells: readonly (readonly [number, Triple, number, boolean, readonly number[]])[];
@@ -50,10 +51,10 @@ type Opened = Awaited<ReturnType<typeof opened>>;
 
 async function whole(
   { records, cells, shards }: Opened,
-  { camera, views, error, around, geometry }: Case,
+  { camera, views, error, around, geometry, lift }: Case,
 ): Promise<Cut> {
   for (;;) {
-    const found = cut(cells, camera, { views, error, isAround: around, geometry });
+    const found = cut(cells, camera, { views, error, isAround: around, geometry, lift });
     for (const { tier, place } of found.unknown) {
       const subtree = await records.subtree(tier, place);
       cells.add(subtree);

@@ -62,6 +62,7 @@ function main(): void {
     views: number(query, 'views', 3, 1, 8),
     error: number(query, 'error', 1, 0.1, 64),
     geometry: query.get('geometry') !== '0',
+    lift: number(query, 'lift', 0, 0, 90),
     grid: Math.round(Math.sqrt(number(query, 'samples', 1, 1, 16))),
     graphics: graphicsOf(query.get('graphics')),
     bytes: number(query, 'megabytes', (isSmall ? BYTES / 4 : BYTES) >> 20, 1, 1 << 14) * 2 ** 20,

@@ -4,6 +4,7 @@ import { type Camera, dot, pixelSize, unit } from './camera';
 import { type Cells, childrenOf } from './cells';
 import { frameOf, widest } from './directions';
 import { frustumOf, type Side, sideOf } from './frustum';
+import { liftOf } from './lift';
 
 export interface Settings {
   /** Number of views of a cell: those whose directions are nearest to the viewer's. */
@@ -14,6 +15,8 @@ export interface Settings {
   readonly isAround: boolean;
   /** Whether leaves so near that their views are too coarse are drawn as geometry, where the tree has it. */
   readonly geometry: boolean;
+  /** Degrees by which the viewer's direction is raised before a cell's views are chosen. */
+  readonly lift: number;
 }
 
 /** A cell that is drawn. */
@@ -45,6 +48,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const reach = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
   const units = layout.directions.map((direction) => frameOf(direction).axes[2]);
+  const lifted = liftOf(settings.lift);
   const [drawn, leaves]: [Drawn[], Drawn[]] = [[], []];
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
@@ -57,8 +61,10 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     if (mask === 0 || (lies === 'outside' && !settings.isAround)) return;
     const distance = distanceOf(camera.position, corner, side);
     const found = { level, place, distance, isInPicture: lies !== 'outside' };
-    const draw = (list: Drawn[]): number =>
-      list.push({ ...found, directions: nearest(units, camera.position, center, mask, settings.views) });
+    const draw = (list: Drawn[]): void => {
+      const toward = towardOf(camera.position, center);
+      list.push({ ...found, directions: nearest(units, lifted(toward), toward, mask, settings.views) });
+    };
     if (distance >= reach * 2 ** level) draw(drawn);
     else if (level === 0 && hasGeometry) {
       draw(leaves);
@@ -110,14 +116,21 @@ function distanceOf(eye: Triple, corner: Triple, side: number): number {
   return Math.sqrt(dot(along, along));
 }
 
-/** Of the directions of a mask those nearest to the viewer's; of equally near ones the first. */
-function nearest(units: readonly Triple[], eye: Triple, center: Triple, mask: number, most: number): number[] {
-  const toward = unit([eye[0] - center[0], eye[1] - center[1], eye[2] - center[2]]);
+/** The direction from a cell's middle to the viewer. */
+function towardOf(eye: Triple, center: Triple): Triple {
+  return unit([eye[0] - center[0], eye[1] - center[1], eye[2] - center[2]]);
+}
+
+/**
+ * Of the directions of a mask those nearest to the raised one. All that are equally high are equally near to the zenith:
+ * then those nearest to the viewer's own direction; of equally near ones the first.
+ */
+function nearest(units: readonly Triple[], raised: Triple, toward: Triple, mask: number, most: number): number[] {
   const shown = units
-    .map((axis, number) => ({ number, cosine: dot(axis, toward) }))
+    .map((axis, number) => ({ number, cosine: dot(axis, raised), own: dot(axis, toward) }))
     .filter(({ number }) => (mask >>> number) & 1);
   return shown
-    .sort((one, other) => other.cosine - one.cosine)
+    .sort((one, other) => other.cosine - one.cosine || other.own - one.own)
     .slice(0, most)
     .map(({ number }) => number);
 }

@@ -31,6 +31,8 @@ export interface ViewerSettings {
   readonly error: number;
   /** Whether leaves that are nearer than their views are fine are drawn as geometry. */
   readonly geometry: boolean;
+  /** Degrees by which directions are raised before views are chosen. */
+  readonly lift: number;
   /** Samples along each axis of a pixel. */
   readonly grid: number;
   /** What draws; null for what is there. */
@@ -193,8 +195,8 @@ export class Viewer {
   }
 
   #look(camera: Camera): void {
-    const { views, error, geometry } = this.#settings;
-    const settings: Settings = { views, error, isAround: false, geometry };
+    const { views, error, geometry, lift } = this.#settings;
+    const settings: Settings = { views, error, isAround: false, geometry, lift };
     [this.#isAsked, this.#isStale] = [true, false];
     this.#tell({ kind: 'look', camera, settings });
   }
