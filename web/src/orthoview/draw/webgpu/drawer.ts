@@ -35,7 +35,7 @@ interface Picture {
   readonly bound: GPUBufferBinding;
   readonly views: GPUBuffer;
   readonly parts: GPUBuffer;
-  readonly jobs: GPUBuffer;
+  readonly listed: GPUBuffer;
   readonly target: GPUTextureView;
 }
 
@@ -48,7 +48,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   readonly #numbers: Room;
   readonly #views: Room;
   readonly #parts: Room;
-  readonly #jobs: Room;
+  readonly #listed: Room;
   /** Stands for the geometry of pictures that have none. */
   readonly #nothing: GPUTexture;
   #done: Promise<void> = Promise.resolve();
@@ -73,7 +73,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     this.#samples = new Samples(device);
     this.#numbers = new Room(device, 'calls', GPUBufferUsage.UNIFORM);
     const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE);
-    [this.#views, this.#parts, this.#jobs] = [room('views'), room('parts'), room('jobs')];
+    [this.#views, this.#parts, this.#listed] = [room('views'), room('parts'), room('listed')];
     this.#nothing = device.createTexture({ size: [1, 1], format: COLOR, usage: GPUTextureUsage.TEXTURE_BINDING });
     void device.lost.then(({ message, reason }) => reason !== 'destroyed' && failed(`the graphics are gone: ${message}`));
     device.onuncapturederror = ({ error }): void => failed(`the graphics cannot go on: ${error.message}`);
@@ -101,17 +101,17 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     const nearest = nearestOf(items, meshes.length > 0);
     const work = workOf(items, projector, this.layout, nearest);
     const bands = bandsOf(this.device, projector.width, projector.height, grid);
-    const calls = bands.length * (1 + 6 * work.calls.length + work.pages.length);
+    const calls = bands.length * (1 + 4 * work.calls.length + work.pages.length);
     const picture: Picture = {
       meshes,
       projector,
       grid,
       work,
-      numbers: new Numbers({ projector, grid, nearest, listed: work.listed }, calls),
+      numbers: new Numbers({ projector, grid, nearest, parts: work.listed.length }, calls),
       bound: { buffer: this.#numbers.ofSize(SLOT * calls), size: SLOT },
       views: this.#views.with(work.views),
       parts: this.#parts.with(work.parts),
-      jobs: this.#jobs.with(work.jobs),
+      listed: this.#listed.with(work.listed),
       target: this.#context.getCurrentTexture().createView(),
     };
     const encoder = this.device.createCommandEncoder();
@@ -182,13 +182,13 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   /** First the nearest parts, so that others behind them are left out; then the splats that are seen, and their light. */
   #drawSplats(
     encoder: GPUCommandEncoder,
-    { projector, work, numbers, bound, views, parts, jobs }: Picture,
+    { projector, work, numbers, bound, views, parts, listed }: Picture,
     band: Band,
     found: readonly GPUBindingResource[],
   ): void {
     const groups = new Map<Page, GPUBindGroup>();
     for (const page of work.pages) {
-      const given = [views, parts, jobs, page.buffer].map((buffer) => ({ buffer }));
+      const given = [views, parts, listed, page.buffer].map((buffer) => ({ buffer }));
       groups.set(page, this.#group(this.#kernels.work, [bound, ...given, ...found]));
     }
     const pass = encoder.beginComputePass({ label: 'splats' });
@@ -197,13 +197,12 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
       pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, called)]);
       dispatch(pass, count);
     };
-    const { seen, splats, tiles, shade } = this.#kernels;
-    const count = tilesOf(projector.width, band.rows);
+    const { splats, tiles, shade } = this.#kernels;
+    const groupsOfTiles = Math.ceil(tilesOf(projector.width, band.rows) / GROUP);
     for (const round of [0, 1]) {
       for (const [n, each] of work.calls.entries()) {
-        if (each.begins && (round === 0 || n === 0)) call(tiles, each.page, count, {});
-        call(seen, each.page, each.parts.count, { span: each.parts, round });
-        call(splats, each.page, each.jobs.count, { span: each.jobs, round });
+        if (each.begins && (round === 0 || n === 0)) call(tiles, each.page, groupsOfTiles, {});
+        call(splats, each.page, each.count, { first: each.first, count: each.count, round });
       }
     }
     const groupsOfSamples = Math.ceil((projector.width * band.rows) / GROUP);

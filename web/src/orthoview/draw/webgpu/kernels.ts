@@ -7,7 +7,6 @@ export interface Kernels {
   readonly work: GPUBindGroupLayout;
   readonly begun: GPUBindGroupLayout;
   readonly resolved: GPUBindGroupLayout;
-  readonly seen: GPUComputePipeline;
   readonly splats: GPUComputePipeline;
   readonly tiles: GPUComputePipeline;
   readonly shade: GPUComputePipeline;
@@ -29,7 +28,7 @@ export function kernelsOf(device: GPUDevice, format: GPUTextureFormat): Kernels 
   const read = { buffer: { type: 'read-only-storage' as const } };
   const write = { buffer: { type: 'storage' as const } };
   const draw = layoutOf(VERTEX | FRAGMENT, []);
-  const work = layoutOf(COMPUTE, [read, write, read, read, write, write, write]);
+  const work = layoutOf(COMPUTE, [read, read, read, read, write, write, write]);
   const begun = layoutOf(COMPUTE, [{ texture: { sampleType: 'depth' } }, write]);
   const resolved = layoutOf(FRAGMENT, [{ texture: { sampleType: 'unfilterable-float' } }, read, read]);
   const moduleOf = (label: string, code: string): GPUShaderModule => device.createShaderModule({ label, code });
@@ -45,7 +44,6 @@ export function kernelsOf(device: GPUDevice, format: GPUTextureFormat): Kernels 
     work,
     begun,
     resolved,
-    seen: computed(work, splats, 'seen_parts'),
     splats: computed(work, splats, 'splats'),
     tiles: computed(work, splats, 'farthest_of_tiles'),
     shade: computed(work, splats, 'shade'),

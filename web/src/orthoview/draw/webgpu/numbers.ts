@@ -2,7 +2,6 @@
 import type { Projector } from '../../splats/sight';
 import { SLOT } from './room';
 import type { Band } from './samples';
-import type { Span } from './work';
 
 /** What is the same for all calls. */
 export interface Common {
@@ -11,18 +10,18 @@ export interface Common {
   readonly grid: number;
   /** Metres at which depths end. */
   readonly nearest: number;
-  /** Where the parts are listed. */
-  readonly listed: Span;
+  /** Number of all parts. */
+  readonly parts: number;
 }
 
 export interface Called {
-  readonly span?: Span;
+  /** Parts [first, first + count). */
+  readonly first?: number;
+  readonly count?: number;
   readonly round?: number;
   /** Number of the page. */
   readonly page?: number;
 }
-
-const NOTHING: Span = { first: 0, count: 0 };
 
 export class Numbers {
   readonly #data: ArrayBuffer;
@@ -41,15 +40,15 @@ export class Numbers {
   }
 
   /** Add a call; returns where its numbers lie. */
-  put(band: Band, { span = NOTHING, round = 0, page = 0 }: Called): number {
-    const { projector, grid, nearest, listed } = this.common;
+  put(band: Band, { first = 0, count = 0, round = 0, page = 0 }: Called): number {
+    const { projector, grid, nearest, parts } = this.common;
     const at = SLOT * this.#used;
     const floats = new Float32Array(this.#data, at, SLOT / 4);
     [...projector.rows, ...projector.rays].forEach((vector, n) => floats.set(vector, 4 * n));
     new Uint32Array(this.#data, at + 96, 12).set([
       ...[projector.width, band.rows, band.first, grid],
-      ...[span.first, span.count, round, 0],
-      ...[listed.first, listed.count, page, 0],
+      ...[first, count, round, 0],
+      ...[parts, page, 0, 0],
     ]);
     floats[36] = nearest;
     this.#used += 1;

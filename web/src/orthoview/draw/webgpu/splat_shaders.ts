@@ -1,7 +1,6 @@
 /** WGSL of splats: they raise the samples' depths, and then those that are the nearest give their colours. */
 import { float, LIGHT_WGSL } from '../../../shaders/light';
 import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
-import { CHUNK } from './work';
 
 /** Threads of a workgroup, and workgroups in a row of a call. */
 export const [GROUP, ROW] = [64, 16384] as const;
@@ -18,10 +17,10 @@ struct Draw {
   rays: array<vec4<f32>, 3>,
   // Width and height of the samples that are drawn, the picture's first row of them, samples along each axis of a pixel.
   size: vec4<u32>,
-  // First job or part, number of them, number of the round.
+  // First part, number of them, number of the round.
   work: vec4<u32>,
-  // Where the parts are listed by numbers of splats, how many there are, and number of the page.
-  parts: vec4<u32>,
+  // Number of all parts, number of the page.
+  all: vec4<u32>,
   // Metres at which depths end.
   nearest: f32,
 }
@@ -42,18 +41,15 @@ struct Part {
   // Columns and rows of its place in the picture, in 16 bits each: the first ones, and those after the last.
   low: u32,
   high: u32,
-  // Number of its page, and SEEN.
   page: u32,
 }
 
-const SEEN = 0x80000000u;
-
 @group(0) @binding(1) var<storage, read> views: array<vec4<f32>>;
-@group(0) @binding(2) var<storage, read_write> parts: array<Part>;
-// Parts and numbers of their splats; then all parts, those of the first numbers first.
-@group(0) @binding(3) var<storage, read> jobs: array<vec2<u32>>;
+@group(0) @binding(2) var<storage, read> parts: array<Part>;
+// All parts, those of the first splats first.
+@group(0) @binding(3) var<storage, read> listed: array<u32>;
 @group(0) @binding(4) var<storage, read> words: array<u32>;
-// The number of splats of parts that were drawn, then the farthest order of each tile.
+// The number of splats of parts that are seen, then the farthest order of each tile.
 @group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
 // Bits of the samples' depths, whose order is that of floats of at least 0; LAST less the numbers of their splats, in the
 // end colours.
@@ -63,6 +59,8 @@ ${LIGHT_WGSL}
 const TILE = ${TILE}u;
 const GROUP = ${GROUP}u;
 const ROW = ${ROW}u;
+// Splats between which a workgroup looks at those that cover much.
+const TURN = 1024u;
 const RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
 const SQUARED_RADIUS = ${float(SQUARED_RADIUS)};
 
@@ -193,44 +191,6 @@ fn extent_of(own: Ellipse) -> vec2<u32> {
   return vec2<u32>(max(own.high - own.low + 1, vec2<i32>(0)));
 }
 
-// Splats of a job that cover much.
-var<workgroup> large_count: atomic<u32>;
-var<workgroup> large: array<u32, ${CHUNK}>;
-
-@compute @workgroup_size(GROUP)
-fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-  let number = group.y * ROW + group.x;
-  if number >= draw.work.y {
-    return;
-  }
-  let job = jobs[draw.work.x + number];
-  let part = parts[job.x];
-  let is_seen = (part.page & SEEN) != 0u;
-  let end = select(job.y, min(job.y + ${CHUNK}u, part.count), is_seen);
-  for (var n = job.y + lane; n < end; n += GROUP) {
-    let own = ellipse_of(part, n);
-    let extent = extent_of(own);
-    if extent.x * extent.y > ${MOST}u {
-      large[atomicAdd(&large_count, 1u)] = n;
-      continue;
-    }
-    for (var y = own.low.y; y <= own.high.y; y++) {
-      for (var x = own.low.x; x <= own.high.x; x++) {
-        cover(own, vec2<i32>(x, y), part.number + n);
-      }
-    }
-  }
-  workgroupBarrier();
-  for (var turn = 0u; turn < atomicLoad(&large_count); turn++) {
-    let n = large[turn];
-    let own = ellipse_of(part, n);
-    let extent = extent_of(own);
-    for (var at = lane; at < extent.x * extent.y; at += GROUP) {
-      cover(own, own.low + vec2<i32>(vec2<u32>(at % extent.x, at / extent.x)), part.number + n);
-    }
-  }
-}
-
 // Of a part, the first tile and number of tiles in which it may show.
 fn tiles_of(part: Part) -> vec4<u32> {
   let low = vec2<u32>(part.low & 0xffffu, max(part.low >> 16u, draw.size.z) - draw.size.z);
@@ -247,16 +207,19 @@ fn tile_columns() -> u32 {
 }
 
 var<workgroup> reached: atomic<u32>;
+var<workgroup> is_seen: u32;
+// Splats that cover much.
+var<workgroup> large_count: atomic<u32>;
+var<workgroup> large: array<u32, TURN>;
 
-// Whether a part is seen: it is not if it lies behind what all of its tiles show.
+// A workgroup draws a part, if it does not lie behind what all of its tiles show.
 @compute @workgroup_size(GROUP)
-fn seen_parts(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
   let number = group.y * ROW + group.x;
   if number >= draw.work.y {
     return;
   }
-  let own = draw.work.x + number;
-  let part = parts[own];
+  let part = parts[draw.work.x + number];
   let around = tiles_of(part);
   for (var n = lane; n < around.z * around.w; n += GROUP) {
     let tile = (around.y + n / around.z) * tile_columns() + around.x + n % around.z;
@@ -265,29 +228,60 @@ fn seen_parts(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation
     }
   }
   workgroupBarrier();
-  if lane != 0u {
+  if lane == 0u {
+    is_seen = atomicLoad(&reached);
+    if is_seen == 1u && draw.work.z == 0u {
+      atomicAdd(&tiles[0], part.count);
+    }
+  }
+  if workgroupUniformLoad(&is_seen) == 0u {
     return;
   }
-  let is_seen = atomicLoad(&reached) == 1u;
-  parts[own].page = select(part.page & ~SEEN, part.page | SEEN, is_seen);
-  if is_seen && draw.work.z == 0u {
-    atomicAdd(&tiles[0], part.count);
+  for (var first = 0u; first < part.count; first += TURN) {
+    let end = min(first + TURN, part.count);
+    for (var n = first + lane; n < end; n += GROUP) {
+      let own = ellipse_of(part, n);
+      let extent = extent_of(own);
+      if extent.x * extent.y > ${MOST}u {
+        large[atomicAdd(&large_count, 1u)] = n;
+        continue;
+      }
+      for (var y = own.low.y; y <= own.high.y; y++) {
+        for (var x = own.low.x; x <= own.high.x; x++) {
+          cover(own, vec2<i32>(x, y), part.number + n);
+        }
+      }
+    }
+    workgroupBarrier();
+    let count = atomicLoad(&large_count);
+    for (var turn = 0u; turn < count; turn++) {
+      let n = large[turn];
+      let own = ellipse_of(part, n);
+      let extent = extent_of(own);
+      for (var at = lane; at < extent.x * extent.y; at += GROUP) {
+        cover(own, own.low + vec2<i32>(vec2<u32>(at % extent.x, at / extent.x)), part.number + n);
+      }
+    }
+    workgroupBarrier();
+    if lane == 0u {
+      atomicStore(&large_count, 0u);
+    }
   }
 }
 
 // Number of the part that has a splat.
 fn part_of(splat: u32) -> u32 {
   var low = 0u;
-  var high = draw.parts.y;
+  var high = draw.all.x;
   while high - low > 1u {
     let middle = (low + high) / 2u;
-    if parts[jobs[draw.parts.x + middle].x].number <= splat {
+    if parts[listed[middle]].number <= splat {
       low = middle;
     } else {
       high = middle;
     }
   }
-  return jobs[draw.parts.x + low].x;
+  return listed[low];
 }
 
 // Light on the splats that samples show, as far as they lie in this page.
@@ -302,7 +296,7 @@ fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     return;
   }
   let part = parts[part_of(LAST - code)];
-  if (part.page & ~SEEN) != draw.parts.z {
+  if part.page != draw.all.y {
     return;
   }
   let own = ellipse_of(part, LAST - code - part.number);
@@ -314,32 +308,23 @@ fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
   atomicStore(&colors[sample], COLOR | (bits.x << 20u) | (bits.y << 10u) | bits.z);
 }
 
-var<workgroup> farthest: atomic<u32>;
-
+// A thread looks at all samples of a tile: there are few, and groups that wait for one another take longer.
 @compute @workgroup_size(GROUP)
 fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-  let number = group.y * ROW + group.x;
+  let number = (group.y * ROW + group.x) * GROUP + lane;
   let rows = (draw.size.y + TILE - 1u) / TILE;
   if number >= tile_columns() * rows {
     return;
   }
-  if lane == 0u {
-    atomicStore(&farthest, 0xffffffffu);
-  }
-  workgroupBarrier();
   let first = vec2<u32>(number % tile_columns(), number / tile_columns()) * TILE;
-  var least = 0xffffffffu;
-  for (var n = lane; n < TILE * TILE; n += GROUP) {
-    let at = first + vec2<u32>(n % TILE, n / TILE);
-    if all(at < draw.size.xy) {
-      least = min(least, atomicLoad(&orders[at.y * draw.size.x + at.x]));
+  let end = min(first + TILE, draw.size.xy);
+  var farthest = 0xffffffffu;
+  for (var y = first.y; y < end.y; y++) {
+    for (var x = first.x; x < end.x; x++) {
+      farthest = min(farthest, atomicLoad(&orders[y * draw.size.x + x]));
     }
   }
-  atomicMin(&farthest, least);
-  workgroupBarrier();
-  if lane == 0u {
-    atomicStore(&tiles[1u + number], atomicLoad(&farthest));
-  }
+  atomicStore(&tiles[1u + number], farthest);
 }
 `;
 

@@ -14,8 +14,6 @@ import {
 import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
 
-/** Splats that a workgroup draws. */
-export const CHUNK = 256;
 /** Numbers of 32 bits of a part. */
 export const PART = 8;
 /** Shares of a picture's splats that are drawn before tiles are looked at again; the last call draws the rest. */
@@ -30,17 +28,11 @@ export interface Placed<Page> {
   readonly first: number;
 }
 
-/** Numbers [first, first + count). */
-export interface Span {
-  readonly first: number;
-  readonly count: number;
-}
-
-/** Parts whose splats lie in one page, and their jobs. */
+/** Parts [first, first + count), whose splats lie in one page. */
 export interface Call<Page> {
   readonly page: Page;
-  readonly parts: Span;
-  readonly jobs: Span;
+  readonly first: number;
+  readonly count: number;
   /** Whether a batch begins with it. */
   readonly begins: boolean;
 }
@@ -49,9 +41,8 @@ export interface Work<Page> {
   readonly views: Float32Array<ArrayBuffer>;
   /** As the shaders have them, in the order of the calls. */
   readonly parts: Uint32Array<ArrayBuffer>;
-  /** Of each workgroup: part, and number of its first splat. Behind them all parts, those of the first splats first. */
-  readonly jobs: Uint32Array<ArrayBuffer>;
-  readonly listed: Span;
+  /** Numbers of the parts, those of the first splats first. */
+  readonly listed: Uint32Array<ArrayBuffer>;
   readonly pages: readonly Page[];
   readonly calls: readonly Call<Page>[];
   readonly splats: number;
@@ -105,7 +96,7 @@ function orderOf(depth: number): number {
   return (BITS[0] as number) + (Number.isFinite(depth) ? 1 : 0);
 }
 
-/** Parts, jobs and calls; `seen` comes in the order of the splats' numbers. */
+/** Parts and calls; `seen` comes in the order of the splats' numbers. */
 function sharedOut<Page>(
   seen: readonly Seen<Page>[],
   splats: number,
@@ -115,28 +106,22 @@ function sharedOut<Page>(
   const pages = [...new Set(seen.map(({ page }) => page))];
   const parts = new Uint32Array(PART * seen.length);
   const places = new Map<Seen<Page>, number>();
-  const jobs: number[] = [];
   const calls: Call<Page>[] = [];
   for (const batch of batchesOf(sorted, splats)) {
     let begins = true;
     for (const page of pages) {
       const own = batch.filter((part) => part.page === page);
       if (own.length === 0) continue;
-      const [firstPart, firstJob] = [places.size, jobs.length / 2];
-      for (const part of own) {
-        const at = places.size;
-        parts.set(numbersOf(part, pages.indexOf(page), nearest), PART * at);
-        for (let start = 0; start < part.count; start += CHUNK) jobs.push(at, start);
-        places.set(part, at);
-      }
-      const count = jobs.length / 2 - firstJob;
-      calls.push({ page, begins, parts: { first: firstPart, count: own.length }, jobs: { first: firstJob, count } });
+      calls.push({ page, begins, first: places.size, count: own.length });
       begins = false;
+      for (const part of own) {
+        parts.set(numbersOf(part, pages.indexOf(page), nearest), PART * places.size);
+        places.set(part, places.size);
+      }
     }
   }
-  const listed = { first: jobs.length / 2, count: seen.length };
-  for (const part of seen) jobs.push(places.get(part) as number, 0);
-  return { parts, jobs: new Uint32Array(jobs), listed, pages, calls };
+  const listed = new Uint32Array(seen.map((part) => places.get(part) as number));
+  return { parts, listed, pages, calls };
 }
 
 /** As comparisons tell, also for infinite numbers. */
