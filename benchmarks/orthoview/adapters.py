@@ -94,30 +94,28 @@ def frames(
     """Times of the pictures of all cameras."""
     settings = [Shot(cameras=(camera,), channels=("color",)).settings for camera in cameras]
 
-    def draw(splat: Any) -> list[dict[str, Any]]:
+    def draw(device: _core.GpuDevice | None = None) -> list[dict[str, Any]]:
         return [
-            splat(splats, camera._core, own, origin=(0.0, 0.0, 0.0), grid=grid)
+            _core.splat_orthoviews(splats, camera._core, own, origin=(0.0, 0.0, 0.0), grid=grid, device=device)
             for camera, own in zip(cameras, settings, strict=True)
         ]
 
-    processor = partial(draw, _core.splat_orthoviews)
-    right, rows = processor(), []
+    right, rows = draw(), []
     seen = sum(picture["stats"]["splats_seen"] for picture in right)
-    timing = best(processor, repeat=repeat)
+    timing = best(draw, repeat=repeat)
     rows.append(["processor", "", f"{timing.wall * 1e3:.1f}", f"{seen / timing.wall / 1e6:.1f}", "1", ""])
     for adapter in nf.gpu.adapters():
         if not adapter.usable:
             continue
         device = backends.opened(adapter.backend)
-        splat = partial(_core.gpu_splat_orthoviews, device)
         for allowed in (True, False):
             before = device.allow_long_atomics(allowed)
             if allowed and not device.uses_long_atomics:
                 continue
             start = time.perf_counter()
-            pictures = draw(splat)
+            pictures = draw(device)
             first = time.perf_counter() - start
-            wall = best(partial(draw, splat), repeat=repeat).wall
+            wall = best(partial(draw, device), repeat=repeat).wall
             device.allow_long_atomics(before)
             drawn = sum(picture["stats"]["splats_seen"] for picture in pictures)
             same = [

@@ -86,18 +86,21 @@ def test_flights_bring_views_to_the_adapter_before_a_picture_shows_them(
 ) -> None:
     brought: list[_core.OrthoSplats] = []
     drawn: list[_core.OrthoSplats] = []
-    keep, draw = _core.gpu_keep_orthoviews, _core.gpu_splat_orthoviews
+    keep, draw = _core.gpu_keep_orthoviews, _core.splat_orthoviews
 
     def keeping(device: _core.GpuDevice, views: list[_core.OrthoSplats]) -> None:
         keep(device, views)
         brought.extend(views)
 
-    def drawing(device: _core.GpuDevice, views: list[_core.OrthoSplats], *more: Any, **settings: Any) -> dict[str, Any]:
-        drawn[:] = views
-        return draw(device, views, *more, **settings)
+    def drawing(
+        views: list[_core.OrthoSplats], *more: Any, device: _core.GpuDevice | None = None, **settings: Any
+    ) -> dict[str, Any]:
+        if device is not None:
+            drawn[:] = views
+        return draw(views, *more, device=device, **settings)
 
     monkeypatch.setattr(_core, "gpu_keep_orthoviews", keeping)
-    monkeypatch.setattr(_core, "gpu_splat_orthoviews", drawing)
+    monkeypatch.setattr(_core, "splat_orthoviews", drawing)
     near, far = camera_at(tree, 60), camera_at(tree, 60, angle=3.4)
     with nf.orthoview.open(tree.path).fly(adapt=False) as flight:
         first = whole(flight, lambda: flight.render(near, time=0, backend="gpu"))

@@ -1,10 +1,11 @@
-"""A world and its tree, for all tests of orthoviews."""
+"""Worlds and their trees, for all tests of orthoviews."""
 
 from __future__ import annotations
 
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import nearfar as nf
@@ -29,6 +30,29 @@ def tree(world: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthov
 @pytest.fixture
 def copied(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
     """A copy of the tree's store."""
-    path = tmp_path / "copy.zarr"
+    return copy_of(tree, tmp_path)
+
+
+@pytest.fixture(scope="session")
+def city(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+    """A small city with second layers and with the geometry of its leaves, some of which are cars that could move."""
+    need("zarr")
+    path = tmp_path_factory.mktemp("trees") / "city.zarr"
+    box = np.array([[-60.0, -9.0, -60.0], [59.0, 50.0, 59.0]])
+    world = nf.datasets.city(blocks=2, detail=1)
+    return nf.orthoview.build(world, path, cell=30, aabb=box, size=32, directions=9, layers=2)
+
+
+@pytest.fixture
+def copied_city(city: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
+    """A copy of the city's store, with the page in it."""
+    path = copy_of(city, tmp_path)
+    nf.view.write_page(path)
+    return path
+
+
+def copy_of(tree: nf.orthoview.OrthoTree, folder: Path) -> Path:
+    """A copy of a tree's store in a folder."""
+    path = folder / "copy.zarr"
     shutil.copytree(tree.path, path)
     return path

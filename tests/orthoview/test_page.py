@@ -1,8 +1,7 @@
-"""The page that flies trees, in a browser: its pictures beside Python's, and what it shows when parts are missing."""
+"""The page that flies trees, in a browser: its pictures of views beside Python's, and what missing parts leave."""
 
 from __future__ import annotations
 
-import shutil
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -17,8 +16,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support import need
-from tests.support.browser import opened, started, wait_until
+from tests.support.browser import opened, wait_until
 from tests.support.flown_page import SIZE, Pose, facts, flown, holes, likeness, link, picture, problems, rendered, seen
 from tests.support.range_server import RangeHandler
 
@@ -30,32 +28,6 @@ FAR = {"position": [0.0, 300.0, 900.0], "yaw": 0.0, "pitch": -0.3}
 CORNER = {"position": [-55.0, 30.0, -55.0], "yaw": -2.4, "pitch": -0.5}
 
 
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
-
-
-@pytest.fixture(scope="module")
-def city(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
-    """A small city with second layers."""
-    need("zarr")
-    path = tmp_path_factory.mktemp("trees") / "city.zarr"
-    box = np.array([[-60.0, -9.0, -60.0], [59.0, 50.0, 59.0]])
-    world = nf.datasets.city(blocks=2, detail=1)
-    return nf.orthoview.build(world, path, cell=30, aabb=box, size=32, directions=9, layers=2, geometry=False)
-
-
-@pytest.fixture
-def copied(city: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
-    """A copy of the city's store, with the page in it."""
-    path = tmp_path / "copy.zarr"
-    shutil.copytree(city.path, path)
-    nf.view.write_page(path)
-    return path
-
-
 @pytest.mark.parametrize(
     ("pose", "least", "samples"), [(AIR, 0.99, 1), (STREET, 0.9, 1), (CORNER, 0.95, 1), (AIR, 0.99, 4)]
 )
@@ -63,7 +35,7 @@ def test_pictures_are_those_of_render(
     chromium: Any, city: nf.orthoview.OrthoTree, pose: Pose, least: float, samples: int
 ) -> None:
     with Server.of_bundle(city.path) as server, opened(chromium, *SIZE) as page:
-        told = flown(page, f"{server.url}?samples={samples}{link(pose)}")
+        told = flown(page, f"{server.url}?geometry=0&samples={samples}{link(pose)}")
         found = picture(page)
         assert page.printed == []
     frame = rendered(city, pose, samples)
@@ -73,8 +45,9 @@ def test_pictures_are_those_of_render(
 
 
 def test_colours_as_webp_are_drawn(chromium: Any, world: nf.Scene, tmp_path: Path) -> None:
+    # Without geometry, which would hide the colours of near views.
     trees = {
-        color: nf.orthoview.build(world, tmp_path / color, cell=40, size=32, directions=5, color=color)
+        color: nf.orthoview.build(world, tmp_path / color, cell=40, size=32, directions=5, color=color, geometry=False)
         for color in ("zstd", "webp")
     }
     pictures = []
@@ -131,10 +104,10 @@ def go(page: Any, pose: Pose) -> None:
 
 @pytest.mark.parametrize("failure", ["away", 500])
 def test_the_old_picture_stays_when_the_server_fails(
-    chromium: Any, city: nf.orthoview.OrthoTree, copied: Path, failure: str | int
+    chromium: Any, city: nf.orthoview.OrthoTree, copied_city: Path, failure: str | int
 ) -> None:
-    with hosted(copied) as host, opened(chromium, *SIZE) as page:
-        flown(page, f"{host.url}{link(FAR)}")
+    with hosted(copied_city) as host, opened(chromium, *SIZE) as page:
+        flown(page, f"{host.url}?geometry=0{link(FAR)}")
         if failure == "away":
             host.stop()
         else:
@@ -160,24 +133,24 @@ def test_the_old_picture_stays_when_the_server_fails(
 
 @pytest.mark.parametrize("damage", ["altered", "missing"])
 def test_damage_is_told_once_and_a_coarser_picture_stays(
-    chromium: Any, city: nf.orthoview.OrthoTree, copied: Path, damage: str
+    chromium: Any, city: nf.orthoview.OrthoTree, copied_city: Path, damage: str
 ) -> None:
-    own = nf.orthoview.open(copied)
+    own = nf.orthoview.open(copied_city)
     level, place, direction = next(
         key for key in own.cut(seen(AIR), geometry=False).keys(in_picture=True) if key[0] == 0
     )
     array = own._layout.array(level, direction, "depth")
     (chunk,) = own._chunks._found([(level, place, array)])
     assert chunk is not None
-    shard = copied / chunk.file
+    shard = copied_city / chunk.file
     if damage == "missing":
         shard.unlink()
     else:
         content = bytearray(shard.read_bytes())
         content[chunk.first + chunk.length - 2] ^= 1  # in the frame's checksum
         shard.write_bytes(content)
-    with hosted(copied) as host, opened(chromium, *SIZE) as page:
-        told = flown(page, f"{host.url}{link(AIR)}")
+    with hosted(copied_city) as host, opened(chromium, *SIZE) as page:
+        told = flown(page, f"{host.url}?geometry=0{link(AIR)}")
         listed = problems(page)
         page.wait_for_timeout(1000)
         assert problems(page) == listed
@@ -197,12 +170,12 @@ def test_damage_is_told_once_and_a_coarser_picture_stays(
     ("file", "title"),
     [("zarr.json", "There is no tree"), ("nearfar/records.json", "There is no tree"), ("", "The tree is damaged")],
 )
-def test_what_cannot_be_shown_is_told(chromium: Any, copied: Path, file: str, title: str) -> None:
+def test_what_cannot_be_shown_is_told(chromium: Any, copied_city: Path, file: str, title: str) -> None:
     if file:
-        (copied / file).unlink()
+        (copied_city / file).unlink()
     else:
-        (copied / "zarr.json").write_text("{")
-    with hosted(copied) as host, opened(chromium, *SIZE) as page:
+        (copied_city / "zarr.json").write_text("{")
+    with hosted(copied_city) as host, opened(chromium, *SIZE) as page:
         page.goto(host.url)
         wait_until(page, lambda: page.locator("#message h1").count())
         assert title in page.locator("#message h1").inner_text()
@@ -217,7 +190,7 @@ def test_keys_fly_and_the_address_leads_back(chromium: Any, city: nf.orthoview.O
         return bool(sign * (pose(page)["position"][axis] - before[axis]) > 1)
 
     with Server.of_bundle(city.path) as server, opened(chromium, 800, 600) as page:
-        flown(page, f"{server.url}?error=8{link(AIR)}")
+        flown(page, f"{server.url}?geometry=0&error=8{link(AIR)}")
         assert pose(page)["position"] == AIR["position"]
         for key, axis, sign in (("w", 2, -1), ("e", 1, 1), ("d", 0, 1)):
             before = pose(page)["position"]
@@ -242,7 +215,7 @@ def test_keys_fly_and_the_address_leads_back(chromium: Any, city: nf.orthoview.O
 @pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
 def test_nothing_reaches_beyond_the_screen(chromium: Any, city: nf.orthoview.OrthoTree, size: tuple[int, int]) -> None:
     with Server.of_bundle(city.path) as server, opened(chromium, *size) as page:
-        flown(page, f"{server.url}?error=16")
+        flown(page, f"{server.url}?geometry=0&error=16")
         if size[0] < 600:
             page.get_by_role("button", name="Figures").click()
         page.get_by_role("button", name="Help").click()

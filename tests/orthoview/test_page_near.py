@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +12,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support import need
-from tests.support.browser import opened, started, wait_until
+from tests.support.browser import opened, wait_until
 from tests.support.flown_page import SIZE, Pose, facts, flown, holes, likeness, link, picture, problems, rendered, seen
 from tests.support.range_server import served
 
@@ -24,31 +21,6 @@ pytestmark = pytest.mark.slow
 NEAR: Pose = {"position": [3.0, 14.0, 34.0], "yaw": 0.5, "pitch": -0.2}
 STREET: Pose = {"position": [20.0, 3.0, 22.0], "yaw": 0.7, "pitch": 0.25}
 WALL: Pose = {"position": [0.0, 3.0, 9.0], "yaw": 0.2, "pitch": -0.1}
-
-
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Any]:
-    need("browser")
-    with started() as program:
-        yield program
-
-
-@pytest.fixture(scope="module")
-def city(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
-    """A small city with the geometry of its leaves, some of which are cars that could move."""
-    need("zarr")
-    path = tmp_path_factory.mktemp("trees") / "city.zarr"
-    box = np.array([[-60.0, -9.0, -60.0], [59.0, 50.0, 59.0]])
-    world = nf.datasets.city(blocks=2, detail=1)
-    return nf.orthoview.build(world, path, cell=30, aabb=box, size=32, directions=9)
-
-
-@pytest.fixture
-def copied(city: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
-    """A copy of the city's store, with the page in it."""
-    path = tmp_path / "copy.zarr"
-    shutil.copytree(city.path, path)
-    return path
 
 
 def textured() -> nf.Scene:
@@ -112,11 +84,11 @@ def test_geometry_can_be_left_out(chromium: Any, city: nf.orthoview.OrthoTree) -
 
 @pytest.mark.parametrize("damage", ["altered", "missing"])
 def test_damaged_geometry_is_told_and_views_stand_in(
-    chromium: Any, city: nf.orthoview.OrthoTree, copied: Path, damage: str
+    chromium: Any, city: nf.orthoview.OrthoTree, copied_city: Path, damage: str
 ) -> None:
     place = city.cut(seen(NEAR)).leaf_places(in_picture=True)[0]
-    (file,) = copied.glob(f"geometry/content/*/{'/'.join(map(str, place))}.glb")
-    with Server.of_bundle(copied) as server, opened(chromium, *SIZE) as page:
+    (file,) = copied_city.glob(f"geometry/content/*/{'/'.join(map(str, place))}.glb")
+    with Server.of_bundle(copied_city) as server, opened(chromium, *SIZE) as page:
         if damage == "missing":
             file.unlink()
         else:

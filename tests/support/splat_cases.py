@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -52,8 +51,9 @@ def drawn(
 ) -> dict[str, Any]:
     shot = Shot(cameras=(camera,), channels=channels, **limits)
     x, y, z = MIDDLE.tolist()
-    splat = _core.splat_orthoviews if device is None else partial(_core.gpu_splat_orthoviews, device)
-    return splat(splats, camera._core, shot.settings, origin=(x, y, z), grid=grid, before=before)
+    return _core.splat_orthoviews(
+        splats, camera._core, shot.settings, origin=(x, y, z), grid=grid, before=before, device=device
+    )
 
 
 def facing(direction: Triple, fov: nf.Fov | nf.Orthographic, size: tuple[int, int] = (40, 32)) -> nf.Camera:

@@ -24,11 +24,8 @@ from nearfar._core.gpu import (
     gpu_forked as gpu_forked,
     gpu_is_hardware as gpu_is_hardware,
     gpu_keep as gpu_keep,
-    gpu_keep_orthoviews as gpu_keep_orthoviews,
     gpu_morph as gpu_morph,
-    gpu_orthoview_bytes as gpu_orthoview_bytes,
     gpu_similarity as gpu_similarity,
-    gpu_splat_orthoviews as gpu_splat_orthoviews,
 )
 from nearfar._core.lod import (
     carry as carry,
@@ -48,6 +45,8 @@ from nearfar._core.orthoview import (
     blend_past as blend_past,
     blur_motion as blur_motion,
     expected_orthoviews as expected_orthoviews,
+    gpu_keep_orthoviews as gpu_keep_orthoviews,
+    gpu_orthoview_bytes as gpu_orthoview_bytes,
     orthoview_axes as orthoview_axes,
     orthoview_steps as orthoview_steps,
     orthoview_surfels as orthoview_surfels,

@@ -1,11 +1,11 @@
 """Kernels on graphics adapters, which `nearfar._core` exports; there is no such module at run time."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any, final
 
 from numpy.typing import NDArray
 
-from nearfar._core import _F32, Camera, OrthoSplats, Reduced, Scene, _Point, _Report
+from nearfar._core import _F32, Camera, Reduced, Scene, _Point, _Report
 
 # gpu ----------------------------------------------------------------------------------------------------------------
 def gpu_adapters() -> list[tuple[str, str, str, str, str, int, int]]: ...
@@ -96,18 +96,3 @@ def gpu_cube_lookup(
     directions: _F32,
     filter: str,  # noqa: A002
 ) -> None: ...
-
-# gpu_splat ----------------------------------------------------------------------------------------------------------
-def gpu_splat_orthoviews(
-    device: GpuDevice,
-    views: Sequence[OrthoSplats],
-    camera: Camera,
-    settings: Mapping[str, Any],
-    *,
-    origin: tuple[float, float, float],
-    grid: int,
-    before: dict[str, Any] | None = None,
-    report: _Report | None = None,
-) -> dict[str, Any]: ...
-def gpu_keep_orthoviews(device: GpuDevice, views: Sequence[OrthoSplats]) -> None: ...
-def gpu_orthoview_bytes(device: GpuDevice) -> int: ...

@@ -6,7 +6,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._core import Camera, Scene, _Report
+from nearfar._core import Camera, GpuDevice, Scene, _Report
 
 _Direction = tuple[int, int, int]
 _Format = tuple[int, int, int]
@@ -85,7 +85,10 @@ def splat_orthoviews(
     grid: int,
     before: dict[str, Any] | None = None,
     report: _Report | None = None,
+    device: GpuDevice | None = None,
 ) -> dict[str, Any]: ...
+def gpu_keep_orthoviews(device: GpuDevice, views: Sequence[OrthoSplats]) -> None: ...
+def gpu_orthoview_bytes(device: GpuDevice) -> int: ...
 
 # steady pictures ----------------------------------------------------------------------------------------------------
 _Picture = tuple[Camera, NDArray[np.float32], NDArray[np.float32]]

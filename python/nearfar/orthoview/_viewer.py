@@ -5,7 +5,6 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -110,8 +109,7 @@ class Viewer:
     ) -> dict[str, Any]:
         x, y, z = self.origin.tolist()
         own = replace(shot, cameras=(camera,), channels=channels)
-        splat = _core.splat_orthoviews if device is None else partial(_core.gpu_splat_orthoviews, device)
-        images = splat(
+        images = _core.splat_orthoviews(
             parts.splats,
             camera._core,
             own.settings,
@@ -119,6 +117,7 @@ class Viewer:
             grid=grid,
             before=_geometry(parts, self.origin, camera, own, grid, device),
             report=report,
+            device=device,
         )
         images["stats"] |= parts.counts
         return images

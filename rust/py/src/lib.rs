@@ -16,13 +16,13 @@ mod tessellate;
 mod render;
 mod stereo;
 mod export;
+mod gpu;
 mod orthoview;
 mod metrics;
 mod bounds;
 mod lens;
 mod lod;
 mod exr;
-mod gpu;
 mod serve;
 
 use numpy::{PyArray1, PyArrayMethods};
@@ -47,7 +47,6 @@ mod _core {
         gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity},
         gpu::device::{GpuDevice, gpu_adapters, gpu_close, gpu_forked, gpu_is_hardware},
         gpu::frame::{GpuFrame, GpuJob, gpu_keep},
-        gpu::splat::{gpu_keep_orthoviews, gpu_orthoview_bytes, gpu_splat_orthoviews},
         lens::{RadialLens, corrected_solid_angles, warp, warp_mesh},
         lod::fit::fit_4pl,
         lod::select::select_levels,
@@ -56,6 +55,7 @@ mod _core {
         morph::morph,
         orthoview::cut::{OrthoCells, OrthoRule},
         orthoview::splat::{OrthoSplats, blend_orthoviews, expected_orthoviews, splat_orthoviews},
+        orthoview::splat::{gpu_keep_orthoviews, gpu_orthoview_bytes},
         orthoview::steady::{blend_past, blur_motion},
         orthoview::views::{OrthoParent, OrthoViews, orthoview_axes, orthoview_steps, orthoview_surfels},
         partition::{LoadCurve, Partition, object_radii, ring_loads, triangle_radii},

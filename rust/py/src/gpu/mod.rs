@@ -3,4 +3,3 @@
 pub mod compute;
 pub mod device;
 pub mod frame;
-pub mod splat;

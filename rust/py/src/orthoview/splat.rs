@@ -1,10 +1,11 @@
-//! Bindings of `orthoview::splat`.
+//! Bindings of `orthoview::splat` and of the same pictures drawn by adapters.
 
 use std::sync::Arc;
 
 use glam::{DVec3, UVec3};
 use nearfar_core::orthoview::Cell;
 use nearfar_core::orthoview::splat::{Counts, Picture, Placed, Splats, blended, draw, expected};
+use nearfar_gpu::splat as on_device;
 use numpy::PyReadonlyArray4;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -15,6 +16,7 @@ use super::views::OrthoViews;
 use crate::camera::Camera;
 use crate::convert::errors::to_python;
 use crate::convert::run;
+use crate::gpu::device::GpuDevice;
 use crate::render::frame::{Settings, frame_of, images};
 
 /// A view of a cell, ready to be splatted.
@@ -114,10 +116,15 @@ pub(crate) fn expected_orthoviews(py: Python<'_>, views: Vec<View<'_>>, rule: &O
     run::short(py, || Ok(expected(&placed, &rule.0)))
 }
 
+fn shared(views: &[Bound<'_, OrthoSplats>]) -> Vec<Arc<Splats>> {
+    views.iter().map(|view| Arc::clone(&view.get().0)).collect()
+}
+
 /// The images of a picture of views by name, and its counts as `stats`. `grid` is the number of samples along each axis of
-/// a pixel; `before` has images of `grid` times the picture's size of what else is seen.
+/// a pixel; `before` has images of `grid` times the picture's size of what else is seen. Without a device the processor
+/// draws.
 #[pyfunction]
-#[pyo3(signature = (views, camera, settings, *, origin, grid, before=None, report=None))]
+#[pyo3(signature = (views, camera, settings, *, origin, grid, before=None, report=None, device=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn splat_orthoviews<'py>(
     py: Python<'py>,
@@ -128,9 +135,10 @@ pub(crate) fn splat_orthoviews<'py>(
     grid: u32,
     before: Option<Bound<'py, PyDict>>,
     report: Option<Py<PyAny>>,
+    device: Option<&GpuDevice>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let before = before.as_ref().map(frame_of).transpose()?;
-    let views: Vec<&Splats> = views.iter().map(|view| &*view.get().0).collect();
+    let views = shared(&views);
     let picture = Picture {
         camera: &camera.0,
         origin: DVec3::from_array(origin),
@@ -140,18 +148,38 @@ pub(crate) fn splat_orthoviews<'py>(
         pixels: settings.pixels()?,
         before: before.as_ref(),
     };
-    let (frame, counts) = run::long(py, report, |progress| draw(&views, &picture, progress))?;
+    let (frame, counts) = run::long(py, report, |progress| match device {
+        Some(device) => on_device::draw(&device.0, &views, &picture, progress),
+        None => draw(&views.iter().map(|view| &**view).collect::<Vec<_>>(), &picture, progress),
+    })?;
     let images = images(py, frame, (camera.0.height as usize, camera.0.width as usize))?;
     add_counts(&images, &counts)?;
     Ok(images)
 }
 
 /// Adds the counts of a picture as `stats`.
-pub(crate) fn add_counts(images: &Bound<'_, PyDict>, counts: &Counts) -> PyResult<()> {
+fn add_counts(images: &Bound<'_, PyDict>, counts: &Counts) -> PyResult<()> {
     let stats = PyDict::new(images.py());
     stats.set_item("splats", counts.total)?;
     stats.set_item("splats_in_picture", counts.in_picture)?;
     stats.set_item("splats_seen", counts.seen)?;
     stats.set_item("splats_projected", counts.projected)?;
     images.set_item("stats", stats)
+}
+
+/// Brings views to a device before a picture shows them.
+#[pyfunction]
+pub(crate) fn gpu_keep_orthoviews(
+    py: Python<'_>,
+    device: &GpuDevice,
+    views: Vec<Bound<'_, OrthoSplats>>,
+) -> PyResult<()> {
+    let views = shared(&views);
+    run::long(py, None, |progress| on_device::keep(&device.0, &views, progress))
+}
+
+/// Bytes of the views that lie on a device.
+#[pyfunction]
+pub(crate) fn gpu_orthoview_bytes(py: Python<'_>, device: &GpuDevice) -> PyResult<u64> {
+    run::short(py, || Ok(on_device::kept_bytes(&device.0)))
 }
