@@ -29,6 +29,12 @@ STILL = """([picture, pose, width, height]) => {
 }"""
 
 
+WEBGPU = ("--enable-unsafe-webgpu", "--enable-features=Vulkan", "--use-vulkan=swiftshader")
+"""Flags with which Chromium has WebGPU in software: it draws on canvases, but shows none and asks for no frames."""
+
+FRAMES = "window.requestAnimationFrame = (frame) => setTimeout(() => frame(performance.now()), 16)"
+"""Asks for frames in its place."""
+
 LOOKS = 6000
 """Looks at a page before it counts as hung: five minutes of pauses, and however long a busy machine takes to answer."""
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import base64
+import io
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
@@ -18,6 +21,18 @@ SIZE = (240, 160)
 ANGLE = 60.0
 
 FACTS = "() => window.orthoview && ({ ...window.orthoview.facts })"
+GRABBED = """async () => {
+  const canvas = document.querySelector('canvas');
+  // The canvas has its picture until the task ends that has drawn it.
+  await window.orthoview.time();
+  const time = window.orthoview.time();
+  const bitmap = await createImageBitmap(canvas);
+  await time;
+  const copy = new OffscreenCanvas(bitmap.width, bitmap.height);
+  copy.getContext('2d').drawImage(bitmap, 0, 0);
+  const content = new Uint8Array(await (await copy.convertToBlob()).arrayBuffer());
+  return btoa(Array.from(content, (byte) => String.fromCharCode(byte)).join(''));
+}"""
 PROBLEMS = "() => [...document.querySelectorAll('#message li')].map((each) => each.textContent)"
 
 
@@ -45,14 +60,27 @@ def picture(page: Any) -> NDArray[np.uint8]:
     return canvas(page)
 
 
-def seen(pose: Pose) -> nf.Camera:
+def grabbed(page: Any) -> NDArray[np.uint8]:
+    """The picture on the canvas, in a browser that shows none."""
+    content = base64.b64decode(page.evaluate(GRABBED))
+    return np.asarray(Image.open(io.BytesIO(content)).convert("RGB"))
+
+
+def seen(pose: Pose, size: tuple[int, int] = SIZE) -> nf.Camera:
     """The page's camera."""
-    return camera(pose["position"], pose["yaw"], pose["pitch"], SIZE, ANGLE)
+    return camera(pose["position"], pose["yaw"], pose["pitch"], size, ANGLE)
 
 
-def rendered(tree: nf.orthoview.OrthoTree, pose: Pose, samples: int = 1, *, geometry: bool = False) -> nf.Frame:
+def rendered(
+    tree: nf.orthoview.OrthoTree,
+    pose: Pose,
+    samples: int = 1,
+    *,
+    geometry: bool = False,
+    size: tuple[int, int] = SIZE,
+) -> nf.Frame:
     """Python's picture."""
-    return tree.render(seen(pose), geometry=geometry, samples=samples, channels=("color", "coverage"))
+    return tree.render(seen(pose, size), geometry=geometry, samples=samples, channels=("color", "coverage"))
 
 
 def likeness(found: NDArray[np.uint8], frame: nf.Frame) -> float:

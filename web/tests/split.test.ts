@@ -5,6 +5,7 @@ import { splitPlaced } from '../src/decode/split/placed';
 import { createRule, TOLERANCE, type Vector } from '../src/decode/split/rule';
 import { splitArrays } from '../src/decode/split/triangles';
 import type { Arrays } from '../src/decode/surfaces';
+import { randomOf } from './support/random';
 
 const CITY: Growth = { radii: [10, 14, 22, 63], nearShare: 0.7, reach: 1 };
 const ROOM: Growth = { radii: [1.5, 3], nearShare: 0.7, reach: 1 };
@@ -29,11 +30,7 @@ const GROUND = rectangle([-9000, -1.7, 9000], [18000, 0, 0], [0, 0, -18000]);
 const FLOOR = rectangle([-3, -1.6, 2.5], [6, 0, 0], [0, 0, -5]);
 const WALL = rectangle([6, -1.7, 5], [0, 0, 75], [0, 20, 0]);
 
-let seed = 1;
-function random(): number {
-  seed = (Math.imul(seed, 1_664_525) + 1_013_904_223) >>> 0;
-  return seed / 2 ** 32;
-}
+const random = randomOf(1);
 
 function corner({ positions, indices }: Arrays, n: number): Vector {
   const at = 3 * (indices[n] as number);

@@ -74,7 +74,7 @@ export function createPanel(root: HTMLElement, home: () => void): Panel {
     update({ facts, frame, received, rate: bits, height, power }) {
       const put = (name: keyof typeof NAMES, text: string): void => write(values.get(name) as HTMLElement, text);
       put('frame', milliseconds(frame));
-      put('splats', count(facts.splats));
+      put('splats', splatsOf(facts));
       put('views', facts.standIns > 0 ? `${facts.views}, ${facts.standIns} coarser` : String(facts.views));
       put('waiting', facts.waiting > 0 ? `${facts.waiting} views` : 'nothing');
       put('loaded', bits === null ? bytes(received) : `${bytes(received)}, ${rate(bits)}`);
@@ -85,6 +85,11 @@ export function createPanel(root: HTMLElement, home: () => void): Panel {
       );
     },
   };
+}
+
+/** Splats that reach into the picture, and how many of them others do not hide. */
+function splatsOf({ splats, unhidden }: Facts): string {
+  return unhidden === null ? count(splats) : `${count(splats)}, ${count(unhidden)} drawn`;
 }
 
 const HELP =

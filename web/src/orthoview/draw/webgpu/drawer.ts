@@ -11,7 +11,7 @@ import { type Kernels, kernelsOf } from './kernels';
 import { COLOR, type Mesh, Meshes } from './meshes';
 import { type Called, Numbers } from './numbers';
 import { Room, SLOT } from './room';
-import { type Band, bandsOf, Samples, tilesOf } from './samples';
+import { type Band, bandsOf, Samples, type Textures, tilesOf } from './samples';
 import { GROUP, ROW } from './splat_shaders';
 import { type Work, workOf } from './work';
 
@@ -29,6 +29,8 @@ interface Picture {
   /** Of the samples. */
   readonly projector: Projector;
   readonly grid: number;
+  /** Of a band, at most. */
+  readonly rows: number;
   readonly work: Work<Page>;
   readonly numbers: Numbers;
   /** One of them at a time. */
@@ -106,6 +108,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
       meshes,
       projector,
       grid,
+      rows: bands[0]?.rows ?? 0,
       work,
       numbers: new Numbers({ projector, grid, nearest, parts: work.listed.length }, calls),
       bound: { buffer: this.#numbers.ofSize(SLOT * calls), size: SLOT },
@@ -119,7 +122,8 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     for (const band of bands) triangles = this.#drawBand(encoder, picture, band);
     this.#numbers.with(picture.numbers.all);
     this.#submit(encoder, bands);
-    return { splats: work.splats, triangles, calls: bands.length * (2 * work.calls.length + work.pages.length + meshes.length) };
+    const drawn = 2 * work.calls.length + work.pages.length + meshes.length;
+    return { splats: work.splats, triangles, calls: bands.length * drawn };
   }
 
   get isDone(): boolean {
@@ -136,13 +140,13 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     const bytes = 4 * projector.width * band.rows;
     const { orders, colors, tiles } = this.#samples.buffers(projector.width, band.rows);
     const { color, depth } =
-      meshes.length > 0 ? this.#samples.textures(projector.width, band.rows) : { color: this.#nothing, depth: null };
+      meshes.length > 0 ? this.#samples.textures(projector.width, picture.rows) : { color: this.#nothing, depth: null };
     if (band.number === 0) encoder.clearBuffer(tiles, 0, 4);
     encoder.clearBuffer(colors, 0, bytes);
     const slot = picture.numbers.put(band, {});
     let triangles = 0;
     if (depth) {
-      triangles = this.#drawMeshes(encoder, picture, slot, color, depth);
+      triangles = this.#drawMeshes(encoder, picture, band, slot, { color, depth });
       const group = this.#group(this.#kernels.begun, [picture.bound, depth.createView(), { buffer: orders }]);
       const pass = encoder.beginComputePass({ label: 'begin' });
       pass.setPipeline(this.#kernels.begin);
@@ -159,9 +163,9 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   #drawMeshes(
     encoder: GPUCommandEncoder,
     { meshes, projector, bound }: Picture,
+    { rows }: Band,
     slot: number,
-    color: GPUTexture,
-    depth: GPUTexture,
+    { color, depth }: Textures,
   ): number {
     const pass = encoder.beginRenderPass({
       label: 'meshes',
@@ -173,6 +177,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
         depthStoreOp: 'store',
       },
     });
+    pass.setViewport(0, 0, projector.width, rows, 0, 1);
     pass.setBindGroup(0, this.#group(this.#kernels.draw, [bound]), [slot]);
     const triangles = this.#meshes.record(pass, meshes, projector.eye);
     pass.end();

@@ -4,7 +4,7 @@ import { Room } from './room';
 import { TILE } from './splat_shaders';
 
 /** Bytes of the depths of a band's samples, and of their colours, at most. */
-const MOST = 1 << 27;
+const MOST = 1 << 26;
 
 /** Rows of samples. */
 export interface Band {
@@ -30,11 +30,17 @@ export function tilesOf(width: number, rows: number): number {
   return Math.ceil(width / TILE) * Math.ceil(rows / TILE);
 }
 
+/** Textures that geometry is drawn into. */
+export interface Textures {
+  readonly color: GPUTexture;
+  readonly depth: GPUTexture;
+}
+
 export class Samples {
   readonly #orders: Room;
   readonly #colors: Room;
   readonly #tiles: Room;
-  #textures: { readonly color: GPUTexture; readonly depth: GPUTexture } | null = null;
+  #textures: Textures | null = null;
 
   constructor(readonly device: GPUDevice) {
     const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
@@ -53,8 +59,8 @@ export class Samples {
     return { orders: this.#orders.ofSize(bytes), colors: this.#colors.ofSize(bytes), tiles };
   }
 
-  /** Textures that geometry is drawn into. */
-  textures(width: number, rows: number): { readonly color: GPUTexture; readonly depth: GPUTexture } {
+  /** Textures for all bands of up to so many rows: a picture's commands must not replace them. */
+  textures(width: number, rows: number): Textures {
     const found = this.#textures;
     if (found && found.color.width === width && found.color.height === rows) return found;
     found?.color.destroy();

@@ -1,0 +1,138 @@
+"""The page that flies trees, drawn by WebGPU: beside Python's pictures and those of WebGL."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+
+import nearfar as nf
+from nearfar.serve._server import Server
+from tests.support import need
+from tests.support.browser import FRAMES, WEBGPU, opened, started, wait_until
+from tests.support.flown_page import SIZE, Pose, facts, flown, grabbed, holes, likeness, link, rendered
+
+pytestmark = pytest.mark.slow
+
+AIR: Pose = {"position": [0.0, 45.0, 110.0], "yaw": 0.0, "pitch": -0.4}
+STREET: Pose = {"position": [20.0, 3.0, 22.0], "yaw": 0.7, "pitch": 0.0}
+NEAR: Pose = {"position": [3.0, 14.0, 34.0], "yaw": 0.5, "pitch": -0.2}
+WALL: Pose = {"position": [20.0, 2.0, -20.0], "yaw": 1.6, "pitch": 0.0}
+
+SMALL = "Object.defineProperty(GPUSupportedLimits.prototype, 'maxTextureDimension2D', { get: () => 100 })"
+"""Has a picture drawn in bands of up to 100 rows."""
+
+
+@pytest.fixture(scope="module")
+def with_webgpu() -> Iterator[Any]:
+    """A browser that has WebGPU."""
+    need("browser")
+    with started(flags=WEBGPU) as program:
+        yield program
+
+
+def drawn(program: Any, address: str, script: str = "") -> tuple[dict[str, Any], Any]:
+    """The page's figures, and its picture by WebGPU."""
+    with opened(program, *SIZE) as page:
+        page.add_init_script(f"{FRAMES}; {script}")
+        flown(page, address)
+        found = grabbed(page)
+        wait_until(page, lambda: facts(page)["unhidden"] is not None)
+        told = facts(page)
+        assert page.printed == []
+    assert (told["standIns"], told["holes"]) == (0, 0)
+    return told, found
+
+
+@pytest.mark.parametrize(
+    ("pose", "least", "samples"), [(AIR, 0.99, 1), (STREET, 0.9, 1), (WALL, 0.9, 1), (STREET, 0.9, 4)]
+)
+def test_pictures_are_those_of_render(
+    with_webgpu: Any, city: nf.orthoview.OrthoTree, pose: Pose, least: float, samples: int
+) -> None:
+    with Server.of_bundle(city.path) as server:
+        address = f"{server.url}?graphics=webgpu&geometry=0&samples={samples}{link(pose)}"
+        told, found = drawn(with_webgpu, address)
+    frame = rendered(city, pose, samples)
+    assert told["views"] == frame.stats["views"]
+    assert likeness(found, frame) > least
+    assert holes(found, frame) < 0.001
+    assert 0 < told["unhidden"] <= told["splats"]
+
+
+@pytest.mark.parametrize("samples", [1, 4])
+def test_geometry_is_drawn_before_and_behind_splats(
+    with_webgpu: Any, city: nf.orthoview.OrthoTree, samples: int
+) -> None:
+    with Server.of_bundle(city.path) as server:
+        told, found = drawn(with_webgpu, f"{server.url}?graphics=webgpu&samples={samples}{link(NEAR)}")
+    frame = rendered(city, NEAR, samples, geometry=True)
+    assert told["triangles"] > 0
+    assert told["views"] == frame.stats["views"]
+    assert likeness(found, frame) > (0.97 if samples == 1 else 0.99)
+    assert holes(found, frame) < 0.001
+
+
+@pytest.mark.parametrize(("pose", "most"), [(AIR, 0.01), (NEAR, 0.01)])
+def test_pictures_are_those_of_webgl(with_webgpu: Any, city: nf.orthoview.OrthoTree, pose: Pose, most: float) -> None:
+    pictures = []
+    with Server.of_bundle(city.path) as server:
+        for graphics in ("webgl", "webgpu"):
+            with opened(with_webgpu, *SIZE) as page:
+                page.add_init_script(FRAMES)
+                told = flown(page, f"{server.url}?graphics={graphics}{link(pose)}")
+                pictures.append(grabbed(page).astype(int))
+            assert told["graphics"] == graphics
+    off = np.abs(pictures[0] - pictures[1]).max(axis=-1)
+    # Where edges of splats pass through a sample.
+    assert (off > 2).mean() < most
+
+
+@pytest.mark.parametrize("samples", [1, 4])
+def test_bands_are_the_picture(with_webgpu: Any, city: nf.orthoview.OrthoTree, samples: int) -> None:
+    with Server.of_bundle(city.path) as server:
+        address = f"{server.url}?graphics=webgpu&error=2&samples={samples}{link(NEAR)}"
+        (told, whole), (banded, found) = (drawn(with_webgpu, address, script) for script in ("", SMALL))
+    assert told["triangles"] > 0
+    assert banded["calls"] == (2 if samples == 1 else 4) * told["calls"]
+    # Corners of triangles are rounded to other parts of a pixel.
+    assert (np.abs(whole.astype(int) - found).max(axis=-1) > 2).mean() < 1e-3
+
+
+def test_hidden_parts_are_left_out(with_webgpu: Any, tmp_path: Path) -> None:
+    """A wall before a hundred blocks, none of which is seen."""
+    boxes = trimesh.Scene()
+    boxes.add_geometry(trimesh.creation.box((60.0, 60.0, 1.0)), node_name="wall")
+    for n in range(100):
+        block = trimesh.creation.box((3.0, 3.0, 3.0))
+        block.apply_translation((5.0 * (n % 10) - 22.0, 5.0 * (n // 10) - 22.0, -30.0 - n % 7))
+        boxes.add_geometry(block, node_name=f"block {n}")
+    need("zarr")
+    tree = nf.orthoview.build(
+        nf.Scene.from_trimesh(boxes), tmp_path / "wall.zarr", cell=16, size=64, directions=5, geometry=False
+    )
+    pose: Pose = {"position": [0.0, 0.0, 45.0], "yaw": 0.0, "pitch": 0.0}
+    with Server.of_bundle(tree.path) as server:
+        told, found = drawn(with_webgpu, f"{server.url}?graphics=webgpu{link(pose)}")
+    frame = rendered(tree, pose)
+    assert likeness(found, frame) > 0.99
+    assert told["splats"] == frame.stats["splats_in_picture"]
+    assert told["unhidden"] < 0.85 * told["splats"]
+
+
+def test_webgl_draws_where_webgpu_is_missing_or_in_software(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
+    with Server.of_bundle(city.path) as server, opened(with_webgpu, *SIZE) as page:
+        page.add_init_script(FRAMES)
+        assert flown(page, f"{server.url}{link(AIR)}")["graphics"] == "webgl"
+
+
+def test_missing_graphics_that_were_asked_for_are_told(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
+    with Server.of_bundle(city.path) as server, opened(with_webgpu, *SIZE) as page:
+        page.add_init_script("Object.defineProperty(navigator, 'gpu', { value: undefined })")
+        page.goto(f"{server.url}?graphics=webgpu{link(AIR)}")
+        wait_until(page, lambda: page.locator("#message h1").count())
+        assert "no WebGPU" in page.locator("#message").inner_text()

@@ -1,0 +1,237 @@
+/** What the page's drawers take from the CPU: where parts are seen, the order of the work, room on the GPU, bands of samples. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { cameraOf } from '../src/orthoview/cut/camera';
+import { liftOf } from '../src/orthoview/cut/lift';
+import type { Part } from '../src/orthoview/decode/pack';
+import { Arena, type Place } from '../src/orthoview/draw/webgpu/arena';
+import { Numbers } from '../src/orthoview/draw/webgpu/numbers';
+import { SLOT } from '../src/orthoview/draw/webgpu/room';
+import { bandsOf } from '../src/orthoview/draw/webgpu/samples';
+import { batchesOf, PART, workOf } from '../src/orthoview/draw/webgpu/work';
+import { type Model, modelOf, type Projector, projectorOf, seenOf, sightOf } from '../src/orthoview/splats/sight';
+import { parseLayout, type Triple } from '../src/orthoview/store/layout';
+import { randomOf } from './support/random';
+
+const LAYOUT = parseLayout({
+  origin: [0, 0, 0],
+  cell: 10,
+  counts: [4, 4, 4],
+  levels: 3,
+  directions: [
+    [0, 0, 1],
+    [1, 0, 0],
+    [0, 1, 0],
+  ],
+  names: ['pz', 'px', 'py'],
+  size: 8,
+  depth_bits: 12,
+  normal_bits: 16,
+  subtree: 3,
+  color: 'zstd',
+  quality: null,
+  geometry: false,
+  layers: 1,
+});
+
+function cameraAt(random: () => number): Projector {
+  const place = (): number => 60 * random() - 10;
+  const pose = {
+    position: [place(), place(), place()] as const,
+    yaw: 2 * Math.PI * random(),
+    pitch: 2 * random() - 1,
+  };
+  return projectorOf(cameraOf(pose, 1, 64, 48));
+}
+
+/** A view and a part of it that begins at any of its pixels. */
+function viewOf(random: () => number, count: number): { readonly model: Model; readonly part: Part } {
+  const low = [0, 1, 2].map((axis) => Math.floor(random() * (axis < 2 ? 7 : 4000))) as unknown as Triple;
+  const high = low.map((lowest, axis) => lowest + 1 + Math.floor(random() * (axis < 2 ? 2 : 90))) as unknown as Triple;
+  const place = [0, 1, 2].map(() => Math.floor(4 * random())) as unknown as Triple;
+  return { model: modelOf(LAYOUT, 0, place, Math.floor(3 * random())), part: { first: 0, count, low, high } };
+}
+
+/** A point of a part, as the projector shows it. */
+function shown({ model, part }: ReturnType<typeof viewOf>, { eye, rows }: Projector, random: () => number): Triple {
+  const at = part.low.map((lowest, axis) => lowest + random() * ((part.high[axis] as number) - lowest));
+  const world = [0, 1, 2].map((axis) =>
+    at.reduce((sum, steps, n) => sum + steps * (model.steps[n]?.[axis] as number), model.start[axis] as number),
+  );
+  return rows.map((row) =>
+    row.reduce((sum, factor, axis) => sum + factor * ((world[axis] as number) - (eye[axis] as number)), 0),
+  ) as unknown as Triple;
+}
+
+test('what a part shows lies where it is seen, and no nearer', () => {
+  const random = randomOf(7);
+  let [inside, unseen] = [0, 0];
+  for (let turn = 0; turn < 400; turn++) {
+    const [projector, view] = [cameraAt(random), viewOf(random, 1)];
+    const sight = sightOf(view.model, projector);
+    const seen = seenOf(sight, view.part, projector.width, projector.height);
+    unseen += seen ? 0 : 1;
+    for (let n = 0; n < 40; n++) {
+      const [x, y, w] = shown(view, projector, random);
+      const [column, row] = [x / w, y / w];
+      if (w < sight.least || column < 0 || row < 0 || column >= projector.width || row >= projector.height) continue;
+      inside += 1;
+      assert.ok(seen);
+      assert.ok(seen.nearness >= 1 / w);
+      assert.ok(column >= seen.low[0] && column < seen.high[0] && row >= seen.low[1] && row < seen.high[1]);
+    }
+  }
+  assert.ok(inside > 500 && unseen > 100);
+});
+
+test('the work has each part once, nearest first, and lists them by their splats', () => {
+  const random = randomOf(11);
+  const projector = projectorOf(cameraOf({ position: [20, 20, 60], yaw: 0, pitch: 0 }, 1, 64, 48));
+  const items = Array.from({ length: 200 }, (_, n) => {
+    const { model, part } = viewOf(random, 1 + Math.floor(40 * random()));
+    return { layer: { model, parts: [part], page: `page ${n % 3}`, first: 1000 * n }, box: null };
+  });
+  const { views, parts, listed, pages, calls, splats } = workOf(items, projector, LAYOUT, 0.5);
+  const count = parts.length / PART;
+  assert.ok(count > 20);
+  assert.equal(views.length, 40 * count);
+  assert.deepEqual([...pages].sort(), ['page 0', 'page 1', 'page 2']);
+  const rows = Array.from({ length: count }, (_, n) => [...parts.subarray(PART * n, PART * (n + 1))]);
+  const [firsts, counts, numbers, orders, own] = [1, 2, 3, 4, 7].map((at) => rows.map((row) => row[at] as number)) as [
+    number[],
+    number[],
+    number[],
+    number[],
+    number[],
+  ];
+  assert.equal(new Set(firsts).size, count);
+  assert.equal(
+    counts.reduce((sum, each) => sum + each, 0),
+    splats,
+  );
+  // Numbers of splats follow the order of the items, without gaps.
+  let next = 0;
+  for (const part of listed) {
+    assert.equal(numbers[part], next);
+    next += counts[part] as number;
+  }
+  assert.deepEqual(
+    [...listed].map((part) => firsts[part]),
+    [...firsts].sort((one, other) => one - other),
+  );
+  // Calls follow one another; each has one page, and those of a batch are nearer than those of the next one.
+  let [at, farthest, nearest] = [0, Number.POSITIVE_INFINITY, 0];
+  for (const { page, first, count: length, begins } of calls) {
+    assert.equal(first, at);
+    at += length;
+    if (begins) [farthest, nearest] = [Math.min(farthest, nearest || farthest), Number.POSITIVE_INFINITY];
+    for (let n = first; n < at; n++) {
+      assert.equal(pages[own[n] as number], page);
+      assert.ok((orders[n] as number) <= farthest);
+      nearest = Math.min(nearest, orders[n] as number);
+    }
+  }
+  assert.equal(at, count);
+  assert.ok(calls.length > 5);
+});
+
+test('nothing in the picture is no work', () => {
+  const { parts, calls, splats } = workOf([], cameraAt(randomOf(1)), LAYOUT, 0.5);
+  assert.deepEqual([parts.length, calls.length, splats], [0, 0, 0]);
+});
+
+test('batches grow, and the last one has the rest', () => {
+  const sizes = (counts: readonly number[]): number[] => {
+    const parts = counts.map((count) => ({ count }));
+    const all = counts.reduce((sum, count) => sum + count, 0);
+    return batchesOf(parts, all).map(({ length }) => length);
+  };
+  assert.deepEqual(sizes(new Array(32).fill(64)), [2, 2, 4, 8, 16]);
+  assert.deepEqual(sizes([1000, 1, 1]), [1, 2]);
+  assert.deepEqual(sizes([]), []);
+});
+
+/** As much of a device as rooms need. */
+function deviceOf(most: number): GPUDevice & { readonly sizes: number[] } {
+  Object.assign(globalThis, { GPUBufferUsage: { STORAGE: 128, COPY_DST: 8 } });
+  const sizes: number[] = [];
+  const limits = { maxBufferSize: most, maxStorageBufferBindingSize: most, maxTextureDimension2D: 8192 };
+  const createBuffer = ({ size }: GPUBufferDescriptor): object => {
+    sizes.push(size);
+    return { destroy: () => sizes.splice(sizes.indexOf(size), 1) };
+  };
+  return { sizes, limits, createBuffer, queue: { writeBuffer: () => undefined } } as unknown as GPUDevice & {
+    readonly sizes: number[];
+  };
+}
+
+test('places on the GPU never overlap, and pages leave with their last view', () => {
+  const [random, device] = [randomOf(3), deviceOf(1 << 27)];
+  const arena = new Arena(device);
+  const held: Place[] = [];
+  for (let turn = 0; turn < 3000; turn++) {
+    if (held.length > 0 && random() < 0.48) {
+      const [place] = held.splice(Math.floor(random() * held.length), 1);
+      arena.free(place as Place);
+    } else held.push(arena.put(new Uint32Array(1 + Math.floor(400_000 * random()))));
+    if (turn % 100 > 0) continue;
+    for (const page of new Set(held.map((place) => place.page))) {
+      const own = held.filter((place) => place.page === page).sort((one, other) => one.first - other.first);
+      let end = 0;
+      for (const { first, words } of own) {
+        assert.ok(first >= end && first + words <= page.words);
+        end = first + words;
+      }
+      const free = page.gaps.reduce((sum, { words }) => sum + words, 0);
+      assert.equal(
+        own.reduce((sum, { words }) => sum + words, free),
+        page.words,
+      );
+    }
+  }
+  assert.ok(device.sizes.length > 1);
+  for (const place of held) arena.free(place);
+  assert.deepEqual(device.sizes, []);
+});
+
+test('a view that no buffer can have is refused', () => {
+  const arena = new Arena(deviceOf(1 << 20));
+  arena.put(new Uint32Array(1 << 18));
+  assert.throws(() => arena.put(new Uint32Array((1 << 18) + 1)), /larger than the graphics allow/);
+});
+
+test('bands have all rows of a picture once, in whole pixels', () => {
+  const device = deviceOf(1 << 27);
+  assert.deepEqual(bandsOf(device, 640, 480, 1), [{ number: 0, first: 0, rows: 480 }]);
+  const bands = bandsOf(device, 4 * 3840, 4 * 2160, 4);
+  assert.ok(bands.length > 1);
+  let next = 0;
+  for (const [n, { number, first, rows }] of bands.entries()) {
+    assert.deepEqual([number, first, first % 4, rows % 4], [n, next, 0, 0]);
+    assert.ok(4 * 4 * 3840 * rows <= 1 << 26 && rows <= 8192);
+    next += rows;
+  }
+  assert.equal(next, 4 * 2160);
+});
+
+test('numbers of calls lie in slots of their own', () => {
+  const projector = cameraAt(randomOf(5));
+  const numbers = new Numbers({ projector, grid: 2, nearest: 0.25, parts: 9 }, 2);
+  const band = { number: 0, first: 8, rows: 24 };
+  assert.deepEqual([numbers.put(band, {}), numbers.put(band, { first: 3, count: 4, round: 1, page: 2 })], [0, SLOT]);
+  const [floats, integers] = [new Float32Array(numbers.all.buffer, SLOT), new Uint32Array(numbers.all.buffer, SLOT)];
+  assert.deepEqual([...integers.subarray(24, 34)], [64, 24, 8, 2, 3, 4, 1, 0, 9, 2]);
+  assert.equal(floats[36], 0.25);
+  assert.deepEqual([...floats.subarray(8, 11)], [...new Float32Array(projector.rows[2])]);
+});
+
+test('directions are raised towards the zenith, and not beyond it', () => {
+  const lifted = liftOf(30);
+  const close = (found: Triple, expected: Triple): void => {
+    for (const axis of [0, 1, 2]) assert.ok(Math.abs((found[axis] as number) - (expected[axis] as number)) < 1e-12);
+  };
+  close(lifted([1, 0, 0]), [Math.cos(Math.PI / 6), 0.5, 0]);
+  close(lifted([0, Math.sin(1.2), Math.cos(1.2)]), [0, 1, 0]);
+  close(lifted([0, -1, 0]), [0, -1, 0]);
+  assert.deepEqual(liftOf(0)([0.6, 0, 0.8]), [0.6, 0, 0.8]);
+});
