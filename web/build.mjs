@@ -1,11 +1,22 @@
 // Bundles the page, or unit tests for Node: node build.mjs [--tests] [FOLDER]. By default the page goes into the package.
-import { copyFile, mkdir, readdir, rm } from 'node:fs/promises';
+import { copyFile, mkdir, readdir, readFile, rm } from 'node:fs/promises';
 import { build } from 'esbuild';
 
 const PACKAGE = '../python/nearfar/view/dist';
 // Codecs that zarrita loads when an array has them. Ours have others: numcodecs compiles scripts, which pages may not.
 const UNUSED = ['numcodecs/blosc', 'numcodecs/lz4', 'numcodecs/zstd'];
 const common = { bundle: true, format: 'esm', target: 'es2022', legalComments: 'none', logLevel: 'warning' };
+
+// Shaders are strings, of which nothing else takes out comments and indentation.
+const shaders = {
+  name: 'shaders',
+  setup({ onLoad }) {
+    onLoad({ filter: /(?:shaders|light)\.ts$/ }, async ({ path }) => {
+      const text = await readFile(path, 'utf8');
+      return { contents: text.replace(/^[ \t]*\/\/.*\n/gm, '').replace(/^[ \t]+/gm, ''), loader: 'ts' };
+    });
+  },
+};
 
 async function page(folder) {
   await rm(folder, { recursive: true, force: true });
@@ -33,9 +44,11 @@ async function orthoview(folder) {
       orthoview: `${from}/page.ts`,
       'orthoview-cut': `${from}/cut/worker.ts`,
       'orthoview-read': `${from}/decode/worker.ts`,
+      'orthoview-webgpu': `${from}/draw/webgpu/start.ts`,
     },
     outdir: folder,
     external: UNUSED,
+    plugins: [shaders],
     minify: true,
     keepNames: true,
   });

@@ -7,8 +7,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-import trimesh
-from PIL import Image
 
 import nearfar as nf
 from nearfar.serve._server import Server
@@ -21,21 +19,6 @@ pytestmark = pytest.mark.slow
 NEAR: Pose = {"position": [3.0, 14.0, 34.0], "yaw": 0.5, "pitch": -0.2}
 STREET: Pose = {"position": [20.0, 3.0, 22.0], "yaw": 0.7, "pitch": 0.25}
 WALL: Pose = {"position": [0.0, 3.0, 9.0], "yaw": 0.2, "pitch": -0.1}
-
-
-def textured() -> nf.Scene:
-    """A wall with a texture and a ball with colours of its corners and smooth normals."""
-    codes = np.random.default_rng(5).integers(0, 255, (8, 8, 3), np.uint8)
-    wall = trimesh.creation.box((16.0, 8.0, 1.0))
-    image = Image.fromarray(codes)
-    wall.visual = trimesh.visual.TextureVisuals(uv=np.asarray(wall.vertices)[:, :2] / 6.0, image=image)
-    ball = trimesh.creation.icosphere(2, 2.0)
-    ball.apply_translation((-1.0, 1.0, 3.0))
-    ball.visual.vertex_colors = np.random.default_rng(6).integers(0, 255, (len(ball.vertices), 4), np.uint8)
-    world = trimesh.Scene()
-    world.add_geometry(wall, node_name="wall")
-    world.add_geometry(ball, node_name="ball")
-    return nf.Scene.from_trimesh(world)
 
 
 @pytest.mark.parametrize(("pose", "least", "samples"), [(NEAR, 0.97, 1), (STREET, 0.99, 1), (NEAR, 0.99, 4)])
@@ -57,17 +40,15 @@ def test_pictures_are_those_of_render_with_geometry(
     assert holes(found, frame) < 0.001
 
 
-def test_textures_and_colours_are_drawn(chromium: Any, tmp_path: Path) -> None:
-    tree = nf.orthoview.build(textured(), tmp_path / "textured.zarr", cell=8, size=16, directions=5)
-    nf.view.write_page(tree.path)
-    with served(Path(tree.path)) as server, opened(chromium, *SIZE) as page:
+def test_textures_and_colours_are_drawn(chromium: Any, textured: nf.orthoview.OrthoTree) -> None:
+    with served(Path(textured.path)) as server, opened(chromium, *SIZE) as page:
         told = flown(page, f"{server.url}index.html{link(WALL)}")
         found = picture(page)
         assert problems(page) == []
     # Leaves share it, and the server says nothing of caches.
     assert told["leaves"] >= 2
     assert [count for (_, name, _), count in server.answers.items() if "images/" in name] == [1]
-    frame = rendered(tree, WALL, geometry=True)
+    frame = rendered(textured, WALL, geometry=True)
     assert frame.stats["views"] == 0
     off = np.abs(frame.to_image().astype(int) - found).max(axis=-1)
     assert (off <= 3).mean() > 0.97

@@ -14,16 +14,22 @@ import nearfar as nf
 from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.browser import FRAMES, WEBGPU, opened, started, wait_until
-from tests.support.flown_page import SIZE, Pose, facts, flown, grabbed, holes, likeness, link, rendered
+from tests.support.flown_page import SIZE, Pose, facts, flown, grabbed, holes, likeness, link, problems, rendered, seen
 
 pytestmark = pytest.mark.slow
 
 AIR: Pose = {"position": [0.0, 45.0, 110.0], "yaw": 0.0, "pitch": -0.4}
 STREET: Pose = {"position": [20.0, 3.0, 22.0], "yaw": 0.7, "pitch": 0.0}
 NEAR: Pose = {"position": [3.0, 14.0, 34.0], "yaw": 0.5, "pitch": -0.2}
+FACADE: Pose = {"position": [0.0, 3.0, 9.0], "yaw": 0.2, "pitch": -0.1}
+FAR_FACADE: Pose = {"position": [10.0, 20.0, 190.0], "yaw": 0.05, "pitch": -0.1}
 WALL: Pose = {"position": [20.0, 2.0, -20.0], "yaw": 1.6, "pitch": 0.0}
 
-SMALL = "Object.defineProperty(GPUSupportedLimits.prototype, 'maxTextureDimension2D', { get: () => 100 })"
+WITHOUT = "Object.defineProperty(navigator, 'gpu', { value: undefined })"
+REFUSED = "GPUAdapter.prototype.requestDevice = () => Promise.reject(new Error('no room'))"
+FEW = "Object.defineProperty(GPUSupportedLimits.prototype, 'maxBufferSize', { get: () => 1 << 20 })"
+"""Has pages of 1 MB."""
+SMALL = "Object.defineProperty(GPUSupportedLimits.prototype, 'maxStorageBufferBindingSize', { get: () => 96000 })"
 """Has a picture drawn in bands of up to 100 rows."""
 
 
@@ -77,8 +83,19 @@ def test_geometry_is_drawn_before_and_behind_splats(
     assert holes(found, frame) < 0.001
 
 
-@pytest.mark.parametrize(("pose", "most"), [(AIR, 0.01), (NEAR, 0.01)])
-def test_pictures_are_those_of_webgl(with_webgpu: Any, city: nf.orthoview.OrthoTree, pose: Pose, most: float) -> None:
+@pytest.mark.parametrize("pose", [FACADE, FAR_FACADE])
+def test_textures_and_their_levels_are_drawn(with_webgpu: Any, textured: nf.orthoview.OrthoTree, pose: Pose) -> None:
+    with Server.of_bundle(textured.path) as server:
+        told, found = drawn(with_webgpu, f"{server.url}?graphics=webgpu&error=0.2{link(pose)}")
+    assert told["triangles"] > 0
+    assert told["views"] == 0
+    frame = textured.render(seen(pose), error_px=0.2, channels=("color", "coverage"))
+    off = np.abs(frame.to_image().astype(int) - found).max(axis=-1)
+    assert (off <= 3).mean() > 0.97
+
+
+@pytest.mark.parametrize("pose", [AIR, NEAR])
+def test_pictures_are_those_of_webgl(with_webgpu: Any, city: nf.orthoview.OrthoTree, pose: Pose) -> None:
     pictures = []
     with Server.of_bundle(city.path) as server:
         for graphics in ("webgl", "webgpu"):
@@ -89,7 +106,7 @@ def test_pictures_are_those_of_webgl(with_webgpu: Any, city: nf.orthoview.OrthoT
             assert told["graphics"] == graphics
     off = np.abs(pictures[0] - pictures[1]).max(axis=-1)
     # Where edges of splats pass through a sample.
-    assert (off > 2).mean() < most
+    assert (off > 2).mean() < 0.01
 
 
 @pytest.mark.parametrize("samples", [1, 4])
@@ -98,9 +115,10 @@ def test_bands_are_the_picture(with_webgpu: Any, city: nf.orthoview.OrthoTree, s
         address = f"{server.url}?graphics=webgpu&error=2&samples={samples}{link(NEAR)}"
         (told, whole), (banded, found) = (drawn(with_webgpu, address, script) for script in ("", SMALL))
     assert told["triangles"] > 0
-    assert banded["calls"] == (2 if samples == 1 else 4) * told["calls"]
+    assert banded["calls"] > told["calls"]
+    assert told["unhidden"] <= banded["unhidden"]
     # Corners of triangles are rounded to other parts of a pixel.
-    assert (np.abs(whole.astype(int) - found).max(axis=-1) > 2).mean() < 1e-3
+    assert (np.abs(whole.astype(int) - found).max(axis=-1) > 2).mean() < 3e-3
 
 
 def test_hidden_parts_are_left_out(with_webgpu: Any, tmp_path: Path) -> None:
@@ -124,15 +142,37 @@ def test_hidden_parts_are_left_out(with_webgpu: Any, tmp_path: Path) -> None:
     assert told["unhidden"] < 0.85 * told["splats"]
 
 
-def test_webgl_draws_where_webgpu_is_missing_or_in_software(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
+@pytest.mark.parametrize("script", ["", WITHOUT, REFUSED])
+def test_webgl_draws_where_webgpu_is_missing_or_fails(
+    with_webgpu: Any, city: nf.orthoview.OrthoTree, script: str
+) -> None:
     with Server.of_bundle(city.path) as server, opened(with_webgpu, *SIZE) as page:
-        page.add_init_script(FRAMES)
-        assert flown(page, f"{server.url}{link(AIR)}")["graphics"] == "webgl"
+        page.add_init_script(f"{FRAMES}; {script}")
+        told = flown(page, f"{server.url}?error=4{link(AIR)}")
+        assert (told["graphics"], told["unhidden"]) == ("webgl", None)
+        assert problems(page) == []
+
+
+def test_parts_of_thousands_of_splats_are_drawn_from_several_pages(with_webgpu: Any, tmp_path: Path) -> None:
+    """Views whose parts have 64 × 64 splats, in pages that hold few of them."""
+    need("zarr")
+    box = np.array([[-30.0, -9.0, -30.0], [29.0, 50.0, 29.0]])
+    world = nf.datasets.city(blocks=1, detail=1)
+    tree = nf.orthoview.build(world, tmp_path / "fine.zarr", cell=60, aabb=box, size=256, directions=5, geometry=False)
+    pose: Pose = {"position": [0.0, 12.0, 45.0], "yaw": 0.0, "pitch": 0.0}
+    with Server.of_bundle(tree.path) as server:
+        told, found = drawn(with_webgpu, f"{server.url}?graphics=webgpu{link(pose)}", FEW)
+        whole, _ = drawn(with_webgpu, f"{server.url}?graphics=webgpu{link(pose)}")
+    assert told["calls"] > whole["calls"]
+    frame = rendered(tree, pose)
+    assert told["views"] == frame.stats["views"]
+    assert likeness(found, frame) > 0.95
+    assert holes(found, frame) < 0.001
 
 
 def test_missing_graphics_that_were_asked_for_are_told(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
     with Server.of_bundle(city.path) as server, opened(with_webgpu, *SIZE) as page:
-        page.add_init_script("Object.defineProperty(navigator, 'gpu', { value: undefined })")
+        page.add_init_script(WITHOUT)
         page.goto(f"{server.url}?graphics=webgpu{link(AIR)}")
         wait_until(page, lambda: page.locator("#message h1").count())
         assert "no WebGPU" in page.locator("#message").inner_text()

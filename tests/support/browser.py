@@ -35,6 +35,9 @@ WEBGPU = ("--enable-unsafe-webgpu", "--enable-features=Vulkan", "--use-vulkan=sw
 FRAMES = "window.requestAnimationFrame = (frame) => setTimeout(() => frame(performance.now()), 16)"
 """Asks for frames in its place."""
 
+NO_WEBGPU = "No available adapters."
+"""What Chromium prints when a page asks for WebGPU where there is none."""
+
 LOOKS = 6000
 """Looks at a page before it counts as hung: five minutes of pauses, and however long a busy machine takes to answer."""
 
@@ -56,10 +59,10 @@ def started(path: str | None = None, flags: Sequence[str] = ()) -> Iterator[Any]
 
 @contextmanager
 def opened(program: Any, width: int, height: int) -> Iterator[Any]:
-    """A new page; what it prints is in its list `printed`."""
+    """A new page; what it prints is in its list `printed`, but for missing WebGPU."""
     page = program.new_page(viewport={"width": width, "height": height})
     page.printed = []
-    page.on("console", lambda message: page.printed.append(message.text))
+    page.on("console", lambda message: message.text == NO_WEBGPU or page.printed.append(message.text))
     page.on("pageerror", lambda error: page.printed.append(str(error)))
     try:
         yield page

@@ -1,4 +1,4 @@
-/** What the page's drawers take from the CPU: where parts are seen, the order of the work, room on the GPU, bands of samples. */
+/** Before the page draws: where parts are seen, the order of the work, room on the GPU, bands of samples. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
@@ -52,9 +52,12 @@ function viewOf(random: () => number, count: number): { readonly model: Model; r
   return { model: modelOf(LAYOUT, 0, place, Math.floor(3 * random())), part: { first: 0, count, low, high } };
 }
 
-/** A point of a part, as the projector shows it. */
+/** A point of a splat of a part, as the projector shows it: up to half a pixel around its pixel, as the largest reach. */
 function shown({ model, part }: ReturnType<typeof viewOf>, { eye, rows }: Projector, random: () => number): Triple {
-  const at = part.low.map((lowest, axis) => lowest + random() * ((part.high[axis] as number) - lowest));
+  const at = part.low.map((lowest, axis) => {
+    const place = lowest + random() * ((part.high[axis] as number) - lowest);
+    return axis === 2 ? place : place + (random() < 0.5 ? -0.35 : 0.35);
+  });
   const world = [0, 1, 2].map((axis) =>
     at.reduce((sum, steps, n) => sum + steps * (model.steps[n]?.[axis] as number), model.start[axis] as number),
   );

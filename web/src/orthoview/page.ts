@@ -58,6 +58,7 @@ function main(): void {
     scripts: {
       cutter: new URL('orthoview-cut.js', import.meta.url),
       reader: new URL('orthoview-read.js', import.meta.url),
+      webgpu: new URL('orthoview-webgpu.js', import.meta.url),
     },
     views: number(query, 'views', 3, 1, 8),
     error: number(query, 'error', 1, 0.1, 64),

@@ -20,6 +20,7 @@ export interface Drawn {
   readonly splats: number;
   /** Of the geometry. */
   readonly triangles: number;
+  /** Of splats, light and geometry. */
   readonly calls: number;
 }
 
@@ -35,6 +36,9 @@ export interface Drawer<Layer extends Held, Mesh extends Held> {
   readonly isDone: boolean;
   /** Wait until it is. */
   finish(): Promise<void>;
-  /** Splats of the last picture that is there without parts that lie behind others; null where they are drawn, too. */
+  /**
+   * Splats of parts that do not lie behind others, of the last picture that is there; a part counts once for each band of
+   * rows. Null where hidden parts are drawn, too.
+   */
   readonly unhidden: number | null;
 }

@@ -25,7 +25,7 @@ import type { Stock } from './stock';
 
 export interface ViewerSettings {
   readonly base: URL;
-  readonly scripts: { readonly cutter: URL; readonly reader: URL };
+  readonly scripts: { readonly cutter: URL; readonly reader: URL; readonly webgpu: URL };
   /** Views of a cell, and the greatest width of their pixels in pixels of the picture. */
   readonly views: number;
   readonly error: number;
@@ -61,7 +61,7 @@ export interface Facts {
   readonly waiting: number;
   /** Cells of which nothing is there. */
   readonly holes: number;
-  /** Splats of parts that reach into the picture, and those that no others hide; null until that is known. */
+  /** Splats of parts that reach into the picture, and those of the last one that was there which no others hide. */
   readonly splats: number;
   readonly unhidden: number | null;
   /** Leaves that are drawn as geometry, with their guests, and their triangles. */
@@ -76,13 +76,12 @@ export interface Facts {
   readonly graphics: Graphics | null;
 }
 
-const NOTHING: Facts = {
+const NOTHING: Omit<Facts, 'unhidden'> = {
   views: 0,
   standIns: 0,
   waiting: 0,
   holes: 0,
   splats: 0,
-  unhidden: null,
   leaves: 0,
   triangles: 0,
   calls: 0,
@@ -122,7 +121,7 @@ export class Viewer {
   #begin = 0;
   #end = 0;
   #isDrawing = false;
-  facts: Facts = NOTHING;
+  #facts: Omit<Facts, 'unhidden'> = NOTHING;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -161,6 +160,10 @@ export class Viewer {
     return true;
   }
 
+  get facts(): Facts {
+    return { ...this.#facts, unhidden: this.#tree?.stock.unhidden ?? null };
+  }
+
   /** Milliseconds that the last picture took. */
   get took(): number {
     return Math.max(this.#end - this.#begin, 0);
@@ -183,7 +186,6 @@ export class Viewer {
     if (!stock.isDone) return false;
     this.#end = performance.now();
     this.#isDrawing = false;
-    this.facts = { ...this.facts, unhidden: stock.unhidden };
     return true;
   }
 
@@ -204,7 +206,9 @@ export class Viewer {
   #hear(message: FromCutter): void {
     switch (message.kind) {
       case 'opened':
-        void this.#open(message.layout, message.shards, message.geometry);
+        this.#open(message.layout, message.shards, message.geometry).catch((reason) =>
+          this.#settings.failed({ kind: 'other', message: messageOf(reason) }, true),
+        );
         break;
       case 'learned':
         this.#tree?.cells.add(message.subtree);
@@ -236,13 +240,13 @@ export class Viewer {
     this.#readers = startReaders(scripts.reader, workers, base, layout, {
       view: (id, layers) => {
         const found = this.#queue.done(id);
-        if (found) this.#tree?.stock.addView(found.level, found.place, found.direction, layers);
+        if (found) this.#add((stock) => stock.addView(found.level, found.place, found.direction, layers));
         this.#isDirty = true;
         this.#queue.fill();
       },
       leaf: (id, pieces) => {
         const found = this.#queue.done(id);
-        if (found) this.#tree?.stock.addLeaf(found.place, pieces);
+        if (found) this.#add((stock) => stock.addLeaf(found.place, pieces));
         this.#isDirty = true;
         this.#queue.fill();
       },
@@ -259,13 +263,24 @@ export class Viewer {
     this.#settings.opened(layout);
   }
 
+  /** Bring something to the GPU, where it may have no room. */
+  #add(add: (stock: Stock) => void): void {
+    try {
+      if (this.#tree) add(this.#tree.stock);
+    } catch (reason) {
+      this.#settings.failed({ kind: 'other', message: messageOf(reason) }, false);
+    }
+  }
+
   /** The stock of whatever draws; null if nothing does. */
   async #stock(layout: Layout, bytes: number): Promise<Pick<Tree, 'stock' | 'graphics'> | null> {
-    const failed = (message: string): void => this.#settings.failed({ kind: 'other', message }, true);
+    const failed = (message: string, isFatal: boolean): void =>
+      this.#settings.failed({ kind: 'other', message }, isFatal);
     try {
-      return await startStock(this.canvas, layout, { graphics: this.#settings.graphics, bytes, failed });
+      const { graphics, scripts } = this.#settings;
+      return await startStock(this.canvas, layout, { graphics, script: scripts.webgpu, bytes, failed });
     } catch (reason) {
-      failed(reason instanceof Error ? reason.message : String(reason));
+      failed(messageOf(reason), true);
       return null;
     }
   }
@@ -312,13 +327,12 @@ export class Viewer {
       leaves: new Set(needed.map((place) => nameOf(0, place))),
     });
     const [{ waiting }, isCurrent] = [this.#queue, !this.#isAsked && !this.#isStale];
-    this.facts = {
+    this.#facts = {
       views: choice.shown.length,
       standIns: choice.shown.filter(({ box }) => box !== null).length,
       waiting,
       holes: choice.holes,
       ...drawn,
-      unhidden: null,
       leaves: choice.near.length,
       bytes: stock.bytes,
       kept: stock.views,
@@ -359,6 +373,10 @@ export class Viewer {
   #tell(message: ToCutter): void {
     this.#cutter.postMessage(message);
   }
+}
+
+function messageOf(reason: unknown): string {
+  return reason instanceof Error ? reason.message : String(reason);
 }
 
 function isSame(one: Camera, other: Camera): boolean {

@@ -8,6 +8,8 @@ import { cornerOf, type Layout, sideAt, stepsOf, type Triple } from '../store/la
 export const [BORDER, SQUARED_RADIUS] = [1.27, 0.5] as const;
 /** Least cosine between a surfel's normal and the direction of its view. */
 export const LEAST_COSINE = 0.25;
+/** Least distances of a view's splats within which the place of a part in the picture is not bounded. */
+const CLOSE = 8;
 /** Vectors of four numbers that the shader has of a view. */
 export const VECTORS = 10;
 
@@ -154,11 +156,13 @@ export function seenOf(
     to[1] = Math.max(to[1], y / w);
   }
   if (left || right || above || below || behind) return null;
-  if (nearest < least) return { low: [0, 0], high: [width, height], nearness: Number.POSITIVE_INFINITY };
+  const nearness = nearest < least ? Number.POSITIVE_INFINITY : 1 / nearest;
+  // So near, an ellipse of the derivative at a splat's middle may reach far beyond the part.
+  if (nearest < CLOSE * least) return { low: [0, 0], high: [width, height], nearness };
   return {
     low: [Math.max(Math.floor(from[0]) - 1, 0), Math.max(Math.floor(from[1]) - 1, 0)],
     high: [Math.min(Math.floor(to[0]) + 2, width), Math.min(Math.floor(to[1]) + 2, height)],
-    nearness: 1 / nearest,
+    nearness,
   };
 }
 

@@ -15,7 +15,7 @@ import {
   writeView,
 } from '../../splats/sight';
 import type { Drawer, Drawn, Item } from '../drawer';
-import { nearestOf } from '../nearest';
+import { gridOf, nearestOf } from '../bounds';
 import { type Program, programOf, type Target, targetOf } from './gl';
 import { type Mesh, Meshes } from './meshes';
 import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, WHOLE_VERTEX } from './shaders';
@@ -36,6 +36,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
   readonly #meshes: Meshes;
   readonly #numbers = new Float32Array(4 * VECTORS);
   readonly #largest: number;
+  readonly #longest: number;
   #target: Target | null = null;
   #fence: WebGLSync | null = null;
   readonly unhidden = null;
@@ -51,6 +52,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     this.#resolve = programOf(this.#gl, WHOLE_VERTEX, RESOLVE_FRAGMENT);
     this.#meshes = new Meshes(this.#gl);
     this.#largest = (this.#gl.getParameter(this.#gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] ?? 1;
+    this.#longest = this.#gl.getParameter(this.#gl.MAX_TEXTURE_SIZE) as number;
   }
 
   upload(model: Model, { words, parts }: Splats): Layer {
@@ -78,8 +80,9 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     this.#meshes.drop(mesh);
   }
 
-  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, grid: number): Drawn {
+  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): Drawn {
     const gl = this.#gl;
+    const grid = gridOf(wanted, Math.max(camera.width, camera.height), this.#longest);
     const sampled = { ...camera, width: camera.width * grid, height: camera.height * grid };
     const projector = projectorOf(sampled);
     const target = this.#targetOf(sampled.width, sampled.height);

@@ -1,8 +1,8 @@
 /** Room for views in a few large buffers, so that one call draws many of them. */
 import type { Held } from '../drawer';
 
-/** Words of 32 bits in a page, at least: 64 MB. */
-const PAGE = 1 << 24;
+/** Words of 32 bits in a page, at least: 32 MB. */
+const PAGE = 1 << 23;
 /** Words of which all places are multiples. */
 const UNIT = 64;
 
@@ -78,7 +78,7 @@ export class Arena {
     if (words > most) throw new Error(`a view of ${4 * words} bytes is larger than the graphics allow`);
     const size = Math.min(Math.max(words, PAGE), most);
     const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST;
-    const buffer = this.device.createBuffer({ label: 'views', size: 4 * size, usage });
+    const buffer = this.device.createBuffer({ label: 'page of views', size: 4 * size, usage });
     const gap = { first: 0, words: size };
     const page = { buffer, words: size, gaps: [gap] };
     this.#pages.push(page);

@@ -5,13 +5,13 @@ import type { Part, Splats } from '../../decode/pack';
 import { type Model, type Projector, projectorOf } from '../../splats/sight';
 import type { Layout } from '../../store/layout';
 import type { Drawer, Drawn, Held, Item } from '../drawer';
-import { nearestOf } from '../nearest';
+import { gridOf, nearestOf } from '../bounds';
 import { Arena, type Page, type Place } from './arena';
-import { type Kernels, kernelsOf } from './kernels';
-import { COLOR, type Mesh, Meshes } from './meshes';
+import type { Kernels } from './kernels';
+import { COLOR, type Mesh, type Meshes } from './meshes';
 import { type Called, Numbers } from './numbers';
 import { Room, SLOT } from './room';
-import { type Band, bandsOf, Samples, type Textures, tilesOf } from './samples';
+import { type Band, bandsOf, Samples, type Targets, tilesOf } from './samples';
 import { GROUP, ROW } from './splat_shaders';
 import { type Work, workOf } from './work';
 
@@ -33,7 +33,7 @@ interface Picture {
   readonly rows: number;
   readonly work: Work<Page>;
   readonly numbers: Numbers;
-  /** One of them at a time. */
+  /** The numbers of one call, which an offset chooses. */
   readonly bound: GPUBufferBinding;
   readonly views: GPUBuffer;
   readonly parts: GPUBuffer;
@@ -42,10 +42,7 @@ interface Picture {
 }
 
 export class WebgpuDrawer implements Drawer<Layer, Mesh> {
-  readonly #context: GPUCanvasContext;
-  readonly #kernels: Kernels;
   readonly #arena: Arena;
-  readonly #meshes: Meshes;
   readonly #samples: Samples;
   readonly #numbers: Room;
   readonly #views: Room;
@@ -59,26 +56,19 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   unhidden: number | null = null;
 
   constructor(
-    canvas: HTMLCanvasElement,
+    /** A canvas's, for the kernels' format. */
+    readonly context: GPUCanvasContext,
     readonly layout: Layout,
     readonly device: GPUDevice,
-    failed: (message: string) => void,
+    readonly kernels: Kernels,
+    readonly meshes: Meshes,
   ) {
-    const context = canvas.getContext('webgpu');
-    if (!context) throw new Error('this browser has no WebGPU for pictures');
-    this.#context = context;
-    const format = navigator.gpu.getPreferredCanvasFormat();
-    context.configure({ device, format, alphaMode: 'opaque' });
-    this.#kernels = kernelsOf(device, format);
     this.#arena = new Arena(device);
-    this.#meshes = new Meshes(device, this.#kernels.draw);
     this.#samples = new Samples(device);
     this.#numbers = new Room(device, 'calls', GPUBufferUsage.UNIFORM);
     const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE);
     [this.#views, this.#parts, this.#listed] = [room('views'), room('parts'), room('listed')];
     this.#nothing = device.createTexture({ size: [1, 1], format: COLOR, usage: GPUTextureUsage.TEXTURE_BINDING });
-    void device.lost.then(({ message, reason }) => reason !== 'destroyed' && failed(`the graphics are gone: ${message}`));
-    device.onuncapturederror = ({ error }): void => failed(`the graphics cannot go on: ${error.message}`);
   }
 
   upload(model: Model, { words, parts }: Splats): Layer {
@@ -91,14 +81,15 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   }
 
   uploadMesh(piece: Piece): Mesh {
-    return this.#meshes.upload(piece);
+    return this.meshes.upload(piece);
   }
 
   dropMesh(mesh: Mesh): void {
-    this.#meshes.drop(mesh);
+    this.meshes.drop(mesh);
   }
 
-  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, grid: number): Drawn {
+  draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, wanted: number): Drawn {
+    const grid = gridOf(wanted, camera.width, this.device.limits.maxTextureDimension2D);
     const projector = projectorOf({ ...camera, width: camera.width * grid, height: camera.height * grid });
     const nearest = nearestOf(items, meshes.length > 0);
     const work = workOf(items, projector, this.layout, nearest);
@@ -115,7 +106,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
       views: this.#views.with(work.views),
       parts: this.#parts.with(work.parts),
       listed: this.#listed.with(work.listed),
-      target: this.#context.getCurrentTexture().createView(),
+      target: this.context.getCurrentTexture().createView(),
     };
     const encoder = this.device.createCommandEncoder();
     let triangles = 0;
@@ -139,24 +130,23 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     const { meshes, projector } = picture;
     const bytes = 4 * projector.width * band.rows;
     const { orders, colors, tiles } = this.#samples.buffers(projector.width, band.rows);
-    const { color, depth } =
-      meshes.length > 0 ? this.#samples.textures(projector.width, picture.rows) : { color: this.#nothing, depth: null };
+    const targets = meshes.length > 0 ? this.#samples.targets(projector.width, picture.rows) : null;
     if (band.number === 0) encoder.clearBuffer(tiles, 0, 4);
     encoder.clearBuffer(colors, 0, bytes);
     const slot = picture.numbers.put(band, {});
     let triangles = 0;
-    if (depth) {
-      triangles = this.#drawMeshes(encoder, picture, band, slot, { color, depth });
-      const group = this.#group(this.#kernels.begun, [picture.bound, depth.createView(), { buffer: orders }]);
+    if (targets) {
+      triangles = this.#drawMeshes(encoder, picture, band, slot, targets);
+      const group = this.#group(this.kernels.beginLayout, [picture.bound, targets.depth.createView(), { buffer: orders }]);
       const pass = encoder.beginComputePass({ label: 'begin' });
-      pass.setPipeline(this.#kernels.begin);
+      pass.setPipeline(this.kernels.begin);
       pass.setBindGroup(0, group, [slot]);
       dispatch(pass, Math.ceil((projector.width * band.rows) / GROUP));
       pass.end();
     } else encoder.clearBuffer(orders, 0, bytes);
     this.#drawSplats(encoder, picture, band, [{ buffer: tiles }, { buffer: orders }, { buffer: colors }]);
-    const found = [picture.bound, color.createView(), { buffer: orders }, { buffer: colors }];
-    this.#show(encoder, picture, band, slot, this.#group(this.#kernels.resolved, found));
+    const found = [picture.bound, (targets?.color ?? this.#nothing).createView(), { buffer: orders }, { buffer: colors }];
+    this.#show(encoder, picture, band, slot, this.#group(this.kernels.resolveLayout, found));
     return triangles;
   }
 
@@ -165,7 +155,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     { meshes, projector, bound }: Picture,
     { rows }: Band,
     slot: number,
-    { color, depth }: Textures,
+    { color, depth }: Targets,
   ): number {
     const pass = encoder.beginRenderPass({
       label: 'meshes',
@@ -178,13 +168,13 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
       },
     });
     pass.setViewport(0, 0, projector.width, rows, 0, 1);
-    pass.setBindGroup(0, this.#group(this.#kernels.draw, [bound]), [slot]);
-    const triangles = this.#meshes.record(pass, meshes, projector.eye);
+    pass.setBindGroup(0, this.#group(this.kernels.numbered, [bound]), [slot]);
+    const triangles = this.meshes.record(pass, meshes, projector.eye);
     pass.end();
     return triangles;
   }
 
-  /** First the nearest parts, so that others behind them are left out; then the splats that are seen, and their light. */
+  /** First the nearest parts, so that others behind them are left out; then the splats that are seen, and light. */
   #drawSplats(
     encoder: GPUCommandEncoder,
     { projector, work, numbers, bound, views, parts, listed }: Picture,
@@ -194,7 +184,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     const groups = new Map<Page, GPUBindGroup>();
     for (const page of work.pages) {
       const given = [views, parts, listed, page.buffer].map((buffer) => ({ buffer }));
-      groups.set(page, this.#group(this.#kernels.work, [bound, ...given, ...found]));
+      groups.set(page, this.#group(this.kernels.splatLayout, [bound, ...given, ...found]));
     }
     const pass = encoder.beginComputePass({ label: 'splats' });
     const call = (pipeline: GPUComputePipeline, page: Page, count: number, called: Called): void => {
@@ -202,7 +192,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
       pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, called)]);
       dispatch(pass, count);
     };
-    const { splats, tiles, shade } = this.#kernels;
+    const { splats, tiles, shade } = this.kernels;
     const groupsOfTiles = Math.ceil(tilesOf(projector.width, band.rows) / GROUP);
     for (const round of [0, 1]) {
       for (const [n, each] of work.calls.entries()) {
@@ -227,7 +217,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
       label: 'show',
       colorAttachments: [{ view: target, loadOp, storeOp: 'store' }],
     });
-    pass.setPipeline(this.#kernels.resolve);
+    pass.setPipeline(this.kernels.resolve);
     pass.setBindGroup(0, group, [slot]);
     pass.setScissorRect(0, first / grid, projector.width / grid, rows / grid);
     pass.draw(3);

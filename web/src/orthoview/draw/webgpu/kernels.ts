@@ -2,11 +2,11 @@
 import { BEGIN, RESOLVE, SPLATS } from './splat_shaders';
 
 export interface Kernels {
-  /** Of the numbers of a call, alone. */
-  readonly draw: GPUBindGroupLayout;
-  readonly work: GPUBindGroupLayout;
-  readonly begun: GPUBindGroupLayout;
-  readonly resolved: GPUBindGroupLayout;
+  /** What is bound: numbers that calls choose by an offset, alone and with what the pipelines need. */
+  readonly numbered: GPUBindGroupLayout;
+  readonly splatLayout: GPUBindGroupLayout;
+  readonly beginLayout: GPUBindGroupLayout;
+  readonly resolveLayout: GPUBindGroupLayout;
   readonly splats: GPUComputePipeline;
   readonly tiles: GPUComputePipeline;
   readonly shade: GPUComputePipeline;
@@ -27,10 +27,10 @@ export function kernelsOf(device: GPUDevice, format: GPUTextureFormat): Kernels 
   const { COMPUTE, FRAGMENT, VERTEX } = GPUShaderStage;
   const read = { buffer: { type: 'read-only-storage' as const } };
   const write = { buffer: { type: 'storage' as const } };
-  const draw = layoutOf(VERTEX | FRAGMENT, []);
-  const work = layoutOf(COMPUTE, [read, read, read, read, write, write, write]);
-  const begun = layoutOf(COMPUTE, [{ texture: { sampleType: 'depth' } }, write]);
-  const resolved = layoutOf(FRAGMENT, [{ texture: { sampleType: 'unfilterable-float' } }, read, read]);
+  const numbered = layoutOf(VERTEX | FRAGMENT, []);
+  const splatLayout = layoutOf(COMPUTE, [read, read, read, read, write, write, write]);
+  const beginLayout = layoutOf(COMPUTE, [{ texture: { sampleType: 'depth' } }, write]);
+  const resolveLayout = layoutOf(FRAGMENT, [{ texture: { sampleType: 'unfilterable-float' } }, read, read]);
   const moduleOf = (label: string, code: string): GPUShaderModule => device.createShaderModule({ label, code });
   const computed = (layout: GPUBindGroupLayout, module: GPUShaderModule, entryPoint: string): GPUComputePipeline =>
     device.createComputePipeline({
@@ -40,17 +40,17 @@ export function kernelsOf(device: GPUDevice, format: GPUTextureFormat): Kernels 
     });
   const [splats, shown] = [moduleOf('splats', SPLATS), moduleOf('resolve', RESOLVE)];
   return {
-    draw,
-    work,
-    begun,
-    resolved,
-    splats: computed(work, splats, 'splats'),
-    tiles: computed(work, splats, 'farthest_of_tiles'),
-    shade: computed(work, splats, 'shade'),
-    begin: computed(begun, moduleOf('begin', BEGIN), 'begin'),
+    numbered,
+    splatLayout,
+    beginLayout,
+    resolveLayout,
+    splats: computed(splatLayout, splats, 'splats'),
+    tiles: computed(splatLayout, splats, 'farthest_of_tiles'),
+    shade: computed(splatLayout, splats, 'shade'),
+    begin: computed(beginLayout, moduleOf('begin', BEGIN), 'begin'),
     resolve: device.createRenderPipeline({
       label: 'resolve',
-      layout: device.createPipelineLayout({ bindGroupLayouts: [resolved] }),
+      layout: device.createPipelineLayout({ bindGroupLayouts: [resolveLayout] }),
       vertex: { module: shown },
       fragment: { module: shown, targets: [{ format }] },
     }),

@@ -5,7 +5,7 @@ import type { Triple } from '../../store/layout';
 import type { Held } from '../drawer';
 import { MESHES } from './mesh_shaders';
 import { Room, SLOT } from './room';
-import { Textures } from './textures';
+import { Images } from './textures';
 
 /** Of samples: linear light in 8 bits of sRGB, and depths of which the greater ones are nearer. */
 export const [COLOR, DEPTH] = ['rgba8unorm-srgb', 'depth32float'] as const;
@@ -37,30 +37,20 @@ const [ZEROS, WHITE] = [0, 12] as const;
 
 export class Meshes {
   readonly #module: GPUShaderModule;
-  readonly #numbersLayout: GPUBindGroupLayout;
   readonly #texturesLayout: GPUBindGroupLayout;
   readonly #layout: GPUPipelineLayout;
-  readonly #textures: Textures;
+  readonly #images: Images;
   readonly #sampler: GPUSampler;
-  readonly #nothing: GPUBuffer;
+  readonly #standIns: GPUBuffer;
   readonly #pipelines = new Map<string, GPURenderPipeline>();
   readonly #numbers: Room;
 
   constructor(
     readonly device: GPUDevice,
-    /** Of the numbers of a call. */
-    draw: GPUBindGroupLayout,
+    /** Of numbers that calls choose by an offset. */
+    readonly numbered: GPUBindGroupLayout,
   ) {
     this.#module = device.createShaderModule({ label: 'meshes', code: MESHES });
-    this.#numbersLayout = device.createBindGroupLayout({
-      entries: [
-        {
-          binding: 0,
-          visibility: GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT,
-          buffer: { hasDynamicOffset: true },
-        },
-      ],
-    });
     const visibility = GPUShaderStage.FRAGMENT;
     this.#texturesLayout = device.createBindGroupLayout({
       entries: [
@@ -70,9 +60,9 @@ export class Meshes {
       ],
     });
     this.#layout = device.createPipelineLayout({
-      bindGroupLayouts: [draw, this.#numbersLayout, this.#texturesLayout],
+      bindGroupLayouts: [numbered, numbered, this.#texturesLayout],
     });
-    this.#textures = new Textures(device);
+    this.#images = new Images(device);
     this.#sampler = device.createSampler({
       addressModeU: 'repeat',
       addressModeV: 'repeat',
@@ -80,8 +70,10 @@ export class Meshes {
       magFilter: 'linear',
       mipmapFilter: 'linear',
     });
-    this.#nothing = this.#filled(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
+    this.#standIns = this.#filled(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
     this.#numbers = new Room(device, 'meshes', GPUBufferUsage.UNIFORM);
+    // A shader that the browser refuses is told before anything is drawn.
+    this.#pipelineOf(true, true, true, true);
   }
 
   upload(piece: Piece): Mesh {
@@ -93,7 +85,7 @@ export class Meshes {
     let bytes = arrays.reduce((sum, buffer) => sum + (buffer?.size ?? 0), 0);
     // Levels take a third more.
     for (const image of images) bytes += image ? Math.ceil((16 * image.width * image.height) / 3) : 0;
-    const textures = images.map((image) => image && this.#textures.of(image));
+    const textures = images.map((image) => image && this.#images.of(image));
     return {
       origin: piece.origin,
       material: piece.material,
@@ -119,7 +111,7 @@ export class Meshes {
     meshes.forEach((mesh, n) => numbers.set(numbersOf(mesh, eye), (SLOT / 4) * n));
     const resource = { buffer: this.#numbers.with(numbers), size: SLOT };
     const group = this.device.createBindGroup({
-      layout: this.#numbersLayout,
+      layout: this.numbered,
       entries: [{ binding: 0, resource }],
     });
     return meshes.reduce((sum, mesh, n) => {
@@ -128,7 +120,7 @@ export class Meshes {
       pass.setBindGroup(2, mesh.group);
       mesh.buffers.forEach((buffer, slot) => {
         if (buffer) pass.setVertexBuffer(slot, buffer);
-        else pass.setVertexBuffer(slot, this.#nothing, slot === 3 ? WHITE : ZEROS);
+        else pass.setVertexBuffer(slot, this.#standIns, slot === 3 ? WHITE : ZEROS);
       });
       pass.setIndexBuffer(mesh.indices, mesh.format);
       pass.drawIndexed(mesh.corners, mesh.copies);
@@ -139,7 +131,7 @@ export class Meshes {
   #groupOf(textures: readonly (GPUTexture | null)[]): GPUBindGroup {
     const images = textures.map((texture, binding) => ({
       binding,
-      resource: (texture ?? this.#textures.white).createView(),
+      resource: (texture ?? this.#images.white).createView(),
     }));
     const entries = [...images, { binding: 2, resource: this.#sampler }];
     return this.device.createBindGroup({ layout: this.#texturesLayout, entries });

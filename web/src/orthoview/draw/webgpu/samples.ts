@@ -31,7 +31,7 @@ export function tilesOf(width: number, rows: number): number {
 }
 
 /** Textures that geometry is drawn into. */
-export interface Textures {
+export interface Targets {
   readonly color: GPUTexture;
   readonly depth: GPUTexture;
 }
@@ -40,14 +40,14 @@ export class Samples {
   readonly #orders: Room;
   readonly #colors: Room;
   readonly #tiles: Room;
-  #textures: Textures | null = null;
+  #targets: Targets | null = null;
 
   constructor(readonly device: GPUDevice) {
     const room = (label: string): Room => new Room(device, label, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
     [this.#orders, this.#colors, this.#tiles] = [room('orders'), room('colors'), room('tiles')];
   }
 
-  /** The buffer that begins with the number of splats that were drawn. */
+  /** The buffer that begins with the number of splats of parts that are not hidden. */
   get counts(): GPUBuffer {
     return this.#tiles.ofSize(0);
   }
@@ -59,16 +59,16 @@ export class Samples {
     return { orders: this.#orders.ofSize(bytes), colors: this.#colors.ofSize(bytes), tiles };
   }
 
-  /** Textures for all bands of up to so many rows: a picture's commands must not replace them. */
-  textures(width: number, rows: number): Textures {
-    const found = this.#textures;
+  /** Targets for all bands of up to so many rows: a picture's commands must not replace them. */
+  targets(width: number, rows: number): Targets {
+    const found = this.#targets;
     if (found && found.color.width === width && found.color.height === rows) return found;
     found?.color.destroy();
     found?.depth.destroy();
     const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING;
     const made = (format: GPUTextureFormat): GPUTexture =>
       this.device.createTexture({ label: 'samples', size: [width, rows], format, usage });
-    this.#textures = { color: made(COLOR), depth: made(DEPTH) };
-    return this.#textures;
+    this.#targets = { color: made(COLOR), depth: made(DEPTH) };
+    return this.#targets;
   }
 }

@@ -15,7 +15,7 @@ struct Draw {
   // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
   gradients: array<vec4<f32>, 3>,
   rays: array<vec4<f32>, 3>,
-  // Width and height of the samples that are drawn, the picture's first row of them, samples along each axis of a pixel.
+  // Width and height of the samples that are drawn, the picture's first row of them, samples along an axis of a pixel.
   size: vec4<u32>,
   // First part, number of them, number of the round.
   work: vec4<u32>,
@@ -28,7 +28,7 @@ struct Draw {
 @group(0) @binding(0) var<uniform> draw: Draw;
 `;
 
-/** Draws jobs; the farthest depths of tiles. */
+/** Depths of samples and the splats that have them; the farthest depths of tiles; light. */
 export const SPLATS = /* wgsl */ `
 ${DRAW}
 struct Part {
@@ -51,9 +51,9 @@ struct Part {
 @group(0) @binding(4) var<storage, read> words: array<u32>;
 // The number of splats of parts that are seen, then the farthest order of each tile.
 @group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
-// Bits of the samples' depths, whose order is that of floats of at least 0; LAST less the numbers of their splats, in the
-// end colours.
+// Bits of the samples' depths, whose order is that of floats of at least 0.
 @group(0) @binding(6) var<storage, read_write> orders: array<atomic<u32>>;
+// LAST less the numbers of their splats; in the end their colours.
 @group(0) @binding(7) var<storage, read_write> colors: array<atomic<u32>>;
 ${LIGHT_WGSL}
 const TILE = ${TILE}u;
@@ -77,6 +77,8 @@ struct Ellipse {
   code: u32,
 }
 
+// Steps of float32 by which depths of the second round may be less: compilers may round both rounds in other ways.
+const SLACK = 4u;
 const LAST = 0x7fffffffu;
 // Marks a colour.
 const COLOR = 0x80000000u;
@@ -163,8 +165,8 @@ fn ellipse_of(part: Part, number: u32) -> Ellipse {
   let is_shown = function.z - RADIUS * factor * length(vec2<f32>(u.z, v.z)) >= start.w
     && all(inside >= vec3<f32>(0.0)) && all(inside < vec3<f32>(1.0));
   if !is_shown {
-    found.high.x = -1;
-    found.low.x = 0;
+    found.low = vec2<i32>(0);
+    found.high = vec2<i32>(-1);
   }
   return found;
 }
@@ -182,7 +184,7 @@ fn cover(own: Ellipse, at: vec2<i32>, number: u32) {
   let sample = (u32(at.y) - draw.size.z) * draw.size.x + u32(at.x);
   if draw.work.z == 0u {
     atomicMax(&orders[sample], order);
-  } else if order == atomicLoad(&orders[sample]) {
+  } else if order + SLACK >= atomicLoad(&orders[sample]) {
     atomicMax(&colors[sample], LAST - number);
   }
 }
@@ -266,6 +268,7 @@ fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     if lane == 0u {
       atomicStore(&large_count, 0u);
     }
+    workgroupBarrier();
   }
 }
 

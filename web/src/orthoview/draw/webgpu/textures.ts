@@ -3,7 +3,7 @@ import { LEVEL } from './mesh_shaders';
 
 const FORMAT: GPUTextureFormat = 'rgba8unorm-srgb';
 
-export class Textures {
+export class Images {
   readonly #pipeline: GPURenderPipeline;
   readonly #sampler: GPUSampler;
   /** One texel, for what has no image. */
@@ -17,7 +17,7 @@ export class Textures {
       vertex: { module },
       fragment: { module, targets: [{ format: FORMAT }] },
     });
-    this.#sampler = device.createSampler({ minFilter: 'linear' });
+    this.#sampler = device.createSampler({ minFilter: 'linear', magFilter: 'linear' });
     this.white = this.#empty(1, 1);
     device.queue.writeTexture({ texture: this.white }, new Uint8Array([255, 255, 255, 255]), {}, [1, 1]);
   }

@@ -5,7 +5,7 @@ import {
   type Model,
   type Projector,
   rowsOf,
-  type Seen as Place,
+  type Seen,
   seenOf,
   sightOf,
   VECTORS,
@@ -48,13 +48,14 @@ export interface Work<Page> {
   readonly splats: number;
 }
 
-interface Seen<Page> {
+/** A part in the picture. */
+interface Shown<Page> {
   /** Number of its view, its first word, and that of its first splat among those of all parts. */
   readonly view: number;
   readonly first: number;
   readonly number: number;
   readonly count: number;
-  readonly place: Place;
+  readonly place: Seen;
   readonly page: Page;
 }
 
@@ -66,7 +67,7 @@ export function workOf<Page>(
   nearest: number,
 ): Work<Page> {
   const views: number[] = [];
-  const seen: Seen<Page>[] = [];
+  const seen: Shown<Page>[] = [];
   const numbers = new Float32Array(4 * VECTORS);
   let number = 0;
   for (const { layer, box } of items) {
@@ -98,14 +99,14 @@ function orderOf(depth: number): number {
 
 /** Parts and calls; `seen` comes in the order of the splats' numbers. */
 function sharedOut<Page>(
-  seen: readonly Seen<Page>[],
+  seen: readonly Shown<Page>[],
   splats: number,
   nearest: number,
 ): Omit<Work<Page>, 'views' | 'splats'> {
   const sorted = [...seen].sort((one, other) => compared(other.place.nearness, one.place.nearness));
   const pages = [...new Set(seen.map(({ page }) => page))];
   const parts = new Uint32Array(PART * seen.length);
-  const places = new Map<Seen<Page>, number>();
+  const places = new Map<Shown<Page>, number>();
   const calls: Call<Page>[] = [];
   for (const batch of batchesOf(sorted, splats)) {
     let begins = true;
@@ -130,7 +131,7 @@ function compared(one: number, other: number): number {
 }
 
 /** A part as the shaders have it. */
-function numbersOf<Page>({ view, first, number, count, place }: Seen<Page>, page: number, nearest: number): number[] {
+function numbersOf<Page>({ view, first, number, count, place }: Shown<Page>, page: number, nearest: number): number[] {
   const { low, high, nearness } = place;
   const order = orderOf(nearest * nearness);
   return [view, first, count, number, order, low[0] | (low[1] << 16), high[0] | (high[1] << 16), page];

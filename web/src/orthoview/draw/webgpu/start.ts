@@ -1,0 +1,45 @@
+/** A script of its own, which only browsers with WebGPU read. */
+import type { Layout } from '../../store/layout';
+import { WebgpuDrawer } from './drawer';
+import { kernelsOf } from './kernels';
+import { Meshes } from './meshes';
+
+/** The graphics failed: they are gone if that is fatal, and lack memory if not. */
+export type Failed = (message: string, isFatal: boolean) => void;
+
+const SHORT = 'the graphics have too little memory: ?megabytes= in the address sets how much is used';
+
+/** Draw on a canvas by a device; what the browser cannot do is told before the canvas is taken. */
+export async function start(
+  canvas: HTMLCanvasElement,
+  layout: Layout,
+  device: GPUDevice,
+  failed: Failed,
+): Promise<WebgpuDrawer> {
+  const format = navigator.gpu.getPreferredCanvasFormat();
+  device.pushErrorScope('validation');
+  const kernels = kernelsOf(device, format);
+  const meshes = new Meshes(device, kernels.numbered);
+  const error = await device.popErrorScope();
+  if (error) throw new Error(error.message);
+  const context = canvas.getContext('webgpu');
+  if (!context) throw new Error('this browser has no WebGPU for pictures');
+  context.configure({ device, format, alphaMode: 'opaque' });
+  tellFailures(device, failed);
+  return new WebgpuDrawer(context, layout, device, kernels, meshes);
+}
+
+/** Tell the first failure, which others follow, and once that memory is short. */
+function tellFailures(device: GPUDevice, failed: Failed): void {
+  let [isLost, isShort] = [false, false];
+  const lose = (message: string): void => {
+    if (!isLost) failed(message, true);
+    isLost = true;
+  };
+  void device.lost.then(({ message, reason }) => reason !== 'destroyed' && lose(`the graphics are gone: ${message}`));
+  device.onuncapturederror = ({ error }): void => {
+    if (!(error instanceof GPUOutOfMemoryError)) lose(`the graphics cannot go on: ${error.message}`);
+    else if (!isShort) failed(SHORT, false);
+    isShort ||= error instanceof GPUOutOfMemoryError;
+  };
+}
