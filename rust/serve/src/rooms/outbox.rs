@@ -117,6 +117,11 @@ impl Outbox {
         self.writer.wake();
     }
 
+    /// The end, if it has come.
+    pub fn ended(&self) -> Option<End> {
+        self.pending().end.clone()
+    }
+
     /// Wake this when something is added.
     pub fn register(&self, writer: &Waker) {
         self.writer.register(writer);

@@ -130,8 +130,11 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
     fn poll_write(&mut self, context: &mut Context<'_>) -> Poll<End> {
         loop {
             if self.is_writing {
-                if let Err(error) = ready!(Pin::new(&mut self.stream).poll_flush(context)) {
-                    return Poll::Ready(lost(error));
+                match Pin::new(&mut self.stream).poll_flush(context) {
+                    // The end does not wait for a user who does not read.
+                    Poll::Pending => return self.session.outbox.ended().map_or(Poll::Pending, Poll::Ready),
+                    Poll::Ready(Err(error)) => return Poll::Ready(lost(error)),
+                    Poll::Ready(Ok(())) => {}
                 }
                 self.is_writing = false;
                 let now = std::time::Instant::now();

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use bytes::Bytes;
-use futures_util::StreamExt;
+use futures_util::{SinkExt, StreamExt};
 use tokio::io::{AsyncWriteExt, DuplexStream, duplex};
 use tokio::task::JoinHandle;
 use tokio::time::{Instant, timeout};
@@ -41,10 +41,11 @@ async fn who_says_no_hello_is_ended() {
 async fn who_only_pings_before_hello_is_ended_at_the_same_time() {
     let (mut user, served) = user(limits()).await;
     let begun = Instant::now();
-    while !served.is_finished() && begun.elapsed() < 60 * SECOND {
-        let _ = futures_util::SinkExt::send(&mut user.socket, Message::Ping(Bytes::new())).await;
+    while user.socket.send(Message::Ping(Bytes::new())).await.is_ok() {
         let _ = timeout(SECOND, user.socket.next()).await;
+        tokio::time::sleep(SECOND).await;
     }
+    drop(user);
     assert_eq!(served.await.expect("it ended"), Reason::Silent);
     assert!(begun.elapsed() <= 15 * SECOND);
 }

@@ -11,10 +11,10 @@ use tokio_rustls::rustls::{ClientConfig, RootCertStore};
 use tokio_tungstenite::client_async;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 
-use super::support::{User, join, limits, pose, server};
+use super::support::{User, join, limits, pose, server, start};
 use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::{Rooms, upgrade};
-use crate::{Answering, HeaderValue, Router, Server, Settings, tls};
+use crate::{Answering, HeaderValue, Server, tls};
 
 fn answering(origin: Option<&'static str>, has_rooms: bool) -> Answering {
     let rooms = Rooms::new(limits(), None).expect("there are random bytes");
@@ -25,12 +25,6 @@ fn answering(origin: Option<&'static str>, has_rooms: bool) -> Answering {
         origin: origin.map(HeaderValue::from_static),
         rooms: has_rooms.then(|| Arc::new(rooms)),
     }
-}
-
-fn started(answering: Answering, certificate: Option<(std::path::PathBuf, std::path::PathBuf)>) -> Server {
-    let (address, limits) = (([127, 0, 0, 1], 0).into(), crate::Limits::default());
-    let settings = Settings { address, limits, certificate, router: Router::new(answering) };
-    Server::start(settings).expect("it listens")
 }
 
 /// The code of the answer to a request for a room.
@@ -69,30 +63,29 @@ async fn pages_of_other_origins_do_not_enter() {
         (Some("*"), Some("https://any.example"), 101),
         (Some("*"), Some("null"), 101),
     ] {
-        let server = started(answering(allowed, true), None);
+        let server = start(answering(allowed, true), None);
         let origin = origin.map(|origin| format!("Origin: {origin}"));
         let headers: Vec<&str> = ASKS.iter().copied().chain(origin.as_deref()).collect();
         assert_eq!(code(&server, "/rooms/hall", &headers).await, expected, "{allowed:?} {origin:?}");
     }
-    let server = started(answering(None, true), None);
+    let server = start(answering(None, true), None);
     let both = [&ASKS[..], &["Origin: http://localhost:80", "Origin: http://evil.example"]].concat();
     assert_eq!(code(&server, "/rooms/hall", &both).await, 403);
 }
 
 #[tokio::test]
 async fn what_does_not_ask_for_a_socket_gets_none() {
-    let server = started(answering(None, true), None);
-    for missing in 1..ASKS.len() {
-        let headers: Vec<&str> =
-            ASKS.iter().enumerate().filter(|(at, _)| *at != missing).map(|(_, each)| *each).collect();
-        assert_eq!(code(&server, "/rooms/hall", &headers).await, 426, "without {}", ASKS[missing]);
+    let server = start(answering(None, true), None);
+    for missing in &ASKS[1..] {
+        let headers: Vec<&str> = ASKS.into_iter().filter(|each| each != missing).collect();
+        assert_eq!(code(&server, "/rooms/hall", &headers).await, 426, "without {missing}");
     }
     let elsewhere = [&["Host: evil.example"], &ASKS[1..]].concat();
     assert_eq!(code(&server, "/rooms/hall", &elsewhere).await, 403);
     for (target, expected) in [("/rooms/h%C3%A4ll", 101), ("/rooms/", 404), ("/rooms", 404), ("/rooms/a/b", 404)] {
         assert_eq!(code(&server, target, &ASKS).await, expected, "{target}");
     }
-    let without = started(answering(None, false), None);
+    let without = start(answering(None, false), None);
     assert_eq!(code(&without, "/rooms/hall", &ASKS).await, 404);
 }
 
@@ -142,7 +135,7 @@ async fn sockets_are_encrypted_where_the_server_is() {
     let paths = (folder.path().join("chain.pem"), folder.path().join("key.pem"));
     std::fs::write(&paths.0, &certificate).expect("written");
     std::fs::write(&paths.1, key).expect("written");
-    let server = started(answering(None, true), Some(paths));
+    let server = start(answering(None, true), Some(paths));
     let mut trusted = RootCertStore::empty();
     trusted.add(CertificateDer::from_pem_slice(certificate.as_bytes()).expect("a certificate")).expect("trusted");
     let mut config = ClientConfig::builder().with_root_certificates(trusted).with_no_client_auth();

@@ -14,8 +14,8 @@ enum Happened {
 /// The least, over those who are there, of the greatest number that each has acknowledged since it came.
 fn least(log: &[Happened]) -> Option<u32> {
     let is_there = |peer: u16| {
-        let moves = log.iter().filter(|each| matches!(each, Happened::Joined(p) | Happened::Left(p) if *p == peer));
-        matches!(moves.last(), Some(Happened::Joined(_)))
+        let mut moves = log.iter().filter(|each| matches!(each, Happened::Joined(p) | Happened::Left(p) if *p == peer));
+        matches!(moves.next_back(), Some(Happened::Joined(_)))
     };
     let greatest = |peer: u16| {
         let came = log.iter().rposition(|each| matches!(each, Happened::Joined(p) if *p == peer)).unwrap_or(0);

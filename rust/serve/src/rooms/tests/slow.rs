@@ -1,5 +1,7 @@
 //! Users who read slowly, or not at all.
 
+use std::time::Duration;
+
 use tokio::net::TcpSocket;
 
 use super::support::{User, join, limits, over, pose, server};
@@ -46,7 +48,7 @@ async fn who_does_not_read_delays_nobody_and_gets_the_newest_pose_later() {
 
 #[tokio::test]
 async fn who_lets_too_much_wait_is_ended_and_others_get_all() {
-    let server = server(Limits { queue_bytes: 1 << 17, ..limits() }, None);
+    let server = server(Limits { queue_bytes: 1 << 17, linger: Duration::from_secs(3600), ..limits() }, None);
     let mut slow = slow(&server, 1).await;
     let (mut sender, mut friend) = (join(&server, "hall", 1, "").await, join(&server, "hall", 1, "").await);
     let number = slow.number;

@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -30,9 +31,15 @@ pub fn server(limits: Limits, key: Option<Key>) -> Server {
     let rooms = Rooms::new(limits, key).expect("there are random bytes");
     let answering =
         Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms: Some(Arc::new(rooms)) };
-    let address = SocketAddr::from(([127, 0, 0, 1], 0));
-    let limits = crate::Limits::default();
-    Server::start(Settings { address, limits, certificate: None, router: Router::new(answering) }).expect("it listens")
+    start(answering, None)
+}
+
+/// A server that answers so, with files of a certificate and its key.
+pub fn start(answering: Answering, certificate: Option<(PathBuf, PathBuf)>) -> Server {
+    let (address, limits) = (([127, 0, 0, 1], 0).into(), crate::Limits::default());
+    let settings = Settings { address, limits, certificate, router: Router::new(answering) };
+    // A server begins where no other tasks run.
+    std::thread::spawn(|| Server::start(settings)).join().expect("no panic").expect("it listens")
 }
 
 /// A user's connection.
