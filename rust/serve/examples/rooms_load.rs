@@ -102,8 +102,9 @@ fn started() -> Result<(Child, SocketAddr), Failure> {
     Ok((child, line.trim().parse()?))
 }
 
-/// All users; what they saw, and CPU seconds that the server took meanwhile.
-async fn run(load: Load, address: SocketAddr, server: u32) -> Result<(Vec<Seen>, f64), Failure> {
+/// All users; what they saw, CPU seconds that the server took meanwhile, and kilobytes of its memory for a user.
+async fn run(load: Load, address: SocketAddr, server: u32) -> Result<(Vec<Seen>, [f64; 2]), Failure> {
+    let alone = memory(server)?;
     let (epoch, together) = (Instant::now(), Arc::new(Barrier::new(load.users + 1)));
     let mut users = Vec::new();
     for number in 0..load.users {
@@ -119,7 +120,7 @@ async fn run(load: Load, address: SocketAddr, server: u32) -> Result<(Vec<Seen>,
     tokio::time::sleep(WARM).await;
     let before = cpu(server)?;
     tokio::time::sleep(Duration::from_secs_f64(load.seconds)).await;
-    let took = cpu(server)? - before;
+    let took = [cpu(server)? - before, (memory(server)? - alone) / load.users as f64];
     let mut seen = Vec::new();
     for user in users {
         seen.push(user.await??);
@@ -236,6 +237,13 @@ fn cpu(process: u32) -> Result<f64, Failure> {
     Ok((ticks(11)? + ticks(12)?) / TICKS)
 }
 
+/// Kilobytes of memory that a process has.
+fn memory(process: u32) -> Result<f64, Failure> {
+    let text = std::fs::read_to_string(format!("/proc/{process}/status"))?;
+    let line = text.lines().find_map(|line| line.strip_prefix("VmRSS:")).ok_or("no size")?;
+    Ok(line.trim().trim_end_matches(" kB").parse()?)
+}
+
 /// Share of poses that were in the server for at most a millisecond, and the bound that 99 % of them have not passed.
 fn residence(address: SocketAddr) -> Result<(f64, f64), Failure> {
     let mut stream = std::net::TcpStream::connect(address)?;
@@ -253,7 +261,7 @@ fn residence(address: SocketAddr) -> Result<(f64, f64), Failure> {
     Ok((within, bound))
 }
 
-fn tell(load: Load, seen: Vec<Seen>, cpu: f64, (within, bound): (f64, f64)) {
+fn tell(load: Load, seen: Vec<Seen>, [cpu, memory]: [f64; 2], (within, bound): (f64, f64)) {
     let all = |pick: fn(&Seen) -> &Vec<u32>| {
         let mut times: Vec<u32> = seen.iter().flat_map(|each| pick(each).iter().copied()).collect();
         times.sort_unstable();
@@ -269,9 +277,11 @@ fn tell(load: Load, seen: Vec<Seen>, cpu: f64, (within, bound): (f64, f64)) {
     println!(
         "users | group | Hz | round trip, median ms | 99 % | way, median ms | 99 % | in the server: 99 % within ms |"
     );
-    println!("within 1.02 ms | CPU s per s | B up per pose | closed form | B down per pose | closed form | unsettled");
     println!(
-        "{} | {} | {} | {} | {} | {:.3} | {:.4} | {:.3} | {:.1} | {up} | {:.1} | {down} | {}",
+        "within 1.02 ms | CPU s per s | kB a user | B up per pose | closed form | B down per pose | closed form | unsettled"
+    );
+    println!(
+        "{} | {} | {} | {} | {} | {:.3} | {:.4} | {:.3} | {memory:.1} | {:.1} | {up} | {:.1} | {down} | {}",
         load.users,
         load.group,
         load.hertz,

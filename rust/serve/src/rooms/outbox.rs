@@ -11,6 +11,9 @@ use super::frame::FromServer;
 use super::pose::Pose;
 use super::reason::{End, Reason};
 
+/// Bytes of memory that an empty queue keeps.
+const KEPT: usize = 1 << 12;
+
 /// What waits for one user, in bounded memory. Whoever writes to the user is woken and takes all of it.
 pub struct Outbox {
     pending: Mutex<Pending>,
@@ -136,6 +139,10 @@ impl Outbox {
         }
         pending.on_way = pending.queue.len();
         message.extend_from_slice(&pending.queue);
+        // A burst's memory is given back.
+        if pending.queue.capacity() > KEPT {
+            pending.queue = Vec::new();
+        }
         pending.queue.clear();
         for waiting in pending.poses.drain(..) {
             FromServer::Pose { user: waiting.user, pose: waiting.pose }.write(message);
