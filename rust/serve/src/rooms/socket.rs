@@ -185,15 +185,16 @@ async fn farewell<S>(mut stream: WebSocketStream<Tap<S>>, end: &End) -> Result<(
 where
     S: AsyncRead + AsyncWrite + Unpin,
 {
-    if end.reason != Reason::Gone {
-        let told = say_why(&mut stream, end).await;
-        // The user may have begun to close, so that nothing more can be told.
-        while told.is_ok()
-            && poll_fn(|context| Pin::new(&mut stream).poll_next(context)).await.is_some_and(|x| x.is_ok())
-        {}
-    }
+    // The user may have begun to close, so that nothing more can be told.
+    let is_told = end.reason != Reason::Gone && say_why(&mut stream, end).await.is_ok();
+    let is_flood = end.reason == Reason::Flood;
+    while is_told && !is_flood && is_open(poll_fn(|context| Pin::new(&mut stream).poll_next(context)).await) {}
     let tap = stream.get_mut();
     poll_fn(|context| Pin::new(&mut *tap).poll_shutdown(context)).await?;
+    if is_flood {
+        // To read on would be work for who sends too much; the time to read the reason ends this.
+        return std::future::pending().await;
+    }
     let mut rest = [0; READ];
     loop {
         let mut into = ReadBuf::new(&mut rest);
@@ -202,6 +203,10 @@ where
             return Ok(());
         }
     }
+}
+
+fn is_open(polled: Option<Result<Message, Error>>) -> bool {
+    polled.is_some_and(|message| message.is_ok())
 }
 
 async fn say_why<S>(stream: &mut WebSocketStream<Tap<S>>, end: &End) -> Result<(), Error>

@@ -1,8 +1,10 @@
 //! Users of rooms who send poses and acknowledge those of others, on a server in a process of its own.
 //!
-//! `rooms_load USERS GROUP HERTZ SECONDS`, such as `rooms_load 32 4 72 10`, prints a row of a table: median and 99th
+//! `rooms_load USERS GROUP HERTZ SECONDS [garbage|flood|vanish|slow]`, such as `rooms_load 32 4 72 10`, prints a row of a table: median and 99th
 //! percentile of the round trip (the paper's Eq. 3) and of the way from user to user, the server's residence and CPU,
-//! and bytes of a user against the closed form.
+//! and bytes of a user against the closed form. With a last word, eight others misbehave meanwhile.
+
+mod attack;
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::SocketAddr;
@@ -10,6 +12,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use attack::{Attack, INTRUDERS, attack};
 use futures_util::{SinkExt, StreamExt};
 use nearfar_serve::rooms::frame::{FromServer, FromUser, HEAD};
 use nearfar_serve::rooms::pose::{Begin, Placed, Pose};
@@ -23,6 +26,7 @@ use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use tokio_tungstenite::{WebSocketStream, client_async};
 
 type Failure = Box<dyn std::error::Error + Send + Sync>;
+type Socket = WebSocketStream<TcpStream>;
 
 /// Users of a room, if groups are not larger.
 const ROOM: usize = 64;
@@ -40,6 +44,7 @@ struct Load {
     group: usize,
     hertz: f64,
     seconds: f64,
+    attack: Option<Attack>,
 }
 
 /// Times in microseconds, and bytes of messages with their heads.
@@ -57,11 +62,16 @@ fn main() -> Result<(), Failure> {
     if arguments == ["serve"] {
         return serve();
     }
-    let numbers: Vec<f64> = arguments.iter().map(|text| text.parse()).collect::<Result<_, _>>()?;
-    let &[users, group, hertz, seconds] = &numbers[..] else {
-        return Err("expected USERS GROUP HERTZ SECONDS".into());
+    let load = match &arguments[..] {
+        [users, group, hertz, seconds, attack @ ..] if attack.len() < 2 => Load {
+            users: users.parse()?,
+            group: group.parse()?,
+            hertz: hertz.parse()?,
+            seconds: seconds.parse()?,
+            attack: attack.first().map(|text| text.parse()).transpose()?,
+        },
+        _ => return Err("expected USERS GROUP HERTZ SECONDS [ATTACK]".into()),
     };
-    let load = Load { users: users as usize, group: group as usize, hertz, seconds };
     let (mut server, address) = started()?;
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
     let (seen, cpu) = runtime.block_on(run(load, address, server.id()))?;
@@ -75,15 +85,7 @@ fn main() -> Result<(), Failure> {
 /// Be the server until the standard input ends.
 fn serve() -> Result<(), Failure> {
     let most = 1 << 14;
-    let (rate, byte_rate) = (1e9, 1e12);
-    let limits = rooms::Limits {
-        rooms: most,
-        users: most,
-        messages_per_second: rate,
-        bytes_per_second: byte_rate,
-        hello: Duration::from_secs(60),
-        ..rooms::Limits::default()
-    };
+    let limits = rooms::Limits { rooms: most, users: most, ..rooms::Limits::default() };
     let rooms = Some(Arc::new(Rooms::new(limits, None)?));
     let answering = Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms };
     let limits = nearfar_serve::Limits { connections: most, ..nearfar_serve::Limits::default() };
@@ -116,6 +118,8 @@ async fn run(load: Load, address: SocketAddr, server: u32) -> Result<(Vec<Seen>,
             play(load, epoch, phase, &mut socket).await
         }));
     }
+    let attacks = load.attack.map_or(0..0, |_| 0..INTRUDERS).zip(load.attack.into_iter().cycle());
+    let attacks: Vec<_> = attacks.map(|(number, kind)| tokio::spawn(attack(kind, address, number))).collect();
     together.wait().await;
     tokio::time::sleep(WARM).await;
     let before = cpu(server)?;
@@ -125,29 +129,29 @@ async fn run(load: Load, address: SocketAddr, server: u32) -> Result<(Vec<Seen>,
     for user in users {
         seen.push(user.await??);
     }
+    attacks.iter().for_each(|attack| attack.abort());
     Ok((seen, took))
 }
 
-async fn enter(load: Load, number: usize, address: SocketAddr) -> Result<WebSocketStream<TcpStream>, Failure> {
+async fn enter(load: Load, number: usize, address: SocketAddr) -> Result<Socket, Failure> {
     let group = number / load.group;
-    let room = group / (ROOM / load.group).max(1);
+    connect(address, group / (ROOM / load.group).max(1), group as u16).await
+}
+
+/// Join a group of a room.
+async fn connect(address: SocketAddr, room: usize, group: u16) -> Result<Socket, Failure> {
     let stream = TcpStream::connect(address).await?;
     stream.set_nodelay(true)?;
     let request = format!("ws://{address}/rooms/{room}").into_client_request()?;
     let (mut socket, _) = client_async(request, stream).await?;
     let mut hello = Vec::new();
-    FromUser::Hello { group: group as u16, name: "load", ticket: &[] }.write(&mut hello);
+    FromUser::Hello { group, name: "load", ticket: &[] }.write(&mut hello);
     socket.send(Message::binary(hello)).await?;
     Ok(socket)
 }
 
 /// Send poses and acknowledge those of others until the time is over.
-async fn play(
-    load: Load,
-    epoch: Instant,
-    phase: Duration,
-    socket: &mut WebSocketStream<TcpStream>,
-) -> Result<Seen, Failure> {
+async fn play(load: Load, epoch: Instant, phase: Duration, socket: &mut Socket) -> Result<Seen, Failure> {
     let (begun, period) = (Tick::now(), Duration::from_secs_f64(1.0 / load.hertz));
     let (warm, end) = (begun + WARM, begun + WARM + Duration::from_secs_f64(load.seconds));
     let mut ticks = interval_at(begun + phase, period);
