@@ -75,7 +75,7 @@ impl Served {
         listed.remove(&format!("{}files/longer.bin", if is_single { "" } else { "disk/" }));
         listed.insert("healthz".into(), b"200 OK: the server runs\n".to_vec());
         let hosts = Some([NAME.to_owned()].into());
-        let router = Router::new(Answering { sites, hosts, headers: Vec::new(), origin: None });
+        let router = Router::new(Answering { sites, hosts, headers: Vec::new(), origin: None, rooms: None });
         let runtime = tokio::runtime::Builder::new_current_thread().build().expect("a runtime");
         let names: &[&str] = if is_single { &[] } else { &["memory", "disk", "scene"] };
         Served { runtime, router: Arc::new(router), listed, sites: names, scene }

@@ -65,6 +65,7 @@ impl Server {
             hosts: hosts.map(|names| names.into_iter().collect()),
             headers: headers?,
             origin: origin.transpose()?,
+            rooms: None,
         };
         let settings = Settings {
             address: SocketAddr::new(host, port),

@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::io;
 use std::net::IpAddr;
 use std::pin::{Pin, pin};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 use axum::body::Body;
@@ -12,15 +12,18 @@ use axum::http::{Request, Response, StatusCode, Uri, header};
 use hyper::body::Incoming;
 use hyper::server::conn::{http1, http2};
 use hyper::service::service_fn;
+use hyper::upgrade::OnUpgrade;
 use hyper_util::rt::{TokioExecutor, TokioIo, TokioTimer};
-use hyper_util::server::graceful::Watcher;
 use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::net::TcpStream;
+use tokio::sync::watch;
 use tokio::time::timeout;
 use tokio_io_timeout::TimeoutStream;
 use tokio_rustls::TlsAcceptor;
+use tokio_rustls::server::TlsStream;
 
 use crate::flow::Flow;
+use crate::rooms::{self, Entering, Session};
 use crate::router::Router;
 use crate::server::Limits;
 use crate::{record, respond};
@@ -35,6 +38,12 @@ const STREAMS: u32 = 100;
 const WAITING: usize = 1 << 16;
 /// Bytes that an answer gives to it at once.
 const PIECE: usize = 1 << 14;
+/// Bytes of poses and other frames that the system keeps for a user beside those that are on their way.
+#[cfg(target_os = "linux")]
+const UNSENT: u32 = 1 << 12;
+
+/// Changes when the server ends.
+pub type Ends = watch::Receiver<()>;
 
 /// All connections share this.
 pub struct Shared {
@@ -44,7 +53,7 @@ pub struct Shared {
 }
 
 /// Serve a connection until it ends; the reason if the server ended it.
-pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, ends: Watcher) -> Result<(), &'static str> {
+pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, ends: Ends) -> Result<(), &'static str> {
     let limits = shared.limits;
     // Without it the end of a short answer waits for the client's acknowledgement.
     let _ = stream.set_nodelay(true);
@@ -71,7 +80,36 @@ pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, ends: Wat
     }
 }
 
+/// A connection until it ends; it takes no more requests once the server ends.
+async fn watched<C: Future>(connection: C, mut ends: Ends, finish: impl FnOnce(Pin<&mut C>)) -> C::Output {
+    let mut connection = pin!(connection);
+    tokio::select! {
+        result = &mut connection => return result,
+        _ = ends.changed() => {}
+    }
+    finish(connection.as_mut());
+    connection.await
+}
+
 type Limited = Pin<Box<TimeoutStream<TcpStream>>>;
+
+/// A stream over TCP.
+trait OverTcp: AsyncRead + AsyncWrite + Unpin + Send + 'static {
+    /// The stream that it is over.
+    fn tcp(&self) -> &TcpStream;
+}
+
+impl OverTcp for Limited {
+    fn tcp(&self) -> &TcpStream {
+        self.get_ref()
+    }
+}
+
+impl OverTcp for TlsStream<Limited> {
+    fn tcp(&self) -> &TcpStream {
+        self.get_ref().0.tcp()
+    }
+}
 
 /// A stream whose client must take bytes from time to time. It need not send any while it waits for an answer.
 fn limited(stream: TcpStream, limits: Limits) -> Limited {
@@ -86,20 +124,44 @@ fn http1_within(limits: Limits) -> http1::Builder {
     builder
 }
 
-async fn http1<S>(shared: &Shared, stream: S, client: IpAddr, ends: Watcher) -> Result<(), &'static str>
-where
-    S: AsyncRead + AsyncWrite + Unpin + Send + 'static,
-{
-    let (router, flow) = (Arc::clone(&shared.router), Flow::new());
-    let answer = service_fn(move |request: Request<Incoming>| {
-        let (router, flow) = (Arc::clone(&router), Arc::clone(&flow));
-        async move { Ok::<_, Infallible>(record::answer(router, flow, usize::MAX, client, request).await) }
+async fn http1<S: OverTcp>(shared: &Shared, stream: S, client: IpAddr, ends: Ends) -> Result<(), &'static str> {
+    let (router, flow, entered) = (Arc::clone(&shared.router), Flow::new(), Arc::new(OnceLock::new()));
+    let enters = Arc::clone(&entered);
+    let answer = service_fn(move |mut request: Request<Incoming>| {
+        let (router, flow, enters) = (Arc::clone(&router), Arc::clone(&flow), Arc::clone(&enters));
+        async move {
+            let upgrade = hyper::upgrade::on(&mut request);
+            let mut answer = record::answer(router, flow, usize::MAX, client, request).await;
+            if let Some(entering) = answer.extensions_mut().remove::<Entering>() {
+                // A connection becomes another one once.
+                let _ = enters.set((upgrade, entering));
+            }
+            Ok::<_, Infallible>(answer)
+        }
     });
-    let connection = http1_within(shared.limits).serve_connection(TokioIo::new(stream), answer);
-    ended(client, ends.watch(connection).await)
+    let connection = http1_within(shared.limits).serve_connection(TokioIo::new(stream), answer).with_upgrades();
+    let result = watched(connection, ends, http1::UpgradeableConnection::graceful_shutdown).await;
+    if let (Ok(()), Some(rooms), Some((upgrade, entering))) = (&result, shared.router.rooms(), entered.get().cloned()) {
+        let session = Session::new(Arc::clone(rooms), entering, std::time::Instant::now());
+        enter::<S>(session, upgrade, client).await;
+    }
+    ended(client, result)
 }
 
-async fn http2<S>(shared: &Shared, stream: S, client: IpAddr, ends: Watcher) -> Result<(), &'static str>
+/// Serve a user of a room as long as its connection, which has become a WebSocket, lasts.
+async fn enter<S: OverTcp>(session: Session, upgrade: OnUpgrade, client: IpAddr) {
+    let Ok(upgraded) = upgrade.await else { return };
+    // It is the stream that the connection was made of.
+    let Ok(parts) = upgraded.downcast::<TokioIo<S>>() else { return };
+    let stream = parts.io.into_inner();
+    // Frames wait where newer poses overwrite older ones, rather than in the system's memory.
+    #[cfg(target_os = "linux")]
+    let _ = socket2::SockRef::from(stream.tcp()).set_tcp_notsent_lowat(UNSENT);
+    let reason = rooms::serve(session, stream, parts.read_buf).await;
+    tracing::debug!(%client, reason = reason.name(), "a user's connection has ended");
+}
+
+async fn http2<S>(shared: &Shared, stream: S, client: IpAddr, ends: Ends) -> Result<(), &'static str>
 where
     S: AsyncRead + AsyncWrite + Unpin + Send + 'static,
 {
@@ -118,7 +180,7 @@ where
         .keep_alive_interval(limits.silence)
         .keep_alive_timeout(limits.silence)
         .serve_connection(TokioIo::new(stream), answer);
-    let mut connection = pin!(ends.watch(connection));
+    let mut connection = pin!(watched(connection, ends, http2::Connection::graceful_shutdown));
     // Clients that answer pings but ask for nothing, or take nothing, keep no place.
     let pause = (limits.headers.min(limits.silence) / 4).max(Duration::from_millis(50));
     loop {
@@ -135,7 +197,7 @@ where
 }
 
 /// Lead clients that do not encrypt to the encrypted address.
-async fn to_https(shared: &Shared, stream: Limited, ends: Watcher) -> Result<(), &'static str> {
+async fn to_https(shared: &Shared, stream: Limited, ends: Ends) -> Result<(), &'static str> {
     let router = Arc::clone(&shared.router);
     let answer = service_fn(move |request: Request<Incoming>| {
         let answer = moved(&router, &request);
@@ -143,7 +205,7 @@ async fn to_https(shared: &Shared, stream: Limited, ends: Watcher) -> Result<(),
     });
     let mut builder = http1_within(shared.limits);
     let connection = builder.keep_alive(false).serve_connection(TokioIo::new(stream), answer);
-    ends.watch(connection).await.map_err(|_| "error")
+    watched(connection, ends, http1::Connection::graceful_shutdown).await.map_err(|_| "error")
 }
 
 fn moved<B>(router: &Router, request: &Request<B>) -> Response<Body> {

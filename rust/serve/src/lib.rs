@@ -15,6 +15,7 @@ mod ranges;
 mod record;
 mod regions;
 mod respond;
+pub mod rooms;
 mod router;
 mod server;
 pub mod site;

@@ -14,6 +14,7 @@ use prometheus_client::metrics::histogram::{Histogram, exponential_buckets};
 use prometheus_client::registry::{Registry, Unit};
 
 use crate::demand::Demand;
+use crate::rooms::Rooms;
 use crate::site::Sites;
 
 /// Media type of the counts as text.
@@ -53,8 +54,8 @@ struct Ended {
 }
 
 impl Metrics {
-    /// Counts of a server with these sites.
-    pub fn new(sites: &Sites) -> Self {
+    /// Counts of a server with these sites and rooms.
+    pub fn new(sites: &Sites, rooms: Option<&Rooms>) -> Self {
         let mut registry = Registry::with_prefix("nearfar");
         let (answers, lost) = (Family::<Answered, Counter>::default(), Family::<Lost, Counter>::default());
         // From a millisecond to a minute and a half, by factors of two.
@@ -78,6 +79,9 @@ impl Metrics {
         let demands: Vec<_> =
             sites.iter().filter_map(|(name, site)| Some((name.clone(), site.demand.clone()?))).collect();
         registry.register_collector(Box::new(Demands(demands)));
+        if let Some(rooms) = rooms {
+            rooms.register(&mut registry);
+        }
         Metrics { registry, answers, seconds, sent, connections, lost, expiry }
     }
 

@@ -12,6 +12,7 @@ use percent_encoding::percent_decode_str;
 use crate::metrics::{self, Metrics};
 use crate::packed::Packed;
 use crate::respond::Asked;
+use crate::rooms::{Rooms, upgrade};
 use crate::site::{Document, Sites, find};
 use crate::{regions, respond};
 
@@ -30,6 +31,8 @@ pub struct Answering {
     pub headers: Vec<(HeaderName, HeaderValue)>,
     /// Whose pages may read answers: an origin, or `*`; none for the server's own.
     pub origin: Option<HeaderValue>,
+    /// Rooms, at `rooms/NAME`.
+    pub rooms: Option<Arc<Rooms>>,
 }
 
 /// State that all requests share.
@@ -43,12 +46,18 @@ pub struct Router {
 impl Router {
     /// Answer requests so.
     pub fn new(answering: Answering) -> Self {
-        Router { metrics: Metrics::new(&answering.sites), packed: Packed::new(PACKED), answering }
+        let metrics = Metrics::new(&answering.sites, answering.rooms.as_deref());
+        Router { metrics, packed: Packed::new(PACKED), answering }
     }
 
     /// The sites.
     pub fn sites(&self) -> &Sites {
         &self.answering.sites
+    }
+
+    /// The rooms.
+    pub fn rooms(&self) -> Option<&Arc<Rooms>> {
+        self.answering.rooms.as_ref()
     }
 
     /// Answer a client's request.
@@ -94,6 +103,9 @@ impl Router {
                 return respond::document(&asked, &document).await;
             }
             _ => {}
+        }
+        if let Some(room) = self.rooms().and_then(|_| upgrade::room(&path)) {
+            return upgrade::answer(room, self.host(request), self.answering.origin.as_ref(), request);
         }
         if !path.is_empty() && self.sites().contains_key(&*path) {
             return moved_below(request.uri().path());

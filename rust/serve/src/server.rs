@@ -7,9 +7,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use hyper_util::server::graceful::GracefulShutdown;
 use tokio::net::{TcpListener, TcpStream};
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot, watch};
 use tokio_rustls::TlsAcceptor;
 
 use crate::clients::{Clients, counted};
@@ -113,6 +112,9 @@ impl Server {
         for demand in self.router.sites().values().filter_map(|site| site.demand.as_ref()) {
             demand.close();
         }
+        if let Some(rooms) = self.router.rooms() {
+            rooms.close();
+        }
         if let Some((end, thread)) = ended {
             let _ = end.send(());
             let _ = thread.join();
@@ -128,7 +130,7 @@ impl Drop for Server {
 
 async fn listen(listener: TcpListener, shared: Arc<Shared>, mut ended: oneshot::Receiver<()>) {
     let limits = shared.limits;
-    let (open, graceful) = (Arc::new(Semaphore::new(limits.connections)), GracefulShutdown::new());
+    let (open, (ending, ends)) = (Arc::new(Semaphore::new(limits.connections)), watch::channel(()));
     let clients = Arc::new(Clients::default());
     loop {
         let accepted = tokio::select! {
@@ -148,7 +150,7 @@ async fn listen(listener: TcpListener, shared: Arc<Shared>, mut ended: oneshot::
             shared.router.metrics.lost("connections");
             continue;
         };
-        let (shared, ends) = (Arc::clone(&shared), graceful.watcher());
+        let (shared, ends) = (Arc::clone(&shared), ends.clone());
         tokio::spawn(async move {
             shared.router.metrics.connections.inc();
             if let Err(reason) = connection::serve(&shared, stream, address, ends).await {
@@ -159,7 +161,10 @@ async fn listen(listener: TcpListener, shared: Arc<Shared>, mut ended: oneshot::
         });
     }
     drop(listener);
-    let _ = tokio::time::timeout(limits.grace, graceful.shutdown()).await;
+    let _ = ending.send(());
+    // Each connection has a place until it ends.
+    let all = u32::try_from(limits.connections).unwrap_or(u32::MAX);
+    let _ = tokio::time::timeout(limits.grace, open.acquire_many(all)).await;
 }
 
 /// Wait for a place among the connections, then for one.

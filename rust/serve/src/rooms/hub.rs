@@ -1,0 +1,119 @@
+//! All rooms of a server.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use prometheus_client::registry::Registry;
+use rustls::crypto::ring;
+
+use super::figures::Figures;
+use super::limits::Limits;
+use super::outbox::Outbox;
+use super::reason::{End, Reason};
+use super::room::{Joining, Room};
+use super::token::Key;
+
+/// The rooms of a server, which begin with their first user and end with their last.
+pub struct Rooms {
+    /// Limits of rooms and users.
+    pub limits: Limits,
+    pub(super) figures: Arc<Figures>,
+    /// Signs tokens, if users need one.
+    pub(super) entry: Option<Key>,
+    /// Signs tickets.
+    back: Key,
+    state: Mutex<State>,
+}
+
+#[derive(Default)]
+struct State {
+    rooms: HashMap<String, Arc<Room>>,
+    is_closed: bool,
+}
+
+/// A user's place in a room; it is given up when this is dropped.
+pub struct Seat {
+    rooms: Arc<Rooms>,
+    name: String,
+    /// The room.
+    pub room: Arc<Room>,
+    /// The user's number.
+    pub user: u16,
+    outbox: Arc<Outbox>,
+}
+
+impl Rooms {
+    /// No room yet. With a key users need a token, and tickets last beyond the server's end.
+    pub fn new(limits: Limits, key: Option<Key>) -> Result<Self, String> {
+        if limits.users >= usize::from(u16::MAX) {
+            return Err(format!("users: expected fewer than {}, got {}", u16::MAX, limits.users));
+        }
+        let back = match &key {
+            Some(key) => key.clone(),
+            None => Key::new(&random::<32>()?)?,
+        };
+        Ok(Rooms { limits, figures: Arc::new(Figures::new()), entry: key, back, state: Mutex::default() })
+    }
+
+    /// Let nobody in from now on, and end all connections.
+    pub fn close(&self) {
+        let mut state = self.state();
+        state.is_closed = true;
+        state.rooms.values().for_each(|room| room.end(&ending()));
+    }
+
+    /// Let a registry tell the counts.
+    pub(crate) fn register(&self, registry: &mut Registry) {
+        self.figures.register(registry);
+    }
+
+    /// Let a user into a room, which begins with its first user. `ticket` is one of its last time, or nothing.
+    pub(super) fn join(rooms: &Arc<Self>, name: &str, ticket: &[u8], mut joining: Joining<'_>) -> Result<Seat, End> {
+        joining.back = rooms.back.back_to(name, ticket);
+        let outbox = Arc::clone(&joining.outbox);
+        let mut state = rooms.state();
+        if state.is_closed {
+            return Err(ending());
+        }
+        let room = match state.rooms.get(name) {
+            Some(room) => Arc::clone(room),
+            None if state.rooms.len() >= rooms.limits.rooms => {
+                let sentence = format!("expected a server with fewer than {} rooms", rooms.limits.rooms);
+                return Err(End::new(Reason::Full, sentence));
+            }
+            None => Arc::new(Room::new(joining.identity as u16, Arc::clone(&rooms.figures))),
+        };
+        let user = room.join(&joining, rooms.limits.users, |user, identity| rooms.back.ticket(name, user, identity))?;
+        state.rooms.insert(name.to_owned(), Arc::clone(&room));
+        rooms.figures.rooms.set(state.rooms.len() as i64);
+        drop(state);
+        Ok(Seat { rooms: Arc::clone(rooms), name: name.to_owned(), room, user, outbox })
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Drop for Seat {
+    fn drop(&mut self) {
+        let mut state = self.rooms.state();
+        self.room.leave(self.user, &self.outbox);
+        if self.room.is_empty() {
+            state.rooms.remove(&self.name);
+            self.rooms.figures.rooms.set(state.rooms.len() as i64);
+        }
+    }
+}
+
+/// The end of every connection when the server ends.
+pub fn ending() -> End {
+    End::new(Reason::Ending, "the server ends")
+}
+
+/// Bytes that nobody can guess.
+pub fn random<const COUNT: usize>() -> Result<[u8; COUNT], String> {
+    let mut bytes = [0; COUNT];
+    let filled = ring::default_provider().secure_random.fill(&mut bytes);
+    filled.map(|()| bytes).map_err(|error| format!("the system gives no random bytes: {error:?}"))
+}

@@ -1,0 +1,30 @@
+//! Rooms: users of one scene see each other's heads, hands and pointers.
+//!
+//! `socket` is one way by which a user's messages come and go; others need what `session` and `outbox` give. docs/rooms.md
+//! describes the frames and the rules.
+
+mod bucket;
+mod figures;
+pub mod frame;
+mod hub;
+mod limits;
+mod outbox;
+pub mod pose;
+mod reason;
+mod room;
+mod session;
+mod settle;
+mod socket;
+mod tap;
+mod token;
+pub(crate) mod upgrade;
+
+#[cfg(test)]
+mod tests;
+
+pub use hub::Rooms;
+pub use limits::Limits;
+pub use reason::Reason;
+pub(crate) use session::{Entering, Session};
+pub(crate) use socket::serve;
+pub use token::{Key, Number};

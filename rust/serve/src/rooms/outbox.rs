@@ -1,0 +1,166 @@
+//! What waits for a user: the newest pose of each other user, and all else in order.
+
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::task::Waker;
+use std::time::Instant;
+
+use bytes::BytesMut;
+use futures_util::task::AtomicWaker;
+
+use super::frame::FromServer;
+use super::pose::Pose;
+use super::reason::{End, Reason};
+
+/// Bytes of memory that an empty queue keeps.
+const KEPT: usize = 1 << 12;
+
+/// What waits for one user, in bounded memory. Whoever writes to the user is woken and takes all of it.
+pub struct Outbox {
+    pending: Mutex<Pending>,
+    writer: AtomicWaker,
+    /// Most bytes of frames that wait or are on their way, without poses.
+    most: usize,
+}
+
+#[derive(Default)]
+struct Pending {
+    /// Frames that must arrive, in order.
+    queue: Vec<u8>,
+    /// Bytes of such frames that were taken and that the user's socket has not taken yet.
+    on_way: usize,
+    /// At most one pose of each user.
+    poses: Vec<Waiting>,
+    settled: Option<u32>,
+    end: Option<End>,
+}
+
+struct Waiting {
+    user: u16,
+    pose: Pose,
+    read: Instant,
+}
+
+/// What a writer has taken.
+#[derive(Debug, PartialEq)]
+pub enum Taken {
+    /// There is nothing.
+    Nothing,
+    /// Frames, which are one message.
+    Message,
+    /// The connection ends.
+    End(End),
+}
+
+impl Outbox {
+    /// An empty one that takes so many bytes of frames besides poses.
+    pub fn new(most: usize) -> Self {
+        Outbox { pending: Mutex::default(), writer: AtomicWaker::new(), most }
+    }
+
+    /// Add a frame that must arrive. Who lets too many bytes wait is ended.
+    pub fn add(&self, frame: &FromServer<'_>) {
+        let mut pending = self.pending();
+        if pending.end.is_some() {
+            return;
+        }
+        if pending.queue.len() + pending.on_way + frame.bytes() > self.most {
+            let sentence = format!("expected a user who reads before {} bytes wait for it", self.most);
+            pending.finish(End::new(Reason::Slow, sentence));
+        } else {
+            frame.write(&mut pending.queue);
+        }
+        drop(pending);
+        self.writer.wake();
+    }
+
+    /// Add a pose, which was read then, in the place of an older one of the same user. Whether there was one.
+    pub fn add_pose(&self, user: u16, pose: Pose, read: Instant) -> bool {
+        let mut pending = self.pending();
+        if pending.end.is_some() {
+            return false;
+        }
+        let new = Waiting { user, pose, read };
+        let older = pending.poses.iter_mut().find(|waiting| waiting.user == user);
+        let is_overwritten = older.is_some();
+        match older {
+            // A wish for acknowledgement is settled by a later pose alone if that pose is acknowledged, too.
+            Some(older) => {
+                let is_acknowledged = older.pose.is_acknowledged || new.pose.is_acknowledged;
+                *older = Waiting { pose: Pose { is_acknowledged, ..new.pose }, ..new };
+            }
+            None => pending.poses.push(new),
+        }
+        drop(pending);
+        self.writer.wake();
+        is_overwritten
+    }
+
+    /// Add that poses are settled up to a number.
+    pub fn add_settled(&self, sequence: u32) {
+        let mut pending = self.pending();
+        if pending.end.is_none() {
+            pending.settled = pending.settled.max(Some(sequence));
+        }
+        drop(pending);
+        self.writer.wake();
+    }
+
+    /// Forget the pose of a user who has left.
+    pub fn forget(&self, user: u16) {
+        self.pending().poses.retain(|waiting| waiting.user != user);
+    }
+
+    /// End the connection, and forget all that waits. The first reason counts.
+    pub fn end(&self, end: End) {
+        let mut pending = self.pending();
+        if pending.end.is_none() {
+            pending.finish(end);
+        }
+        drop(pending);
+        self.writer.wake();
+    }
+
+    /// The end, if it has come.
+    pub fn ended(&self) -> Option<End> {
+        self.pending().end.clone()
+    }
+
+    /// Wake this when something is added.
+    pub fn register(&self, writer: &Waker) {
+        self.writer.register(writer);
+    }
+
+    /// Take all that waits as one message: frames in order, then poses, whose times of reading come with them. What was
+    /// taken before has been written.
+    pub fn take(&self, message: &mut BytesMut, read: &mut Vec<Instant>) -> Taken {
+        let mut pending = self.pending();
+        if let Some(end) = &pending.end {
+            return Taken::End(end.clone());
+        }
+        pending.on_way = pending.queue.len();
+        message.extend_from_slice(&pending.queue);
+        // A burst's memory is given back.
+        if pending.queue.capacity() > KEPT {
+            pending.queue = Vec::new();
+        }
+        pending.queue.clear();
+        for waiting in pending.poses.drain(..) {
+            FromServer::Pose { user: waiting.user, pose: waiting.pose }.write(message);
+            read.push(waiting.read);
+        }
+        if let Some(sequence) = pending.settled.take() {
+            FromServer::Settled { sequence }.write(message);
+        }
+        if message.is_empty() { Taken::Nothing } else { Taken::Message }
+    }
+
+    fn pending(&self) -> MutexGuard<'_, Pending> {
+        self.pending.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Pending {
+    fn finish(&mut self, end: End) {
+        *self = Pending { end: Some(end), ..Pending::default() };
+    }
+}

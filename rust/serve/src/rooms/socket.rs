@@ -1,0 +1,225 @@
+//! WebSocket as the way of a user's messages.
+
+use std::future::poll_fn;
+use std::io;
+use std::pin::Pin;
+use std::task::{Context, Poll, ready};
+
+use bytes::{Bytes, BytesMut};
+use futures_util::{Sink, Stream};
+use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
+use tokio::time::{Instant, Sleep, sleep_until, timeout};
+use tokio_tungstenite::WebSocketStream;
+use tokio_tungstenite::tungstenite::Error;
+use tokio_tungstenite::tungstenite::protocol::{CloseFrame, Message, Role, WebSocketConfig};
+
+use super::frame::FromServer;
+use super::outbox::Taken;
+use super::reason::{End, Reason};
+use super::session::Session;
+use super::tap::Tap;
+
+/// Bytes that are read at once.
+const READ: usize = 1 << 12;
+
+/// One connection.
+struct Socket<S> {
+    stream: WebSocketStream<Tap<S>>,
+    session: Session,
+    /// Messages that wait become one here.
+    message: BytesMut,
+    /// When the poses of the message that is on its way were read.
+    read: Vec<std::time::Instant>,
+    /// The stream has not taken all of the last message yet.
+    is_writing: bool,
+    is_ping_due: bool,
+    begun: Instant,
+    /// When the last byte came.
+    heard: Instant,
+    /// When the last ping was sent.
+    pinged: Instant,
+    clock: Pin<Box<Sleep>>,
+}
+
+/// Serve a user whose connection has become a WebSocket; these bytes came with its request. Why it ended.
+pub async fn serve<S>(session: Session, stream: S, came: Bytes) -> Reason
+where
+    S: AsyncRead + AsyncWrite + Unpin,
+{
+    let (limits, now) = (session.rooms.limits, Instant::now());
+    let config = WebSocketConfig::default()
+        .read_buffer_size(READ)
+        .write_buffer_size(0)
+        .max_message_size(Some(limits.message_bytes))
+        .max_frame_size(Some(limits.message_bytes));
+    let stream = WebSocketStream::from_partially_read(Tap::new(stream), came.into(), Role::Server, Some(config)).await;
+    let clock = Box::pin(sleep_until(now));
+    let (message, read) = (BytesMut::new(), Vec::new());
+    let (is_writing, is_ping_due) = (false, false);
+    let mut socket =
+        Socket { stream, session, message, read, is_writing, is_ping_due, begun: now, heard: now, pinged: now, clock };
+    let end = poll_fn(|context| socket.poll(context)).await;
+    let Socket { session, stream, .. } = socket;
+    let rooms = std::sync::Arc::clone(&session.rooms);
+    // Others are told before the end is told to the user, who may not read it.
+    drop(session);
+    rooms.figures.closed(end.reason);
+    let _ = timeout(limits.linger, farewell(stream, &end)).await;
+    end.reason
+}
+
+impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
+    fn poll(&mut self, context: &mut Context<'_>) -> Poll<End> {
+        // Before looking, so that nothing that is added in between is missed.
+        self.session.outbox.register(context.waker());
+        if let Poll::Ready(end) = self.poll_clock(context) {
+            return Poll::Ready(end);
+        }
+        if let Poll::Ready(end) = self.poll_read(context) {
+            return Poll::Ready(end);
+        }
+        self.poll_write(context)
+    }
+
+    /// Find out when a user is silent. No message waits for this clock.
+    fn poll_clock(&mut self, context: &mut Context<'_>) -> Poll<End> {
+        let limits = self.session.rooms.limits;
+        loop {
+            ready!(self.clock.as_mut().poll(context));
+            let (now, is_in) = (Instant::now(), self.session.is_in());
+            let deadline = if is_in { self.heard + limits.silence } else { self.begun + limits.hello };
+            if now >= deadline {
+                let sentence = if is_in { "expected an answer to a ping" } else { "expected hello" };
+                return Poll::Ready(End::new(Reason::Silent, sentence));
+            }
+            if now >= self.heard.max(self.pinged) + limits.ping {
+                (self.is_ping_due, self.pinged) = (true, now);
+            }
+            self.clock.as_mut().reset(deadline.min(self.heard.max(self.pinged) + limits.ping));
+        }
+    }
+
+    fn poll_read(&mut self, context: &mut Context<'_>) -> Poll<End> {
+        loop {
+            let polled = Pin::new(&mut self.stream).poll_next(context);
+            let came = self.stream.get_mut().came();
+            if came == 0 && polled.is_pending() {
+                return Poll::Pending;
+            }
+            let now = Instant::now();
+            if came > 0 {
+                self.heard = now;
+            }
+            let now = now.into_std();
+            let taken = self.session.took(came, now).and_then(|()| match ready_or(polled)? {
+                None => Ok(false),
+                Some(Message::Binary(bytes)) => self.session.message(&bytes, now).map(|()| true),
+                Some(Message::Text(_)) => Err(End::new(Reason::Frame, "expected binary messages")),
+                Some(Message::Close(_)) => Err(End::new(Reason::Bye, "the user left")),
+                Some(_) => self.session.counted(now).map(|()| true),
+            });
+            match taken {
+                Ok(true) => {}
+                Ok(false) => return Poll::Pending,
+                Err(end) => return Poll::Ready(end),
+            }
+        }
+    }
+
+    /// Write all that waits, as one message whenever the stream has taken the one before.
+    fn poll_write(&mut self, context: &mut Context<'_>) -> Poll<End> {
+        loop {
+            if self.is_writing {
+                match Pin::new(&mut self.stream).poll_flush(context) {
+                    // The end does not wait for a user who does not read.
+                    Poll::Pending => return self.session.outbox.ended().map_or(Poll::Pending, Poll::Ready),
+                    Poll::Ready(Err(error)) => return Poll::Ready(lost(error)),
+                    Poll::Ready(Ok(())) => {}
+                }
+                self.is_writing = false;
+                let now = std::time::Instant::now();
+                let ages = self.read.drain(..).map(|read| now.saturating_duration_since(read));
+                self.session.rooms.figures.written(ages);
+            }
+            let message = match self.session.outbox.take(&mut self.message, &mut self.read) {
+                Taken::End(end) => return Poll::Ready(end),
+                Taken::Message => Message::Binary(self.message.split().freeze()),
+                Taken::Nothing if std::mem::take(&mut self.is_ping_due) => Message::Ping(Bytes::new()),
+                Taken::Nothing => return Poll::Pending,
+            };
+            if let Err(error) = Pin::new(&mut self.stream).start_send(message) {
+                return Poll::Ready(lost(error));
+            }
+            self.is_writing = true;
+        }
+    }
+}
+
+/// A message that was read, none while none has come, or why there are no more.
+fn ready_or(polled: Poll<Option<Result<Message, Error>>>) -> Result<Option<Message>, End> {
+    match polled {
+        Poll::Pending => Ok(None),
+        Poll::Ready(Some(Ok(message))) => Ok(Some(message)),
+        Poll::Ready(Some(Err(error))) => Err(lost(error)),
+        Poll::Ready(None) => Err(End::new(Reason::Gone, "the connection broke off")),
+    }
+}
+
+/// Why an error ends a connection.
+fn lost(error: Error) -> End {
+    use tokio_tungstenite::tungstenite::error::ProtocolError;
+    match error {
+        Error::Io(error) if error.kind() == io::ErrorKind::TimedOut => {
+            End::new(Reason::Slow, "expected a user who reads")
+        }
+        Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) | Error::Io(_) => {
+            End::new(Reason::Gone, "the connection broke off")
+        }
+        Error::ConnectionClosed | Error::AlreadyClosed => End::new(Reason::Gone, "the connection broke off"),
+        other => End::new(Reason::Frame, other.to_string()),
+    }
+}
+
+/// Tell a user why its connection ends, and wait until it has closed it, so that what was written arrives.
+async fn farewell<S>(mut stream: WebSocketStream<Tap<S>>, end: &End) -> Result<(), Error>
+where
+    S: AsyncRead + AsyncWrite + Unpin,
+{
+    // The user may have begun to close, so that nothing more can be told.
+    let is_told = end.reason != Reason::Gone && say_why(&mut stream, end).await.is_ok();
+    let is_flood = end.reason == Reason::Flood;
+    while is_told && !is_flood && is_open(poll_fn(|context| Pin::new(&mut stream).poll_next(context)).await) {}
+    let tap = stream.get_mut();
+    poll_fn(|context| Pin::new(&mut *tap).poll_shutdown(context)).await?;
+    if is_flood {
+        // To read on would be work for who sends too much; the time to read the reason ends this.
+        return std::future::pending().await;
+    }
+    let mut rest = [0; READ];
+    loop {
+        let mut into = ReadBuf::new(&mut rest);
+        poll_fn(|context| Pin::new(&mut *tap).poll_read(context, &mut into)).await?;
+        if into.filled().is_empty() {
+            return Ok(());
+        }
+    }
+}
+
+fn is_open(polled: Option<Result<Message, Error>>) -> bool {
+    polled.is_some_and(|message| message.is_ok())
+}
+
+async fn say_why<S>(stream: &mut WebSocketStream<Tap<S>>, end: &End) -> Result<(), Error>
+where
+    S: AsyncRead + AsyncWrite + Unpin,
+{
+    let mut message = BytesMut::new();
+    FromServer::Refused { code: end.reason.code(), sentence: &end.sentence }.write(&mut message);
+    let close = CloseFrame { code: end.reason.close_code().into(), reason: end.reason.name().into() };
+    let told = (end.reason != Reason::Bye).then(|| Message::Binary(message.freeze()));
+    for message in told.into_iter().chain([Message::Close(Some(close))]) {
+        poll_fn(|context| Pin::new(&mut *stream).poll_ready(context)).await?;
+        Pin::new(&mut *stream).start_send(message)?;
+    }
+    poll_fn(|context| Pin::new(&mut *stream).poll_flush(context)).await
+}

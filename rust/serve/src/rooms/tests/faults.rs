@@ -1,0 +1,173 @@
+//! Users who misbehave: they are closed with a reason, and others notice nothing but that they left.
+
+use std::time::Duration;
+
+use futures_util::SinkExt;
+use tokio::io::AsyncWriteExt;
+use tokio_tungstenite::tungstenite::Message;
+
+use super::support::{User, connect, join, limits, pose, server};
+use crate::Server;
+use crate::rooms::frame::{FromServer, FromUser, To};
+use crate::rooms::pose::{Placed, Pose};
+use crate::rooms::{Limits, Reason};
+
+/// Two users of the intruder's group, whose poses come while it misbehaves.
+struct Witnesses(User, User, u32);
+
+impl Witnesses {
+    async fn new(server: &Server) -> Self {
+        Witnesses(join(server, "hall", 1, "").await, join(server, "hall", 1, "").await, 0)
+    }
+
+    /// They see each other, and that this user has left.
+    async fn see_that_left(&mut self, user: u16) {
+        for witness in [&mut self.0, &mut self.1] {
+            witness.until(|frame| (frame == FromServer::Left { user }).then_some(())).await;
+        }
+        self.see().await;
+    }
+
+    async fn see(&mut self) {
+        self.2 += 1;
+        let Witnesses(one, two, sequence) = self;
+        one.send(&[FromUser::Pose(pose(*sequence))]).await;
+        assert_eq!(two.pose_of(one.number).await.sequence, *sequence);
+        two.send(&[FromUser::Pose(pose(*sequence))]).await;
+        assert_eq!(one.pose_of(two.number).await.sequence, *sequence);
+    }
+}
+
+fn bytes(frame: FromUser<'_>) -> Vec<u8> {
+    let mut out = Vec::new();
+    frame.write(&mut out);
+    out
+}
+
+#[tokio::test]
+async fn what_is_no_message_ends_its_sender_alone() {
+    let server = server(limits(), None);
+    let mut witnesses = Witnesses::new(&server).await;
+    let nowhere = Pose { head: Placed { position: [f32::NAN; 3], ..pose(1).head }, ..pose(1) };
+    let lost = Pose { head: Placed { rotation: [0; 4], ..pose(1).head }, ..pose(1) };
+    let mut half = bytes(FromUser::Pose(pose(2)));
+    half.truncate(20);
+    let good = bytes(FromUser::Say { to: To::Group, payload: b"before" });
+    for (message, sentence) in [
+        (vec![0xff; 500], "a frame is too short"),
+        (vec![99, 0, 0], "a frame is of no kind that users send"),
+        (vec![0x82, 0, 0], "a frame is of no kind that users send"),
+        (bytes(FromUser::Pose(nowhere)), "a position is none"),
+        (bytes(FromUser::Pose(lost)), "a rotation is no unit quaternion"),
+        (half, "a frame is too short"),
+        ([good, vec![3, 1, 0, 9]].concat(), "a frame is too short"),
+        (bytes(FromUser::Hello { group: 1, name: "again", ticket: &[] }), "expected one hello"),
+        (vec![0; (1 << 15) + 1], "Space limit exceeded: Message too long: 32769 > 32768"),
+    ] {
+        let mut user = join(&server, "hall", 1, "intruder").await;
+        user.send_bytes(message).await;
+        assert_eq!(user.is_refused(Reason::Frame).await, sentence);
+        witnesses.see_that_left(user.number).await;
+    }
+    let mut user = join(&server, "hall", 1, "intruder").await;
+    user.socket.send(Message::text("hello")).await.expect("sent");
+    assert_eq!(user.is_refused(Reason::Frame).await, "expected binary messages");
+    witnesses.see_that_left(user.number).await;
+}
+
+#[tokio::test]
+async fn nobody_is_in_a_room_before_hello() {
+    let server = server(limits(), None);
+    let mut witnesses = Witnesses::new(&server).await;
+    for frame in [FromUser::Pose(pose(1)), FromUser::Bye, FromUser::Say { to: To::Room, payload: b"" }] {
+        let mut user = connect(server.address(), "/rooms/hall").await.expect("a connection");
+        user.send(&[frame]).await;
+        assert_eq!(user.is_refused(Reason::Frame).await, "expected hello first");
+    }
+    let mut old = connect(server.address(), "/rooms/hall").await.expect("a connection");
+    old.send_bytes(vec![1, 5, 0, 7, 0, 0, 0, 0]).await;
+    assert_eq!(old.is_refused(Reason::Version).await, "expected version 1, got 7");
+    witnesses.see().await;
+}
+
+#[tokio::test]
+async fn who_vanishes_within_a_message_has_left() {
+    let server = server(limits(), None);
+    let mut witnesses = Witnesses::new(&server).await;
+    // A message of 100 bytes begins, of which 3 come; another one begins in fragments.
+    for beginning in [[0x82, 0x80 | 100, 1, 2, 3, 4, 5, 6, 7], [0x02, 0x80 | 3, 1, 2, 3, 4, 5, 6, 7]] {
+        let mut user = join(&server, "hall", 1, "intruder").await;
+        user.socket.get_mut().write_all(&beginning).await.expect("sent");
+        let number = user.number;
+        drop(user);
+        witnesses.see_that_left(number).await;
+    }
+}
+
+#[tokio::test]
+async fn broken_framing_ends_its_sender_alone() {
+    let server = server(limits(), None);
+    let mut witnesses = Witnesses::new(&server).await;
+    for wrong in [
+        // Not masked; reserved bits; an unknown kind; a continuation of nothing; a long ping; 2^63 bytes.
+        &[0x82, 3, 6, 0, 0][..],
+        &[0xf2, 0x83, 0, 0, 0, 0, 6, 0, 0],
+        &[0x8b, 0x80, 0, 0, 0, 0],
+        &[0x80, 0x80, 0, 0, 0, 0],
+        &[0x89, 0xfe, 0, 200, 0, 0, 0, 0],
+        &[0x82, 0xff, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+    ] {
+        let mut user = join(&server, "hall", 1, "intruder").await;
+        user.socket.get_mut().write_all(&[wrong, &[0; 200]].concat()).await.expect("sent");
+        user.is_refused(Reason::Frame).await;
+        witnesses.see_that_left(user.number).await;
+    }
+}
+
+#[tokio::test]
+async fn acknowledgements_and_signals_for_nobody_are_ignored() {
+    let server = server(limits(), None);
+    let mut witnesses = Witnesses::new(&server).await;
+    let mut user = join(&server, "hall", 1, "").await;
+    let nobody = 40_000;
+    user.send(&[FromUser::Ack { user: nobody, sequence: 1 }, FromUser::Signal { user: nobody, payload: b"" }]).await;
+    user.send(&[FromUser::Ack { user: user.number, sequence: 1 }, FromUser::Pose(pose(5))]).await;
+    assert_eq!(witnesses.0.pose_of(user.number).await.sequence, 5);
+}
+
+#[tokio::test]
+async fn who_sends_too_much_is_ended() {
+    let few = Limits { messages_per_second: 1e-6, burst: Duration::from_secs(50_000_000), ..limits() };
+    let little = Limits { bytes_per_second: 1e-6, burst: Duration::from_secs(10_000_000_000), ..limits() };
+    for (limits, message) in [
+        (few, Message::binary(bytes(FromUser::Pose(pose(1))))),
+        (few, Message::Ping(b"empty".as_slice().into())),
+        (few, Message::binary(Vec::new())),
+        (little, Message::binary(bytes(FromUser::Say { to: To::Group, payload: &[1; 4000] }))),
+    ] {
+        let server = server(limits, None);
+        let mut witness = join(&server, "hall", 1, "").await;
+        let mut user = join(&server, "hall", 1, "").await;
+        // The connection may end while it is written to.
+        for _ in 0..60 {
+            let _ = user.socket.send(message.clone()).await;
+        }
+        assert!(user.is_refused(Reason::Flood).await.starts_with("expected at most"));
+        let number = user.number;
+        witness.until(|frame| (frame == FromServer::Left { user: number }).then_some(())).await;
+    }
+}
+
+#[tokio::test]
+async fn empty_fragments_count_as_bytes() {
+    let limits = Limits { bytes_per_second: 1e-6, burst: Duration::from_secs(10_000_000_000), ..limits() };
+    let server = server(limits, None);
+    let mut user = join(&server, "hall", 1, "").await;
+    let begin = [0x02, 0x80, 0, 0, 0, 0];
+    let fragment = [0x00, 0x80, 0, 0, 0, 0];
+    user.socket.get_mut().write_all(&begin).await.expect("sent");
+    for _ in 0..2000 {
+        let _ = user.socket.get_mut().write_all(&fragment).await;
+    }
+    user.is_refused(Reason::Flood).await;
+}

@@ -1,0 +1,187 @@
+//! Frames as bytes.
+
+use super::support::pose;
+use crate::rooms::frame::{Fault, FromServer, FromUser, HEAD, To};
+use crate::rooms::pose::{Begin, MOST, Placed, Pose};
+
+fn whole() -> Pose {
+    let placed = |x| Placed { position: [x, -0.0, 1e6], rotation: [23170, 0, -23170, 1] };
+    Pose {
+        sequence: u32::MAX,
+        clock: 1 << 50,
+        is_acknowledged: true,
+        stops: true,
+        head: placed(1.5),
+        hands: [Some(placed(-2.0)), Some(placed(0.0))],
+        pointer: Some((Begin::Right, 20.0)),
+    }
+}
+
+fn poses() -> Vec<Pose> {
+    let one_hand = Pose { hands: [whole().hands[0], None], pointer: Some((Begin::Left, 0.0)), ..pose(7) };
+    vec![pose(0), whole(), one_hand, Pose { pointer: Some((Begin::Head, 3.25)), ..pose(8) }]
+}
+
+fn of_users() -> Vec<Vec<u8>> {
+    let mut frames = vec![
+        FromUser::Hello { group: 3, name: "Ada é", ticket: &[] },
+        FromUser::Hello { group: u16::MAX, name: "", ticket: &[9; 26] },
+        FromUser::Ack { user: 258, sequence: 0x0102_0304 },
+        FromUser::Say { to: To::Room, payload: b"score" },
+        FromUser::Say { to: To::Group, payload: b"" },
+        FromUser::Signal { user: 1, payload: &[0, 255] },
+        FromUser::Bye,
+    ];
+    frames.extend(poses().into_iter().map(FromUser::Pose));
+    written(&frames, |frame, out| frame.write(out))
+}
+
+fn of_servers() -> Vec<Vec<u8>> {
+    let mut frames = vec![
+        FromServer::Welcome { user: 1, others: 3, ticket: &[7; 26] },
+        FromServer::Joined { user: 2, group: 4, name: "Grace" },
+        FromServer::Left { user: 2 },
+        FromServer::Say { user: 2, to: To::Group, payload: b"hit" },
+        FromServer::Signal { user: 5, payload: b"offer" },
+        FromServer::Settled { sequence: 9 },
+        FromServer::Refused { code: 3, sentence: "expected frames" },
+    ];
+    frames.extend(poses().into_iter().map(|pose| FromServer::Pose { user: 77, pose }));
+    for frame in &frames {
+        let mut out = Vec::new();
+        frame.write(&mut out);
+        assert_eq!(out.len(), frame.bytes());
+    }
+    written(&frames, |frame, out| frame.write(out))
+}
+
+fn written<T>(frames: &[T], write: impl Fn(&T, &mut Vec<u8>)) -> Vec<Vec<u8>> {
+    let bytes = |frame| {
+        let mut out = Vec::new();
+        write(frame, &mut out);
+        out
+    };
+    frames.iter().map(bytes).collect()
+}
+
+/// What the first frame of some bytes is written as again, and the rest.
+fn again(bytes: &[u8], of_user: bool) -> Result<(Vec<u8>, &[u8]), Fault> {
+    let mut out = Vec::new();
+    let rest = if of_user {
+        let (frame, rest) = FromUser::read(bytes)?;
+        frame.write(&mut out);
+        rest
+    } else {
+        let (frame, rest) = FromServer::read(bytes)?;
+        frame.write(&mut out);
+        rest
+    };
+    Ok((out, rest))
+}
+
+#[test]
+fn frames_are_read_as_they_were_written_one_after_the_other() {
+    for (frames, of_user) in [(of_users(), true), (of_servers(), false)] {
+        let message = frames.concat();
+        let mut rest = &message[..];
+        for frame in &frames {
+            let (read, behind) = again(rest, of_user).expect("a frame");
+            assert_eq!(&read, frame);
+            rest = behind;
+        }
+        assert!(rest.is_empty());
+    }
+}
+
+#[test]
+fn every_truncation_is_refused() {
+    for (frames, of_user) in [(of_users(), true), (of_servers(), false)] {
+        for frame in frames {
+            for length in 0..frame.len() {
+                assert!(again(&frame[..length], of_user).is_err(), "{length} bytes of {frame:?}");
+                // The length in the head says that the body is shorter.
+                let mut short = frame[..length.max(HEAD)].to_vec();
+                let body = (short.len() - HEAD) as u16;
+                short[1..HEAD].copy_from_slice(&body.to_le_bytes());
+                if let Ok((read, rest)) = again(&short, of_user) {
+                    assert_eq!((read, rest), (short.clone(), &[][..]));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_read_after_a_bit_has_changed_is_written_as_the_same_bytes() {
+    let mut refused = 0;
+    for (frames, of_user) in [(of_users(), true), (of_servers(), false)] {
+        for frame in frames {
+            for bit in 0..frame.len() * 8 {
+                let mut changed = frame.clone();
+                changed[bit / 8] ^= 1 << (bit % 8);
+                match again(&changed, of_user) {
+                    Ok((read, rest)) => assert_eq!([&read[..], rest].concat(), changed),
+                    Err(_) => refused += 1,
+                }
+            }
+        }
+    }
+    assert!(refused > 1000);
+}
+
+#[test]
+fn numbers_are_little_endian_and_poses_are_short() {
+    let mut out = Vec::new();
+    FromUser::Ack { user: 0x0102, sequence: 0x0304_0506 }.write(&mut out);
+    assert_eq!(out, [3, 6, 0, 2, 1, 6, 5, 4, 3]);
+    let bytes = |pose: Pose| FromServer::Pose { user: 1, pose }.bytes();
+    assert_eq!((bytes(pose(1)), bytes(whole())), (38, 82));
+    assert_eq!(whole().bytes(), MOST);
+}
+
+#[test]
+fn poses_of_nowhere_are_refused() {
+    let head = |position: [f32; 3]| Pose { head: Placed { position, ..pose(1).head }, ..pose(1) };
+    let turned = |rotation: [i16; 4]| Pose { head: Placed { rotation, ..pose(1).head }, ..pose(1) };
+    let pointing = |begin, length| Pose { pointer: Some((begin, length)), ..pose(1) };
+    for wrong in [
+        head([f32::NAN, 0.0, 0.0]),
+        head([0.0, f32::INFINITY, 0.0]),
+        head([0.0, 0.0, -1.1e6]),
+        turned([0; 4]),
+        turned([0, 0, 0, 16000]),
+        turned([i16::MIN; 4]),
+        pointing(Begin::Left, 1.0),
+        pointing(Begin::Right, 1.0),
+        pointing(Begin::Head, -1.0),
+        pointing(Begin::Head, f32::NAN),
+    ] {
+        let mut out = Vec::new();
+        FromUser::Pose(wrong).write(&mut out);
+        assert!(matches!(FromUser::read(&out), Err(Fault::Frame(_))), "{wrong:?}");
+    }
+}
+
+#[test]
+fn names_and_payloads_have_an_end() {
+    let read = |frame: FromUser<'_>| {
+        let mut out = Vec::new();
+        frame.write(&mut out);
+        FromUser::read(&out).map(|_| ())
+    };
+    let hello = |name| FromUser::Hello { group: 0, name, ticket: &[] };
+    let (most, long) = ("é".repeat(32), "é".repeat(32) + "a");
+    assert_eq!(read(hello(&most)), Ok(()));
+    for name in [&long, "a\nb", "\u{9f}"] {
+        assert!(read(hello(name)).is_err(), "{name:?}");
+    }
+    for (frame, is_read) in [
+        (FromUser::Say { to: To::Group, payload: &[0; 4096] }, true),
+        (FromUser::Say { to: To::Group, payload: &[0; 4097] }, false),
+        (FromUser::Signal { user: 1, payload: &[0; 16384] }, true),
+        (FromUser::Signal { user: 1, payload: &[0; 16385] }, false),
+    ] {
+        assert_eq!(read(frame).is_ok(), is_read);
+    }
+    assert_eq!(FromUser::read(&[1, 1, 0, 2]), Err(Fault::Version(2)));
+}

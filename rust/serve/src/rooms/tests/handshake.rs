@@ -1,0 +1,158 @@
+//! How a connection becomes one of a room.
+
+use std::sync::Arc;
+
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::net::TcpStream;
+use tokio_rustls::TlsConnector;
+use tokio_rustls::rustls::pki_types::pem::PemObject;
+use tokio_rustls::rustls::pki_types::{CertificateDer, ServerName};
+use tokio_rustls::rustls::{ClientConfig, RootCertStore};
+use tokio_tungstenite::client_async;
+use tokio_tungstenite::tungstenite::client::IntoClientRequest;
+
+use super::support::{User, join, limits, pose, server, start};
+use crate::rooms::frame::{FromServer, FromUser};
+use crate::rooms::{Rooms, upgrade};
+use crate::{Answering, HeaderValue, Server, tls};
+
+fn answering(origin: Option<&'static str>, has_rooms: bool) -> Answering {
+    let rooms = Rooms::new(limits(), None).expect("there are random bytes");
+    Answering {
+        sites: [].into(),
+        hosts: Some(["localhost".to_owned()].into()),
+        headers: Vec::new(),
+        origin: origin.map(HeaderValue::from_static),
+        rooms: has_rooms.then(|| Arc::new(rooms)),
+    }
+}
+
+/// The code of the answer to a request for a room.
+async fn code(server: &Server, target: &str, headers: &[&str]) -> u16 {
+    let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
+    let request = format!("GET {target} HTTP/1.1\r\n{}\r\n\r\n", headers.join("\r\n"));
+    stream.write_all(request.as_bytes()).await.expect("sent");
+    let mut head = [0; 12];
+    stream.read_exact(&mut head).await.expect("an answer");
+    std::str::from_utf8(&head[9..]).expect("ASCII").parse().expect("a code")
+}
+
+const ASKS: [&str; 5] = [
+    "Host: localhost:80",
+    "Connection: keep-alive, Upgrade",
+    "Upgrade: websocket",
+    "Sec-WebSocket-Version: 13",
+    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==",
+];
+
+#[tokio::test]
+async fn pages_of_other_origins_do_not_enter() {
+    for (allowed, origin, expected) in [
+        (None, None, 101),
+        (None, Some("http://localhost:80"), 101),
+        (None, Some("https://LOCALHOST:80"), 101),
+        (None, Some("http://localhost:81"), 403),
+        (None, Some("http://evil.example"), 403),
+        (None, Some("http://localhost:80.evil.example"), 403),
+        (None, Some("localhost:80"), 403),
+        (None, Some("null"), 403),
+        (None, Some(""), 403),
+        (Some("https://other.example"), Some("https://other.example"), 101),
+        (Some("https://other.example"), Some("http://localhost:80"), 101),
+        (Some("https://other.example"), Some("https://evil.example"), 403),
+        (Some("*"), Some("https://any.example"), 101),
+        (Some("*"), Some("null"), 101),
+    ] {
+        let server = start(answering(allowed, true), None);
+        let origin = origin.map(|origin| format!("Origin: {origin}"));
+        let headers: Vec<&str> = ASKS.iter().copied().chain(origin.as_deref()).collect();
+        assert_eq!(code(&server, "/rooms/hall", &headers).await, expected, "{allowed:?} {origin:?}");
+    }
+    let server = start(answering(None, true), None);
+    let both = [&ASKS[..], &["Origin: http://localhost:80", "Origin: http://evil.example"]].concat();
+    assert_eq!(code(&server, "/rooms/hall", &both).await, 403);
+}
+
+#[tokio::test]
+async fn what_does_not_ask_for_a_socket_gets_none() {
+    let server = start(answering(None, true), None);
+    for missing in &ASKS[1..] {
+        let headers: Vec<&str> = ASKS.into_iter().filter(|each| each != missing).collect();
+        assert_eq!(code(&server, "/rooms/hall", &headers).await, 426, "without {missing}");
+    }
+    let elsewhere = [&["Host: evil.example"], &ASKS[1..]].concat();
+    assert_eq!(code(&server, "/rooms/hall", &elsewhere).await, 403);
+    for (target, expected) in [("/rooms/h%C3%A4ll", 101), ("/rooms/", 404), ("/rooms", 404), ("/rooms/a/b", 404)] {
+        assert_eq!(code(&server, target, &ASKS).await, expected, "{target}");
+    }
+    let without = start(answering(None, false), None);
+    assert_eq!(code(&without, "/rooms/hall", &ASKS).await, 404);
+}
+
+#[test]
+fn names_of_rooms_are_short_and_plain() {
+    let long = format!("rooms/{}", "a".repeat(65));
+    for (path, name) in [
+        ("rooms/hall", Some("hall")),
+        ("rooms/a b.é", Some("a b.é")),
+        (&long[..long.len() - 1], Some(&long[6..70])),
+        (&long, None),
+        ("rooms/", None),
+        ("rooms/a/b", None),
+        ("rooms/a\n", None),
+        ("room/a", None),
+        ("/rooms/a", None),
+    ] {
+        assert_eq!(upgrade::room(path), name, "{path}");
+    }
+}
+
+#[tokio::test]
+async fn frames_that_come_with_the_request_are_read() {
+    let server = server(limits(), None);
+    let mut friend = join(&server, "hall", 1, "").await;
+    let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
+    let mut frames = Vec::new();
+    FromUser::Hello { group: 1, name: "early", ticket: &[] }.write(&mut frames);
+    FromUser::Pose(pose(1)).write(&mut frames);
+    // Masked by zeros.
+    let head = [0x82, 0x80 | frames.len() as u8, 0, 0, 0, 0];
+    let request = format!("GET /rooms/hall HTTP/1.1\r\n{}\r\n\r\n", ASKS.join("\r\n"));
+    stream.write_all(&[request.as_bytes(), &head, &frames].concat()).await.expect("sent");
+    let number = friend
+        .until(|frame| match frame {
+            FromServer::Joined { user, name: "early", .. } => Some(user),
+            _ => None,
+        })
+        .await;
+    assert_eq!(friend.pose_of(number).await, pose(1));
+}
+
+#[tokio::test]
+async fn sockets_are_encrypted_where_the_server_is() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (certificate, key) = tls::self_signed(vec!["localhost".into()]).expect("made");
+    let paths = (folder.path().join("chain.pem"), folder.path().join("key.pem"));
+    std::fs::write(&paths.0, &certificate).expect("written");
+    std::fs::write(&paths.1, key).expect("written");
+    let server = start(answering(None, true), Some(paths));
+    let mut trusted = RootCertStore::empty();
+    trusted.add(CertificateDer::from_pem_slice(certificate.as_bytes()).expect("a certificate")).expect("trusted");
+    let mut config = ClientConfig::builder().with_root_certificates(trusted).with_no_client_auth();
+    // As browsers ask for a WebSocket.
+    config.alpn_protocols = vec![b"http/1.1".to_vec()];
+    let connector = TlsConnector::from(Arc::new(config));
+    let mut users = Vec::new();
+    for _ in 0..2 {
+        let stream = TcpStream::connect(server.address()).await.expect("a connection");
+        let name = ServerName::try_from("localhost").expect("a name");
+        let stream = connector.connect(name, stream).await.expect("a handshake");
+        let request = "wss://localhost/rooms/hall".into_client_request().expect("a request");
+        let mut user = User::new(client_async(request, stream).await.expect("a socket").0);
+        user.hello(1, "", &[]).await;
+        users.push(user);
+    }
+    users[0].send(&[FromUser::Pose(pose(3))]).await;
+    let number = users[0].number;
+    assert_eq!(users[1].pose_of(number).await, pose(3));
+}

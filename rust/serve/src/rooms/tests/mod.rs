@@ -1,0 +1,12 @@
+//! Tests of rooms, most of them with a server on this machine.
+
+mod clock;
+mod faults;
+mod frames;
+mod handshake;
+mod parts;
+mod rules;
+mod settled;
+mod slow;
+mod support;
+mod tokens;

@@ -1,0 +1,99 @@
+//! What waits for a user, and how much a user may send.
+
+use std::time::{Duration, Instant};
+
+use bytes::BytesMut;
+
+use super::support::{asking, pose, split};
+use crate::rooms::bucket::Bucket;
+use crate::rooms::frame::FromServer;
+use crate::rooms::outbox::{Outbox, Taken};
+use crate::rooms::reason::{End, Reason};
+
+/// All that waits, as bytes of frames.
+fn taken(outbox: &Outbox) -> Vec<Vec<u8>> {
+    let (mut message, mut read) = (BytesMut::new(), Vec::new());
+    match outbox.take(&mut message, &mut read) {
+        Taken::Nothing => Vec::new(),
+        Taken::Message => split(&message),
+        Taken::End(end) => panic!("{end:?}"),
+    }
+}
+
+fn bytes(frames: &[FromServer<'_>]) -> Vec<Vec<u8>> {
+    let written = |frame: &FromServer<'_>| {
+        let mut out = Vec::new();
+        frame.write(&mut out);
+        out
+    };
+    frames.iter().map(written).collect()
+}
+
+#[test]
+fn newer_poses_overwrite_and_all_else_stays_in_order() {
+    let (outbox, now) = (Outbox::new(1000), Instant::now());
+    assert!(taken(&outbox).is_empty());
+    assert!(!outbox.add_pose(1, asking(1), now));
+    outbox.add(&FromServer::Left { user: 9 });
+    assert!(!outbox.add_pose(2, pose(7), now));
+    assert!(outbox.add_pose(1, pose(2), now));
+    outbox.add_settled(4);
+    outbox.add_settled(3);
+    outbox.add(&FromServer::Left { user: 8 });
+    let expected = [
+        FromServer::Left { user: 9 },
+        FromServer::Left { user: 8 },
+        // The pose that was overwritten was to be acknowledged, so this one is.
+        FromServer::Pose { user: 1, pose: asking(2) },
+        FromServer::Pose { user: 2, pose: pose(7) },
+        FromServer::Settled { sequence: 4 },
+    ];
+    assert_eq!(taken(&outbox), bytes(&expected));
+    assert!(taken(&outbox).is_empty());
+    outbox.add_pose(1, pose(3), now);
+    outbox.forget(1);
+    assert!(taken(&outbox).is_empty());
+}
+
+#[test]
+fn who_lets_too_much_wait_is_ended_and_holds_nothing() {
+    let (outbox, frame) = (Outbox::new(20), FromServer::Left { user: 1 });
+    (0..3).for_each(|_| outbox.add(&frame));
+    let _ = taken(&outbox);
+    // What is on its way counts, too.
+    outbox.add(&frame);
+    outbox.add(&frame);
+    let (mut message, mut read) = (BytesMut::new(), Vec::new());
+    let end = outbox.take(&mut message, &mut read);
+    assert!(matches!(&end, Taken::End(End { reason: Reason::Slow, .. })), "{end:?}");
+    assert!(message.is_empty());
+    // The first reason stays.
+    outbox.end(End::new(Reason::Ending, ""));
+    outbox.add_pose(1, pose(1), Instant::now());
+    assert_eq!(outbox.take(&mut message, &mut read), end);
+}
+
+#[test]
+fn poses_do_not_count_as_what_waits() {
+    let (outbox, now) = (Outbox::new(20), Instant::now());
+    for sequence in 0..1000 {
+        (0..10).for_each(|user| {
+            outbox.add_pose(user, pose(sequence), now);
+        });
+    }
+    assert_eq!(taken(&outbox).len(), 10);
+}
+
+#[test]
+fn a_bucket_refills_with_time_up_to_its_burst() {
+    let begin = Instant::now();
+    let at = |seconds| begin + Duration::from_secs_f64(seconds);
+    let mut bucket = Bucket::new(10.0, Duration::from_secs(2), begin);
+    assert!(bucket.take(20.0, begin));
+    assert!(!bucket.take(0.5, begin));
+    assert!(bucket.take(9.0, at(1.0)));
+    assert!(!bucket.take(21.0, at(100.0)), "it holds two seconds' worth");
+    assert!(bucket.take(20.0, at(200.0)));
+    // A clock that goes back gives nothing.
+    assert!(!bucket.take(1.0, at(100.0)));
+}

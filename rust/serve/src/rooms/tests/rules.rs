@@ -1,0 +1,218 @@
+//! Who is told of what, with a server on this machine.
+
+use std::time::Duration;
+
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::net::TcpStream;
+
+use super::support::{asking, connect, join, limits, pose, server};
+use crate::Server;
+use crate::rooms::frame::{FromServer, FromUser, To};
+use crate::rooms::{Limits, Reason};
+
+/// The counts as text.
+async fn counts(server: &Server) -> String {
+    let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
+    let request = "GET /metrics HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
+    stream.write_all(request.as_bytes()).await.expect("sent");
+    let mut text = String::new();
+    stream.read_to_string(&mut text).await.expect("an answer");
+    text
+}
+
+fn count(text: &str, name: &str) -> f64 {
+    let line = text.lines().find_map(|line| line.strip_prefix(name));
+    line.unwrap_or_else(|| panic!("{name} in {text}")).trim().parse().expect("a number")
+}
+
+#[tokio::test]
+async fn users_are_told_who_is_there_who_comes_and_who_goes() {
+    let server = server(limits(), None);
+    let mut ada = join(&server, "hall", 4, "Ada").await;
+    let mut grace = connect(server.address(), "/rooms/hall").await.expect("a connection");
+    grace.send(&[FromUser::Hello { group: 9, name: "Grace", ticket: &[] }]).await;
+    let others = grace
+        .until(|frame| match frame {
+            FromServer::Welcome { user, others, .. } if user != ada.number => Some(others),
+            _ => None,
+        })
+        .await;
+    assert_eq!(others, 1);
+    grace.gets(FromServer::Joined { user: ada.number, group: 4, name: "Ada" }).await;
+    let (number, group) = ada
+        .until(|frame| match frame {
+            FromServer::Joined { user, group, name: "Grace" } => Some((user, group)),
+            _ => None,
+        })
+        .await;
+    assert_eq!(group, 9);
+    let _elsewhere = join(&server, "yard", 4, "Eve").await;
+    grace.send(&[FromUser::Bye]).await;
+    ada.gets(FromServer::Left { user: number }).await;
+    assert!(grace.next().await.is_none(), "who leaves is not refused");
+}
+
+#[tokio::test]
+async fn poses_go_to_the_group_and_have_the_number_that_the_server_gave() {
+    let server = server(limits(), None);
+    let mut users = Vec::new();
+    for (group, room) in [(1, "hall"), (1, "hall"), (2, "hall"), (1, "yard")] {
+        users.push(join(&server, room, group, "").await);
+    }
+    let [sender, friend, stranger, elsewhere] = &mut users[..] else { panic!("four users") };
+    sender.send(&[FromUser::Pose(pose(1)), FromUser::Say { to: To::Room, payload: b"end" }]).await;
+    assert_eq!(friend.pose_of(sender.number).await, pose(1));
+    let (user, to) = (sender.number, To::Room);
+    // Nothing came before it but those who joined.
+    for user_of_room in [stranger] {
+        let frame =
+            user_of_room.until(|frame| (!matches!(frame, FromServer::Joined { .. })).then(|| format!("{frame:?}")));
+        assert_eq!(frame.await, format!("{:?}", FromServer::Say { user, to, payload: b"end" }));
+    }
+    let other = join(&server, "yard", 1, "late").await;
+    elsewhere.gets(FromServer::Joined { user: other.number, group: 1, name: "late" }).await;
+}
+
+#[tokio::test]
+async fn what_is_said_comes_to_the_group_or_the_room_in_order() {
+    let server = server(limits(), None);
+    let mut sender = join(&server, "hall", 1, "").await;
+    let (mut friend, mut stranger) = (join(&server, "hall", 1, "").await, join(&server, "hall", 2, "").await);
+    for round in 0..100u8 {
+        let to = if round % 2 == 0 { To::Group } else { To::Room };
+        sender.send(&[FromUser::Say { to, payload: &[round] }]).await;
+    }
+    let said = |frame: FromServer<'_>| match frame {
+        FromServer::Say { user, payload, .. } if user == sender.number => Some(payload[0]),
+        _ => None,
+    };
+    for round in 0..100 {
+        assert_eq!(friend.until(said).await, round);
+        if round % 2 == 1 {
+            assert_eq!(stranger.until(said).await, round);
+        }
+    }
+    // The sender does not hear itself.
+    friend.send(&[FromUser::Say { to: To::Group, payload: b"answer" }]).await;
+    let first = sender.until(|frame| if let FromServer::Say { user, .. } = frame { Some(user) } else { None }).await;
+    assert_eq!(first, friend.number);
+}
+
+#[tokio::test]
+async fn signals_come_to_one_user_of_the_room() {
+    let server = server(limits(), None);
+    let mut sender = join(&server, "hall", 1, "").await;
+    let (mut near, mut far) = (join(&server, "hall", 1, "").await, join(&server, "hall", 2, "").await);
+    let long = vec![5; 1 << 14];
+    let nobody = FromUser::Signal { user: near.number.wrapping_add(1000), payload: b"lost" };
+    sender.send(&[nobody, FromUser::Signal { user: far.number, payload: &long }]).await;
+    sender.send(&[FromUser::Say { to: To::Room, payload: b"end" }]).await;
+    let heard = |frame: FromServer<'_>| match frame {
+        FromServer::Signal { user, payload } => Some((user, payload.len())),
+        FromServer::Say { .. } => Some((0, 0)),
+        _ => None,
+    };
+    assert_eq!(far.until(heard).await, (sender.number, long.len()));
+    assert_eq!(near.until(heard).await, (0, 0));
+}
+
+#[tokio::test]
+async fn a_pose_settles_when_the_last_of_the_group_has_acknowledged_it_or_left() {
+    let server = server(limits(), None);
+    let mut sender = join(&server, "hall", 1, "").await;
+    let (mut one, mut two) = (join(&server, "hall", 1, "").await, join(&server, "hall", 1, "").await);
+    let mut stranger = join(&server, "hall", 2, "").await;
+    let user = sender.number;
+    let settled = |frame: FromServer<'_>| match frame {
+        FromServer::Settled { sequence } => Some(sequence),
+        FromServer::Say { .. } => Some(0),
+        _ => None,
+    };
+    sender.send(&[FromUser::Pose(asking(1))]).await;
+    for peer in [&mut one, &mut two] {
+        assert!(peer.pose_of(user).await.is_acknowledged);
+    }
+    one.send(&[FromUser::Ack { user, sequence: 1 }, FromUser::Say { to: To::Group, payload: b"" }]).await;
+    assert_eq!(sender.until(settled).await, 0, "one of two has acknowledged it");
+    // Those who are not of the group, who lie about what was sent or about whom, settle nothing.
+    stranger.send(&[FromUser::Ack { user, sequence: 1 }, FromUser::Say { to: To::Room, payload: b"" }]).await;
+    assert_eq!(sender.until(settled).await, 0);
+    let lies = [FromUser::Ack { user, sequence: 2 }, FromUser::Ack { user: 31_000, sequence: 1 }];
+    two.send(&lies).await;
+    two.send(&[FromUser::Ack { user, sequence: 1 }]).await;
+    assert_eq!(sender.until(settled).await, 1);
+    // A later pose settles those before it that were not acknowledged, and who leaves is not waited for.
+    for sequence in 2..=4 {
+        sender.send(&[FromUser::Pose(asking(sequence))]).await;
+    }
+    while one.pose_of(user).await.sequence < 4 {}
+    one.send(&[FromUser::Ack { user, sequence: 4 }, FromUser::Say { to: To::Group, payload: b"" }]).await;
+    assert_eq!(sender.until(settled).await, 0);
+    drop(two);
+    assert_eq!(sender.until(settled).await, 4);
+    // An older pose is not forwarded.
+    sender.send(&[FromUser::Pose(asking(4)), FromUser::Pose(asking(3)), FromUser::Pose(pose(9))]).await;
+    assert_eq!(one.pose_of(user).await.sequence, 9);
+}
+
+#[tokio::test]
+async fn a_server_has_so_many_rooms_and_a_room_so_many_users() {
+    let server = server(Limits { rooms: 2, users: 2, ..limits() }, None);
+    let (_one, two) = (join(&server, "hall", 1, "").await, join(&server, "hall", 2, "").await);
+    let _yard = join(&server, "yard", 1, "").await;
+    for (room, sentence) in
+        [("hall", "expected a room with fewer than 2 users"), ("attic", "expected a server with fewer than 2 rooms")]
+    {
+        let mut user = connect(server.address(), &format!("/rooms/{room}")).await.expect("a connection");
+        user.send(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
+        assert_eq!(user.is_refused(Reason::Full).await, sentence);
+    }
+    let mut one = _one;
+    drop(two);
+    one.until(|frame| matches!(frame, FromServer::Left { .. }).then_some(())).await;
+    join(&server, "hall", 1, "").await;
+}
+
+#[tokio::test]
+async fn counts_tell_of_rooms() {
+    let server = server(limits(), None);
+    let mut sender = join(&server, "hall", 1, "").await;
+    let mut friend = join(&server, "hall", 1, "").await;
+    let mut leaves = join(&server, "yard", 1, "").await;
+    leaves.send(&[FromUser::Bye]).await;
+    assert!(leaves.next().await.is_none());
+    for sequence in [5, 4, 6] {
+        sender.send(&[FromUser::Pose(asking(sequence))]).await;
+    }
+    while friend.pose_of(sender.number).await.sequence < 6 {}
+    // The pose was written before it was read here, and counted before the next message is written.
+    sender.send(&[FromUser::Say { to: To::Group, payload: b"" }]).await;
+    friend.until(|frame| matches!(frame, FromServer::Say { .. }).then_some(())).await;
+    drop(leaves);
+    let mut text = counts(&server).await;
+    // Connections that have become sockets are connections still: two of them, and the one that asks.
+    while count(&text, "nearfar_connections") > 3.0 {
+        text = counts(&server).await;
+    }
+    assert_eq!(count(&text, "nearfar_connections"), 3.0);
+    assert_eq!(count(&text, "nearfar_room_users"), 2.0);
+    assert_eq!(count(&text, "nearfar_rooms"), 1.0);
+    let forwarded = count(&text, "nearfar_room_poses_total{outcome=\"forwarded\"}");
+    let dropped = count(&text, "nearfar_room_poses_total{outcome=\"dropped\"}");
+    assert_eq!(forwarded + dropped, 3.0, "{text}");
+    assert!(forwarded >= 1.0 && dropped >= 1.0);
+    assert_eq!(count(&text, "nearfar_room_residence_seconds_count"), forwarded);
+    assert_eq!(count(&text, "nearfar_room_closes_total{reason=\"bye\"}"), 1.0);
+}
+
+#[tokio::test]
+async fn a_server_that_ends_tells_its_users_and_waits_for_them_no_longer_than_its_grace() {
+    let server = server(Limits { linger: Duration::from_secs(3600), ..limits() }, None);
+    let mut user = join(&server, "hall", 1, "").await;
+    let rude = join(&server, "hall", 1, "").await;
+    let closing = tokio::task::spawn_blocking(move || server.close());
+    assert_eq!(user.is_refused(Reason::Ending).await, "the server ends");
+    // One who does not close its side is left behind.
+    closing.await.expect("it ends");
+    drop(rude);
+}

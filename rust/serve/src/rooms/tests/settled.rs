@@ -1,0 +1,91 @@
+//! Which poses are settled, against a model that looks at all that has happened.
+
+use super::support::Numbers;
+use crate::rooms::settle::Settling;
+
+#[derive(Clone, Copy)]
+enum Happened {
+    Sent(u32),
+    Joined(u16),
+    Left(u16),
+    Acknowledged(u16, u32),
+}
+
+/// The least, over those who are there, of the greatest number that each has acknowledged since it came.
+fn least(log: &[Happened]) -> Option<u32> {
+    let is_there = |peer: u16| {
+        let mut moves = log.iter().filter(|each| matches!(each, Happened::Joined(p) | Happened::Left(p) if *p == peer));
+        matches!(moves.next_back(), Some(Happened::Joined(_)))
+    };
+    let greatest = |peer: u16| {
+        let came = log.iter().rposition(|each| matches!(each, Happened::Joined(p) if *p == peer)).unwrap_or(0);
+        let mut best = None;
+        for (at, each) in log.iter().enumerate().skip(came) {
+            let sent = log[..at].iter().filter_map(|each| if let Happened::Sent(s) = each { Some(*s) } else { None });
+            match *each {
+                Happened::Acknowledged(p, s) if p == peer && sent.max() >= Some(s) => best = best.max(Some(s)),
+                _ => {}
+            }
+        }
+        best
+    };
+    let there: Vec<u16> = (0..9).filter(|peer| is_there(*peer)).collect();
+    there.into_iter().map(greatest).min().flatten()
+}
+
+#[test]
+fn what_is_told_is_what_the_model_says() {
+    let mut numbers = Numbers(1);
+    let (mut told_often, mut left_and_settled) = (0, 0);
+    for _ in 0..300 {
+        let mut log = vec![Happened::Joined(0), Happened::Joined(1)];
+        let (mut settling, mut told) = (Settling::new([0, 1].into_iter()), None);
+        let (mut there, mut sent) = (vec![0, 1], 0);
+        for _ in 0..60 {
+            let peer = numbers.below(6) as u16;
+            let (happened, answer) = match numbers.below(8) {
+                0 if !there.contains(&peer) => {
+                    there.push(peer);
+                    settling.join(peer);
+                    (Happened::Joined(peer), None)
+                }
+                1 if there.contains(&peer) => {
+                    there.retain(|each| *each != peer);
+                    (Happened::Left(peer), settling.leave(peer))
+                }
+                2 | 3 => {
+                    sent += 1 + numbers.below(2) as u32;
+                    assert!(settling.send(sent) && !settling.send(sent));
+                    (Happened::Sent(sent), None)
+                }
+                _ if there.contains(&peer) => {
+                    // Some of them were never sent.
+                    let sequence = numbers.below(u64::from(sent) + 2) as u32;
+                    (Happened::Acknowledged(peer, sequence), settling.acknowledge(peer, sequence))
+                }
+                _ => continue,
+            };
+            log.push(happened);
+            let expected = least(&log).filter(|least| told.is_none_or(|told| *least > told));
+            assert_eq!(answer, expected);
+            if answer.is_some() {
+                told = answer;
+                told_often += 1;
+                left_and_settled += usize::from(matches!(happened, Happened::Left(_)));
+            }
+        }
+    }
+    assert!(told_often > 300 && left_and_settled > 20, "{told_often} {left_and_settled}");
+}
+
+#[test]
+fn those_who_are_not_there_settle_nothing() {
+    let mut settling = Settling::new([5].into_iter());
+    assert!(settling.send(3));
+    assert_eq!(settling.acknowledge(6, 3), None);
+    assert_eq!(settling.acknowledge(5, 4), None, "it was not sent");
+    assert_eq!(settling.acknowledge(5, 3), Some(3));
+    settling.join(6);
+    assert_eq!(settling.leave(5), None, "who is left has acknowledged nothing");
+    assert_eq!(settling.leave(6), None);
+}

@@ -1,0 +1,195 @@
+//! A server with rooms, and users whose connections the tests hold.
+
+use std::collections::VecDeque;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+use futures_util::{SinkExt, StreamExt};
+use tokio::net::TcpStream;
+use tokio::time::timeout;
+use tokio_tungstenite::tungstenite::client::IntoClientRequest;
+use tokio_tungstenite::tungstenite::{Error, Message};
+use tokio_tungstenite::{WebSocketStream, client_async};
+
+use crate::rooms::frame::{FromServer, FromUser};
+use crate::rooms::pose::{Placed, Pose};
+use crate::rooms::{Key, Limits, Reason, Rooms};
+use crate::{Answering, Router, Server, Settings};
+
+/// A test that waits longer for a frame hangs.
+const HANGS: Duration = Duration::from_secs(60);
+
+/// Limits that no test meets but by intent.
+pub fn limits() -> Limits {
+    Limits { messages_per_second: 1e9, bytes_per_second: 1e12, ..Limits::default() }
+}
+
+/// A server with rooms alone.
+pub fn server(limits: Limits, key: Option<Key>) -> Server {
+    let rooms = Rooms::new(limits, key).expect("there are random bytes");
+    let answering =
+        Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms: Some(Arc::new(rooms)) };
+    start(answering, None)
+}
+
+/// A server that answers so, with files of a certificate and its key.
+pub fn start(answering: Answering, certificate: Option<(PathBuf, PathBuf)>) -> Server {
+    let (address, limits) = (([127, 0, 0, 1], 0).into(), crate::Limits::default());
+    let settings = Settings { address, limits, certificate, router: Router::new(answering) };
+    // A server begins where no other tasks run.
+    std::thread::spawn(|| Server::start(settings)).join().expect("no panic").expect("it listens")
+}
+
+/// A user's connection.
+pub struct User<S = TcpStream> {
+    pub socket: WebSocketStream<S>,
+    frames: VecDeque<Vec<u8>>,
+    /// The number that the server gave.
+    pub number: u16,
+    pub ticket: Vec<u8>,
+}
+
+/// Connect to a path without joining.
+pub async fn connect(address: SocketAddr, path: &str) -> Result<User, Error> {
+    let stream = TcpStream::connect(address).await?;
+    over(stream, address, path).await
+}
+
+/// Make a connection a WebSocket.
+pub async fn over(stream: TcpStream, address: SocketAddr, path: &str) -> Result<User, Error> {
+    stream.set_nodelay(true)?;
+    let request = format!("ws://{address}{path}").into_client_request()?;
+    let (socket, _) = client_async(request, stream).await?;
+    Ok(User::new(socket))
+}
+
+/// Join a room.
+pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> User {
+    let mut user = connect(server.address(), &format!("/rooms/{room}")).await.expect("a connection");
+    user.hello(group, name, &[]).await;
+    user
+}
+
+impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
+    pub fn new(socket: WebSocketStream<S>) -> Self {
+        User { socket, frames: VecDeque::new(), number: 0, ticket: Vec::new() }
+    }
+
+    /// Say hello and wait for the welcome.
+    pub async fn hello(&mut self, group: u16, name: &str, ticket: &[u8]) {
+        self.send(&[FromUser::Hello { group, name, ticket }]).await;
+        let (number, ticket) = self
+            .until(|frame| match frame {
+                FromServer::Welcome { user, ticket, .. } => Some((user, ticket.to_vec())),
+                _ => None,
+            })
+            .await;
+        (self.number, self.ticket) = (number, ticket);
+    }
+
+    /// Send frames as one message.
+    pub async fn send(&mut self, frames: &[FromUser<'_>]) {
+        let mut message = Vec::new();
+        frames.iter().for_each(|frame| frame.write(&mut message));
+        self.send_bytes(message).await;
+    }
+
+    pub async fn send_bytes(&mut self, message: Vec<u8>) {
+        self.socket.send(Message::Binary(message.into())).await.expect("the server reads");
+    }
+
+    /// The next frame's bytes; none at the end.
+    pub async fn next(&mut self) -> Option<Vec<u8>> {
+        while self.frames.is_empty() {
+            match timeout(HANGS, self.socket.next()).await.expect("a frame")? {
+                Ok(Message::Binary(bytes)) => self.frames.extend(split(&bytes)),
+                Ok(_) => {}
+                Err(_) => return None,
+            }
+        }
+        self.frames.pop_front()
+    }
+
+    /// Whether the server has ended the connection in a second.
+    pub async fn is_ended(&mut self) -> bool {
+        matches!(
+            timeout(Duration::from_secs(1), self.socket.next()).await,
+            Ok(None | Some(Err(_) | Ok(Message::Close(_))))
+        )
+    }
+
+    /// Wait for a frame that something can be made of.
+    pub async fn until<T>(&mut self, pick: impl Fn(FromServer<'_>) -> Option<T>) -> T {
+        loop {
+            let bytes = self.next().await.expect("a frame before the end");
+            let (frame, _) = FromServer::read(&bytes).expect("a frame");
+            if let Some(found) = pick(frame) {
+                return found;
+            }
+        }
+    }
+
+    /// Assert that the next frame is this one.
+    pub async fn gets(&mut self, expected: FromServer<'_>) {
+        let bytes = self.next().await.expect("a frame before the end");
+        assert_eq!(FromServer::read(&bytes).expect("a frame").0, expected);
+    }
+
+    /// Assert that the server ends the connection for a reason; its sentence.
+    pub async fn is_refused(&mut self, reason: Reason) -> String {
+        let (code, sentence) = self
+            .until(|frame| match frame {
+                FromServer::Refused { code, sentence } => Some((code, sentence.to_owned())),
+                _ => None,
+            })
+            .await;
+        assert_eq!(code, reason.code(), "{sentence}");
+        assert!(self.next().await.is_none());
+        sentence
+    }
+
+    /// The last pose's number of another user that comes before something is said to the group.
+    pub async fn pose_of(&mut self, other: u16) -> Pose {
+        self.until(|frame| match frame {
+            FromServer::Pose { user, pose } if user == other => Some(pose),
+            _ => None,
+        })
+        .await
+    }
+}
+
+/// The frames of a message.
+pub fn split(mut message: &[u8]) -> Vec<Vec<u8>> {
+    let mut frames = Vec::new();
+    while !message.is_empty() {
+        let (_, rest) = FromServer::read(message).expect("a frame");
+        frames.push(message[..message.len() - rest.len()].to_vec());
+        message = rest;
+    }
+    frames
+}
+
+/// A pose of a head alone.
+pub fn pose(sequence: u32) -> Pose {
+    let head = Placed { position: [1.0, 1.7, -2.5], rotation: [0, 0, 0, 32767] };
+    let (hands, pointer) = ([None; 2], None);
+    Pose { sequence, clock: u64::from(sequence) * 13_889, is_acknowledged: false, stops: false, head, hands, pointer }
+}
+
+/// A pose that is to be acknowledged.
+pub fn asking(sequence: u32) -> Pose {
+    Pose { is_acknowledged: true, ..pose(sequence) }
+}
+
+/// Numbers that look random and are the same in each run.
+pub struct Numbers(pub u64);
+
+impl Numbers {
+    /// A number below another.
+    pub fn below(&mut self, end: u64) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % end
+    }
+}

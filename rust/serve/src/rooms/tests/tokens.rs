@@ -1,0 +1,149 @@
+//! Tokens and tickets, by themselves and at the door.
+
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use super::support::{User, connect, join, limits, server};
+use crate::Server;
+use crate::rooms::frame::FromServer;
+use crate::rooms::{Key, Limits, Number, Reason};
+
+fn key(byte: u8) -> Key {
+    Key::new(&[byte; 16]).expect("a key")
+}
+
+/// A token of an hour.
+fn token(key: &Key, room: &str, number: Number) -> String {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH).expect("a time").as_secs();
+    key.token(room, now + 3600, number)
+}
+
+async fn with_token(server: &Server, room: &str, token: &str) -> User {
+    connect(server.address(), &format!("/rooms/{room}?a=b&token={token}")).await.expect("a connection")
+}
+
+/// Say hello and see that the door stays closed.
+async fn is_refused(mut user: User) -> String {
+    user.send(&[crate::rooms::frame::FromUser::Hello { group: 0, name: "", ticket: &[] }]).await;
+    user.is_refused(Reason::Token).await
+}
+
+#[test]
+fn a_token_is_valid_for_its_room_until_it_ends() {
+    let (key, number) = (key(1), [7; 16]);
+    let text = key.token("hall", 1000, number);
+    assert!(text.starts_with("1000.0707"));
+    assert_eq!(key.check("hall", 999, &text), Ok(number));
+    assert_eq!(key.check("hall", 1000, &text), Err("expected a token that has not ended"));
+    let wrong = Err("expected a token that was made for this room");
+    assert_eq!(key.check("hal", 999, &text), wrong);
+    assert_eq!(super::tokens::key(2).check("hall", 999, &text), wrong);
+    for text in ["", ".", "1000", &text[1..], &text[..text.len() - 2], &format!("{text}.00"), &format!("+{text}")] {
+        assert_eq!(key.check("hall", 999, text), wrong, "{text}");
+    }
+    assert!(Key::new(&[1; 15]).is_err());
+}
+
+#[test]
+fn a_token_that_was_altered_is_refused() {
+    let key = key(1);
+    let text = key.token("hall", 1000, [7; 16]);
+    for at in 0..text.len() {
+        for bit in 0..7 {
+            let mut bytes = text.clone().into_bytes();
+            bytes[at] ^= 1 << bit;
+            let altered = String::from_utf8(bytes).expect("ASCII");
+            assert!(key.check("hall", 999, &altered).is_err(), "{altered}");
+        }
+    }
+}
+
+#[test]
+fn a_ticket_leads_back_to_its_number_in_its_room() {
+    let key = key(1);
+    let ticket = key.ticket("hall", 513, 1 << 40);
+    assert_eq!(key.back_to("hall", &ticket), Some((513, 1 << 40)));
+    assert_eq!(key.back_to("room", &ticket), None);
+    assert_eq!(super::tokens::key(2).back_to("hall", &ticket), None);
+    for at in 0..ticket.len() * 8 {
+        let mut altered = ticket;
+        altered[at / 8] ^= 1 << (at % 8);
+        assert_eq!(key.back_to("hall", &altered), None);
+        assert_eq!(key.back_to("hall", &ticket[..at / 8]), None);
+    }
+}
+
+#[tokio::test]
+async fn nobody_enters_without_a_valid_token() {
+    let (key, number) = (key(1), [3; 16]);
+    let server = server(limits(), Some(key.clone()));
+    for (token, sentence) in [
+        (String::new(), "expected a token that was made for this room"),
+        (token(&key, "yard", number), "expected a token that was made for this room"),
+        (token(&super::tokens::key(2), "hall", number), "expected a token that was made for this room"),
+        (key.token("hall", 1000, number), "expected a token that has not ended"),
+    ] {
+        assert_eq!(is_refused(with_token(&server, "hall", &token).await).await, sentence);
+    }
+    let mut user = with_token(&server, "hall", &token(&key, "hall", number)).await;
+    user.hello(0, "", &[]).await;
+}
+
+#[tokio::test]
+async fn a_token_in_use_lets_nobody_else_in() {
+    let key = key(1);
+    let server = server(limits(), Some(key.clone()));
+    let (first, second) = (token(&key, "hall", [1; 16]), token(&key, "hall", [2; 16]));
+    let mut user = with_token(&server, "hall", &first).await;
+    user.hello(0, "one", &[]).await;
+    let mut other = with_token(&server, "hall", &second).await;
+    other.hello(0, "two", &[]).await;
+    let replay = is_refused(with_token(&server, "hall", &first).await).await;
+    assert_eq!(replay, "expected a token that no other connection uses");
+    // Its user may come back with it by another connection, which takes the place of the first one.
+    let mut again = with_token(&server, "hall", &first).await;
+    again.hello(0, "one", &user.ticket).await;
+    assert_eq!(again.number, user.number);
+    user.is_refused(Reason::Replaced).await;
+    let gone = again.number;
+    drop(again);
+    other.until(|frame| (frame == FromServer::Left { user: gone }).then_some(())).await;
+    other.until(|frame| matches!(frame, FromServer::Joined { .. }).then_some(())).await;
+    other.until(|frame| (frame == FromServer::Left { user: gone }).then_some(())).await;
+    let mut later = with_token(&server, "hall", &first).await;
+    later.hello(0, "one", &[]).await;
+    assert_ne!(later.number, gone, "it has no ticket");
+}
+
+#[tokio::test]
+async fn a_ticket_gives_the_number_back_also_after_a_restart() {
+    let (key, many) = (key(1), Limits { users: 1, ..limits() });
+    let first = server(many, Some(key.clone()));
+    let own = token(&key, "hall", [1; 16]);
+    let mut user = with_token(&first, "hall", &own).await;
+    user.hello(0, "one", &[]).await;
+    first.close();
+    user.is_refused(Reason::Ending).await;
+    let second = server(many, Some(key.clone()));
+    let mut again = with_token(&second, "hall", &own).await;
+    again.hello(0, "one", &user.ticket).await;
+    assert_eq!(again.number, user.number);
+    // A full room has place for who is there already.
+    let mut third = with_token(&second, "hall", &own).await;
+    third.hello(0, "one", &again.ticket).await;
+    assert_eq!((third.number, &third.ticket), (user.number, &user.ticket));
+    again.is_refused(Reason::Replaced).await;
+}
+
+#[tokio::test]
+async fn a_ticket_of_another_server_or_room_gives_a_new_number() {
+    let (server, elsewhere) = (server(limits(), None), server(limits(), None));
+    let first = join(&server, "hall", 0, "one").await;
+    let mut others = vec![join(&server, "yard", 0, "two").await, join(&elsewhere, "hall", 0, "three").await];
+    // Tickets of other rooms, with the number of a user who is there.
+    others.iter_mut().for_each(|other| other.ticket[..2].copy_from_slice(&first.number.to_le_bytes()));
+    for other in others {
+        let mut user = connect(server.address(), "/rooms/hall").await.expect("a connection");
+        user.hello(0, "", &other.ticket).await;
+        assert_ne!(user.number, first.number);
+    }
+}

@@ -1,0 +1,113 @@
+//! Tokens, which let a user into a room, and tickets, which give a user its number back.
+
+use std::fmt::Write;
+
+use hmac::{Hmac, KeyInit, Mac};
+use sha2::Sha256;
+
+/// Fewest bytes of a key.
+const KEY: usize = 16;
+/// Bytes of a token's own number.
+const NUMBER: usize = 16;
+/// Bytes of a token's code.
+const CODE: usize = 32;
+/// Bytes of a ticket's code.
+const SHORT: usize = 16;
+/// Bytes of a ticket.
+pub const TICKET: usize = 2 + 8 + SHORT;
+/// What is signed begins with its purpose, so that a ticket is no token.
+const ENTRY: &[u8] = b"nearfar room token 1\0";
+const RETURN: &[u8] = b"nearfar return ticket 1\0";
+
+/// A token's own number; two connections cannot use it at the same time.
+pub type Number = [u8; NUMBER];
+
+/// What signs tokens and tickets.
+#[derive(Clone)]
+pub struct Key(Hmac<Sha256>);
+
+impl Key {
+    /// A key of secret bytes.
+    pub fn new(secret: &[u8]) -> Result<Self, String> {
+        if secret.len() < KEY {
+            return Err(format!("expected a key of {KEY} bytes or more, got {}", secret.len()));
+        }
+        Hmac::new_from_slice(secret).map(Key).map_err(|error| error.to_string())
+    }
+
+    /// A token for a room that ends then, in seconds since 1970. Each needs another number, which nobody can guess.
+    pub fn token(&self, room: &str, ends: u64, number: Number) -> String {
+        let mut text = format!("{ends}.");
+        put_hex(&mut text, &number);
+        text.push('.');
+        put_hex(&mut text, &self.entry(room, ends, &number).finalize().into_bytes());
+        text
+    }
+
+    /// The number of a token that lets into a room now, in seconds since 1970; or why it does not.
+    pub fn check(&self, room: &str, now: u64, token: &str) -> Result<Number, &'static str> {
+        const WRONG: &str = "expected a token that was made for this room";
+        let mut parts = token.split('.');
+        let (Some(ends), Some(number), Some(code), None) = (parts.next(), parts.next(), parts.next(), parts.next())
+        else {
+            return Err(WRONG);
+        };
+        let is_number = ends.bytes().all(|byte| byte.is_ascii_digit());
+        let ends: u64 = ends.parse().ok().filter(|_| is_number).ok_or(WRONG)?;
+        let number: Number = from_hex(number).ok_or(WRONG)?;
+        let code: [u8; CODE] = from_hex(code).ok_or(WRONG)?;
+        // Compares in constant time.
+        self.entry(room, ends, &number).verify_slice(&code).map_err(|_| WRONG)?;
+        if now < ends { Ok(number) } else { Err("expected a token that has not ended") }
+    }
+
+    /// A ticket of a room for a user's number and identity.
+    pub fn ticket(&self, room: &str, user: u16, identity: u64) -> [u8; TICKET] {
+        let mut ticket = [0; TICKET];
+        ticket[..2].copy_from_slice(&user.to_le_bytes());
+        ticket[2..10].copy_from_slice(&identity.to_le_bytes());
+        let code = self.back(room, &ticket[..10]).finalize().into_bytes();
+        ticket[10..].copy_from_slice(&code[..SHORT]);
+        ticket
+    }
+
+    /// The user's number and identity of a ticket, if it is one of this room.
+    pub fn back_to(&self, room: &str, ticket: &[u8]) -> Option<(u16, u64)> {
+        let ticket: &[u8; TICKET] = ticket.try_into().ok()?;
+        self.back(room, &ticket[..10]).verify_truncated_left(&ticket[10..]).ok()?;
+        let user = u16::from_le_bytes(ticket[..2].try_into().ok()?);
+        Some((user, u64::from_le_bytes(ticket[2..10].try_into().ok()?)))
+    }
+
+    fn entry(&self, room: &str, ends: u64, number: &Number) -> Hmac<Sha256> {
+        // The room's name is last: all before it has a fixed length, so that no two inputs are the same bytes.
+        self.0.clone().chain_update(ENTRY).chain_update(ends.to_le_bytes()).chain_update(number).chain_update(room)
+    }
+
+    fn back(&self, room: &str, head: &[u8]) -> Hmac<Sha256> {
+        self.0.clone().chain_update(RETURN).chain_update(head).chain_update(room)
+    }
+}
+
+fn put_hex(text: &mut String, bytes: &[u8]) {
+    for byte in bytes {
+        let _ = write!(text, "{byte:02x}");
+    }
+}
+
+fn from_hex<const COUNT: usize>(text: &str) -> Option<[u8; COUNT]> {
+    let digits = text.as_bytes();
+    let digit = |index: usize| match digits[index] {
+        digit @ b'0'..=b'9' => Some(digit - b'0'),
+        digit @ b'a'..=b'f' => Some(digit - b'a' + 10),
+        _ => None,
+    };
+    if digits.len() != 2 * COUNT {
+        return None;
+    }
+    let mut bytes = [0; COUNT];
+    for (index, byte) in bytes.iter_mut().enumerate() {
+        *byte = digit(2 * index)? << 4 | digit(2 * index + 1)?;
+    }
+    Some(bytes)
+}
