@@ -106,7 +106,7 @@ fn draw_tile(screen: &mut Screen, parts: &[Part<'_>], projector: &Projector, lim
             let [column, row] = block.corner.map(f64::from);
             let start = view.sight.at([column + 0.5, row + 0.5, -0.5]);
             let count = lanes.gather(splats, block);
-            lanes.project(count, start.map(|value| value as f32), &view.constants, &screen.rect);
+            lanes.project(count, start.map(|value| value as f32), &view.constants, &screen.rect, screen.pitch());
             if !limits.is_none() {
                 lanes.limit(count, splats, block, projector, limits);
             }

@@ -1,6 +1,6 @@
 //! The splats of a block in the picture: places, ellipses and nearness, for all of them at once.
 
-use super::projector::{Projector, Rect, Sight};
+use super::projector::{Projector, Rect, Sight, ordered};
 use super::splats::{BLOCK, BORDER, Block, LEAST_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::simd::vectorized;
 use crate::render::Limits;
@@ -13,6 +13,10 @@ pub(super) const GROUP: usize = 16;
 
 /// A number of each splat.
 type Lane<T = f32> = [[T; GROUP]; LANES / GROUP];
+
+/// In `Lanes::slot`: a splat that is not shown, and one that more than one pixel may show.
+const NONE: i32 = -1;
+pub(super) const SEVERAL: i32 = -2;
 
 /// Values that are the same for all splats of a view.
 #[derive(Clone, Copy, Debug)]
@@ -58,9 +62,13 @@ pub(super) struct Lanes {
     pub slope: [Lane; 2],
     /// Columns and rows of the pixel of the middle.
     pub middle: [Lane<i32>; 2],
-    /// First and last columns and rows of the pixels that may show it; the first is above the last where it is not shown.
+    /// First and last columns and rows of the pixels that may show it.
     pub first: [Lane<i32>; 2],
     pub last: [Lane<i32>; 2],
+    /// Of a splat that only the pixel of its middle shows, as most are: that pixel's place among the keys.
+    pub slot: Lane<i32>,
+    /// And the order of its key.
+    pub order: Lane<u32>,
     column: Lane,
     row: Lane,
     depth: Lane,
@@ -80,6 +88,8 @@ impl Lanes {
             middle: none,
             first: none,
             last: none,
+            slot: none[0],
+            order: [[0; GROUP]; LANES / GROUP],
             column: zero,
             row: zero,
             depth: zero,
@@ -121,28 +131,30 @@ impl Lanes {
             let depth = f64::from(self.depth[group][n]) - 0.5;
             let place = splats.place(left + pixel[0] + 0.5, top + pixel[1] + 0.5, depth);
             if !projector.is_seen(place, limits) {
-                (self.first[0][group][n], self.last[0][group][n]) = (1, 0);
+                self.slot[group][n] = NONE;
             }
         }
     }
 
-    /// Projects the splats that were gathered to a part of the screen; `start` has the projector's functions at the middle
-    /// of the block's first pixel, half a step before the front.
-    pub fn project(&mut self, count: usize, start: [f32; 3], constants: &Constants, rect: &Rect) {
+    /// Projects the splats that were gathered to a part of the screen, of which a row has `pitch` keys; `start` has the
+    /// projector's functions at the middle of the block's first pixel, half a step before the front.
+    pub fn project(&mut self, count: usize, start: [f32; 3], constants: &Constants, rect: &Rect, pitch: i32) {
         let groups = count.div_ceil(GROUP);
         if constants.is_parallel {
-            project_parallel(self, groups, start, constants, rect);
+            project_parallel(self, groups, start, constants, rect, pitch);
         } else {
-            project_perspective(self, groups, start, constants, rect);
+            project_perspective(self, groups, start, constants, rect, pitch);
         }
     }
 }
 
 vectorized! {
-    fn project_perspective(lanes: &mut Lanes, groups: usize, start: [f32; 3], constants: &Constants, rect: &Rect)
-        = project_all::<false>;
-    fn project_parallel(lanes: &mut Lanes, groups: usize, start: [f32; 3], constants: &Constants, rect: &Rect)
-        = project_all::<true>;
+    fn project_perspective(
+        lanes: &mut Lanes, groups: usize, start: [f32; 3], constants: &Constants, rect: &Rect, pitch: i32,
+    ) = project_all::<false>;
+    fn project_parallel(
+        lanes: &mut Lanes, groups: usize, start: [f32; 3], constants: &Constants, rect: &Rect, pitch: i32,
+    ) = project_all::<true>;
 }
 
 // Closures would not be compiled for the vectors of `vectorized!`.
@@ -170,14 +182,14 @@ fn nearer<const PARALLEL: bool>(of_distance: f32, over: f32) -> f32 {
     if PARALLEL { -of_distance } else { -of_distance * over * over }
 }
 
-/// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+/// Squared half of the extent of a ball along an axis: that of the length of the gradient of X/W.
 #[inline(always)]
 fn disc<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], of: usize, place: f32, over: f32) -> f32 {
     let (own, distance) = (&gradients[of], &gradients[2]);
     let x = shown::<PARALLEL>(own[0], distance[0], place, over);
     let y = shown::<PARALLEL>(own[1], distance[1], place, over);
     let z = shown::<PARALLEL>(own[2], distance[2], place, over);
-    (x * x + y * y + z * z).sqrt()
+    x * x + y * y + z * z
 }
 
 /// First and last pixel along an axis whose middles lie within an extent, that of its middle among them, and the latter.
@@ -196,9 +208,10 @@ fn project_all<const PARALLEL: bool>(
     start: [f32; 3],
     constants: &Constants,
     rect: &Rect,
+    pitch: i32,
 ) {
     for group in 0..groups {
-        project_group::<PARALLEL>(lanes, group, start, constants, rect);
+        project_group::<PARALLEL>(lanes, group, start, constants, rect, pitch);
     }
 }
 
@@ -209,6 +222,7 @@ fn project_group<const PARALLEL: bool>(
     start: [f32; 3],
     constants: &Constants,
     rect: &Rect,
+    pitch: i32,
 ) {
     let (steps, gradients) = (&constants.steps, &constants.gradients);
     let [right, up, toward] = &constants.axes;
@@ -241,17 +255,19 @@ fn project_group<const PARALLEL: bool>(
         let (ux, vx) = (shown::<PARALLEL>(u0, u2, x, over) * factor, shown::<PARALLEL>(v0, v2, x, over) * factor);
         let (uy, vy) = (shown::<PARALLEL>(u1, u2, y, over) * factor, shown::<PARALLEL>(v1, v2, y, over) * factor);
         let (u_near, v_near) = (nearer::<PARALLEL>(u2, over) * factor, nearer::<PARALLEL>(v2, over) * factor);
-        let determinant = ux * vy - vx * uy;
-        let inverse = 1.0 / determinant;
         let (ball_x, ball_y) = (disc::<PARALLEL>(gradients, 0, x, over), disc::<PARALLEL>(gradients, 1, y, over));
+        // Half of the extents along both axes over the radius. Roots and quotients are the slowest steps: both kinds share them.
+        let wide = if is_surfel { ux * ux + vx * vx } else { ball_x }.sqrt();
+        let high = if is_surfel { uy * uy + vy * vy } else { ball_y }.sqrt();
 
         // A surfel that is seen from its edge is a line: only the pixel of its middle shows it.
-        let is_flat = determinant.abs() <= f32::EPSILON * (ux.abs() + vx.abs()) * (uy.abs() + vy.abs());
-        let edge = if is_flat { f32::MAX } else { inverse };
-        let i00 = if is_surfel { vy * edge } else { 1.0 / ball_x };
+        let determinant = if is_surfel { ux * vy - vx * uy } else { wide * high };
+        let is_flat = is_surfel && determinant.abs() <= f32::EPSILON * (ux.abs() + vx.abs()) * (uy.abs() + vy.abs());
+        let edge = if is_flat { f32::MAX } else { 1.0 / determinant };
+        let i00 = if is_surfel { vy } else { high } * edge;
         let i01 = if is_surfel { -vx * edge } else { 0.0 };
         let i10 = if is_surfel { -uy * edge } else { 0.0 };
-        let i11 = if is_surfel { ux * edge } else { 1.0 / ball_y };
+        let i11 = if is_surfel { ux } else { wide } * edge;
         (
             lanes.inverse[0][group][n],
             lanes.inverse[1][group][n],
@@ -259,22 +275,39 @@ fn project_group<const PARALLEL: bool>(
             lanes.inverse[3][group][n],
         ) = (i00, i01, i10, i11);
         let is_sloped = is_surfel && !is_flat;
-        lanes.slope[0][group][n] = if is_sloped { u_near * i00 + v_near * i10 } else { 0.0 };
-        lanes.slope[1][group][n] = if is_sloped { u_near * i01 + v_near * i11 } else { 0.0 };
-        lanes.nearness[group][n] = if PARALLEL { -w } else { over };
+        let slope = [
+            if is_sloped { u_near * i00 + v_near * i10 } else { 0.0 },
+            if is_sloped { u_near * i01 + v_near * i11 } else { 0.0 },
+        ];
+        (lanes.slope[0][group][n], lanes.slope[1][group][n]) = (slope[0], slope[1]);
+        let nearness = if PARALLEL { -w } else { over };
+        lanes.nearness[group][n] = nearness;
         (lanes.place[0][group][n], lanes.place[1][group][n]) = (x, y);
 
-        let extent = if is_flat && is_surfel { 0.0 } else { radius };
-        let half_x = extent * if is_surfel { (ux * ux + vx * vx).sqrt() } else { ball_x };
-        let half_y = extent * if is_surfel { (uy * uy + vy * vy).sqrt() } else { ball_y };
+        let extent = if is_flat { 0.0 } else { radius };
         // Near the eye the derivative at the middle would sweep ellipses across the picture.
-        let depth = radius * factor * (u2 * u2 + v2 * v2).sqrt();
-        let is_shown = if PARALLEL { w } else { w - depth } >= constants.least_distance;
-        let (first, last, middle) = pixels(x, half_x, left, rightmost);
-        lanes.first[0][group][n] = if is_shown { first } else { 1 };
-        lanes.last[0][group][n] = if is_shown { last } else { 0 };
-        lanes.middle[0][group][n] = middle;
-        let (first, last, middle) = pixels(y, half_y, top, bottom);
-        (lanes.first[1][group][n], lanes.last[1][group][n], lanes.middle[1][group][n]) = (first, last, middle);
+        let room = w - constants.least_distance;
+        let reach = if PARALLEL { 0.0 } else { radius * factor };
+        let is_shown = room >= 0.0 && reach * reach * (u2 * u2 + v2 * v2) <= room * room;
+        let (first_x, last_x, middle_x) = pixels(x, extent * wide, left, rightmost);
+        let (first_y, last_y, middle_y) = pixels(y, extent * high, top, bottom);
+        (lanes.first[0][group][n], lanes.last[0][group][n], lanes.middle[0][group][n]) = (first_x, last_x, middle_x);
+        (lanes.first[1][group][n], lanes.last[1][group][n], lanes.middle[1][group][n]) = (first_y, last_y, middle_y);
+
+        let is_one = first_x == middle_x && last_x == middle_x && first_y == middle_y && last_y == middle_y;
+        let is_none = !is_shown || first_x > last_x || first_y > last_y;
+        let slot = (middle_y - rect.low[1]) * pitch + (middle_x - rect.low[0]);
+        lanes.slot[group][n] = if is_none {
+            NONE
+        } else if is_one {
+            slot
+        } else {
+            SEVERAL
+        };
+        let (across, down) = (middle_x as f32 + 0.5 - x, middle_y as f32 + 0.5 - y);
+        let (p, q) = (i00 * across + i01 * down, i10 * across + i11 * down);
+        let is_inside = p * p + q * q <= SQUARED_RADIUS;
+        let at = if is_inside { nearness + slope[1] * down + slope[0] * across } else { nearness };
+        lanes.order[group][n] = ordered(at);
     }
 }

@@ -1,6 +1,6 @@
 //! A tile of the screen, and the nearest splat at each of its samples.
 
-use super::lanes::{GROUP, Lanes};
+use super::lanes::{GROUP, Lanes, SEVERAL};
 use super::projector::{Rect, ordered};
 use super::splats::SQUARED_RADIUS;
 use crate::base::simd::vectorized;
@@ -84,6 +84,11 @@ impl Screen {
         })
     }
 
+    /// Keys of a row.
+    pub fn pitch(&self) -> i32 {
+        self.pitch as i32
+    }
+
     /// Draws some splats, which have consecutive numbers.
     pub fn draw(&mut self, lanes: &Lanes, count: usize, first: u32) {
         draw(self, lanes, count, first);
@@ -97,11 +102,15 @@ vectorized! {
 #[inline(always)]
 fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
     for (number, (group, n)) in (first..).zip((0..count).map(|n| (n / GROUP, n % GROUP))) {
-        let [left, top] = [lanes.first[0][group][n], lanes.first[1][group][n]];
-        let [right, bottom] = [lanes.last[0][group][n], lanes.last[1][group][n]];
-        if left > right || top > bottom {
+        let slot = lanes.slot[group][n];
+        if slot != SEVERAL {
+            if let Some(key) = screen.keys.get_mut(slot as usize) {
+                key.0 = key.0.max(u64::from(lanes.order[group][n]) << 32 | u64::from(!number));
+            }
             continue;
         }
+        let [left, top] = [lanes.first[0][group][n], lanes.first[1][group][n]];
+        let [right, bottom] = [lanes.last[0][group][n], lanes.last[1][group][n]];
         let [a, b] = [lanes.inverse[0][group][n], lanes.inverse[1][group][n]];
         let [c, d] = [lanes.inverse[2][group][n], lanes.inverse[3][group][n]];
         let [x, y] = [lanes.place[0][group][n], lanes.place[1][group][n]];
