@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import pickle
+import re
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -32,6 +34,8 @@ from tests.support import need
 from tests.support.room_cases import REST, run, server as served, some, until
 
 need("aiohttp")
+
+CHECKOUT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture(scope="module")
@@ -189,7 +193,7 @@ def test_a_certificate_that_signs_itself_is_trusted_when_it_is_named(tmp_path_fa
             join(url, room="hall", certificate=used.certificate) as one,
             join(url.replace("https", "wss"), room="hall", certificate=used.certificate) as two,
         ):
-            assert list(one.users) == [two.user]
+            assert list(two.users) == [one.user]
         with pytest.raises(RoomError, match="certificate= takes") as refused:
             async with join(url, room="hall"):
                 pass
@@ -269,3 +273,29 @@ def test_payloads_have_an_end() -> None:
         run(room.say("text"))  # type: ignore[arg-type]
     with pytest.raises(RoomError, match="expected a user who has joined"):
         _ = room.user
+
+
+def test_the_script_of_the_page_joins_and_hears(server: Server, capsys: pytest.CaptureFixture[str]) -> None:
+    page = (CHECKOUT / "docs" / "rooms.md").read_text(encoding="utf-8")
+    (script,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    assert len(script.splitlines()) <= 14
+
+    async def grace() -> None:
+        async with join(server.url, room="hall", name="Grace") as room:
+            running = asyncio.create_task(
+                asyncio.to_thread(exec, script.replace("http://127.0.0.1:8080/", server.url), {})
+            )
+            joined = await until(room, Joined)
+            assert joined.name == "Ada"
+            heard = [await anext(room), await anext(room)]
+            assert Said(joined.user, b"hello", "room") in heard
+            (seen,) = (event for event in heard if isinstance(event, Posed))
+            assert seen.pose.pointer == Pointer("head", 20.0)
+            await room.say(b"hello Ada")
+            await running
+            assert await anext(room) == Left(joined.user)
+
+    run(grace())
+    told = capsys.readouterr().out
+    assert "Joined(user=" in told
+    assert "data=b'hello Ada', to='group')" in told

@@ -34,9 +34,9 @@ class Rooms:
     queue_bytes
         Bytes that wait for a user, besides poses; who lets more wait is closed.
     messages_per_second, bytes_per_second
-        Rates that a user may send at; who sends more for longer than the burst is closed.
+        Rates that a user may send at; who sends more is closed.
     burst_seconds
-        Time for which a user may send at twice the rates.
+        So much time's worth of messages and of bytes may come at once.
     hello_seconds
         Time from the beginning of a connection until its user is in the room.
     ping_seconds, silent_seconds

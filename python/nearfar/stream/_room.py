@@ -178,6 +178,8 @@ class Room:
             self._finish(RoomError("bye", "the user left"))
             self._reading.cancel()
             await asyncio.wait([self._reading])
+            # A task that is cancelled before it began closes nothing.
+            await self._leave()
             if not self._reading.cancelled():
                 self._reading.result()
 
