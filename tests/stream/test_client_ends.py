@@ -10,7 +10,7 @@ import pytest
 
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
-from nearfar.stream import _room_frames as frames
+from nearfar.stream import _room, _room_frames as frames
 from nearfar.stream._room_connection import Address, Connection
 from nearfar.stream._room_events import Event, Left, Placed, Pose, Posed, Said
 from nearfar.stream._room_inbox import MOST_BYTES, MOST_EVENTS, Inbox
@@ -137,6 +137,22 @@ def test_a_name_that_the_server_refuses_is_told(server: Server) -> None:
             async with room:
                 pass
         assert (refused.value.reason, refused.value.sentence) == ("frame", "a name has control characters")
+
+    run(script())
+
+
+def test_a_server_that_does_not_answer_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(_room, "ENTERING", 0.01)
+
+    async def script() -> None:
+        held: list[asyncio.StreamWriter] = []
+        async with await asyncio.start_server(lambda _, writer: held.append(writer), "127.0.0.1", 0) as mute:
+            with pytest.raises(RoomError, match="has not let the user in within") as refused:
+                async with join(f"http://127.0.0.1:{mute.sockets[0].getsockname()[1]}/", room="hall"):
+                    pass
+            assert refused.value.reason == "silent"
+            for writer in held:
+                writer.close()
 
     run(script())
 
