@@ -10,7 +10,7 @@ use super::figures::Figures;
 use super::limits::Limits;
 use super::outbox::Outbox;
 use super::reason::{End, Reason};
-use super::room::{Joining, Room};
+use super::room::{By, Joining, Room};
 use super::token::Key;
 
 /// The rooms of a server, which begin with their first user and end with their last.
@@ -37,8 +37,7 @@ pub struct Seat {
     name: String,
     /// The room.
     pub room: Arc<Room>,
-    /// The user's number.
-    pub user: u16,
+    user: u16,
     outbox: Arc<Outbox>,
 }
 
@@ -95,10 +94,17 @@ impl Rooms {
     }
 }
 
+impl Seat {
+    /// Who sends.
+    pub fn by(&self) -> By<'_> {
+        By { user: self.user, outbox: &self.outbox }
+    }
+}
+
 impl Drop for Seat {
     fn drop(&mut self) {
         let mut state = self.rooms.state();
-        self.room.leave(self.user, &self.outbox);
+        self.room.leave(self.by());
         if self.room.is_empty() {
             state.rooms.remove(&self.name);
             self.rooms.figures.rooms.set(state.rooms.len() as i64);

@@ -17,7 +17,9 @@ pub struct Limits {
     pub messages_per_second: f64,
     /// Bytes that a user sends in a second, counted where they come in: with the heads of messages.
     pub bytes_per_second: f64,
-    /// Time for which a user may send at twice the rates.
+    /// Bytes a second that a user says and signals to others.
+    pub said_bytes_per_second: f64,
+    /// So much time's worth of messages and of bytes may come at once.
     pub burst: Duration,
     /// Time from the beginning of a connection until its user is in the room.
     pub hello: Duration,
@@ -39,6 +41,7 @@ impl Default for Limits {
             queue_bytes: 1 << 17,
             messages_per_second: 5000.0,
             bytes_per_second: 131_072.0,
+            said_bytes_per_second: 32_768.0,
             burst: seconds(2),
             hello: seconds(10),
             ping: seconds(10),
