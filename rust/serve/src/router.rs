@@ -12,12 +12,15 @@ use percent_encoding::percent_decode_str;
 use crate::metrics::{self, Metrics};
 use crate::packed::Packed;
 use crate::respond::Asked;
-use crate::rooms::{Rooms, upgrade};
+use crate::rooms::Rooms;
+use crate::rooms::upgrade::{self, Door};
 use crate::site::{Document, Sites, find};
 use crate::{regions, respond};
 
 /// Bytes of compressed copies of documents that are kept.
 const PACKED: u64 = 128 << 20;
+/// Part of the connections that rooms do not take.
+const FILES: usize = 4;
 /// Time for which browsers keep an answer to what they ask before a request of another site, seconds.
 const PREFLIGHT: &str = "86400";
 
@@ -39,6 +42,8 @@ pub struct Answering {
 pub struct Router {
     answering: Answering,
     packed: Packed,
+    /// Sockets of rooms at the same time.
+    sockets: usize,
     /// Counts of what was answered.
     pub metrics: Metrics,
 }
@@ -47,7 +52,12 @@ impl Router {
     /// Answer requests so.
     pub fn new(answering: Answering) -> Self {
         let metrics = Metrics::new(&answering.sites, answering.rooms.as_deref());
-        Router { metrics, packed: Packed::new(PACKED), answering }
+        Router { metrics, packed: Packed::new(PACKED), sockets: usize::MAX, answering }
+    }
+
+    /// Leave some of so many connections to those who ask for files.
+    pub(crate) fn within(self, connections: usize) -> Self {
+        Router { sockets: connections - connections / FILES, ..self }
     }
 
     /// The sites.
@@ -104,8 +114,14 @@ impl Router {
             }
             _ => {}
         }
-        if let Some(room) = self.rooms().and_then(|_| upgrade::room(&path)) {
-            return upgrade::answer(room, self.host(request), self.answering.origin.as_ref(), request);
+        if let Some((rooms, room)) = self.rooms().zip(upgrade::room(&path)) {
+            let door = Door {
+                host: self.host(request),
+                is_named: self.answering.hosts.is_some(),
+                allowed: self.answering.origin.as_ref(),
+                needs_token: rooms.needs_token(),
+            };
+            return upgrade::answer(room, door, || rooms.place(client, self.sockets), request);
         }
         if !path.is_empty() && self.sites().contains_key(&*path) {
             return moved_below(request.uri().path());

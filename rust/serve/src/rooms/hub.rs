@@ -1,6 +1,7 @@
 //! All rooms of a server.
 
 use std::collections::HashMap;
+use std::net::IpAddr;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use prometheus_client::registry::Registry;
@@ -9,6 +10,7 @@ use rustls::crypto::ring;
 use super::figures::Figures;
 use super::limits::Limits;
 use super::outbox::Outbox;
+use super::places::{Place, Places};
 use super::reason::{End, Reason};
 use super::room::{By, Joining, Room};
 use super::token::Key;
@@ -22,6 +24,7 @@ pub struct Rooms {
     pub(super) entry: Option<Key>,
     /// Signs tickets.
     back: Key,
+    places: Places,
     state: Mutex<State>,
 }
 
@@ -44,14 +47,29 @@ pub struct Seat {
 impl Rooms {
     /// No room yet. With a key users need a token, and tickets last beyond the server's end.
     pub fn new(limits: Limits, key: Option<Key>) -> Result<Self, String> {
-        if limits.users >= usize::from(u16::MAX) {
-            return Err(format!("users: expected fewer than {}, got {}", u16::MAX, limits.users));
-        }
+        limits.check()?;
         let back = match &key {
             Some(key) => key.clone(),
             None => Key::new(&random::<32>()?)?,
         };
-        Ok(Rooms { limits, figures: Arc::new(Figures::new()), entry: key, back, state: Mutex::default() })
+        Ok(Rooms {
+            limits,
+            figures: Arc::new(Figures::new()),
+            entry: key,
+            back,
+            places: Places::default(),
+            state: Mutex::default(),
+        })
+    }
+
+    /// Whether users need a token.
+    pub(crate) fn needs_token(&self) -> bool {
+        self.entry.is_some()
+    }
+
+    /// Count a client's socket; none if it has as many as it may, or all have.
+    pub(crate) fn place(&self, client: IpAddr, all: usize) -> Option<Place> {
+        self.places.socket(client, self.limits, all)
     }
 
     /// Let nobody in from now on, and end all connections.
@@ -67,8 +85,15 @@ impl Rooms {
     }
 
     /// Let a user into a room, which begins with its first user. `ticket` is one of its last time, or nothing.
-    pub(super) fn join(rooms: &Arc<Self>, name: &str, ticket: &[u8], mut joining: Joining<'_>) -> Result<Seat, End> {
-        joining.back = rooms.back.back_to(name, ticket);
+    pub(super) fn join(
+        rooms: &Arc<Self>,
+        name: &str,
+        place: &Place,
+        ticket: &[u8],
+        mut joining: Joining<'_>,
+    ) -> Result<Seat, End> {
+        let token = joining.token;
+        joining.back = rooms.back.back_to(name, token.as_ref(), ticket);
         let outbox = Arc::clone(&joining.outbox);
         let mut state = rooms.state();
         if state.is_closed {
@@ -80,9 +105,16 @@ impl Rooms {
                 let sentence = format!("expected a server with fewer than {} rooms", rooms.limits.rooms);
                 return Err(End::new(Reason::Full, sentence));
             }
-            None => Arc::new(Room::new(joining.identity as u16, Arc::clone(&rooms.figures))),
+            None => {
+                let most = rooms.limits.rooms_per_client;
+                let sentence = || format!("expected a client that has begun fewer than {most} rooms");
+                let begun = rooms.places.room(place, rooms.limits);
+                let begun = begun.ok_or_else(|| End::new(Reason::Full, sentence()))?;
+                Arc::new(Room::new(joining.identity as u16, Arc::clone(&rooms.figures), begun))
+            }
         };
-        let user = room.join(&joining, rooms.limits.users, |user, identity| rooms.back.ticket(name, user, identity))?;
+        let ticket = |user, identity| rooms.back.ticket(name, token.as_ref(), user, identity);
+        let user = room.join(&joining, rooms.limits.users, ticket)?;
         state.rooms.insert(name.to_owned(), Arc::clone(&room));
         rooms.figures.rooms.set(state.rooms.len() as i64);
         drop(state);

@@ -9,6 +9,7 @@ pub mod frame;
 mod hub;
 mod limits;
 mod outbox;
+mod places;
 pub mod pose;
 mod reason;
 mod room;

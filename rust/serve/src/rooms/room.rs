@@ -11,11 +11,13 @@ use super::pose::Pose;
 use super::reason::{End, Reason};
 use super::settle::Settling;
 use super::token::Number;
+use crate::clients::Entered;
 
 /// A room that somebody is in.
 pub struct Room {
     state: Mutex<State>,
     figures: Arc<Figures>,
+    _begun: Entered,
 }
 
 #[derive(Default)]
@@ -68,9 +70,9 @@ impl By<'_> {
 }
 
 impl Room {
-    /// An empty room; the first user's number follows this one.
-    pub fn new(last: u16, figures: Arc<Figures>) -> Self {
-        Room { state: Mutex::new(State { last, ..State::default() }), figures }
+    /// An empty room that a client has begun; the first user's number follows this one.
+    pub fn new(last: u16, figures: Arc<Figures>, begun: Entered) -> Self {
+        Room { state: Mutex::new(State { last, ..State::default() }), figures, _begun: begun }
     }
 
     /// Whether nobody is there.
@@ -86,21 +88,24 @@ impl Room {
         welcome: impl FnOnce(u16, u64) -> Ticket,
     ) -> Result<u16, End> {
         let mut state = self.state();
-        let back = joining
-            .back
-            .filter(|(user, identity)| state.users.get(user).is_none_or(|present| present.identity == *identity));
-        let replaced = back.map(|(user, _)| user).filter(|user| state.users.contains_key(user));
-        let others = || state.users.iter().filter(|(user, _)| Some(**user) != replaced);
-        if joining.token.is_some() && others().any(|(_, other)| other.token == joining.token) {
+        let has_token = |user: &User| joining.token.is_some() && user.token == joining.token;
+        // A ticket is proof that a token was not overheard: it ends whoever else uses the token.
+        let replaced: Vec<u16> = joining.back.map_or_else(Vec::new, |back| {
+            let is_old = |(user, present): &(&u16, &User)| (**user, present.identity) == back || has_token(present);
+            state.users.iter().filter(is_old).map(|(user, _)| *user).collect()
+        });
+        if replaced.is_empty() && state.users.values().any(has_token) {
             return Err(End::new(Reason::Token, "expected a token that no other connection uses"));
         }
-        if others().count() >= most {
+        if state.users.len() - replaced.len() >= most {
             return Err(End::new(Reason::Full, format!("expected a room with fewer than {most} users")));
         }
-        if let Some(outbox) = replaced.and_then(|user| state.leave(user)) {
+        for user in replaced {
+            let Some(outbox) = state.leave(user) else { continue };
             self.figures.users.dec();
             outbox.end(End::new(Reason::Replaced, "the user came back by another connection"));
         }
+        let back = joining.back.filter(|(user, _)| !state.users.contains_key(user));
         let (user, identity) = back.unwrap_or_else(|| (state.unused(), joining.identity));
         state.welcome(user, joining, welcome(user, identity).as_ref());
         state.enter(user, identity, joining);

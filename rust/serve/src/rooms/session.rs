@@ -8,6 +8,7 @@ use super::frame::{Fault, FromUser, VERSION};
 use super::hub::{Rooms, Seat, random};
 use super::limits::Limits;
 use super::outbox::Outbox;
+use super::places::Place;
 use super::reason::{End, Reason};
 use super::room::Joining;
 
@@ -29,12 +30,18 @@ pub struct Session {
 }
 
 /// Where a connection leads, as its address says.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Entering {
-    /// The room's name.
-    pub room: String,
-    /// The user's token.
-    pub token: Option<String>,
+    room: String,
+    token: Option<String>,
+    place: Place,
+}
+
+impl Entering {
+    /// A room by its name, and a user's token.
+    pub fn new(room: &str, token: Option<&str>, place: Place) -> Self {
+        Entering { room: room.to_owned(), token: token.map(str::to_owned), place }
+    }
 }
 
 impl Session {
@@ -107,7 +114,7 @@ impl Session {
         let FromUser::Hello { group, name, ticket } = first else {
             return Err(End::new(Reason::Frame, "expected hello first"));
         };
-        let Entering { room, token } = &self.entering;
+        let Entering { room, token, place } = &self.entering;
         let token = match &self.rooms.entry {
             None => None,
             Some(key) => {
@@ -120,7 +127,7 @@ impl Session {
         let identity = u64::from_le_bytes(random().map_err(|sentence| End::new(Reason::Full, sentence))?);
         let outbox = Arc::clone(&self.outbox);
         let joining = Joining { group, name, token, back: None, identity, outbox };
-        self.seat = Some(Rooms::join(&self.rooms, room, ticket, joining)?);
+        self.seat = Some(Rooms::join(&self.rooms, room, place, ticket, joining)?);
         Ok(())
     }
 }

@@ -29,7 +29,8 @@ async fn user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>) {
 async fn watched_user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
     let rooms = Arc::new(Rooms::new(limits, None).expect("there are random bytes"));
     let (near, far) = duplex(1 << 12);
-    let entering = Entering { room: "hall".into(), token: None };
+    let place = rooms.place([127, 0, 0, 1].into(), 1).expect("there is place");
+    let entering = Entering::new("hall", None, place);
     let session = Session::new(rooms, entering, Instant::now().into_std());
     let outbox = Arc::clone(&session.outbox);
     let served = tokio::spawn(serve(session, far, Bytes::new()));
@@ -199,11 +200,9 @@ async fn a_close_is_answered() {
 async fn a_pause_of_the_process_ends_nobody_who_has_sent() {
     let (mut user, served) = user(limits()).await;
     user.hello(0, "", &[]).await;
-    let mut pong = Vec::new();
-    FromUser::Pose(pose(1)).write(&mut pong);
-    user.send_bytes(pong).await;
-    // The connection does not run before the time has passed.
+    // This runs before the connection does.
     tokio::time::advance(3600 * SECOND).await;
+    user.send(&[FromUser::Pose(pose(1))]).await;
     tokio::time::sleep(SECOND).await;
     assert!(!served.is_finished());
 }

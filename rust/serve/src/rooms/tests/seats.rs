@@ -6,11 +6,17 @@ use std::time::{Duration, Instant};
 use bytes::BytesMut;
 
 use super::support::{pose, split};
+use crate::clients::Clients;
 use crate::rooms::figures::Figures;
 use crate::rooms::frame::{FromServer, To};
 use crate::rooms::outbox::{Outbox, Taken};
 use crate::rooms::reason::Reason;
 use crate::rooms::room::{By, Joining, Room};
+
+fn room() -> Room {
+    let begun = Clients::enter(&Arc::default(), [127, 0, 0, 1].into(), 1).expect("the first one");
+    Room::new(0, Arc::new(Figures::new()), begun)
+}
 
 fn join(room: &Room, back: Option<(u16, u64)>) -> (u16, Arc<Outbox>) {
     let outbox = Arc::new(Outbox::new(10_000, Duration::from_secs(2)));
@@ -31,7 +37,7 @@ fn sent(outbox: &Outbox) -> Vec<Vec<u8>> {
 
 #[test]
 fn a_connection_that_was_replaced_does_nothing() {
-    let (room, now) = (Room::new(0, Arc::new(Figures::new())), Instant::now());
+    let (room, now) = (room(), Instant::now());
     let (peer, hears) = join(&room, None);
     let (user, old) = join(&room, None);
     let (again, own) = join(&room, Some((user, 7)));
