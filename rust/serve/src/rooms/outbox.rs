@@ -22,7 +22,7 @@ pub struct Outbox {
     writer: AtomicWaker,
     /// Most bytes of frames that wait or are on their way, without poses.
     most: usize,
-    /// Time for which the sender, then the user who does not read, answers for a full share.
+    /// Time for which the sender answers for a full share; after it, the user who does not read does.
     burst: Duration,
 }
 
@@ -60,8 +60,8 @@ pub enum Taken {
 }
 
 impl Outbox {
-    /// An empty one that takes so many bytes of frames besides poses. Who fills its share of them faster than in the time
-    /// of a burst sends too much.
+    /// An empty one that takes so many bytes of frames besides poses. Who fills its share of them faster than in the
+    /// time of a burst sends too much.
     pub fn new(most: usize, burst: Duration) -> Self {
         Outbox { pending: Mutex::default(), writer: AtomicWaker::new(), most, burst }
     }

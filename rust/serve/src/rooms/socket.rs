@@ -190,8 +190,8 @@ fn lost(error: Error) -> End {
     }
 }
 
-/// Tell a user why its connection ends, and wait until it has closed it, so that what was written arrives. So many bytes
-/// are read meanwhile.
+/// Tell a user why its connection ends, and wait until it has closed it, so that what was written arrives. So many
+/// bytes are read meanwhile.
 async fn farewell<S>(mut stream: WebSocketStream<Tap<S>>, end: &End, most: usize) -> Result<(), Error>
 where
     S: AsyncRead + AsyncWrite + Unpin,

@@ -85,8 +85,8 @@ impl Door<'_> {
         own.zip(self.host).is_some_and(|(own, host)| own.eq_ignore_ascii_case(host) && self.is_own(host))
     }
 
-    /// Whether a page that was called by this name is the server's own. The owner of a name may let it lead first to the
-    /// owner's page, then to this server; an address leads nowhere else.
+    /// Whether a page that was called by this name is the server's own. The owner of a name may let it lead first to
+    /// the owner's page, then to this server; an address leads nowhere else.
     fn is_own(self, host: &str) -> bool {
         let is_address = host.parse::<SocketAddr>().is_ok() || host.trim_matches(['[', ']']).parse::<IpAddr>().is_ok();
         self.needs_token || self.is_named || is_address

@@ -1,5 +1,6 @@
 //! Time that passes without messages, by a clock that the tests turn.
 
+use std::pin::pin;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -27,14 +28,20 @@ async fn user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>) {
 
 /// The same with its outbox.
 async fn watched_user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
+    let (user, serving, outbox) = apart(limits).await;
+    (user, tokio::spawn(serving), outbox)
+}
+
+/// The same, but the connection runs when the test says so.
+async fn apart(limits: Limits) -> (User<DuplexStream>, impl Future<Output = Reason>, Arc<Outbox>) {
     let rooms = Arc::new(Rooms::new(limits, None).expect("there are random bytes"));
     let (near, far) = duplex(1 << 12);
     let place = rooms.place([127, 0, 0, 1].into(), 1).expect("there is place");
     let entering = Entering::new("hall", None, place);
     let session = Session::new(rooms, entering, Instant::now().into_std());
     let outbox = Arc::clone(&session.outbox);
-    let served = tokio::spawn(serve(session, far, Bytes::new()));
-    (User::new(WebSocketStream::from_raw_socket(near, Role::Client, None).await), served, outbox)
+    let user = User::new(WebSocketStream::from_raw_socket(near, Role::Client, None).await);
+    (user, serve(session, far, Bytes::new()), outbox)
 }
 
 #[tokio::test(start_paused = true)]
@@ -198,13 +205,27 @@ async fn a_close_is_answered() {
 
 #[tokio::test(start_paused = true)]
 async fn a_pause_of_the_process_ends_nobody_who_has_sent() {
-    let (mut user, served) = user(limits()).await;
-    user.hello(0, "", &[]).await;
-    // This runs before the connection does.
-    tokio::time::advance(3600 * SECOND).await;
+    let (mut user, serving, _) = apart(limits()).await;
+    let mut serving = pin!(serving);
+    tokio::select! {
+        reason = &mut serving => panic!("{reason:?}"),
+        () = user.hello(0, "", &[]) => {}
+    }
+    tokio::time::sleep(3600 * SECOND).await;
     user.send(&[FromUser::Pose(pose(1))]).await;
-    tokio::time::sleep(SECOND).await;
-    assert!(!served.is_finished());
+    let quiet = async {
+        loop {
+            match timeout(SECOND, user.socket.next()).await {
+                Ok(Some(Ok(Message::Ping(_)))) => {}
+                Ok(other) => break Some(other),
+                Err(_) => break None,
+            }
+        }
+    };
+    tokio::select! {
+        reason = &mut serving => panic!("{reason:?}"),
+        came = quiet => assert!(came.is_none(), "{came:?}"),
+    }
 }
 
 #[tokio::test(start_paused = true)]

@@ -13,7 +13,7 @@ use tokio_tungstenite::client_async;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 
 use super::support::{User, join, limits, pose, server, start, start_within};
-use crate::rooms::frame::{FromServer, FromUser};
+use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::places::Place;
 use crate::rooms::reason::{End, Reason};
 use crate::rooms::{Entering, Key, Limits, Rooms, Session, upgrade};
@@ -143,6 +143,31 @@ fn one_client_has_so_many_sockets_and_begins_so_many_rooms() {
     assert!(enter("second", &other).is_ok(), "others may begin");
     drop(first);
     assert!(enter("second", &two).is_ok());
+}
+
+#[test]
+fn who_says_more_than_others_should_take_is_ended() {
+    let rooms = Arc::new(Rooms::new(Limits { said_bytes_per_second: 1000.0, ..limits() }, None).expect("they fit"));
+    let begin = Instant::now();
+    for (payload, most) in [(4096, 4), (0, 256)] {
+        let place = rooms.place([10, 0, 0, 1].into(), 100).expect("there is place");
+        let mut session = Session::new(Arc::clone(&rooms), Entering::new("hall", None, place), begin);
+        let mut say = |after, frame: FromUser<'_>| {
+            let mut message = Vec::new();
+            frame.write(&mut message);
+            session.message(&message, begin + Duration::from_secs(after))
+        };
+        assert_eq!(say(0, FromUser::Hello { group: 0, name: "", ticket: &[] }), Ok(()));
+        let payload = vec![1; payload];
+        for count in 0..most {
+            let to_one = FromUser::Signal { user: 1, payload: &payload };
+            let frame = if count % 2 == 0 { to_one } else { FromUser::Say { to: To::Room, payload: &payload } };
+            assert_eq!(say(0, frame), Ok(()), "an eighth of 128 KiB");
+        }
+        assert_eq!(say(10, FromUser::Say { to: To::Group, payload: &payload }), Ok(()), "it has refilled");
+        let too_much = (0..most).find_map(|_| say(10, FromUser::Say { to: To::Group, payload: &payload }).err());
+        assert_eq!(too_much.map(|end| end.reason), Some(Reason::Flood));
+    }
 }
 
 #[test]
