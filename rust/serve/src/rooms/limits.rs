@@ -25,13 +25,13 @@ pub struct Limits {
     pub message_bytes: usize,
     /// Bytes that wait for a user, besides the poses; who lets more wait is closed.
     pub queue_bytes: usize,
-    /// Messages that a user sends in a second; who sends more for longer than the burst is closed.
+    /// Messages that a user sends in a second.
     pub messages_per_second: f64,
     /// Bytes that a user sends in a second, counted where they come in: with the heads of messages.
     pub bytes_per_second: f64,
     /// Bytes a second that a user says and signals to others.
     pub said_bytes_per_second: f64,
-    /// So much time's worth of messages and of bytes may come at once.
+    /// So much time's worth of messages and of bytes may come at once; who sends more is closed.
     pub burst: Duration,
     /// Time from the beginning of a connection until its user is in the room.
     pub hello: Duration,

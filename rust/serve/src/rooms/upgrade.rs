@@ -60,7 +60,7 @@ pub fn answer<B>(
 pub struct Door<'a> {
     /// The name by which the request calls the server, with its port.
     pub host: Option<&'a str>,
-    /// It is one of the names that the server was told.
+    /// It is one of the names that the server was told, or that its certificate lists.
     pub is_named: bool,
     /// Whose pages may read files: an origin, or `*`.
     pub allowed: Option<&'a HeaderValue>,
@@ -86,9 +86,10 @@ impl Door<'_> {
     }
 
     /// Whether a page that was called by this name is the server's own. The owner of a name may let it lead first to
-    /// the owner's page, then to this server; an address leads nowhere else.
+    /// the owner's page, then to this server; an address leads nowhere else, nor does localhost.
     fn is_own(self, host: &str) -> bool {
         let is_address = host.parse::<SocketAddr>().is_ok() || host.trim_matches(['[', ']']).parse::<IpAddr>().is_ok();
-        self.needs_token || self.is_named || is_address
+        let name = host.split(':').next().unwrap_or_default();
+        self.needs_token || self.is_named || is_address || name.eq_ignore_ascii_case("localhost")
     }
 }

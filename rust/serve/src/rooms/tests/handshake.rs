@@ -88,7 +88,9 @@ async fn a_name_that_the_server_was_not_told_proves_nothing_without_a_key() {
         ("192.168.1.7", false, None, 101),
         ("[2001:db8::7]:8000", false, None, 101),
         ("[2001:db8::7]", false, None, 101),
+        ("localhost:80", false, None, 101),
         ("192.168.1.7.rebound.example", false, None, 403),
+        ("localhost.rebound.example:80", false, None, 403),
     ] {
         let key = has_key.then(|| Key::new(&[1; 16]).expect("a key"));
         let rooms = Some(Arc::new(Rooms::new(limits(), key).expect("limits that fit")));
@@ -255,11 +257,11 @@ async fn frames_that_come_with_the_request_are_read() {
 #[tokio::test]
 async fn sockets_are_encrypted_where_the_server_is() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (certificate, key) = tls::self_signed(vec!["localhost".into()]).expect("made");
+    let (certificate, key) = tls::self_signed(vec!["laptop.local".into()]).expect("made");
     let paths = (folder.path().join("chain.pem"), folder.path().join("key.pem"));
     std::fs::write(&paths.0, &certificate).expect("written");
     std::fs::write(&paths.1, key).expect("written");
-    let server = start(answering(None, true), Some(paths));
+    let server = start(Answering { hosts: None, ..answering(None, true) }, Some(paths));
     let mut trusted = RootCertStore::empty();
     trusted.add(CertificateDer::from_pem_slice(certificate.as_bytes()).expect("a certificate")).expect("trusted");
     let mut config = ClientConfig::builder().with_root_certificates(trusted).with_no_client_auth();
@@ -269,9 +271,11 @@ async fn sockets_are_encrypted_where_the_server_is() {
     let mut users = Vec::new();
     for _ in 0..2 {
         let stream = TcpStream::connect(server.address()).await.expect("a connection");
-        let name = ServerName::try_from("localhost").expect("a name");
+        let name = ServerName::try_from("laptop.local").expect("a name");
         let stream = connector.connect(name, stream).await.expect("a handshake");
-        let request = "wss://localhost/rooms/hall".into_client_request().expect("a request");
+        // A page that the server's certificate proves to be its own.
+        let mut request = "wss://laptop.local/rooms/hall".into_client_request().expect("a request");
+        request.headers_mut().insert("origin", HeaderValue::from_static("https://laptop.local"));
         let mut user = User::new(client_async(request, stream).await.expect("a socket").0);
         user.hello(1, "", &[]).await;
         users.push(user);
