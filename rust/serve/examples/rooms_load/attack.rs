@@ -63,15 +63,15 @@ impl FromStr for Attack {
 }
 
 /// Misbehave again and again; the first of all speaks where others do not read.
-pub async fn attack(kind: Attack, address: SocketAddr, number: usize) {
+pub async fn attack(kind: Attack, address: SocketAddr, number: usize, epoch: Instant) {
     loop {
         // Each attempt ends with an error: the server closes it.
-        let _ = attempt(kind, address, number).await;
+        let _ = attempt(kind, address, number, epoch).await;
         tokio::time::sleep(PAUSE).await;
     }
 }
 
-async fn attempt(kind: Attack, address: SocketAddr, number: usize) -> Result<(), Failure> {
+async fn attempt(kind: Attack, address: SocketAddr, number: usize, epoch: Instant) -> Result<(), Failure> {
     let mut socket = connect(address, 0, GROUP).await?;
     let said = written(FromUser::Say { to: To::Group, payload: &[0; 4000] });
     match kind {
@@ -81,19 +81,19 @@ async fn attempt(kind: Attack, address: SocketAddr, number: usize) -> Result<(),
         }
         Attack::FloodPose => {
             for sequence in 0.. {
-                socket.feed(Message::binary(written(FromUser::Pose(pose(sequence, Instant::now()))))).await?;
+                socket.send(Message::binary(written(FromUser::Pose(pose(sequence, epoch))))).await?;
             }
         }
         Attack::FloodSay => {
             let said = written(FromUser::Say { to: To::Room, payload: &[0; 4000] });
             loop {
-                socket.feed(Message::binary(said.clone())).await?;
+                socket.send(Message::binary(said.clone())).await?;
             }
         }
         Attack::FloodSignal => {
             let signal = written(FromUser::Signal { user: other(&mut socket).await?, payload: &[0; 4000] });
             loop {
-                socket.feed(Message::binary(signal.clone())).await?;
+                socket.send(Message::binary(signal.clone())).await?;
             }
         }
         Attack::Churn => {

@@ -120,7 +120,7 @@ async fn run(load: Load, address: SocketAddr, server: u32) -> Result<(Vec<Seen>,
         }));
     }
     let attacks = load.attack.map_or(0..0, |_| 0..INTRUDERS).zip(load.attack.into_iter().cycle());
-    let attacks: Vec<_> = attacks.map(|(number, kind)| tokio::spawn(attack(kind, address, number))).collect();
+    let attacks: Vec<_> = attacks.map(|(number, kind)| tokio::spawn(attack(kind, address, number, epoch))).collect();
     together.wait().await;
     tokio::time::sleep(WARM).await;
     let before = cpu(server)?;
