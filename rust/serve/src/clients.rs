@@ -4,11 +4,12 @@ use std::collections::HashMap;
 use std::net::{IpAddr, Ipv6Addr};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Connections by the addresses of clients.
-#[derive(Default)]
+/// Connections by the addresses of clients, or all else that clients have so many of.
+#[derive(Debug, Default)]
 pub struct Clients(Mutex<HashMap<IpAddr, usize>>);
 
 /// A connection of a client.
+#[derive(Debug)]
 pub struct Entered {
     clients: Arc<Clients>,
     client: IpAddr,
@@ -28,7 +29,15 @@ pub fn counted(address: IpAddr) -> IpAddr {
 impl Clients {
     /// Count a connection of a client; none if it has as many as it may.
     pub fn enter(clients: &Arc<Self>, client: IpAddr, most: usize) -> Option<Entered> {
+        Self::enter_among(clients, client, most, usize::MAX)
+    }
+
+    /// The same; none also if all clients have as many as they may.
+    pub fn enter_among(clients: &Arc<Self>, client: IpAddr, most: usize, all: usize) -> Option<Entered> {
         let mut counts = clients.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if counts.values().sum::<usize>() >= all {
+            return None;
+        }
         let count = counts.entry(client).or_default();
         if *count >= most && !client.is_loopback() {
             return None;
@@ -74,5 +83,7 @@ mod tests {
         assert!(enter([10, 0, 0, 1]).is_some());
         let own: Vec<_> = (0..5).map(|_| enter([127, 0, 0, 1])).collect();
         assert!(own.iter().all(Option::is_some));
+        assert!(Clients::enter_among(&clients, [127, 0, 0, 1].into(), 2, 7).is_none(), "seven are there");
+        assert!(Clients::enter_among(&clients, [127, 0, 0, 1].into(), 2, 8).is_some());
     }
 }

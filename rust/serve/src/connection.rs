@@ -140,16 +140,16 @@ async fn http1<S: OverTcp>(shared: &Shared, stream: S, client: IpAddr, ends: End
         }
     });
     let connection = http1_within(shared.limits).serve_connection(TokioIo::new(stream), answer).with_upgrades();
-    let result = watched(connection, ends, http1::UpgradeableConnection::graceful_shutdown).await;
+    let result = watched(connection, ends.clone(), http1::UpgradeableConnection::graceful_shutdown).await;
     if let (Ok(()), Some(rooms), Some((upgrade, entering))) = (&result, shared.router.rooms(), entered.get().cloned()) {
         let session = Session::new(Arc::clone(rooms), entering, std::time::Instant::now());
-        enter::<S>(session, upgrade, client).await;
+        enter::<S>(session, upgrade, client, ends).await;
     }
     ended(client, result)
 }
 
 /// Serve a user of a room as long as its connection, which has become a WebSocket, lasts.
-async fn enter<S: OverTcp>(session: Session, upgrade: OnUpgrade, client: IpAddr) {
+async fn enter<S: OverTcp>(session: Session, upgrade: OnUpgrade, client: IpAddr, ends: Ends) {
     let Ok(upgraded) = upgrade.await else { return };
     // It is the stream that the connection was made of.
     let Ok(parts) = upgraded.downcast::<TokioIo<S>>() else { return };
@@ -157,7 +157,10 @@ async fn enter<S: OverTcp>(session: Session, upgrade: OnUpgrade, client: IpAddr)
     // Frames wait where newer poses overwrite older ones, rather than in the system's memory.
     #[cfg(target_os = "linux")]
     let _ = socket2::SockRef::from(stream.tcp()).set_tcp_notsent_lowat(UNSENT);
-    let reason = rooms::serve(session, stream, parts.read_buf).await;
+    let outbox = Arc::clone(&session.outbox);
+    let served = rooms::serve(session, stream, parts.read_buf);
+    // Rooms tell those who are in them; a user who has not said hello is in none.
+    let reason = watched(served, ends, |_| outbox.end(rooms::ending())).await;
     tracing::debug!(%client, reason = reason.name(), "a user's connection has ended");
 }
 

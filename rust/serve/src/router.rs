@@ -12,12 +12,15 @@ use percent_encoding::percent_decode_str;
 use crate::metrics::{self, Metrics};
 use crate::packed::Packed;
 use crate::respond::Asked;
-use crate::rooms::{Rooms, upgrade};
+use crate::rooms::Rooms;
+use crate::rooms::upgrade::{self, Door};
 use crate::site::{Document, Sites, find};
 use crate::{regions, respond};
 
 /// Bytes of compressed copies of documents that are kept.
 const PACKED: u64 = 128 << 20;
+/// Part of the connections that rooms do not take.
+const FILES: usize = 4;
 /// Time for which browsers keep an answer to what they ask before a request of another site, seconds.
 const PREFLIGHT: &str = "86400";
 
@@ -39,6 +42,10 @@ pub struct Answering {
 pub struct Router {
     answering: Answering,
     packed: Packed,
+    /// Sockets of rooms at the same time.
+    sockets: usize,
+    /// Names that the server's certificate lists.
+    certified: Vec<String>,
     /// Counts of what was answered.
     pub metrics: Metrics,
 }
@@ -47,7 +54,12 @@ impl Router {
     /// Answer requests so.
     pub fn new(answering: Answering) -> Self {
         let metrics = Metrics::new(&answering.sites, answering.rooms.as_deref());
-        Router { metrics, packed: Packed::new(PACKED), answering }
+        Router { metrics, packed: Packed::new(PACKED), sockets: usize::MAX, certified: Vec::new(), answering }
+    }
+
+    /// Leave some of so many connections to those who ask for files, and know the names of a certificate.
+    pub(crate) fn within(self, connections: usize, certified: Vec<String>) -> Self {
+        Router { sockets: connections - connections / FILES, certified, ..self }
     }
 
     /// The sites.
@@ -104,8 +116,14 @@ impl Router {
             }
             _ => {}
         }
-        if let Some(room) = self.rooms().and_then(|_| upgrade::room(&path)) {
-            return upgrade::answer(room, self.host(request), self.answering.origin.as_ref(), request);
+        if let Some((rooms, room)) = self.rooms().zip(upgrade::room(&path)) {
+            let door = Door {
+                host: self.host(request),
+                is_named: self.answering.hosts.is_some() || self.is_certified(request),
+                allowed: self.answering.origin.as_ref(),
+                needs_token: rooms.needs_token(),
+            };
+            return upgrade::answer(room, door, || rooms.place(client, self.sockets), request);
         }
         if !path.is_empty() && self.sites().contains_key(&*path) {
             return moved_below(request.uri().path());
@@ -131,11 +149,21 @@ impl Router {
 
     /// Whether a request calls the server by a name that is its own.
     pub fn is_called_by_its_name<B>(&self, request: &Request<B>) -> bool {
-        let Some(hosts) = &self.answering.hosts else { return true };
+        self.answering.hosts.as_ref().is_none_or(|hosts| hosts.contains(&self.name(request)))
+    }
+
+    /// Whether a request calls the server by a name that its certificate lists.
+    fn is_certified<B>(&self, request: &Request<B>) -> bool {
+        let name = self.name(request);
+        self.certified.iter().any(|listed| listed.eq_ignore_ascii_case(&name))
+    }
+
+    /// The name by which a request calls the server, without its port, in lower case.
+    fn name<B>(&self, request: &Request<B>) -> String {
         let named = self.host(request).unwrap_or_default();
         let is_port = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
         let name = named.rsplit_once(':').filter(|(_, port)| is_port(port)).map_or(named, |(name, _)| name);
-        hosts.contains(&name.to_ascii_lowercase())
+        name.to_ascii_lowercase()
     }
 }
 

@@ -86,7 +86,8 @@ impl Server {
             .enable_all()
             .build()?;
         let listener = runtime.block_on(TcpListener::bind(address))?;
-        let (address, router) = (listener.local_addr()?, Arc::new(router));
+        let certified = current.as_ref().map_or_else(Vec::new, |current| current.identity().names.clone());
+        let (address, router) = (listener.local_addr()?, Arc::new(router.within(limits.connections, certified)));
         let (end, ended) = oneshot::channel();
         let shared = Arc::new(Shared { router: Arc::clone(&router), limits, tls });
         let thread = std::thread::Builder::new().name("nearfar serve".into()).spawn(move || {

@@ -1,8 +1,9 @@
 //! Users of rooms who send poses and acknowledge those of others, on a server in a process of its own.
 //!
-//! `rooms_load USERS GROUP HERTZ SECONDS [garbage|flood|vanish|slow]`, such as `rooms_load 32 4 72 10`, prints a row of a table: median and 99th
-//! percentile of the round trip (the paper's Eq. 3) and of the way from user to user, the server's residence and CPU,
-//! and bytes of a user against the closed form. With a last word, eight others misbehave meanwhile.
+//! `rooms_load USERS GROUP HERTZ SECONDS [ATTACK]`, such as `rooms_load 32 4 72 10`, prints a row of a table: median
+//! and 99th percentile of the round trip (the paper's Eq. 3) and of the way from user to user, the server's residence
+//! and CPU, and bytes of a user against the closed form. With a last word of `attack`, eight others misbehave meanwhile in
+//! the group of the first users.
 
 mod attack;
 
@@ -12,7 +13,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use attack::{Attack, INTRUDERS, attack};
+use attack::{Attack, INTRUDERS, NAMES, attack};
 use futures_util::{SinkExt, StreamExt};
 use nearfar_serve::rooms::frame::{FromServer, FromUser, HEAD};
 use nearfar_serve::rooms::pose::{Begin, Placed, Pose};
@@ -70,7 +71,7 @@ fn main() -> Result<(), Failure> {
             seconds: seconds.parse()?,
             attack: attack.first().map(|text| text.parse()).transpose()?,
         },
-        _ => return Err("expected USERS GROUP HERTZ SECONDS [ATTACK]".into()),
+        _ => return Err(format!("expected USERS GROUP HERTZ SECONDS, and perhaps one of {NAMES}").into()),
     };
     let (mut server, address) = started()?;
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
@@ -85,7 +86,7 @@ fn main() -> Result<(), Failure> {
 /// Be the server until the standard input ends.
 fn serve() -> Result<(), Failure> {
     let most = 1 << 14;
-    let limits = rooms::Limits { rooms: most, users: most, ..rooms::Limits::default() };
+    let limits = rooms::Limits { rooms: most, users: 1 << 10, ..rooms::Limits::default() };
     let rooms = Some(Arc::new(Rooms::new(limits, None)?));
     let answering = Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms };
     let limits = nearfar_serve::Limits { connections: most, ..nearfar_serve::Limits::default() };
@@ -119,7 +120,7 @@ async fn run(load: Load, address: SocketAddr, server: u32) -> Result<(Vec<Seen>,
         }));
     }
     let attacks = load.attack.map_or(0..0, |_| 0..INTRUDERS).zip(load.attack.into_iter().cycle());
-    let attacks: Vec<_> = attacks.map(|(number, kind)| tokio::spawn(attack(kind, address, number))).collect();
+    let attacks: Vec<_> = attacks.map(|(number, kind)| tokio::spawn(attack(kind, address, number, epoch))).collect();
     together.wait().await;
     tokio::time::sleep(WARM).await;
     let before = cpu(server)?;
@@ -195,7 +196,8 @@ async fn play(load: Load, epoch: Instant, phase: Duration, socket: &mut Socket) 
     Ok(seen)
 }
 
-/// Read the frames of a message: the number that is settled, and the time that a pose took. Acknowledgements of all poses.
+/// Read the frames of a message: the number that is settled, and the time that a pose took. Acknowledgements of all
+/// poses.
 fn acknowledge(
     mut message: &[u8],
     epoch: Instant,
@@ -282,8 +284,9 @@ fn tell(load: Load, seen: Vec<Seen>, [cpu, memory]: [f64; 2], (within, bound): (
         "users | group | Hz | round trip, median ms | 99 % | way, median ms | 99 % | in the server: 99 % within ms |"
     );
     println!(
-        "within 1.02 ms | CPU s per s | kB a user | B up per pose | closed form | B down per pose | closed form | unsettled"
+        "within 1.02 ms | CPU s per s | kB a user | B up per pose | closed form | B down per pose | closed form |"
     );
+    println!("unsettled");
     println!(
         "{} | {} | {} | {} | {} | {:.3} | {:.4} | {:.3} | {memory:.1} | {:.1} | {up} | {:.1} | {down} | {}",
         load.users,

@@ -1,6 +1,6 @@
 //! How much a user may send in a time.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// An amount that refills with time up to a most, and that what is sent is taken from.
 pub struct Bucket {
@@ -11,9 +11,8 @@ pub struct Bucket {
 }
 
 impl Bucket {
-    /// Refill so much a second, up to what a burst refills.
-    pub fn new(rate: f64, burst: Duration, now: Instant) -> Self {
-        let most = rate * burst.as_secs_f64();
+    /// Refill so much a second, up to a most.
+    pub fn new(rate: f64, most: f64, now: Instant) -> Self {
         Bucket { rate, most, left: most, at: now }
     }
 

@@ -292,13 +292,23 @@ fn put_counted(out: &mut impl BufMut, bytes: &[u8]) {
     out.put_slice(bytes);
 }
 
+/// Whether a character is one of Unicode's format characters (Cf), which show nothing or turn the order of others.
+fn is_format(each: char) -> bool {
+    matches!(each,
+        '\u{ad}' | '\u{600}'..='\u{605}' | '\u{61c}' | '\u{6dd}' | '\u{70f}' | '\u{890}'..='\u{891}' | '\u{8e2}'
+        | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{2064}'
+        | '\u{2066}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{110bd}' | '\u{110cd}'
+        | '\u{13430}'..='\u{1343f}' | '\u{1bca0}'..='\u{1bca3}' | '\u{1d173}'..='\u{1d17a}' | '\u{e0001}'
+        | '\u{e0020}'..='\u{e007f}')
+}
+
 fn name<'a>(body: &mut &'a [u8]) -> Result<&'a str, Fault> {
     let text = std::str::from_utf8(counted(body)?).map_err(|_| Fault::Frame("a name is no text"))?;
     if text.len() > NAME {
         return Err(Fault::Frame("a name is too long"));
     }
-    if text.chars().any(char::is_control) {
-        return Err(Fault::Frame("a name has control characters"));
+    if text.chars().any(|each| each.is_control() || is_format(each)) {
+        return Err(Fault::Frame("a name has characters that control or format text"));
     }
     Ok(text)
 }

@@ -1,6 +1,7 @@
 //! All rooms of a server.
 
 use std::collections::HashMap;
+use std::net::IpAddr;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use prometheus_client::registry::Registry;
@@ -9,8 +10,9 @@ use rustls::crypto::ring;
 use super::figures::Figures;
 use super::limits::Limits;
 use super::outbox::Outbox;
+use super::places::{Place, Places};
 use super::reason::{End, Reason};
-use super::room::{Joining, Room};
+use super::room::{By, Joining, Room};
 use super::token::Key;
 
 /// The rooms of a server, which begin with their first user and end with their last.
@@ -22,6 +24,7 @@ pub struct Rooms {
     pub(super) entry: Option<Key>,
     /// Signs tickets.
     back: Key,
+    places: Places,
     state: Mutex<State>,
 }
 
@@ -37,8 +40,7 @@ pub struct Seat {
     name: String,
     /// The room.
     pub room: Arc<Room>,
-    /// The user's number.
-    pub user: u16,
+    user: u16,
     outbox: Arc<Outbox>,
 }
 
@@ -58,10 +60,25 @@ impl Rooms {
     }
 
     fn with(limits: Limits, entry: Option<Key>, back: Key) -> Result<Self, String> {
-        if limits.users >= usize::from(u16::MAX) {
-            return Err(format!("users: expected fewer than {}, got {}", u16::MAX, limits.users));
-        }
-        Ok(Rooms { limits, figures: Arc::new(Figures::new()), entry, back, state: Mutex::default() })
+        limits.check()?;
+        Ok(Rooms {
+            limits,
+            figures: Arc::new(Figures::new()),
+            entry,
+            back,
+            places: Places::default(),
+            state: Mutex::default(),
+        })
+    }
+
+    /// Whether users need a token.
+    pub(crate) fn needs_token(&self) -> bool {
+        self.entry.is_some()
+    }
+
+    /// Count a client's socket; none if it has as many as it may, or all have.
+    pub(crate) fn place(&self, client: IpAddr, all: usize) -> Option<Place> {
+        self.places.socket(client, self.limits, all)
     }
 
     /// Let nobody in from now on, and end all connections.
@@ -77,8 +94,15 @@ impl Rooms {
     }
 
     /// Let a user into a room, which begins with its first user. `ticket` is one of its last time, or nothing.
-    pub(super) fn join(rooms: &Arc<Self>, name: &str, ticket: &[u8], mut joining: Joining<'_>) -> Result<Seat, End> {
-        joining.back = rooms.back.back_to(name, ticket);
+    pub(super) fn join(
+        rooms: &Arc<Self>,
+        name: &str,
+        place: &Place,
+        ticket: &[u8],
+        mut joining: Joining<'_>,
+    ) -> Result<Seat, End> {
+        let token = joining.token;
+        joining.back = rooms.back.back_to(name, token.as_ref(), ticket);
         let outbox = Arc::clone(&joining.outbox);
         let mut state = rooms.state();
         if state.is_closed {
@@ -90,9 +114,16 @@ impl Rooms {
                 let sentence = format!("expected a server with fewer than {} rooms", rooms.limits.rooms);
                 return Err(End::new(Reason::Full, sentence));
             }
-            None => Arc::new(Room::new(joining.identity as u16, Arc::clone(&rooms.figures))),
+            None => {
+                let most = rooms.limits.rooms_per_client;
+                let sentence = || format!("expected a client that has begun fewer than {most} rooms");
+                let begun = rooms.places.room(place, rooms.limits);
+                let begun = begun.ok_or_else(|| End::new(Reason::Full, sentence()))?;
+                Arc::new(Room::new(joining.identity as u16, Arc::clone(&rooms.figures), begun))
+            }
         };
-        let user = room.join(&joining, rooms.limits.users, |user, identity| rooms.back.ticket(name, user, identity))?;
+        let ticket = |user, identity| rooms.back.ticket(name, token.as_ref(), user, identity);
+        let user = room.join(&joining, rooms.limits.users, ticket)?;
         state.rooms.insert(name.to_owned(), Arc::clone(&room));
         rooms.figures.rooms.set(state.rooms.len() as i64);
         drop(state);
@@ -104,10 +135,17 @@ impl Rooms {
     }
 }
 
+impl Seat {
+    /// Who sends.
+    pub fn by(&self) -> By<'_> {
+        By { user: self.user, outbox: &self.outbox }
+    }
+}
+
 impl Drop for Seat {
     fn drop(&mut self) {
         let mut state = self.rooms.state();
-        self.room.leave(self.user, &self.outbox);
+        self.room.leave(self.by());
         if self.room.is_empty() {
             state.rooms.remove(&self.name);
             self.rooms.figures.rooms.set(state.rooms.len() as i64);

@@ -1,6 +1,6 @@
 //! Rooms: users of one scene see each other's heads, hands and pointers.
 //!
-//! `socket` is one way by which a user's messages come and go; others need what `session` and `outbox` give. docs/rooms.md
+//! `socket` is one way by which a user's messages come and go; others need `session` and `outbox`. docs/rooms.md
 //! describes the frames and the rules.
 
 mod bucket;
@@ -9,6 +9,7 @@ pub mod frame;
 mod hub;
 mod limits;
 mod outbox;
+mod places;
 pub mod pose;
 mod reason;
 mod room;
@@ -23,6 +24,7 @@ pub(crate) mod upgrade;
 mod tests;
 
 pub use hub::Rooms;
+pub(crate) use hub::ending;
 pub use limits::Limits;
 pub use reason::Reason;
 pub(crate) use session::{Entering, Session};

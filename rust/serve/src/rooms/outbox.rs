@@ -1,8 +1,8 @@
-//! What waits for a user: the newest pose of each other user, and all else in order.
+//! All that waits for a user: the newest pose of each other user, and all else in order.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::task::Waker;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use bytes::BytesMut;
 use futures_util::task::AtomicWaker;
@@ -13,19 +13,27 @@ use super::reason::{End, Reason};
 
 /// Bytes of memory that an empty queue keeps.
 const KEPT: usize = 1 << 12;
+/// Part of a queue that one sender may fill.
+const SHARE: usize = 4;
 
-/// What waits for one user, in bounded memory. Whoever writes to the user is woken and takes all of it.
+/// All that waits for one user, in bounded memory. Whoever writes to the user is woken and takes all of it.
 pub struct Outbox {
     pending: Mutex<Pending>,
     writer: AtomicWaker,
     /// Most bytes of frames that wait or are on their way, without poses.
     most: usize,
+    /// Time for which the sender answers for a full share; after it, the user who does not read does.
+    burst: Duration,
 }
 
 #[derive(Default)]
 struct Pending {
     /// Frames that must arrive, in order.
     queue: Vec<u8>,
+    /// When the first of them was added that came of a sender.
+    since: Option<Instant>,
+    /// Bytes of each sender in the queue.
+    shares: Vec<(u16, usize)>,
     /// Bytes of such frames that were taken and that the user's socket has not taken yet.
     on_way: usize,
     /// At most one pose of each user.
@@ -40,7 +48,7 @@ struct Waiting {
     read: Instant,
 }
 
-/// What a writer has taken.
+/// The outcome of a writer's look at what waits.
 #[derive(Debug, PartialEq)]
 pub enum Taken {
     /// There is nothing.
@@ -52,14 +60,41 @@ pub enum Taken {
 }
 
 impl Outbox {
-    /// An empty one that takes so many bytes of frames besides poses.
-    pub fn new(most: usize) -> Self {
-        Outbox { pending: Mutex::default(), writer: AtomicWaker::new(), most }
+    /// An empty one that takes so many bytes of frames besides poses. Who fills its share of them faster than in the
+    /// time of a burst sends too much.
+    pub fn new(most: usize, burst: Duration) -> Self {
+        Outbox { pending: Mutex::default(), writer: AtomicWaker::new(), most, burst }
     }
 
     /// Add a frame that must arrive. Who lets too many bytes wait is ended.
     pub fn add(&self, frame: &FromServer<'_>) {
         let mut pending = self.pending();
+        self.put(&mut pending, frame);
+        drop(pending);
+        self.writer.wake();
+    }
+
+    /// Add a frame that came of another user then. An error if the sender's share is full and what waits has not waited
+    /// long: later it is the user who does not read.
+    pub fn add_from(&self, sender: u16, frame: &FromServer<'_>, now: Instant) -> Result<(), End> {
+        let mut pending = self.pending();
+        if pending.end.is_some() {
+            return Ok(());
+        }
+        let since = *pending.since.get_or_insert(now);
+        let share = pending.share(sender);
+        *share += frame.bytes();
+        if *share > self.most / SHARE && now.saturating_duration_since(since) < self.burst {
+            let sentence = format!("expected at most {} bytes at once for one user", self.most / SHARE);
+            return Err(End::new(Reason::Flood, sentence));
+        }
+        self.put(&mut pending, frame);
+        drop(pending);
+        self.writer.wake();
+        Ok(())
+    }
+
+    fn put(&self, pending: &mut Pending, frame: &FromServer<'_>) {
         if pending.end.is_some() {
             return;
         }
@@ -69,8 +104,6 @@ impl Outbox {
         } else {
             frame.write(&mut pending.queue);
         }
-        drop(pending);
-        self.writer.wake();
     }
 
     /// Add a pose, which was read then, in the place of an older one of the same user. Whether there was one.
@@ -144,6 +177,8 @@ impl Outbox {
             pending.queue = Vec::new();
         }
         pending.queue.clear();
+        pending.shares.clear();
+        pending.since = None;
         for waiting in pending.poses.drain(..) {
             FromServer::Pose { user: waiting.user, pose: waiting.pose }.write(message);
             read.push(waiting.read);
@@ -160,6 +195,14 @@ impl Outbox {
 }
 
 impl Pending {
+    fn share(&mut self, sender: u16) -> &mut usize {
+        let at = self.shares.iter().position(|(user, _)| *user == sender).unwrap_or(self.shares.len());
+        if at == self.shares.len() {
+            self.shares.push((sender, 0));
+        }
+        &mut self.shares[at].1
+    }
+
     fn finish(&mut self, end: End) {
         *self = Pending { end: Some(end), ..Pending::default() };
     }

@@ -38,7 +38,7 @@ pub struct Placed {
     pub rotation: [i16; 4],
 }
 
-/// What a pointer's ray begins at.
+/// The begin of a pointer's ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Begin {
     /// The head.

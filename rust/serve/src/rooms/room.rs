@@ -11,11 +11,13 @@ use super::pose::Pose;
 use super::reason::{End, Reason};
 use super::settle::Settling;
 use super::token::Number;
+use crate::clients::Entered;
 
 /// A room that somebody is in.
 pub struct Room {
     state: Mutex<State>,
     figures: Arc<Figures>,
+    _begun: Entered,
 }
 
 #[derive(Default)]
@@ -36,6 +38,15 @@ struct User {
     settling: Settling,
 }
 
+/// Who sends: a number, and the connection that has it unless the user has come back by another one.
+#[derive(Clone, Copy)]
+pub struct By<'a> {
+    /// The user's number.
+    pub user: u16,
+    /// The connection's outbox.
+    pub outbox: &'a Arc<Outbox>,
+}
+
 /// Who wants to join.
 pub struct Joining<'a> {
     /// The group, which is of the user's choice.
@@ -48,14 +59,20 @@ pub struct Joining<'a> {
     pub back: Option<(u16, u64)>,
     /// Tells users of the same number apart, unless the user comes back.
     pub identity: u64,
-    /// What waits for the user.
+    /// Where frames wait for the user.
     pub outbox: Arc<Outbox>,
 }
 
+impl By<'_> {
+    fn is(&self, user: &User) -> bool {
+        Arc::ptr_eq(&user.outbox, self.outbox)
+    }
+}
+
 impl Room {
-    /// An empty room; the first user's number follows this one.
-    pub fn new(last: u16, figures: Arc<Figures>) -> Self {
-        Room { state: Mutex::new(State { last, ..State::default() }), figures }
+    /// An empty room that a client has begun; the first user's number follows this one.
+    pub fn new(last: u16, figures: Arc<Figures>, begun: Entered) -> Self {
+        Room { state: Mutex::new(State { last, ..State::default() }), figures, _begun: begun }
     }
 
     /// Whether nobody is there.
@@ -71,21 +88,24 @@ impl Room {
         welcome: impl FnOnce(u16, u64) -> Ticket,
     ) -> Result<u16, End> {
         let mut state = self.state();
-        let back = joining
-            .back
-            .filter(|(user, identity)| state.users.get(user).is_none_or(|present| present.identity == *identity));
-        let replaced = back.map(|(user, _)| user).filter(|user| state.users.contains_key(user));
-        let others = || state.users.iter().filter(|(user, _)| Some(**user) != replaced);
-        if joining.token.is_some() && others().any(|(_, other)| other.token == joining.token) {
+        let has_token = |user: &User| joining.token.is_some() && user.token == joining.token;
+        // A ticket is proof that a token was not overheard: it ends whoever else uses the token.
+        let replaced: Vec<u16> = joining.back.map_or_else(Vec::new, |back| {
+            let is_old = |(user, present): &(&u16, &User)| (**user, present.identity) == back || has_token(present);
+            state.users.iter().filter(is_old).map(|(user, _)| *user).collect()
+        });
+        if replaced.is_empty() && state.users.values().any(has_token) {
             return Err(End::new(Reason::Token, "expected a token that no other connection uses"));
         }
-        if others().count() >= most {
+        if state.users.len() - replaced.len() >= most {
             return Err(End::new(Reason::Full, format!("expected a room with fewer than {most} users")));
         }
-        if let Some(outbox) = replaced.and_then(|user| state.leave(user)) {
+        for user in replaced {
+            let Some(outbox) = state.leave(user) else { continue };
             self.figures.users.dec();
             outbox.end(End::new(Reason::Replaced, "the user came back by another connection"));
         }
+        let back = joining.back.filter(|(user, _)| !state.users.contains_key(user));
         let (user, identity) = back.unwrap_or_else(|| (state.unused(), joining.identity));
         state.welcome(user, joining, welcome(user, identity).as_ref());
         state.enter(user, identity, joining);
@@ -94,19 +114,19 @@ impl Room {
     }
 
     /// A user's connection has ended. The number may be that of a user who came back by another one.
-    pub fn leave(&self, user: u16, outbox: &Arc<Outbox>) {
+    pub fn leave(&self, by: By<'_>) {
         let mut state = self.state();
-        if state.users.get(&user).is_some_and(|found| Arc::ptr_eq(&found.outbox, outbox)) {
-            state.leave(user);
+        if state.has(by) {
+            state.leave(by.user);
             self.figures.users.dec();
         }
     }
 
     /// Forward a user's pose, which was read then, to the group.
-    pub fn pose(&self, from: u16, pose: Pose, read: Instant) {
+    pub fn pose(&self, by: By<'_>, pose: Pose, read: Instant) {
         let mut state = self.state();
         let State { users, groups, .. } = &mut *state;
-        let Some(user) = users.get_mut(&from) else { return };
+        let (from, Some(user)) = (by.user, users.get_mut(&by.user).filter(|user| by.is(user))) else { return };
         if !user.settling.send(pose.sequence) {
             self.figures.dropped.inc();
             return;
@@ -120,34 +140,37 @@ impl Room {
     }
 
     /// A user has acknowledged a pose of another one. Users who are not of its group are ignored.
-    pub fn acknowledge(&self, from: u16, user: u16, sequence: u32) {
+    pub fn acknowledge(&self, by: By<'_>, user: u16, sequence: u32) {
         let mut state = self.state();
+        if !state.has(by) {
+            return;
+        }
         let Some(user) = state.users.get_mut(&user) else { return };
-        if let Some(settled) = user.settling.acknowledge(from, sequence) {
+        if let Some(settled) = user.settling.acknowledge(by.user, sequence) {
             user.outbox.add_settled(settled);
         }
     }
 
-    /// Tell others what a user says; all get it in the same order.
-    pub fn say(&self, from: u16, to: To, payload: &[u8]) {
+    /// Tell others what a user says; all get it in the same order. An error if the user says too much.
+    pub fn say(&self, by: By<'_>, to: To, payload: &[u8], now: Instant) -> Result<(), End> {
         let state = self.state();
-        let frame = FromServer::Say { user: from, to, payload };
-        match (to, state.users.get(&from)) {
-            (To::Room, Some(_)) => state.tell(from, &frame),
-            (To::Group, Some(user)) => {
-                let group = state.groups.get(&user.group).into_iter().flatten();
-                group.filter(|(other, _)| *other != from).for_each(|(_, outbox)| outbox.add(&frame));
+        let Some(user) = state.users.get(&by.user).filter(|user| by.is(user)) else { return Ok(()) };
+        let frame = FromServer::Say { user: by.user, to, payload };
+        let tell = |outbox: &Outbox| outbox.add_from(by.user, &frame, now);
+        match to {
+            To::Room => state.others(by.user).try_for_each(|other| tell(&other.outbox)),
+            To::Group => {
+                let mut group = state.groups.get(&user.group).into_iter().flatten();
+                group.try_for_each(|(other, outbox)| if *other == by.user { Ok(()) } else { tell(outbox) })
             }
-            (_, None) => {}
         }
     }
 
-    /// Pass a signal to a user; to one who is not there, nothing.
-    pub fn signal(&self, from: u16, to: u16, payload: &[u8]) {
+    /// Pass a signal to a user; to one who is not there, nothing. An error if the user signals too much.
+    pub fn signal(&self, by: By<'_>, to: u16, payload: &[u8], now: Instant) -> Result<(), End> {
         let state = self.state();
-        if let (true, Some(user)) = (state.users.contains_key(&from), state.users.get(&to)) {
-            user.outbox.add(&FromServer::Signal { user: from, payload });
-        }
+        let to = state.users.get(&to).filter(|_| state.has(by));
+        to.map_or(Ok(()), |to| to.outbox.add_from(by.user, &FromServer::Signal { user: by.user, payload }, now))
     }
 
     /// End all connections.
@@ -215,6 +238,14 @@ impl State {
     }
 
     fn tell(&self, but: u16, frame: &FromServer<'_>) {
-        self.users.iter().filter(|(user, _)| **user != but).for_each(|(_, user)| user.outbox.add(frame));
+        self.others(but).for_each(|user| user.outbox.add(frame));
+    }
+
+    fn others(&self, but: u16) -> impl Iterator<Item = &User> {
+        self.users.iter().filter(move |(user, _)| **user != but).map(|(_, user)| user)
+    }
+
+    fn has(&self, by: By<'_>) -> bool {
+        self.users.get(&by.user).is_some_and(|user| by.is(user))
     }
 }

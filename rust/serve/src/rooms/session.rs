@@ -6,38 +6,53 @@ use std::time::{Instant, SystemTime};
 use super::bucket::Bucket;
 use super::frame::{Fault, FromUser, VERSION};
 use super::hub::{Rooms, Seat, random};
+use super::limits::Limits;
 use super::outbox::Outbox;
+use super::places::Place;
 use super::reason::{End, Reason};
 use super::room::Joining;
+
+/// Part of others' queues that a user may fill at once by `say` and `signal`.
+const BURST: usize = 8;
+/// Bytes for which a shorter payload counts, as frames have heads.
+const LEAST: usize = 64;
 
 /// A connection to a room: without a place in it until the first frame has come.
 pub struct Session {
     pub rooms: Arc<Rooms>,
     entering: Entering,
-    /// What waits for the user.
+    /// Where frames wait for the user.
     pub outbox: Arc<Outbox>,
     seat: Option<Seat>,
     messages: Bucket,
     bytes: Bucket,
+    said: Bucket,
 }
 
 /// Where a connection leads, as its address says.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Entering {
-    /// The room's name.
-    pub room: String,
-    /// The user's token.
-    pub token: Option<String>,
+    room: String,
+    token: Option<String>,
+    place: Place,
+}
+
+impl Entering {
+    /// A room by its name, and a user's token.
+    pub fn new(room: &str, token: Option<&str>, place: Place) -> Self {
+        Entering { room: room.to_owned(), token: token.map(str::to_owned), place }
+    }
 }
 
 impl Session {
     /// A connection that begins now.
     pub fn new(rooms: Arc<Rooms>, entering: Entering, now: Instant) -> Self {
         let limits = rooms.limits;
-        let outbox = Arc::new(Outbox::new(limits.queue_bytes));
-        let bucket = |rate| Bucket::new(rate, limits.burst, now);
+        let outbox = Arc::new(Outbox::new(limits.queue_bytes, limits.burst));
+        let bucket = |rate| Bucket::new(rate, rate * limits.burst.as_secs_f64(), now);
         let (messages, bytes) = (bucket(limits.messages_per_second), bucket(limits.bytes_per_second));
-        Session { rooms, entering, outbox, seat: None, messages, bytes }
+        let said = Bucket::new(limits.said_bytes_per_second, (limits.queue_bytes / BURST) as f64, now);
+        Session { rooms, entering, outbox, seat: None, messages, bytes, said }
     }
 
     /// Whether the user is in the room.
@@ -69,16 +84,29 @@ impl Session {
     }
 
     fn frame(&mut self, frame: FromUser<'_>, now: Instant) -> Result<(), End> {
+        if let FromUser::Say { payload, .. } | FromUser::Signal { payload, .. } = frame {
+            self.says(payload, now)?;
+        }
         let Some(seat) = &self.seat else { return self.enter(frame) };
         match frame {
             FromUser::Hello { .. } => return Err(End::new(Reason::Frame, "expected one hello")),
-            FromUser::Pose(pose) => seat.room.pose(seat.user, pose, now),
-            FromUser::Ack { user, sequence } => seat.room.acknowledge(seat.user, user, sequence),
-            FromUser::Say { to, payload } => seat.room.say(seat.user, to, payload),
-            FromUser::Signal { user, payload } => seat.room.signal(seat.user, user, payload),
+            FromUser::Pose(pose) => seat.room.pose(seat.by(), pose, now),
+            FromUser::Ack { user, sequence } => seat.room.acknowledge(seat.by(), user, sequence),
+            FromUser::Say { to, payload } => return seat.room.say(seat.by(), to, payload, now),
+            FromUser::Signal { user, payload } => return seat.room.signal(seat.by(), user, payload, now),
             FromUser::Bye => return Err(End::new(Reason::Bye, "the user left")),
         }
         Ok(())
+    }
+
+    /// Others have to take what a user says, so that it has a lower rate than poses.
+    fn says(&mut self, payload: &[u8], now: Instant) -> Result<(), End> {
+        let sentence = || {
+            let Limits { said_bytes_per_second: rate, queue_bytes, .. } = self.rooms.limits;
+            format!("expected at most {rate} bytes a second of say and signal, {} at once", queue_bytes / BURST)
+        };
+        let bytes = payload.len().max(LEAST) as f64;
+        if self.said.take(bytes, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
     }
 
     /// The first frame takes a place in the room.
@@ -86,7 +114,7 @@ impl Session {
         let FromUser::Hello { group, name, ticket } = first else {
             return Err(End::new(Reason::Frame, "expected hello first"));
         };
-        let Entering { room, token } = &self.entering;
+        let Entering { room, token, place } = &self.entering;
         let token = match &self.rooms.entry {
             None => None,
             Some(key) => {
@@ -99,7 +127,7 @@ impl Session {
         let identity = u64::from_le_bytes(random().map_err(|sentence| End::new(Reason::Full, sentence))?);
         let outbox = Arc::clone(&self.outbox);
         let joining = Joining { group, name, token, back: None, identity, outbox };
-        self.seat = Some(Rooms::join(&self.rooms, room, ticket, joining)?);
+        self.seat = Some(Rooms::join(&self.rooms, room, place, ticket, joining)?);
         Ok(())
     }
 }

@@ -13,8 +13,9 @@ use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::Error;
 use tokio_tungstenite::tungstenite::protocol::{CloseFrame, Message, Role, WebSocketConfig};
 
-use super::frame::FromServer;
+use super::frame::{FromServer, HEAD};
 use super::outbox::Taken;
+use super::pose;
 use super::reason::{End, Reason};
 use super::session::Session;
 use super::tap::Tap;
@@ -47,9 +48,12 @@ where
     S: AsyncRead + AsyncWrite + Unpin,
 {
     let (limits, now) = (session.rooms.limits, Instant::now());
+    // One message of all that may wait, and answers to pings.
+    let most = 2 * limits.queue_bytes + limits.users * (HEAD + 2 + pose::MOST);
     let config = WebSocketConfig::default()
         .read_buffer_size(READ)
         .write_buffer_size(0)
+        .max_write_buffer_size(most)
         .max_message_size(Some(limits.message_bytes))
         .max_frame_size(Some(limits.message_bytes));
     let stream = WebSocketStream::from_partially_read(Tap::new(stream), came.into(), Role::Server, Some(config)).await;
@@ -64,7 +68,7 @@ where
     // Others are told before the end is told to the user, who may not read it.
     drop(session);
     rooms.figures.closed(end.reason);
-    let _ = timeout(limits.linger, farewell(stream, &end)).await;
+    let _ = timeout(limits.linger, farewell(stream, &end, limits.message_bytes)).await;
     end.reason
 }
 
@@ -72,10 +76,11 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
     fn poll(&mut self, context: &mut Context<'_>) -> Poll<End> {
         // Before looking, so that nothing that is added in between is missed.
         self.session.outbox.register(context.waker());
-        if let Poll::Ready(end) = self.poll_clock(context) {
+        // Before the clock: bytes may have come while the process did not run.
+        if let Poll::Ready(end) = self.poll_read(context) {
             return Poll::Ready(end);
         }
-        if let Poll::Ready(end) = self.poll_read(context) {
+        if let Poll::Ready(end) = self.poll_clock(context) {
             return Poll::Ready(end);
         }
         self.poll_write(context)
@@ -141,11 +146,15 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
                 let ages = self.read.drain(..).map(|read| now.saturating_duration_since(read));
                 self.session.rooms.figures.written(ages);
             }
-            let message = match self.session.outbox.take(&mut self.message, &mut self.read) {
-                Taken::End(end) => return Poll::Ready(end),
-                Taken::Message => Message::Binary(self.message.split().freeze()),
-                Taken::Nothing if std::mem::take(&mut self.is_ping_due) => Message::Ping(Bytes::new()),
-                Taken::Nothing => return Poll::Pending,
+            // First, as there may always be something that waits.
+            let message = if std::mem::take(&mut self.is_ping_due) {
+                Message::Ping(Bytes::new())
+            } else {
+                match self.session.outbox.take(&mut self.message, &mut self.read) {
+                    Taken::End(end) => return Poll::Ready(end),
+                    Taken::Message => Message::Binary(self.message.split().freeze()),
+                    Taken::Nothing => return Poll::Pending,
+                }
             };
             if let Err(error) = Pin::new(&mut self.stream).start_send(message) {
                 return Poll::Ready(lost(error));
@@ -172,6 +181,7 @@ fn lost(error: Error) -> End {
         Error::Io(error) if error.kind() == io::ErrorKind::TimedOut => {
             End::new(Reason::Slow, "expected a user who reads")
         }
+        Error::WriteBufferFull(_) => End::new(Reason::Slow, "expected a user who reads the answers to its pings"),
         Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) | Error::Io(_) => {
             End::new(Reason::Gone, "the connection broke off")
         }
@@ -180,33 +190,58 @@ fn lost(error: Error) -> End {
     }
 }
 
-/// Tell a user why its connection ends, and wait until it has closed it, so that what was written arrives.
-async fn farewell<S>(mut stream: WebSocketStream<Tap<S>>, end: &End) -> Result<(), Error>
+/// Tell a user why its connection ends, and wait until it has closed it, so that what was written arrives. So many
+/// bytes are read meanwhile.
+async fn farewell<S>(mut stream: WebSocketStream<Tap<S>>, end: &End, most: usize) -> Result<(), Error>
 where
     S: AsyncRead + AsyncWrite + Unpin,
 {
-    // The user may have begun to close, so that nothing more can be told.
+    let mut left = if end.reason == Reason::Flood { 0 } else { most };
     let is_told = end.reason != Reason::Gone && say_why(&mut stream, end).await.is_ok();
-    let is_flood = end.reason == Reason::Flood;
-    while is_told && !is_flood && is_open(poll_fn(|context| Pin::new(&mut stream).poll_next(context)).await) {}
+    if !is_told {
+        // A user who has begun to close can be told nothing more, but its close is answered.
+        let _ = poll_fn(|context| Pin::new(&mut stream).poll_flush(context)).await;
+    }
+    if is_told {
+        poll_fn(|context| poll_closed(&mut stream, context, &mut left)).await;
+    }
     let tap = stream.get_mut();
     poll_fn(|context| Pin::new(&mut *tap).poll_shutdown(context)).await?;
-    if is_flood {
-        // To read on would be work for who sends too much; the time to read the reason ends this.
-        return std::future::pending().await;
-    }
-    let mut rest = [0; READ];
-    loop {
-        let mut into = ReadBuf::new(&mut rest);
-        poll_fn(|context| Pin::new(&mut *tap).poll_read(context, &mut into)).await?;
-        if into.filled().is_empty() {
-            return Ok(());
-        }
-    }
+    let is_closed = poll_fn(|context| poll_drained(tap, context, &mut left)).await?;
+    // To read on would be work for who sends too much; the time to read the reason ends this.
+    if is_closed { Ok(()) } else { std::future::pending().await }
 }
 
-fn is_open(polled: Option<Result<Message, Error>>) -> bool {
-    polled.is_some_and(|message| message.is_ok())
+/// Read messages until the user has closed the WebSocket, or until no byte is left to read.
+fn poll_closed<S>(stream: &mut WebSocketStream<Tap<S>>, context: &mut Context<'_>, left: &mut usize) -> Poll<()>
+where
+    S: AsyncRead + AsyncWrite + Unpin,
+{
+    while *left > 0 {
+        let polled = Pin::new(&mut *stream).poll_next(context);
+        *left = left.saturating_sub(stream.get_mut().came());
+        if !ready!(polled).is_some_and(|message| message.is_ok()) {
+            break;
+        }
+    }
+    Poll::Ready(())
+}
+
+/// Read until the user has closed its side, or until no byte is left to read; whether it has.
+fn poll_drained<S>(tap: &mut Tap<S>, context: &mut Context<'_>, left: &mut usize) -> Poll<io::Result<bool>>
+where
+    S: AsyncRead + AsyncWrite + Unpin,
+{
+    let mut rest = [0; READ];
+    while *left > 0 {
+        let mut into = ReadBuf::new(&mut rest);
+        ready!(Pin::new(&mut *tap).poll_read(context, &mut into))?;
+        if into.filled().is_empty() {
+            return Poll::Ready(Ok(true));
+        }
+        *left = left.saturating_sub(into.filled().len());
+    }
+    Poll::Ready(Ok(false))
 }
 
 async fn say_why<S>(stream: &mut WebSocketStream<Tap<S>>, end: &End) -> Result<(), Error>

@@ -15,14 +15,14 @@ const CODE: usize = 32;
 const SHORT: usize = 16;
 /// Bytes of a ticket.
 pub const TICKET: usize = 2 + 8 + SHORT;
-/// What is signed begins with its purpose, so that a ticket is no token.
+/// Signed bytes begin with their purpose, so that a ticket is no token.
 const ENTRY: &[u8] = b"nearfar room token 1\0";
-const RETURN: &[u8] = b"nearfar return ticket 1\0";
+const RETURN: &[u8] = b"nearfar return ticket 2\0";
 
 /// A token's own number; two connections cannot use it at the same time.
 pub type Number = [u8; NUMBER];
 
-/// What signs tokens and tickets.
+/// Signs tokens and tickets.
 #[derive(Clone)]
 pub struct Key(Hmac<Sha256>);
 
@@ -61,20 +61,20 @@ impl Key {
         if now < ends { Ok(number) } else { Err("expected a token that has not ended") }
     }
 
-    /// A ticket of a room for a user's number and identity.
-    pub fn ticket(&self, room: &str, user: u16, identity: u64) -> [u8; TICKET] {
+    /// A ticket of a room for a user's number and identity, which is of use with the user's token alone.
+    pub fn ticket(&self, room: &str, token: Option<&Number>, user: u16, identity: u64) -> [u8; TICKET] {
         let mut ticket = [0; TICKET];
         ticket[..2].copy_from_slice(&user.to_le_bytes());
         ticket[2..10].copy_from_slice(&identity.to_le_bytes());
-        let code = self.back(room, &ticket[..10]).finalize().into_bytes();
+        let code = self.back(room, token, &ticket[..10]).finalize().into_bytes();
         ticket[10..].copy_from_slice(&code[..SHORT]);
         ticket
     }
 
-    /// The user's number and identity of a ticket, if it is one of this room.
-    pub fn back_to(&self, room: &str, ticket: &[u8]) -> Option<(u16, u64)> {
+    /// The user's number and identity of a ticket, if it is one of this room and of this token.
+    pub fn back_to(&self, room: &str, token: Option<&Number>, ticket: &[u8]) -> Option<(u16, u64)> {
         let ticket: &[u8; TICKET] = ticket.try_into().ok()?;
-        self.back(room, &ticket[..10]).verify_truncated_left(&ticket[10..]).ok()?;
+        self.back(room, token, &ticket[..10]).verify_truncated_left(&ticket[10..]).ok()?;
         let user = u16::from_le_bytes(ticket[..2].try_into().ok()?);
         Some((user, u64::from_le_bytes(ticket[2..10].try_into().ok()?)))
     }
@@ -84,8 +84,10 @@ impl Key {
         self.0.clone().chain_update(ENTRY).chain_update(ends.to_le_bytes()).chain_update(number).chain_update(room)
     }
 
-    fn back(&self, room: &str, head: &[u8]) -> Hmac<Sha256> {
-        self.0.clone().chain_update(RETURN).chain_update(head).chain_update(room)
+    fn back(&self, room: &str, token: Option<&Number>, head: &[u8]) -> Hmac<Sha256> {
+        // A key is of a server that asks for tokens or of one that does not, so that zeros stand for none.
+        let token = token.copied().unwrap_or_default();
+        self.0.clone().chain_update(RETURN).chain_update(head).chain_update(token).chain_update(room)
     }
 }
 

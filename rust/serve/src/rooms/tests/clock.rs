@@ -1,5 +1,6 @@
 //! Time that passes without messages, by a clock that the tests turn.
 
+use std::pin::pin;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -12,20 +13,35 @@ use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::protocol::Role;
 
-use super::support::{User, limits};
-use crate::rooms::frame::FromUser;
+use super::support::{User, limits, pose};
+use crate::rooms::frame::{FromServer, FromUser};
+use crate::rooms::outbox::Outbox;
 use crate::rooms::{Entering, Limits, Reason, Rooms, Session, serve};
 
 const SECOND: Duration = Duration::from_secs(1);
 
 /// A user's connection within this process, and why it ends.
 async fn user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>) {
+    let (user, served, _) = watched_user(limits).await;
+    (user, served)
+}
+
+/// The same with its outbox.
+async fn watched_user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
+    let (user, serving, outbox) = apart(limits).await;
+    (user, tokio::spawn(serving), outbox)
+}
+
+/// The same, but the connection runs when the test says so.
+async fn apart(limits: Limits) -> (User<DuplexStream>, impl Future<Output = Reason>, Arc<Outbox>) {
     let rooms = Arc::new(Rooms::new(limits, None).expect("there are random bytes"));
     let (near, far) = duplex(1 << 12);
-    let entering = Entering { room: "hall".into(), token: None };
+    let place = rooms.place([127, 0, 0, 1].into(), 1).expect("there is place");
+    let entering = Entering::new("hall", None, place);
     let session = Session::new(rooms, entering, Instant::now().into_std());
-    let served = tokio::spawn(serve(session, far, Bytes::new()));
-    (User::new(WebSocketStream::from_raw_socket(near, Role::Client, None).await), served)
+    let outbox = Arc::clone(&session.outbox);
+    let user = User::new(WebSocketStream::from_raw_socket(near, Role::Client, None).await);
+    (user, serve(session, far, Bytes::new()), outbox)
 }
 
 #[tokio::test(start_paused = true)]
@@ -104,6 +120,112 @@ async fn who_floods_is_not_read_on() {
     assert!(more.is_err(), "it is taken");
     assert!(begun.elapsed() >= limits.linger - SECOND, "{:?}", begun.elapsed());
     assert_eq!(served.await.expect("it ended"), Reason::Flood);
+}
+
+/// A user in a room whose stream is full, so that nothing more can be written to it, and a frame that waits behind.
+async fn blocked(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
+    let (mut user, served, outbox) = watched_user(limits).await;
+    user.hello(0, "", &[]).await;
+    let full = vec![0; 4096];
+    outbox.add(&FromServer::Signal { user: 9, payload: &full });
+    tokio::time::sleep(SECOND).await;
+    outbox.add(&FromServer::Signal { user: 9, payload: b"behind" });
+    (user, served, outbox)
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_ping_goes_before_all_that_waits() {
+    let (mut user, _served, _outbox) = blocked(limits()).await;
+    tokio::time::sleep(12 * SECOND).await;
+    let mut next = async || user.socket.next().await.expect("a message").expect("the connection lives");
+    assert!(matches!(next().await, Message::Binary(bytes) if bytes.len() > 4096));
+    assert!(matches!(next().await, Message::Ping(_)));
+    assert!(matches!(next().await, Message::Binary(_)));
+}
+
+#[tokio::test(start_paused = true)]
+async fn answers_to_pings_that_are_not_read_do_not_grow_for_ever() {
+    let limits = Limits { queue_bytes: 2000, users: 2, silence: 100 * SECOND, ..limits() };
+    let (mut user, served, _) = watched_user(limits).await;
+    user.hello(0, "", &[]).await;
+    // It sends pings and reads nothing: the stream holds 4 KiB of answers, the connection 4 KiB.
+    for _ in 0..10_000 {
+        user.socket.get_mut().write_all(&[0x89, 0x80, 0, 0, 0, 0]).await.expect("it is read");
+    }
+    tokio::time::sleep(11 * SECOND).await;
+    // It reads all that was written and finds the answers that were kept, and no more.
+    let mut answers = 0;
+    let reason = loop {
+        match timeout(SECOND, user.socket.next()).await {
+            Ok(Some(Ok(Message::Pong(_)))) => answers += 1,
+            Ok(Some(Ok(_))) => {}
+            Ok(_) => break Some(served.await.expect("it ended")),
+            Err(_) => break None,
+        }
+    };
+    assert!(answers < 5000, "{answers}");
+    assert_eq!(reason, Some(Reason::Slow));
+}
+
+#[tokio::test(start_paused = true)]
+async fn after_a_refusal_no_more_is_read_than_a_message() {
+    let limits = Limits { linger: 100 * SECOND, ..limits() };
+    let (mut user, served) = user(limits).await;
+    user.hello(0, "", &[]).await;
+    user.send_bytes(vec![0xff; 100]).await;
+    // The message's frames are whole, so that it could be read on for ever.
+    let frame = [&[0x82, 0xfe, 4, 0, 0, 0, 0, 0][..], &[0; 1024]].concat();
+    let mut taken = 0;
+    while timeout(SECOND, user.socket.get_mut().write_all(&frame)).await.is_ok_and(|result| result.is_ok()) {
+        taken += frame.len();
+        assert!(taken < 1 << 20, "it reads on");
+    }
+    assert!(taken >= limits.message_bytes, "{taken}");
+    assert!(!served.is_finished(), "the reason may be read meanwhile");
+    user.is_refused(Reason::Frame).await;
+    drop(user);
+    assert_eq!(served.await.expect("it ended"), Reason::Frame);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_close_is_answered() {
+    let (mut user, served) = user(limits()).await;
+    user.hello(0, "", &[]).await;
+    user.socket.send(Message::Close(None)).await.expect("sent");
+    let answer = loop {
+        match user.socket.next().await {
+            Some(Ok(Message::Binary(_))) => {}
+            other => break other,
+        }
+    };
+    assert!(matches!(answer, Some(Ok(Message::Close(_)))), "{answer:?}");
+    drop(user);
+    assert_eq!(served.await.expect("it ended"), Reason::Bye);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_pause_of_the_process_ends_nobody_who_has_sent() {
+    let (mut user, serving, _) = apart(limits()).await;
+    let mut serving = pin!(serving);
+    tokio::select! {
+        reason = &mut serving => panic!("{reason:?}"),
+        () = user.hello(0, "", &[]) => {}
+    }
+    tokio::time::sleep(3600 * SECOND).await;
+    user.send(&[FromUser::Pose(pose(1))]).await;
+    let quiet = async {
+        loop {
+            match timeout(SECOND, user.socket.next()).await {
+                Ok(Some(Ok(Message::Ping(_)))) => {}
+                Ok(other) => break Some(other),
+                Err(_) => break None,
+            }
+        }
+    };
+    tokio::select! {
+        reason = &mut serving => panic!("{reason:?}"),
+        came = quiet => assert!(came.is_none(), "{came:?}"),
+    }
 }
 
 #[tokio::test(start_paused = true)]

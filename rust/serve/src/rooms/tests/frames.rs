@@ -64,7 +64,7 @@ fn written<T>(frames: &[T], write: impl Fn(&T, &mut Vec<u8>)) -> Vec<Vec<u8>> {
     frames.iter().map(bytes).collect()
 }
 
-/// What the first frame of some bytes is written as again, and the rest.
+/// The first frame of some bytes as it is written again, and the rest.
 fn again(bytes: &[u8], of_user: bool) -> Result<(Vec<u8>, &[u8]), Fault> {
     let mut out = Vec::new();
     let rest = if of_user {
@@ -90,6 +90,21 @@ fn frames_are_read_as_they_were_written_one_after_the_other() {
             rest = behind;
         }
         assert!(rest.is_empty());
+    }
+}
+
+#[test]
+fn names_have_no_characters_that_control_or_format_text() {
+    let hello = |name: &str| {
+        let mut out = Vec::new();
+        FromUser::Hello { group: 1, name, ticket: &[] }.write(&mut out);
+        FromUser::read(&out).map(|_| ()).map_err(|fault| format!("{fault:?}"))
+    };
+    for name in ["Ada", "Ада", "愛", "אדה", "عدا", "👩", ""] {
+        assert_eq!(hello(name), Ok(()), "{name}");
+    }
+    for wrong in ["a\n", "A\u{200b}da", "\u{202e}adA", "\u{feff}", "\u{ad}", "\u{2066}", "\u{e0041}", "\u{61c}"] {
+        assert!(hello(wrong).is_err(), "{wrong:?}");
     }
 }
 

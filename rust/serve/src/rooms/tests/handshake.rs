@@ -1,6 +1,7 @@
 //! How a connection becomes one of a room.
 
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
@@ -11,9 +12,11 @@ use tokio_rustls::rustls::{ClientConfig, RootCertStore};
 use tokio_tungstenite::client_async;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 
-use super::support::{User, join, limits, pose, server, start};
-use crate::rooms::frame::{FromServer, FromUser};
-use crate::rooms::{Rooms, upgrade};
+use super::support::{User, join, limits, pose, server, start, start_within};
+use crate::rooms::frame::{FromServer, FromUser, To};
+use crate::rooms::places::Place;
+use crate::rooms::reason::{End, Reason};
+use crate::rooms::{Entering, Key, Limits, Rooms, Session, upgrade};
 use crate::{Answering, HeaderValue, Server, tls};
 
 fn answering(origin: Option<&'static str>, has_rooms: bool) -> Answering {
@@ -60,8 +63,9 @@ async fn pages_of_other_origins_do_not_enter() {
         (Some("https://other.example"), Some("https://other.example"), 101),
         (Some("https://other.example"), Some("http://localhost:80"), 101),
         (Some("https://other.example"), Some("https://evil.example"), 403),
-        (Some("*"), Some("https://any.example"), 101),
-        (Some("*"), Some("null"), 101),
+        (Some("*"), Some("https://any.example"), 403),
+        (Some("*"), Some("null"), 403),
+        (Some("*"), Some("http://localhost:80"), 101),
     ] {
         let server = start(answering(allowed, true), None);
         let origin = origin.map(|origin| format!("Origin: {origin}"));
@@ -71,6 +75,128 @@ async fn pages_of_other_origins_do_not_enter() {
     let server = start(answering(None, true), None);
     let both = [&ASKS[..], &["Origin: http://localhost:80", "Origin: http://evil.example"]].concat();
     assert_eq!(code(&server, "/rooms/hall", &both).await, 403);
+}
+
+#[tokio::test]
+async fn a_name_that_the_server_was_not_told_proves_nothing_without_a_key() {
+    for (host, has_key, allowed, expected) in [
+        ("rebound.example:80", false, None, 403),
+        ("rebound.example:80", true, None, 101),
+        ("rebound.example", false, Some("http://rebound.example"), 101),
+        ("rebound.example", false, Some("*"), 403),
+        ("192.168.1.7:8000", false, None, 101),
+        ("192.168.1.7", false, None, 101),
+        ("[2001:db8::7]:8000", false, None, 101),
+        ("[2001:db8::7]", false, None, 101),
+        ("localhost:80", false, None, 101),
+        ("192.168.1.7.rebound.example", false, None, 403),
+        ("localhost.rebound.example:80", false, None, 403),
+    ] {
+        let key = has_key.then(|| Key::new(&[1; 16]).expect("a key"));
+        let rooms = Some(Arc::new(Rooms::new(limits(), key).expect("limits that fit")));
+        let server = start(Answering { hosts: None, rooms, ..answering(allowed, false) }, None);
+        let (named, origin) = (format!("Host: {host}"), format!("Origin: http://{host}"));
+        let program = [&[&*named], &ASKS[1..]].concat();
+        assert_eq!(code(&server, "/rooms/hall", &program).await, 101, "{host}: a program");
+        let page = [&program[..], &[&*origin]].concat();
+        assert_eq!(code(&server, "/rooms/hall", &page).await, expected, "{host} {has_key} {allowed:?}");
+    }
+    // Whoever has a token may come of any page, if files are for all.
+    let rooms = Some(Arc::new(Rooms::new(limits(), Key::new(&[1; 16]).ok()).expect("limits that fit")));
+    let server = start(Answering { rooms, ..answering(Some("*"), false) }, None);
+    let page = [&ASKS[..], &["Origin: https://any.example"]].concat();
+    assert_eq!(code(&server, "/rooms/hall", &page).await, 101);
+}
+
+#[tokio::test]
+async fn rooms_leave_connections_to_files() {
+    let limits = crate::Limits { connections: 4, ..crate::Limits::default() };
+    let server = start_within(Answering { hosts: None, ..answering(None, true) }, None, limits);
+    let mut users = Vec::new();
+    for number in 0..3 {
+        users.push(join(&server, &number.to_string(), 0, "").await);
+    }
+    assert_eq!(code(&server, "/rooms/hall", &ASKS).await, 503);
+    assert_eq!(code(&server, "/healthz", &ASKS[..1]).await, 200);
+    let leaves = users.pop().expect("three users");
+    drop(leaves);
+    // Its place is free when its connection has ended.
+    while code(&server, "/rooms/hall", &ASKS).await != 101 {}
+}
+
+#[test]
+fn one_client_has_so_many_sockets_and_begins_so_many_rooms() {
+    let limits = Limits { sockets_per_client: 2, rooms_per_client: 1, ..limits() };
+    let rooms = Arc::new(Rooms::new(limits, None).expect("limits that fit"));
+    let place = |client: [u8; 4]| rooms.place(client.into(), 100);
+    let (one, two, other) = (place([10, 0, 0, 1]), place([10, 0, 0, 1]), place([10, 0, 0, 2]));
+    assert!(two.is_some() && other.is_some() && place([10, 0, 0, 1]).is_none());
+    let enter = |room: &str, place: &Option<Place>| {
+        let entering = Entering::new(room, None, place.clone().expect("there was place"));
+        let mut session = Session::new(Arc::clone(&rooms), entering, Instant::now());
+        let mut hello = Vec::new();
+        FromUser::Hello { group: 0, name: "", ticket: &[] }.write(&mut hello);
+        session.message(&hello, Instant::now()).map(|()| session)
+    };
+    let first = enter("first", &one).expect("its first room");
+    let end = enter("second", &two).err().expect("it has begun one");
+    assert_eq!(end, End::new(Reason::Full, "expected a client that has begun fewer than 1 rooms"));
+    assert!(enter("first", &two).is_ok(), "it may enter");
+    assert!(enter("second", &other).is_ok(), "others may begin");
+    drop(first);
+    assert!(enter("second", &two).is_ok());
+}
+
+#[test]
+fn who_says_more_than_others_should_take_is_ended() {
+    let rooms = Arc::new(Rooms::new(Limits { said_bytes_per_second: 1000.0, ..limits() }, None).expect("they fit"));
+    let begin = Instant::now();
+    for (payload, most) in [(4096, 4), (0, 256)] {
+        let place = rooms.place([10, 0, 0, 1].into(), 100).expect("there is place");
+        let mut session = Session::new(Arc::clone(&rooms), Entering::new("hall", None, place), begin);
+        let mut say = |after, frame: FromUser<'_>| {
+            let mut message = Vec::new();
+            frame.write(&mut message);
+            session.message(&message, begin + Duration::from_secs(after))
+        };
+        assert_eq!(say(0, FromUser::Hello { group: 0, name: "", ticket: &[] }), Ok(()));
+        let payload = vec![1; payload];
+        for count in 0..most {
+            let to_one = FromUser::Signal { user: 1, payload: &payload };
+            let frame = if count % 2 == 0 { to_one } else { FromUser::Say { to: To::Room, payload: &payload } };
+            assert_eq!(say(0, frame), Ok(()), "an eighth of 128 KiB");
+        }
+        assert_eq!(say(10, FromUser::Say { to: To::Group, payload: &payload }), Ok(()), "it has refilled");
+        let too_much = (0..most).find_map(|_| say(10, FromUser::Say { to: To::Group, payload: &payload }).err());
+        assert_eq!(too_much.map(|end| end.reason), Some(Reason::Flood));
+    }
+}
+
+#[test]
+fn limits_fit_together() {
+    let refused = |limits| Rooms::new(limits, None).err().expect("they do not fit");
+    let base = Limits::default();
+    let least = 34 + 72 * base.users;
+    assert!(Rooms::new(Limits { queue_bytes: least, ..base }, None).is_ok());
+    let wrong = refused(Limits { queue_bytes: least - 1, ..base });
+    assert_eq!(wrong, "queue_bytes: expected 18466 or more for 256 users, got 18465");
+    let none = Duration::ZERO;
+    for (limits, begin) in [
+        (Limits { users: 0, ..base }, "users: "),
+        (Limits { users: 65_535, queue_bytes: 1 << 30, ..base }, "users: "),
+        (Limits { burst: none, ..base }, "burst: "),
+        (Limits { hello: none, ..base }, "hello: "),
+        (Limits { ping: none, ..base }, "ping: "),
+        (Limits { ping: base.silence, ..base }, "ping: "),
+        (Limits { silence: none, ..base }, "silence: "),
+        (Limits { linger: none, ..base }, "linger: "),
+        (Limits { bytes_per_second: 0.0, ..base }, "bytes_per_second: "),
+        (Limits { messages_per_second: f64::NAN, ..base }, "messages_per_second: "),
+        (Limits { said_bytes_per_second: f64::INFINITY, ..base }, "said_bytes_per_second: "),
+    ] {
+        let sentence = refused(limits);
+        assert!(sentence.starts_with(begin), "{sentence}");
+    }
 }
 
 #[tokio::test]
@@ -131,11 +257,11 @@ async fn frames_that_come_with_the_request_are_read() {
 #[tokio::test]
 async fn sockets_are_encrypted_where_the_server_is() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (certificate, key) = tls::self_signed(vec!["localhost".into()]).expect("made");
+    let (certificate, key) = tls::self_signed(vec!["laptop.local".into()]).expect("made");
     let paths = (folder.path().join("chain.pem"), folder.path().join("key.pem"));
     std::fs::write(&paths.0, &certificate).expect("written");
     std::fs::write(&paths.1, key).expect("written");
-    let server = start(answering(None, true), Some(paths));
+    let server = start(Answering { hosts: None, ..answering(None, true) }, Some(paths));
     let mut trusted = RootCertStore::empty();
     trusted.add(CertificateDer::from_pem_slice(certificate.as_bytes()).expect("a certificate")).expect("trusted");
     let mut config = ClientConfig::builder().with_root_certificates(trusted).with_no_client_auth();
@@ -145,9 +271,11 @@ async fn sockets_are_encrypted_where_the_server_is() {
     let mut users = Vec::new();
     for _ in 0..2 {
         let stream = TcpStream::connect(server.address()).await.expect("a connection");
-        let name = ServerName::try_from("localhost").expect("a name");
+        let name = ServerName::try_from("laptop.local").expect("a name");
         let stream = connector.connect(name, stream).await.expect("a handshake");
-        let request = "wss://localhost/rooms/hall".into_client_request().expect("a request");
+        // A page that the server's certificate proves to be its own.
+        let mut request = "wss://laptop.local/rooms/hall".into_client_request().expect("a request");
+        request.headers_mut().insert("origin", HeaderValue::from_static("https://laptop.local"));
         let mut user = User::new(client_async(request, stream).await.expect("a socket").0);
         user.hello(1, "", &[]).await;
         users.push(user);

@@ -7,6 +7,7 @@ mod handshake;
 mod parts;
 mod rules;
 mod settled;
+mod seats;
 mod slow;
 mod support;
 mod tokens;

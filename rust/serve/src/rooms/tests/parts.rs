@@ -1,4 +1,4 @@
-//! What waits for a user, and how much a user may send.
+//! All that waits for a user, and how much a user may send.
 
 use std::time::{Duration, Instant};
 
@@ -6,9 +6,11 @@ use bytes::BytesMut;
 
 use super::support::{asking, pose, split};
 use crate::rooms::bucket::Bucket;
-use crate::rooms::frame::FromServer;
+use crate::rooms::frame::{FromServer, To};
 use crate::rooms::outbox::{Outbox, Taken};
 use crate::rooms::reason::{End, Reason};
+
+const BURST: Duration = Duration::from_secs(2);
 
 /// All that waits, as bytes of frames.
 fn taken(outbox: &Outbox) -> Vec<Vec<u8>> {
@@ -31,7 +33,7 @@ fn bytes(frames: &[FromServer<'_>]) -> Vec<Vec<u8>> {
 
 #[test]
 fn newer_poses_overwrite_and_all_else_stays_in_order() {
-    let (outbox, now) = (Outbox::new(1000), Instant::now());
+    let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
     assert!(taken(&outbox).is_empty());
     assert!(!outbox.add_pose(1, asking(1), now));
     outbox.add(&FromServer::Left { user: 9 });
@@ -57,10 +59,10 @@ fn newer_poses_overwrite_and_all_else_stays_in_order() {
 
 #[test]
 fn who_lets_too_much_wait_is_ended_and_holds_nothing() {
-    let (outbox, frame) = (Outbox::new(20), FromServer::Left { user: 1 });
+    let (outbox, frame) = (Outbox::new(20, BURST), FromServer::Left { user: 1 });
     (0..3).for_each(|_| outbox.add(&frame));
     let _ = taken(&outbox);
-    // What is on its way counts, too.
+    // Frames on their way count, too.
     outbox.add(&frame);
     outbox.add(&frame);
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
@@ -74,8 +76,25 @@ fn who_lets_too_much_wait_is_ended_and_holds_nothing() {
 }
 
 #[test]
+fn who_fills_its_share_at_once_sends_too_much_and_its_receiver_stays() {
+    let (outbox, begin) = (Outbox::new(1000, BURST), Instant::now());
+    let say = FromServer::Say { user: 1, to: To::Room, payload: &[0; 94] };
+    assert_eq!(say.bytes(), 100);
+    let add = |sender, after| outbox.add_from(sender, &say, begin + after);
+    assert!((0..2).all(|_| add(1, Duration::ZERO).is_ok()));
+    let end = add(1, Duration::ZERO).expect_err("a quarter is 250 bytes");
+    assert_eq!((end.reason, outbox.ended()), (Reason::Flood, None));
+    assert!(add(2, Duration::ZERO).is_ok(), "shares are apart");
+    assert_eq!(taken(&outbox).len(), 3);
+    assert!(add(1, Duration::ZERO).is_ok(), "all was taken");
+    // Who does not read for longer than a burst is ended itself, not those who speak.
+    assert!((0..10).all(|_| add(1, BURST).is_ok()));
+    assert_eq!(outbox.ended().map(|end| end.reason), Some(Reason::Slow));
+}
+
+#[test]
 fn poses_do_not_count_as_what_waits() {
-    let (outbox, now) = (Outbox::new(20), Instant::now());
+    let (outbox, now) = (Outbox::new(20, BURST), Instant::now());
     for sequence in 0..1000 {
         (0..10).for_each(|user| {
             outbox.add_pose(user, pose(sequence), now);
@@ -88,7 +107,7 @@ fn poses_do_not_count_as_what_waits() {
 fn a_bucket_refills_with_time_up_to_its_burst() {
     let begin = Instant::now();
     let at = |seconds| begin + Duration::from_secs_f64(seconds);
-    let mut bucket = Bucket::new(10.0, Duration::from_secs(2), begin);
+    let mut bucket = Bucket::new(10.0, 20.0, begin);
     assert!(bucket.take(20.0, begin));
     assert!(!bucket.take(0.5, begin));
     assert!(bucket.take(9.0, at(1.0)));

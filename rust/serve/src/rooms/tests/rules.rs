@@ -4,8 +4,9 @@ use std::time::Duration;
 
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
+use tokio::time::timeout;
 
-use super::support::{asking, connect, join, limits, pose, server};
+use super::support::{HANGS, HOURS, answering, asking, connect, join, limits, pose, server, start_within};
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
@@ -64,11 +65,8 @@ async fn poses_go_to_the_group_and_have_the_number_that_the_server_gave() {
     assert_eq!(friend.pose_of(sender.number).await, pose(1));
     let (user, to) = (sender.number, To::Room);
     // Nothing came before it but those who joined.
-    for user_of_room in [stranger] {
-        let frame =
-            user_of_room.until(|frame| (!matches!(frame, FromServer::Joined { .. })).then(|| format!("{frame:?}")));
-        assert_eq!(frame.await, format!("{:?}", FromServer::Say { user, to, payload: b"end" }));
-    }
+    let frame = stranger.until(|frame| (!matches!(frame, FromServer::Joined { .. })).then(|| format!("{frame:?}")));
+    assert_eq!(frame.await, format!("{:?}", FromServer::Say { user, to, payload: b"end" }));
     let other = join(&server, "yard", 1, "late").await;
     elsewhere.gets(FromServer::Joined { user: other.number, group: 1, name: "late" }).await;
 }
@@ -105,7 +103,8 @@ async fn signals_come_to_one_user_of_the_room() {
     let (mut near, mut far) = (join(&server, "hall", 1, "").await, join(&server, "hall", 2, "").await);
     let long = vec![5; 1 << 14];
     let nobody = FromUser::Signal { user: near.number.wrapping_add(1000), payload: b"lost" };
-    sender.send(&[nobody, FromUser::Signal { user: far.number, payload: &long }]).await;
+    sender.send(&[nobody]).await;
+    sender.send(&[FromUser::Signal { user: far.number, payload: &long }]).await;
     sender.send(&[FromUser::Say { to: To::Room, payload: b"end" }]).await;
     let heard = |frame: FromServer<'_>| match frame {
         FromServer::Signal { user, payload } => Some((user, payload.len())),
@@ -205,14 +204,29 @@ async fn counts_tell_of_rooms() {
     assert_eq!(count(&text, "nearfar_room_closes_total{reason=\"bye\"}"), 1.0);
 }
 
+/// A server whose connections have so much time to end, and whose rooms would wait for hours.
+fn ending_within(grace: Duration) -> Server {
+    let rooms = Limits { hello: HOURS, ping: HOURS, silence: 2 * HOURS, linger: HOURS, ..limits() };
+    start_within(answering(rooms, None), None, crate::Limits { grace, ..crate::Limits::default() })
+}
+
 #[tokio::test]
-async fn a_server_that_ends_tells_its_users_and_waits_for_them_no_longer_than_its_grace() {
-    let server = server(Limits { linger: Duration::from_secs(3600), ..limits() }, None);
+async fn a_server_that_ends_tells_all_users_and_waits_for_them() {
+    let server = ending_within(HOURS);
     let mut user = join(&server, "hall", 1, "").await;
-    let rude = join(&server, "hall", 1, "").await;
+    let mut early = connect(server.address(), "/rooms/hall").await.expect("a connection");
     let closing = tokio::task::spawn_blocking(move || server.close());
     assert_eq!(user.is_refused(Reason::Ending).await, "the server ends");
-    // One who does not close its side is left behind.
-    closing.await.expect("it ends");
-    drop(rude);
+    assert_eq!(early.is_refused(Reason::Ending).await, "the server ends");
+    drop((user, early));
+    timeout(HANGS, closing).await.expect("it does not wait for its grace").expect("it ends");
+}
+
+#[tokio::test]
+async fn a_server_that_ends_leaves_behind_who_does_not_close() {
+    let server = ending_within(Duration::from_millis(1));
+    let mut rude = join(&server, "hall", 1, "").await;
+    let closing = tokio::task::spawn_blocking(move || server.close());
+    timeout(HANGS, closing).await.expect("it does not wait for its users").expect("it ends");
+    while rude.next().await.is_some() {}
 }

@@ -2,15 +2,19 @@
 
 use std::time::Duration;
 
+use futures_util::SinkExt;
 use tokio::net::TcpSocket;
+use tokio_tungstenite::tungstenite::Message;
 
-use super::support::{User, join, limits, over, pose, server};
+use super::support::{HOURS, User, join, limits, over, pose, server};
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
 
 /// Bytes that the system keeps for a user who does not read.
 const KEPT: u32 = 4096;
+/// A burst that no sender fills a share in.
+const MOMENT: Duration = Duration::from_micros(1);
 
 /// A user of a group, whose system keeps few bytes for it.
 async fn slow(server: &Server, group: u16) -> User {
@@ -24,7 +28,7 @@ async fn slow(server: &Server, group: u16) -> User {
 
 #[tokio::test]
 async fn who_does_not_read_delays_nobody_and_gets_the_newest_pose_later() {
-    let server = server(limits(), None);
+    let server = server(Limits { ping: HOURS, silence: 2 * HOURS, ..limits() }, None);
     let mut slow = slow(&server, 1).await;
     let (mut sender, mut friend) = (join(&server, "hall", 1, "").await, join(&server, "hall", 1, "").await);
     let last = 50_000;
@@ -48,7 +52,7 @@ async fn who_does_not_read_delays_nobody_and_gets_the_newest_pose_later() {
 
 #[tokio::test]
 async fn who_lets_too_much_wait_is_ended_and_others_get_all() {
-    let server = server(Limits { queue_bytes: 1 << 17, linger: Duration::from_secs(3600), ..limits() }, None);
+    let server = server(Limits { ping: HOURS, silence: 2 * HOURS, linger: HOURS, burst: MOMENT, ..limits() }, None);
     let mut slow = slow(&server, 1).await;
     let (mut sender, mut friend) = (join(&server, "hall", 1, "").await, join(&server, "hall", 1, "").await);
     let number = slow.number;
@@ -68,7 +72,35 @@ async fn who_lets_too_much_wait_is_ended_and_others_get_all() {
             .await;
         round += u32::from(!has_left);
     }
-    // What waited for it is gone; it reads on to the reason.
+    // All that waited for it is gone; it reads on to the reason.
     let sentence = slow.is_refused(Reason::Slow).await;
     assert!(sentence.ends_with("before 131072 bytes wait for it"), "{sentence}");
+}
+
+#[tokio::test]
+async fn a_burst_ends_its_sender_and_none_of_those_who_do_not_read_meanwhile() {
+    let server = server(Limits { said_bytes_per_second: 1e-6, ping: HOURS, silence: 2 * HOURS, ..limits() }, None);
+    let mut victim = slow(&server, 1).await;
+    let mut friend = join(&server, "hall", 2, "").await;
+    let said = FromUser::Say { to: To::Room, payload: &[1; 4000] };
+    let signal = FromUser::Signal { user: victim.number, payload: &[1; 4000] };
+    for frame in [said, signal] {
+        let mut sender = join(&server, "hall", 2, "").await;
+        // More than all that may wait for one user; the connection may end while it is written to.
+        for _ in 0..40 {
+            let mut message = Vec::new();
+            frame.write(&mut message);
+            let _ = sender.socket.send(Message::binary(message)).await;
+        }
+        sender.is_refused(Reason::Flood).await;
+        let user = sender.number;
+        friend.until(|frame| (frame == FromServer::Left { user }).then_some(())).await;
+    }
+    friend.send(&[FromUser::Say { to: To::Room, payload: b"still there" }]).await;
+    victim
+        .until(|frame| match frame {
+            FromServer::Say { payload, .. } => (payload == b"still there").then_some(()),
+            _ => None,
+        })
+        .await;
 }

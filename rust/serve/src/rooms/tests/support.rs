@@ -19,24 +19,35 @@ use crate::rooms::{Key, Limits, Reason, Rooms};
 use crate::{Answering, Router, Server, Settings};
 
 /// A test that waits longer for a frame hangs.
-const HANGS: Duration = Duration::from_secs(60);
+pub const HANGS: Duration = Duration::from_secs(60);
+
+/// Longer than any test.
+pub const HOURS: Duration = Duration::from_secs(10_000);
 
 /// Limits that no test meets but by intent.
 pub fn limits() -> Limits {
-    Limits { messages_per_second: 1e9, bytes_per_second: 1e12, ..Limits::default() }
+    Limits { messages_per_second: 1e9, bytes_per_second: 1e12, said_bytes_per_second: 1e12, ..Limits::default() }
 }
 
 /// A server with rooms alone.
 pub fn server(limits: Limits, key: Option<Key>) -> Server {
-    let rooms = Rooms::new(limits, key).expect("there are random bytes");
-    let answering =
-        Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms: Some(Arc::new(rooms)) };
-    start(answering, None)
+    start(answering(limits, key), None)
+}
+
+/// Rooms alone, by any name.
+pub fn answering(limits: Limits, key: Option<Key>) -> Answering {
+    let rooms = Some(Arc::new(Rooms::new(limits, key).expect("limits that fit")));
+    Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms }
 }
 
 /// A server that answers so, with files of a certificate and its key.
 pub fn start(answering: Answering, certificate: Option<(PathBuf, PathBuf)>) -> Server {
-    let (address, limits) = (([127, 0, 0, 1], 0).into(), crate::Limits::default());
+    start_within(answering, certificate, crate::Limits::default())
+}
+
+/// The same within limits of connections.
+pub fn start_within(answering: Answering, certificate: Option<(PathBuf, PathBuf)>, limits: crate::Limits) -> Server {
+    let address = ([127, 0, 0, 1], 0).into();
     let settings = Settings { address, limits, certificate, router: Router::new(answering) };
     // A server begins where no other tasks run.
     std::thread::spawn(|| Server::start(settings)).join().expect("no panic").expect("it listens")
@@ -150,7 +161,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         sentence
     }
 
-    /// The last pose's number of another user that comes before something is said to the group.
+    /// The next pose of another user.
     pub async fn pose_of(&mut self, other: u16) -> Pose {
         self.until(|frame| match frame {
             FromServer::Pose { user, pose } if user == other => Some(pose),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::support::{User, connect, join, limits, server, start};
-use crate::rooms::frame::FromServer;
+use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::{Key, Limits, Number, Reason, Rooms};
 use crate::{Answering, Server};
 
@@ -24,7 +24,7 @@ async fn with_token(server: &Server, room: &str, token: &str) -> User {
 
 /// Say hello and see that the door stays closed.
 async fn is_refused(mut user: User) -> String {
-    user.send(&[crate::rooms::frame::FromUser::Hello { group: 0, name: "", ticket: &[] }]).await;
+    user.send(&[FromUser::Hello { group: 0, name: "", ticket: &[] }]).await;
     user.is_refused(Reason::Token).await
 }
 
@@ -61,15 +61,17 @@ fn a_token_that_was_altered_is_refused() {
 #[test]
 fn a_ticket_leads_back_to_its_number_in_its_room() {
     let key = key(1);
-    let ticket = key.ticket("hall", 513, 1 << 40);
-    assert_eq!(key.back_to("hall", &ticket), Some((513, 1 << 40)));
-    assert_eq!(key.back_to("room", &ticket), None);
-    assert_eq!(super::tokens::key(2).back_to("hall", &ticket), None);
+    let token = Some(&[7; 16]);
+    let ticket = key.ticket("hall", token, 513, 1 << 40);
+    assert_eq!(key.back_to("hall", token, &ticket), Some((513, 1 << 40)));
+    assert_eq!(key.back_to("room", token, &ticket), None);
+    assert_eq!(key.back_to("hall", Some(&[8; 16]), &ticket), None, "a ticket is of its token");
+    assert_eq!(super::tokens::key(2).back_to("hall", token, &ticket), None);
     for at in 0..ticket.len() * 8 {
         let mut altered = ticket;
         altered[at / 8] ^= 1 << (at % 8);
-        assert_eq!(key.back_to("hall", &altered), None);
-        assert_eq!(key.back_to("hall", &ticket[..at / 8]), None);
+        assert_eq!(key.back_to("hall", token, &altered), None);
+        assert_eq!(key.back_to("hall", token, &ticket[..at / 8]), None);
     }
 }
 
@@ -163,4 +165,28 @@ async fn a_ticket_of_another_server_or_room_gives_a_new_number() {
         user.hello(0, "", &other.ticket).await;
         assert_ne!(user.number, first.number);
     }
+}
+
+#[tokio::test]
+async fn a_replayed_token_locks_its_user_out_for_no_longer_than_the_user_is_away() {
+    let key = key(1);
+    let server = server(limits(), Some(key.clone()));
+    let (own, others) = (token(&key, "hall", [1; 16]), token(&key, "hall", [2; 16]));
+    let mut witness = with_token(&server, "hall", &others).await;
+    witness.hello(0, "witness", &[]).await;
+    let mut user = with_token(&server, "hall", &own).await;
+    user.hello(0, "user", &[]).await;
+    let (number, ticket) = (user.number, user.ticket.clone());
+    drop(user);
+    witness.until(|frame| (frame == FromServer::Left { user: number }).then_some(())).await;
+    let mut thief = with_token(&server, "hall", &own).await;
+    thief.hello(0, "thief", &[]).await;
+    // Another one's ticket opens nothing.
+    let mut stranger = with_token(&server, "hall", &own).await;
+    stranger.send(&[FromUser::Hello { group: 0, name: "", ticket: &witness.ticket }]).await;
+    stranger.is_refused(Reason::Token).await;
+    let mut again = with_token(&server, "hall", &own).await;
+    again.hello(0, "user", &ticket).await;
+    assert_eq!(again.number, number);
+    thief.is_refused(Reason::Replaced).await;
 }
