@@ -1,5 +1,5 @@
 /** The morph of shaders/near.ts in numbers, and back: the point of the world that is shown somewhere. */
-import type { Vector } from '../control/vector';
+import { minus, type Vector } from '../control/vector';
 
 /** What the picture is morphed by; places are metres from the centre. */
 export interface Morph {
@@ -83,10 +83,6 @@ function determinant(a: Vector, b: Vector, c: Vector): number {
   return (
     a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) + c[0] * (a[1] * b[2] - a[2] * b[1])
   );
-}
-
-function minus(a: Vector, b: Vector): Vector {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
 function size(a: Vector, b: Vector): number {
