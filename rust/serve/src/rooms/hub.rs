@@ -45,14 +45,23 @@ pub struct Seat {
 impl Rooms {
     /// No room yet. With a key users need a token, and tickets last beyond the server's end.
     pub fn new(limits: Limits, key: Option<Key>) -> Result<Self, String> {
-        if limits.users >= usize::from(u16::MAX) {
-            return Err(format!("users: expected fewer than {}, got {}", u16::MAX, limits.users));
-        }
         let back = match &key {
             Some(key) => key.clone(),
             None => Key::new(&random::<32>()?)?,
         };
-        Ok(Rooms { limits, figures: Arc::new(Figures::new()), entry: key, back, state: Mutex::default() })
+        Self::with(limits, key, back)
+    }
+
+    /// No room yet. Users need no token; the key signs tickets, which last beyond the server's end.
+    pub fn open(limits: Limits, key: Key) -> Result<Self, String> {
+        Self::with(limits, None, key)
+    }
+
+    fn with(limits: Limits, entry: Option<Key>, back: Key) -> Result<Self, String> {
+        if limits.users >= usize::from(u16::MAX) {
+            return Err(format!("users: expected fewer than {}, got {}", u16::MAX, limits.users));
+        }
+        Ok(Rooms { limits, figures: Arc::new(Figures::new()), entry, back, state: Mutex::default() })
     }
 
     /// Let nobody in from now on, and end all connections.
