@@ -37,6 +37,9 @@ RETURNS = ("gone", "slow", "silent", "ending")
 Placing = tuple[ArrayLike, ArrayLike]
 """A position and a quaternion."""
 
+Payload = bytes | bytearray | memoryview
+"""What is said and signalled."""
+
 
 class Room:
     """A user's place in a room, from the beginning of an `async with` block to its end; `join` makes it.
@@ -67,7 +70,7 @@ class Room:
         self._users: dict[int, User] = {}
         self._user: int | None = None
         self._ticket = b""
-        self._missing = 0
+        self._missing: int | None = None
         self._sequence = 0
         self._inbox, self._trips = Inbox(), RoundTrips()
         self._connection: Connection | None = None
@@ -145,18 +148,18 @@ class Room:
             await self._send(frames.pose(moved), or_else=False)
         return moved.sequence
 
-    async def say(self, data: bytes, *, to: To = "group") -> None:
-        """Say at most 4,096 bytes to the group, or to the room; while the connection is broken, it waits for the return.
+    async def say(self, data: Payload, *, to: To = "group") -> None:
+        """Say at most 4,096 bytes to the group, or to the room; it waits for the return while the connection is broken.
 
         Raises
         ------
         RoomError
             If the connection breaks off, so that nobody may have heard it, or has ended.
         """
-        frame = frames.say(check.choice("to", to, ("group", "room")), _payload(data, frames.MOST_SAID))
-        await self._send_inside(frame)
+        check.choice("to", to, ("group", "room"))
+        await self._send_inside(frames.say(to, _payload(data, frames.MOST_SAID)))
 
-    async def signal(self, user: int, data: bytes) -> None:
+    async def signal(self, user: int, data: Payload) -> None:
         """Send at most 16,384 bytes to one user, whom the server knows or ignores; else as `say`."""
         number = check.integer("user", user, 0, 2**16 - 1)
         await self._send_inside(frames.signal(number, _payload(data, frames.MOST_SIGNALLED)))
@@ -172,9 +175,11 @@ class Room:
         if self._reading is not None:
             if self._there.is_set():
                 await self._send(frames.bye(), or_else=False)
+            self._finish(RoomError("bye", "the user left"))
             self._reading.cancel()
             await asyncio.wait([self._reading])
-        self._finish(RoomError("bye", "the user left"))
+            if not self._reading.cancelled():
+                self._reading.result()
 
     def __aiter__(self) -> Self:
         return self
@@ -195,8 +200,8 @@ class Room:
             async with asyncio.timeout(ENTERING):
                 await connection.open()
                 await connection.send(frames.hello(self._group, self._name, self._ticket))
-                self._user, self._missing = None, 0
-                while self._user is None or self._missing:
+                self._missing = None
+                while self._missing is None or self._missing > 0:
                     await self._take(connection)
         except TimeoutError:
             await connection.close()
@@ -210,28 +215,28 @@ class Room:
     async def _read_on(self) -> None:
         """Take messages, return after the connection broke off, and end at last."""
         try:
-            while True:
-                end = await self._read()
-                may_return = self._reconnects and end.reason in RETURNS
-                if not may_return:
-                    self._finish(end)
-                    return
+            end = await self._read()
+            while self._reconnects and end.reason in RETURNS:
                 self._add(Ended(end.reason, end.sentence, returns=True))
                 await self._return()
-        except RoomError as end:
-            self._finish(end)
+                end = await self._read()
+        except RoomError as error:
+            end = error
         finally:
             await self._leave()
+            self._inbox.end()
+        self._finish(end)
 
     async def _read(self) -> RoomError:
         """Take messages until the connection has ended; the reason."""
         try:
             while self._connection is not None:
                 await self._take(self._connection)
+            return broken()
         except RoomError as end:
-            await self._leave()
             return end
-        return broken()
+        finally:
+            await self._leave()
 
     async def _return(self) -> None:
         """Enter again, however often it takes; RoomError if that is in vain."""
@@ -292,7 +297,7 @@ class Room:
                     self._add(event)
             case Joined(user, name, group):
                 self._users[user] = User(user, name, group)
-                self._missing = max(0, self._missing - 1)
+                self._missing = (self._missing or 0) - 1
                 self._add(frame)
             case Left(user):
                 self._users.pop(user, None)
@@ -314,6 +319,7 @@ class Room:
 
     async def _send_inside(self, frame: bytes) -> None:
         """Send a frame as soon as the user is in the room; RoomError at the end."""
+        self._check_end()
         await self._there.wait()
         self._check_end()
         await self._send(frame)
@@ -332,7 +338,7 @@ class Room:
             raise RoomError(self._end.reason, self._end.sentence)
 
 
-def _payload(data: bytes, most: int) -> bytes:
+def _payload(data: Payload, most: int) -> bytes:
     if not isinstance(data, bytes | bytearray | memoryview):
         raise TypeError(f"data: expected bytes, such as text.encode() makes, got {check.described(data)}")
     payload = bytes(data)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import asyncio
 import importlib.util
 import os
 import ssl
 from dataclasses import dataclass
-from types import TracebackType
 from typing import TYPE_CHECKING
 from urllib.parse import quote, urlsplit
 
@@ -45,7 +43,7 @@ class Address:
 
 
 class Connection:
-    """A WebSocket, which is closed when its block ends."""
+    """A WebSocket, which `close` ends."""
 
     def __init__(self, address: Address) -> None:
         self._address = address
@@ -103,14 +101,6 @@ class Connection:
         finally:
             if self._session is not None:
                 await self._session.close()
-
-    async def __aenter__(self) -> Connection:
-        return self
-
-    async def __aexit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        await asyncio.shield(self.close())
 
 
 def broken() -> RoomError:

@@ -1,4 +1,4 @@
-"""Frames of rooms as bytes, which docs/rooms.md describes field by field: what users write and the server's are read."""
+"""Frames of rooms as bytes, field by field as in docs/rooms.md: those of users are written, the server's are read."""
 
 from __future__ import annotations
 

@@ -107,7 +107,7 @@ impl<'a> FromUser<'a> {
                 let name = name(&mut body)?;
                 FromUser::Hello { group, name, ticket: counted(&mut body)? }
             }
-            POSE => return Ok((FromUser::Pose(Pose::read(body)?), rest)),
+            POSE => return Ok((FromUser::Pose(Pose::read(body).map_err(Fault::Frame)?), rest)),
             ACK => FromUser::Ack { user: number(&mut body)?, sequence: body.try_get_u32_le().map_err(|_| SHORT)? },
             SAID => FromUser::Say { to: to(&mut body)?, payload: payload(&mut body, SAY)? },
             SIGNALLED => FromUser::Signal { user: number(&mut body)?, payload: payload(&mut body, SIGNAL)? },
@@ -167,7 +167,7 @@ impl<'a> FromServer<'a> {
             LEFT => FromServer::Left { user: number(&mut body)? },
             POSED => {
                 let user = number(&mut body)?;
-                return Ok((FromServer::Pose { user, pose: Pose::read(body)? }, rest));
+                return Ok((FromServer::Pose { user, pose: Pose::read(body).map_err(Fault::Frame)? }, rest));
             }
             TOLD => {
                 let (user, to) = (number(&mut body)?, to(&mut body)?);

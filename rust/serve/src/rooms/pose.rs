@@ -2,8 +2,6 @@
 
 use bytes::{Buf, BufMut};
 
-use super::frame::Fault;
-
 /// Most bytes of a pose.
 pub const MOST: usize = LEAST + 2 * PLACED + 4;
 /// Bytes of a pose without hands and pointer.
@@ -16,6 +14,9 @@ const FARTHEST: f32 = 1e6;
 const UNIT: std::ops::RangeInclusive<f32> = 0.81..=1.21;
 /// The number that 1 is in a rotation.
 const ONE: f32 = 32767.0;
+
+/// A sentence on bytes that end too early.
+const SHORT: &str = "a pose is too short";
 
 /// Flag: the group's users are to acknowledge this pose.
 const ACKNOWLEDGED: u8 = 1;
@@ -74,14 +75,14 @@ impl Pose {
         LEAST + hands * PLACED + self.pointer.map_or(0, |_| 4)
     }
 
-    /// Read a pose that takes all of these bytes.
-    pub fn read(mut body: &[u8]) -> Result<Self, Fault> {
-        let short = |_| Fault::Frame("a pose is too short");
+    /// Read a pose that takes all of these bytes; a sentence if they are none.
+    pub fn read(mut body: &[u8]) -> Result<Self, &'static str> {
+        let short = |_| SHORT;
         let sequence = body.try_get_u32_le().map_err(short)?;
         let clock = body.try_get_u64_le().map_err(short)?;
         let flags = body.try_get_u8().map_err(short)?;
         if flags & !KNOWN != 0 {
-            return Err(Fault::Frame("a pose has flags without a meaning"));
+            return Err("a pose has flags without a meaning");
         }
         let head = placed(&mut body)?;
         let mut hands = [None; 2];
@@ -98,18 +99,18 @@ impl Pose {
         };
         let pointer = match begin {
             None => None,
-            Some(Begin::Left) if hands[0].is_none() => return Err(Fault::Frame("a pointer begins at no hand")),
-            Some(Begin::Right) if hands[1].is_none() => return Err(Fault::Frame("a pointer begins at no hand")),
+            Some(Begin::Left) if hands[0].is_none() => return Err("a pointer begins at no hand"),
+            Some(Begin::Right) if hands[1].is_none() => return Err("a pointer begins at no hand"),
             Some(begin) => {
                 let length = body.try_get_f32_le().map_err(short)?;
                 if !(0.0..=FARTHEST).contains(&length) {
-                    return Err(Fault::Frame("a pointer's length is none"));
+                    return Err("a pointer's length is none");
                 }
                 Some((begin, length))
             }
         };
         if !body.is_empty() {
-            return Err(Fault::Frame("a pose is too long"));
+            return Err("a pose is too long");
         }
         let (is_acknowledged, stops) = (flags & ACKNOWLEDGED != 0, flags & STOPS != 0);
         Ok(Pose { sequence, clock, is_acknowledged, stops, head, hands, pointer })
@@ -134,8 +135,8 @@ impl Pose {
     }
 }
 
-fn placed(body: &mut &[u8]) -> Result<Placed, Fault> {
-    let short = |_| Fault::Frame("a pose is too short");
+fn placed(body: &mut &[u8]) -> Result<Placed, &'static str> {
+    let short = |_| SHORT;
     let (mut position, mut rotation) = ([0.0; 3], [0; 4]);
     for value in &mut position {
         *value = body.try_get_f32_le().map_err(short)?;
@@ -145,11 +146,11 @@ fn placed(body: &mut &[u8]) -> Result<Placed, Fault> {
     }
     // Not-a-number is in no range.
     if !position.iter().all(|value| (-FARTHEST..=FARTHEST).contains(value)) {
-        return Err(Fault::Frame("a position is none"));
+        return Err("a position is none");
     }
     let length: f32 = rotation.iter().map(|value| (f32::from(*value) / ONE).powi(2)).sum();
     if !UNIT.contains(&length) {
-        return Err(Fault::Frame("a rotation is no unit quaternion"));
+        return Err("a rotation is no unit quaternion");
     }
     Ok(Placed { position, rotation })
 }

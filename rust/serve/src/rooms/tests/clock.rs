@@ -93,6 +93,20 @@ async fn who_does_not_close_is_left_behind() {
 }
 
 #[tokio::test(start_paused = true)]
+async fn who_floods_is_not_read_on() {
+    let limits = Limits { messages_per_second: 1e-6, burst: Duration::from_secs(5_000_000), ..limits() };
+    let (mut user, served) = user(limits).await;
+    user.hello(0, "", &[]).await;
+    while user.socket.send(Message::binary(Vec::new())).await.is_ok() && !user.is_ended().await {}
+    let begun = Instant::now();
+    // More than the stream holds.
+    let more = user.socket.get_mut().write_all(&[0; 1 << 14]).await;
+    assert!(more.is_err(), "it is taken");
+    assert!(begun.elapsed() >= limits.linger - SECOND, "{:?}", begun.elapsed());
+    assert_eq!(served.await.expect("it ended"), Reason::Flood);
+}
+
+#[tokio::test(start_paused = true)]
 async fn a_message_that_comes_byte_by_byte_is_read() {
     let (mut user, served) = user(limits()).await;
     user.hello(0, "", &[]).await;

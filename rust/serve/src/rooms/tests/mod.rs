@@ -10,3 +10,4 @@ mod settled;
 mod slow;
 mod support;
 mod tokens;
+mod vectors;

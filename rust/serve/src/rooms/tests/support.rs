@@ -112,6 +112,14 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         self.frames.pop_front()
     }
 
+    /// Whether the server has ended the connection in a second.
+    pub async fn is_ended(&mut self) -> bool {
+        matches!(
+            timeout(Duration::from_secs(1), self.socket.next()).await,
+            Ok(None | Some(Err(_) | Ok(Message::Close(_))))
+        )
+    }
+
     /// Wait for a frame that something can be made of.
     pub async fn until<T>(&mut self, pick: impl Fn(FromServer<'_>) -> Option<T>) -> T {
         loop {
