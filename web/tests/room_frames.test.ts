@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import vectors from '../../tests/vectors/rooms.json';
 import { FrameError } from '../src/rooms/bytes';
-import { type FromServer, readMessage, writeFrame } from '../src/rooms/frames';
+import { type FromServer, type FromUser, readMessage, writeFrame } from '../src/rooms/frames';
 import type { Placed, Pose } from '../src/rooms/pose';
 import { framed, REST, served } from './support/room_frames';
 
@@ -143,4 +144,48 @@ test('a hello with a name that is none is not written', () => {
   const ticket = new Uint8Array();
   assert.throws(() => writeFrame({ kind: 'hello', group: 0, name: 'a\nb', ticket }), /control/);
   assert.throws(() => writeFrame({ kind: 'hello', group: 0, name: 'é'.repeat(33), ticket }), /too long/);
+});
+
+interface Field {
+  readonly [name: string]: unknown;
+}
+
+/** A frame of the page by the names of docs/rooms.md. */
+function named(frame: FromServer | FromUser): Field {
+  const whole = 'pose' in frame ? { ...frame, pose: namedPose(frame.pose) } : frame;
+  const fields = Object.entries(whole).map(([name, value]) => [
+    name === 'payload' ? 'data' : name,
+    value instanceof Uint8Array ? hex(value) : value,
+  ]);
+  return Object.fromEntries(fields) as Field;
+}
+
+function namedPose({ sequence, clock, isAcknowledged: acknowledged, stops, pointer, ...places }: Pose): Field {
+  const place = (of: Placed | null): unknown =>
+    of && { position: of.position, rotation: of.rotation.map((part) => Math.round(32767 * part)) };
+  const [head, left, right] = [place(places.head), place(places.left), place(places.right)];
+  return { sequence, clock: Number(clock), acknowledged, stops, head, left, right, pointer };
+}
+
+test('frames of the server are those of the vectors of all languages', () => {
+  for (const { frame, bytes, region } of vectors.servers) {
+    const read = readMessage(Uint8Array.from(Buffer.from(bytes, 'hex')));
+    assert.deepEqual(read.map(named), [frame], region);
+    assert.deepEqual(read.map(served).map(hex), [bytes], region);
+  }
+  for (const { server, region } of vectors.refused) {
+    if (server === null) continue;
+    assert.throws(() => readMessage(Uint8Array.from(Buffer.from(server, 'hex'))), FrameError, region);
+  }
+});
+
+test('poses of users are those of the vectors of all languages', () => {
+  const head = (bytes: string): string => bytes.slice(6);
+  for (const { frame, bytes, region } of vectors.servers.filter((vector) => vector.frame.kind === 'pose')) {
+    const [read] = readMessage(Uint8Array.from(Buffer.from(bytes, 'hex')));
+    assert.ok(read?.kind === 'pose' && frame.kind === 'pose');
+    const written = hex(writeFrame({ kind: 'pose', pose: read.pose }));
+    const expected = vectors.users.find((vector) => vector.region === region)?.bytes;
+    assert.deepEqual([head(written), written.slice(0, 2)], [head(expected ?? ''), '02'], region);
+  }
 });

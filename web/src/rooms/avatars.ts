@@ -9,8 +9,8 @@ import { createShapes } from './shapes';
 
 export interface Avatars extends Guests {
   readonly meshes: readonly Drawn[];
-  /** Those who are drawn from now on. */
-  show(seen: readonly Seen[], own: Own | null): void;
+  /** Those who are drawn from now on; `pixel` is the tangent of the angle that a pixel covers. */
+  show(seen: readonly Seen[], own: Own | null, pixel: number): void;
 }
 
 /** The user itself, of whom its own picture shows the pointer alone. */
@@ -26,13 +26,14 @@ interface Kept {
 
 export function createAvatars(shared: Shared): Avatars {
   const shapes = createShapes();
+  const common = { ...shared, pixel: { value: 0 } };
   const kept = new Map<number, Kept>();
 
   function of(number: number, name: string): Avatar {
     const found = kept.get(number);
     if (found?.name === name) return found.avatar;
     found?.avatar.dispose();
-    const avatar = createAvatar(number, name, shapes, shared);
+    const avatar = createAvatar(number, name, shapes, common);
     kept.set(number, { name, avatar });
     return avatar;
   }
@@ -49,7 +50,8 @@ export function createAvatars(shared: Shared): Avatars {
     get meshes() {
       return [...kept.values()].flatMap(({ avatar }) => avatar.meshes);
     },
-    show(seen, own) {
+    show(seen, own, pixel) {
+      common.pixel.value = pixel;
       forget(new Set([...seen.map(({ number }) => number), ...(own ? [own.number] : [])]));
       for (const { number, name, body } of seen) of(number, name).show(body, true);
       if (own) of(own.number, '').show(own.body, false);

@@ -28,9 +28,11 @@ ${HEAD}
 in vec3 position;
 uniform vec3 begin;
 uniform vec3 end;
-// Half widths: the least, metres, and the tangent of the least angle.
-const vec2 RIBBON = vec2(0.003, 0.0011);
-const vec2 SPOT = vec2(0.02, 0.005);
+// Tangent of the angle that a pixel covers.
+uniform float pixel;
+// Half widths: the least, metres, in pixels, so that no gaps are seen, and of the spot as the tangent of an angle.
+const vec2 RIBBON = vec2(0.003, 0.75);
+const vec3 SPOT = vec3(0.02, 2.5, 0.004);
 // Part of the way to the spot by which it is drawn nearer, in front of the surface that it lies on.
 const float BEFORE = 0.985;
 // Share of the way to the point that tells which way the ribbon goes on.
@@ -44,11 +46,13 @@ void main() {
   float away = length(at);
   if (is_spot) {
     mat3 axes = facing(at);
-    v_shown = BEFORE * at + (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, SPOT.y * away);
+    // From the centre, too, whose ranges the map holds.
+    v_point *= BEFORE;
+    v_shown = BEFORE * at + (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * away);
   } else {
     vec3 side = cross(shown(mix(begin, end, share + ONWARDS)) - at, at);
     side = dot(side, side) > 0.0 ? normalize(side) : vec3(0.0, 1.0, 0.0);
-    v_shown = at + side * position.y * max(RIBBON.x, RIBBON.y * away);
+    v_shown = at + side * position.y * max(RIBBON.x, RIBBON.y * pixel * away);
   }
   gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
 }

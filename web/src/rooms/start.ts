@@ -6,7 +6,7 @@ import { make } from '../ui/dom';
 import type { HandRay } from '../xr/hands';
 import { type Address, inviteOf, readAddress } from './address';
 import { NOTHING_HIT, targetAt } from './aim';
-import { createAvatars } from './avatars';
+import { type Avatars, createAvatars } from './avatars';
 import { connect, type Connection } from './connection';
 import type { FromServer } from './frames';
 import { createHere, type HereCommands } from './here';
@@ -18,6 +18,9 @@ import { createSender } from './sending';
 
 /** Seconds between two looks at what the pointer hits, and between two updates of the card. */
 const [AIM_EVERY, CARD_EVERY] = [1 / 36, 0.25] as const;
+
+/** The tangent of the angle that a pixel of a headset covers: some twenty are in a degree. */
+const HEADSET_PIXEL = 9e-4;
 
 /** The page, as far as a room uses it. */
 export interface Host {
@@ -34,6 +37,7 @@ export interface Host {
 export interface Room {
   readonly connection: Connection;
   readonly presence: Presence;
+  readonly avatars: Avatars;
   /** Others as they were drawn last, and the user's own body. */
   readonly seen: readonly Seen[];
   readonly body: Body | null;
@@ -106,6 +110,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   const room: Room = {
     connection,
     presence,
+    avatars,
     get seen() {
       return seen;
     },
@@ -118,13 +123,20 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
       sender.update(body, now);
       seen = presence.at(now);
       const { state } = connection;
-      avatars.show(seen, state.kind === 'here' && body.pointer ? { number: state.user, body } : null);
+      const own = state.kind === 'here' && body.pointer ? { number: state.user, body } : null;
+      avatars.show(seen, own, pixelOf(viewer));
       if (now - toldAt < CARD_EVERY) return;
       toldAt = now;
       told(room);
     },
   };
   return room;
+}
+
+/** The tangent of the angle that a pixel covers in the middle of the picture. */
+function pixelOf({ camera, renderer }: Viewer): number {
+  if (renderer.xr.isPresenting) return HEADSET_PIXEL;
+  return (2 * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(renderer.domElement.height, 1);
 }
 
 type Aim = (pose: Pose, place: Place, now: number) => Vector;
