@@ -142,7 +142,8 @@ def pointer_mask(viewer: RoomPage, number: int) -> Any:
 STAND = """([number, position]) => {
   const { presence } = window.nearfar.room;
   const head = { position, rotation: [0, 0, 0, 1] };
-  const pose = { sequence: 1, clock: 0n, isAcknowledged: false, stops: true, head, left: null, right: null, pointer: null };
+  const body = { head, left: null, right: null, pointer: null };
+  const pose = { ...body, sequence: 1, clock: 0n, isAcknowledged: false, stops: true };
   presence.hear({ kind: 'joined', user: number, group: 0, name: '' }, 0);
   presence.hear({ kind: 'pose', user: number, pose }, performance.now() / 1000);
 }"""
@@ -151,9 +152,9 @@ STAND = """([number, position]) => {
 def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPage], scene: nf.Scene) -> None:
     ada, _ = pair
     ada.page.evaluate("() => window.nearfar.viewer.setGuests(window.nearfar.room.avatars)")
-    ada.pose, before = {"position": list(CENTER), "yaw": far_wall(scene)[0], "pitch": 0.0}, ada.pose
+    yaw, away = far_wall(scene)
+    ada.pose, before = {"position": list(CENTER), "yaw": yaw, "pitch": 0.0}, ada.pose
     try:
-        yaw, away = far_wall(scene)
         ahead = np.array([-np.sin(yaw), 0, -np.cos(yaw)])
         empty = ada.picture()
         for share, is_seen in ((0.7, True), (1.3, False)):
