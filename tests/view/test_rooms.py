@@ -15,7 +15,7 @@ from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support.browser import opened, wait_for_ring, wait_until
-from tests.support.room_pages import RoomPage, ends, has_changed
+from tests.support.room_pages import AIMS, RoomPage, ends, has_changed
 
 pytestmark = pytest.mark.slow
 
@@ -62,8 +62,8 @@ def pair(chromium: Any, url: str) -> Iterator[tuple[RoomPage, RoomPage]]:
             # The figures lie over a part of the picture that is pointed at.
             shown.evaluate("() => document.querySelector('#ui').style.setProperty('display', 'none')")
             pages.append(RoomPage(shown, pose))
-        for one, other in (pages, pages[::-1]):
-            wait_until(one.page, lambda one=one, other=other: other.step() and one.step()["seen"])
+        # Each tells where it is by a step of its own.
+        wait_until(pages[0].page, lambda: sum(len(each.step()["seen"]) for each in pages) == len(pages))
         yield pages[0], pages[1]
         for each in pages:
             assert each.page.printed == []
@@ -126,6 +126,26 @@ def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
     assert beyond.max() < 4
     bob.page.keyboard.up("e")
     wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is None)
+
+
+def test_the_middle_button_and_a_finger_on_the_page_s_own_point(pair: tuple[RoomPage, RoomPage]) -> None:
+    _, bob = pair
+    bob.page.mouse.move(380.5, 175.5)
+    assert bob.step()["own"]["pointer"] is None
+    bob.page.mouse.down(button="middle")
+    bob.page.wait_for_timeout(AIMS)
+    at = bob.pixel_of([ends(bob.step()["own"])[1]], CENTER, ZONES)[0]
+    assert np.hypot(*(at - (380.5, 175.5))) < 0.6
+    bob.page.mouse.up(button="middle")
+    assert bob.step()["own"]["pointer"] is None
+    bob.page.wait_for_timeout(AIMS)
+    press = "([name]) => document.querySelector('[aria-keyshortcuts=E]').dispatchEvent(new PointerEvent(name))"
+    bob.page.evaluate("() => { Element.prototype.setPointerCapture = () => undefined; }")
+    bob.page.evaluate(press, ["pointerdown"])
+    at = bob.pixel_of([ends(bob.step()["own"])[1]], CENTER, ZONES)[0]
+    assert np.hypot(*(at - np.multiply(SIZE, 0.5))) < 1.2
+    bob.page.evaluate(press, ["pointerup"])
+    assert bob.step()["own"]["pointer"] is None
 
 
 def pointer_mask(viewer: RoomPage, number: int) -> Any:
