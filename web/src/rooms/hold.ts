@@ -13,7 +13,7 @@ export interface Hold {
   readonly place: Place | null;
 }
 
-/** The key and the mouse point at the cursor, or at the middle where there is none; a button of the page at the middle. */
+/** The key and the mouse point at the cursor, or at the middle where there is none; a button of the page there alone. */
 export function createHold(canvas: HTMLCanvasElement, button: HTMLElement, keys: EventTarget = window): Hold {
   const held = new Set<'key' | 'mouse' | 'button'>();
   let cursor: Place = MIDDLE;

@@ -48,7 +48,8 @@ void main() {
     mat3 axes = facing(at);
     // From the centre, too, whose ranges the map holds.
     v_point *= BEFORE;
-    v_shown = BEFORE * at + (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * away);
+    v_shown = BEFORE * at;
+    v_shown += (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * away);
   } else {
     vec3 side = cross(shown(mix(begin, end, share + ONWARDS)) - at, at);
     side = dot(side, side) > 0.0 ? normalize(side) : vec3(0.0, 1.0, 0.0);
