@@ -13,7 +13,7 @@ export interface Hold {
   readonly place: Place | null;
 }
 
-/** The key and the mouse point at the cursor, or at the middle where there is none; a button of the page there alone. */
+/** The key and the mouse point at the cursor, or at the middle where there is none; a button of the page there. */
 export function createHold(canvas: HTMLCanvasElement, button: HTMLElement, keys: EventTarget = window): Hold {
   const held = new Set<'key' | 'mouse' | 'button'>();
   let cursor: Place = MIDDLE;
