@@ -23,13 +23,20 @@ async function page(folder) {
   await mkdir(folder, { recursive: true });
   await build({
     ...common,
-    entryPoints: { page: 'src/page.ts', worker: 'src/decode/worker.ts' },
+    // The page loads the script of rooms where one is named; what both use is one more script.
+    entryPoints: { page: 'src/page.ts', rooms: 'src/rooms/start.ts' },
     outdir: folder,
+    splitting: true,
+    chunkNames: 'shared',
     minify: true,
     // Names in errors that people report.
     keepNames: true,
   });
-  await build({ entryPoints: ['src/page.css'], outdir: folder, bundle: true, minify: true, logLevel: 'warning' });
+  const alone = { ...common, outdir: folder, minify: true, keepNames: true };
+  await build({ ...alone, entryPoints: { worker: 'src/decode/worker.ts' } });
+  const styles = ['src/page.css', 'src/rooms/rooms.css'];
+  const flat = { outdir: folder, entryNames: '[name]', bundle: true, minify: true, logLevel: 'warning' };
+  await build({ ...flat, entryPoints: styles });
   await copyFile('src/index.html', `${folder}/index.html`);
   await widget(`${folder}/widget`);
   await orthoview(`${folder}/orthoview`);

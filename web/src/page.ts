@@ -7,6 +7,7 @@ import { readLink, writeLink } from './control/link';
 import { directionTo, placeFor } from './control/places';
 import type { Pose } from './control/pose';
 import { openAddress } from './opened';
+import type { Room } from './rooms/start';
 import { createMeter } from './show/meter';
 import { strategyOf } from './show/strategy';
 import { createViewer, type Viewer } from './show/viewer';
@@ -30,7 +31,7 @@ const LOST = 'The browser has taken the graphics away. The picture comes back as
 declare global {
   interface Window {
     /** The viewer, for scripts and tests. */
-    nearfar?: { readonly viewer: Viewer; readonly pose: Pose; setPose(pose: Pose): void };
+    nearfar?: { readonly viewer: Viewer; readonly pose: Pose; readonly room: Room | null; setPose(pose: Pose): void };
   }
 }
 
@@ -46,6 +47,7 @@ async function main(): Promise<void> {
   const { centers, files, world } = opened;
   if (opened.title !== null) document.title = `${opened.title} – nearfar`;
   let headset: Headset | null = null;
+  let room: Room | null = null;
   let problems: readonly string[] = [];
   /** Where the user is about to go, and where that has failed. */
   let [wanted, missed]: (Pose | null)[] = [null, null];
@@ -113,6 +115,9 @@ async function main(): Promise<void> {
     get pose() {
       return pose;
     },
+    get room() {
+      return room;
+    },
   };
   window.addEventListener('hashchange', () => go(readLink(location.hash) ?? pose));
   const divider = createDivider(root, (share) => {
@@ -150,12 +155,21 @@ async function main(): Promise<void> {
     },
   );
   viewer.open(world.places.nearest(start.position));
+  if (query.has('room')) {
+    const hands = (): Headset['hands'] | null => (headset?.isPresenting ? headset.hands : null);
+    const host = { viewer, canvas, root, nearShare: world.nearShare, hands, announce: panel.announce };
+    import('./rooms/start').then(
+      ({ enter }) => (room = enter(host)),
+      () => panel.announce('The script of rooms cannot be loaded; reload the page'),
+    );
+  }
   let last = performance.now();
   let sincePanel = PANEL_EVERY;
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
     pose = headset?.update(Math.min(seconds, LONGEST_FRAME)) ?? controls.update(seconds);
+    room?.frame(pose);
     viewer.frame(pose, Math.min(seconds, LONGEST_FRAME));
     controls.setBounds(viewer.facts.bounds);
     meter.frame(seconds);

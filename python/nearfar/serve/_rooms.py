@@ -33,8 +33,10 @@ class Rooms:
         Bytes of a message that a user sends.
     queue_bytes
         Bytes that wait for a user, besides poses; who lets more wait is closed.
-    messages_per_second, bytes_per_second
-        Rates that a user may send at; who sends more is closed.
+    sockets_per_client, rooms_per_client
+        Sockets of one client, and rooms that it has begun, at the same time. Programs on this machine may have all.
+    messages_per_second, bytes_per_second, said_bytes_per_second
+        Rates that a user may send at, and say and signal to others; who sends more is closed.
     burst_seconds
         So much time's worth of messages and of bytes may come at once.
     hello_seconds
@@ -59,10 +61,13 @@ class Rooms:
 
     rooms: int = 64
     users: int = 256
+    sockets_per_client: int = 128
+    rooms_per_client: int = 16
     message_bytes: int = 1 << 15
     queue_bytes: int = 1 << 17
     messages_per_second: float = 5000.0
     bytes_per_second: float = 131_072.0
+    said_bytes_per_second: float = 32_768.0
     burst_seconds: float = 2.0
     hello_seconds: float = 10.0
     ping_seconds: float = 10.0
@@ -75,10 +80,12 @@ class Rooms:
         check.integer("rooms", self.rooms, 1, _MOST)
         # Users have numbers of 16 bits, of which one is always free.
         check.integer("users", self.users, 1, 2**16 - 2)
-        # Less would not hold the largest signal, and no welcome of a room with many users.
+        for name in ("sockets_per_client", "rooms_per_client"):
+            check.integer(name, getattr(self, name), 1, _MOST)
+        # Less would not hold the largest signal.
         check.integer("message_bytes", self.message_bytes, 1 << 15, 1 << 24)
         check.integer("queue_bytes", self.queue_bytes, 1 << 15, 1 << 24)
-        for name in ("messages_per_second", "bytes_per_second"):
+        for name in ("messages_per_second", "bytes_per_second", "said_bytes_per_second"):
             check.within(name, getattr(self, name), 1.0, _MOST_RATE)
         for name in ("burst_seconds", "hello_seconds", "ping_seconds", "silent_seconds", "linger_seconds"):
             check.within(name, getattr(self, name), 0.01, _MOST_SECONDS)

@@ -35,6 +35,10 @@ export function moved(a: Vector, b: Vector, share: number): Vector {
   return [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
 }
 
+export function minus(a: Vector, b: Vector): Vector {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}
+
 export function isSamePose(a: Pose, b: Pose): boolean {
   return a.yaw === b.yaw && a.pitch === b.pitch && a.position.every((value, axis) => value === b.position[axis]);
 }

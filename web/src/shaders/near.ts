@@ -1,6 +1,6 @@
 /** Shaders of near geometry: the morph of its vertices, and nearfar's one shading formula. */
 import { IRRADIANCE, SRGB } from './light';
-import { SHARED } from './shared';
+import { SHARED, SHOWN_AT } from './shared';
 
 /** Whether vertices have texture coordinates. */
 const MAPPED = /* glsl */ `
@@ -40,17 +40,7 @@ uniform mat4 placement;
 out vec3 v_point;
 out vec3 v_shown;
 
-vec3 shown(vec3 p) {
-  vec3 from_user = p - cameraPosition;
-  float rho = length(p.xz);
-  if (!is_morphed() || (radii.w == 1.0 && rho <= radii.x)) {
-    return from_user;
-  }
-  float w = radii.w * user_weight(rho, radii.y, radii.z);
-  vec4 to = blended(from_user, p, w);
-  return to.w * to.xyz;
-}
-
+${SHOWN_AT}
 void main() {
 #ifdef PLACED
   mat4 placement = transpose(mat4(row_x, row_y, row_z, vec4(0.0, 0.0, 0.0, 1.0)));

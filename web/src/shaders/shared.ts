@@ -21,3 +21,17 @@ bool is_morphed() {
 `;
 
 export const SHARED = PRECISION + MORPH + SHOWN;
+
+/** Where a vertex shader shows a point, from the eye. */
+export const SHOWN_AT = /* glsl */ `
+vec3 shown(vec3 p) {
+  vec3 from_user = p - cameraPosition;
+  float rho = length(p.xz);
+  if (!is_morphed() || (radii.w == 1.0 && rho <= radii.x)) {
+    return from_user;
+  }
+  float w = radii.w * user_weight(rho, radii.y, radii.z);
+  vec4 to = blended(from_user, p, w);
+  return to.w * to.xyz;
+}
+`;

@@ -32,7 +32,7 @@ export function createComposer(
     if (!open?.shown || opacity === 0) return;
     const { ring, grown, fading } = open.shown;
     const picture = { region: open.region, radius: grown.radius, strength: isMorphed ? grown.strength : null };
-    painter.draw({ ...picture, ring }, camera, opacity, withMap);
+    painter.draw({ ...picture, ring }, camera, opacity, { map: !withMap });
     // While a region fades in, nothing in it does.
     if (opacity === 1 && fading && fading.share > 0) {
       painter.draw({ ...picture, ring: fading.ring }, camera, fading.share);

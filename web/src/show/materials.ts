@@ -39,10 +39,10 @@ export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
 }
 
 /** A radius beyond everything; infinity is no number to a GPU. */
-const NOWHERE = 1e30;
+export const NOWHERE = 1e30;
 
 /** Colours of a picture that fades in are mixed with those of the picture before; the canvas itself stays opaque. */
-const BLENDING = {
+export const BLENDING = {
   blending: CustomBlending,
   blendSrc: SrcAlphaFactor,
   blendDst: OneMinusSrcAlphaFactor,

@@ -1,5 +1,5 @@
 /** Draws pictures: near geometry where the morph shows it, and the map wherever nothing near is. */
-import { type Camera, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
+import { type Camera, type Material, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
 import type { Cube } from './cubes';
 import { farMaterial, type Shared } from './materials';
@@ -17,11 +17,26 @@ export interface Picture {
   readonly strength: number | null;
 }
 
+/** Other users, who are drawn as moving objects are: morphed, and hidden where the map is nearer. */
+export interface Guests {
+  readonly meshes: readonly (Mesh & { readonly material: Material })[];
+  /** Put them for pictures whose centre is at the origin. */
+  place(center: Point): void;
+}
+
+/** Parts of a picture that are left out. */
+export interface Without {
+  readonly map?: boolean;
+  readonly guests?: boolean;
+}
+
 export interface Painter {
   /** Let the GPU make ready what the first picture needs, while its files come. */
   prepare(camera: Camera): void;
   /** Draw a picture over what is there, as a share of it; 1 hides what was there. The map can be shown elsewhere. */
-  draw(picture: Picture, camera: Camera, opacity: number, withMap?: boolean): void;
+  draw(picture: Picture, camera: Camera, opacity: number, without?: Without): void;
+  /** Draw other users, too; null for none. */
+  setGuests(guests: Guests | null): void;
 }
 
 /**
@@ -37,12 +52,13 @@ export function createPainter(
   const near = new Scene();
   const far = new Scene();
   far.add(screen(shared));
+  let guests: Guests | null = null;
 
   return {
     prepare(camera) {
       renderer.compile(far, camera);
     },
-    draw(picture, camera, opacity, withMap = true) {
+    draw(picture, camera, opacity, without = {}) {
       const { region, ring, radius, strength } = picture;
       place(region.entry.center);
       const cube = hasMap(region, ring) ? cubeOf(region, ring) : blank();
@@ -55,26 +71,33 @@ export function createPainter(
       const { least, step } = cube.scale;
       shared.coding.value.set(least, step, cube.size, cube.hasRange ? 1 : 0);
       shared.opacity.value = opacity;
-      near.children = region.groups.slice(0, ring + 1) as Object3D[];
+      const others = without.guests ? [] : (guests?.meshes ?? []);
+      if (others.length > 0) guests?.place(region.entry.center);
+      const groups = region.groups.slice(0, ring + 1);
+      const drawn = opacity < 1 ? [...groups.flatMap(meshesOf), ...others] : [];
+      near.children = [...groups, ...others] as Object3D[];
       renderer.clearDepth();
       if (opacity < 1) {
         // Depth alone first: else a surface behind another one would shine through it.
-        setWrites(region, ring, false, true);
+        setWrites(drawn, false, true);
         renderer.render(near, camera);
-        setWrites(region, ring, true, false);
+        setWrites(drawn, true, false);
       }
       renderer.render(near, camera);
-      if (opacity < 1) setWrites(region, ring, true, true);
-      if (withMap) renderer.render(far, camera);
+      if (opacity < 1) setWrites(drawn, true, true);
+      if (!without.map) renderer.render(far, camera);
       near.children = [];
+    },
+    setGuests(next) {
+      guests = next;
     },
   };
 }
 
-function setWrites(region: Region, ring: number, color: boolean, depth: boolean): void {
-  for (const mesh of region.groups.slice(0, ring + 1).flatMap(meshesOf)) {
-    mesh.material.colorWrite = color;
-    mesh.material.depthWrite = depth;
+function setWrites(meshes: Guests['meshes'], color: boolean, depth: boolean): void {
+  for (const { material } of meshes) {
+    material.colorWrite = color;
+    material.depthWrite = depth;
   }
 }
 

@@ -4,8 +4,9 @@ import { BundleError } from '../bundle/error';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
-import type { Vector } from '../control/vector';
+import { minus, type Vector } from '../control/vector';
 import type { Triangles } from '../decode/messages';
+import { along } from './along';
 import { createAtlas, type Holding } from './atlas';
 import { createComposer } from './composer';
 import { createCube } from './cubes';
@@ -14,9 +15,9 @@ import { createFlight } from './flight';
 import { createJourney, type Journey, type Leg } from './journey';
 import type { Fetch, Loading } from './job';
 import { watchLoss } from './loss';
-import { createShared } from './materials';
+import { createShared, type Shared } from './materials';
 import { pick } from './pick';
-import { createPainter, type Picture } from './picture';
+import { createPainter, type Guests, type Picture } from './picture';
 import { createPrograms } from './programs';
 import { trianglesShown } from './region';
 import type { Manner, Shown } from './stage';
@@ -29,6 +30,8 @@ import type { Floor } from '../xr/floor';
 import type { MapLayer } from '../xr/layer';
 import { resolveOnce } from '../xr/samples';
 
+/** Pictures that tell where near geometry is. */
+const NEAR_ALONE = { map: true, guests: true } as const;
 /** Milliseconds of a frame that uploads and answers of workers may take: docs/view.md. */
 export const UPLOAD_BUDGET = 3;
 export interface Settings extends Manner {
@@ -60,6 +63,12 @@ export interface Viewer {
   go(target: Pose): void;
   /** The point of near geometry that the picture shows, x and y from its upper left from 0 to 1; null for none. */
   pointAt(x: number, y: number): Vector | null;
+  /** Metres along a ray of the world to near geometry where it is, unmorphed; null for none. */
+  along(origin: Vector, direction: Vector): number | null;
+  /** Uniforms of the pictures, for materials of guests. */
+  readonly shared: Shared;
+  /** Draw other users, too; null for none. */
+  setGuests(guests: Guests | null): void;
   /** Load again what failed. */
   retry(): void;
   /** Draw a frame for a user, some seconds after the one before. In a headset the pose is what it tells. */
@@ -228,11 +237,21 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       setPose(user);
       const { radius, strength } = shown.grown;
       const found = pick(renderer, camera, [x, y], () => {
-        painter.draw({ region, ring: shown.ring, radius, strength }, camera, 1, false);
+        painter.draw({ region, ring: shown.ring, radius, strength }, camera, 1, NEAR_ALONE);
       });
       const { center } = region.entry;
       return found && [found.x + center[0], found.y + center[1], found.z + center[2]];
     },
+    along(origin, direction) {
+      const open = leg && atlas.find(leg.region);
+      if (!open?.shown) return null;
+      const { region, shown } = open;
+      return along(renderer, minus(origin, region.entry.center), direction, (eye) => {
+        painter.draw({ region, ring: shown.ring, radius: shown.grown.radius, strength: null }, eye, 1, NEAR_ALONE);
+      });
+    },
+    shared,
+    setGuests: painter.setGuests,
     retry: atlas.retry,
     frame(pose, seconds) {
       user = pose;

@@ -19,6 +19,7 @@ import {
   turned,
   worldOf,
 } from './floor';
+import { createHands, type HandRay, type Hands } from './hands';
 import { type Input, readInputs } from './inputs';
 import { createMapLayer } from './layer';
 import { createLook, type Look } from './look';
@@ -27,6 +28,8 @@ import { createJump, type Jump } from './teleport';
 
 export interface Headset {
   readonly isPresenting: boolean;
+  /** The hands in the last frame. */
+  readonly hands: readonly HandRay[];
   /** Enter it, or leave it; browsers want a click or a key. */
   toggle(): Promise<void>;
   /** Put the user's head above another place; outside nothing happens. */
@@ -50,6 +53,7 @@ export interface HeadsetSettings {
 interface Visit {
   readonly look: Look;
   readonly aiming: Aiming;
+  readonly hands: Hands;
   readonly steering: Steering;
   readonly jump: Jump;
   readonly walk: ReturnType<typeof createWalk>;
@@ -70,6 +74,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
   // Those of the frame.
   let bounds: Bounds | null = null;
   let visit: Visit | null = null;
+  let hands: readonly HandRay[] = [];
   renderer.xr.enabled = true;
 
   async function enter(): Promise<void> {
@@ -100,6 +105,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
         const goal = floor && worldOf(floor, target);
         jump.start(() => (made.goal = goal));
       }),
+      hands: createHands(session),
       steering: createSteering(),
       jump: createJump(),
       walk: createWalk(pose, () => bounds, glides),
@@ -114,7 +120,9 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
   function leave(): void {
     if (!visit) return;
     const { look, aiming, floor, pose } = visit;
+    visit.hands.dispose();
     visit = null;
+    hands = [];
     look.dispose();
     aiming.dispose();
     viewer.setMapLayer(null);
@@ -143,6 +151,9 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     get isPresenting() {
       return visit !== null;
     },
+    get hands() {
+      return hands;
+    },
     toggle() {
       const session = renderer.xr.getSession();
       return session ? session.end() : enter();
@@ -164,6 +175,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
       visit.floor = floor;
       visit.pose = inWorld(floor, head);
       viewer.stand(floor);
+      hands = visit.hands.update(inputs, floor);
       const allowed = (wanted: Vector): Vector => localOf(floor, inside(worldOf(floor, wanted), bounds));
       visit.look.update(inputs, visit.aiming.update(inputs, allowed));
       return visit.pose;

@@ -1,0 +1,272 @@
+"""Pages in one room see each other's heads and pointers where they should be, before and behind what is far."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.serve._rooms import Rooms
+from nearfar.serve._server import Server
+from nearfar.serve._site import Site
+from tests.support.browser import opened, wait_for_ring, wait_until
+from tests.support.room_pages import AIMS, RoomPage, ends, has_changed
+
+pytestmark = pytest.mark.slow
+
+SIZE = (480, 320)
+DESKTOP, PHONE = (1280, 800), (390, 844)
+CENTER = (3.0, 1.7, -2.0)
+RADII = (10.0, 22.0)
+ZONES = (0.7 * RADII[-1], RADII[-1])
+POSES = {
+    "Ada": {"position": [3.0, 1.7, 1.0], "yaw": 0.0, "pitch": 0.0},
+    "Bob": {"position": [2.2, 1.7, -3.5], "yaw": 0.0, "pitch": 0.0},
+}
+TARGETS = ((240, 178), (330, 150), (380, 175), (150, 178))
+"""Pixels that Bob points at: the road, and a house in the zone of the morph and beyond, which Ada sees, too."""
+
+
+@pytest.fixture(scope="module")
+def scene() -> nf.Scene:
+    return nf.datasets.city(blocks=3, detail=1)
+
+
+@pytest.fixture(scope="module")
+def bundle(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("rooms") / "bundle"
+    nf.stream.export(scene, folder, center=CENTER, radii=RADII, face_size=256)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def url(bundle: Path) -> Iterator[str]:
+    with Server({"": Site.of_bundle(bundle)}, rooms=Rooms()) as server:
+        yield f"{server.url}?aa=0&strategy=clovrd"
+
+
+@pytest.fixture(scope="module")
+def pair(chromium: Any, url: str) -> Iterator[tuple[RoomPage, RoomPage]]:
+    """Ada and Bob, who know where the other one is."""
+    with ExitStack() as stack:
+        pages = []
+        for name, pose in POSES.items():
+            shown = stack.enter_context(opened(chromium, *SIZE))
+            shown.goto(f"{url}&room=pair&name={name}")
+            assert wait_for_ring(shown, len(RADII)) == ""
+            # The figures lie over a part of the picture that is pointed at.
+            shown.evaluate("() => document.querySelector('#ui').style.setProperty('display', 'none')")
+            pages.append(RoomPage(shown, pose))
+        # Each tells where it is by a step of its own.
+        wait_until(pages[0].page, lambda: sum(len(each.step()["seen"]) for each in pages) == len(pages))
+        yield pages[0], pages[1]
+        for each in pages:
+            assert each.page.printed == []
+
+
+def test_heads_are_where_users_are_and_look_where_they_look(pair: tuple[RoomPage, RoomPage]) -> None:
+    for one, other in (pair, pair[::-1]):
+        (seen,) = one.step()["seen"]
+        np.testing.assert_allclose(seen["head"]["position"], other.pose["position"], atol=1e-6)
+        half = 0.5 * other.pose["yaw"]
+        np.testing.assert_allclose(seen["head"]["rotation"], [0, np.sin(half), 0, np.cos(half)], atol=1e-4)
+    ada, bob = pair
+    found = ada.picture()
+    ada.page.evaluate("() => window.nearfar.viewer.setGuests(null)")
+    without = ada.picture()
+    mask = np.abs(found - without).max(axis=-1) > 20
+    head = np.add(bob.pose["position"], [[0, 0, 0.06], [0, 0.1, 0.06], [0, -0.1, 0.06], [0, 0.25, 0]])
+    for at in ada.pixel_of(head, CENTER, ZONES):
+        assert has_changed(mask, at, 1.5)
+    # Nothing else has: a head and a name at 4.5 m.
+    rows, columns = np.nonzero(mask)
+    middle = ada.pixel_of(head[:1], CENTER, ZONES)[0]
+    assert np.hypot(columns - middle[0], rows - middle[1]).max() < 40
+
+
+@pytest.mark.parametrize("pixel", TARGETS)
+def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
+    pair: tuple[RoomPage, RoomPage], scene: nf.Scene, pixel: tuple[int, int]
+) -> None:
+    ada, bob = pair
+    bob.page.keyboard.up("e")
+    bob.step()
+    end = ends(bob.point_at(*pixel)["own"])[1]
+    rho = float(np.hypot(*np.subtract(end, CENTER)[[0, 2]]))
+    # It is a point of the scene, which Bob's picture shows in that pixel; of the map the error is a texel.
+    near = rho < RADII[-1]
+    assert nf.nearest_points(scene, [end]).distance[0] < (0.1 if near else 0.02 * rho)
+    shown = bob.pixel_of([end], CENTER, ZONES)[0]
+    assert np.hypot(*(shown - np.add(pixel, 0.5))) < (0.6 if near else 1.0)
+
+    def has_come() -> bool:
+        bob.step()
+        seen = ada.step()["seen"][0]
+        return bool(seen["pointer"]) and bool(np.linalg.norm(ends(seen)[1] - end) < max(0.02, 1e-3 * rho))
+
+    wait_until(ada.page, has_come)
+    seen = ada.step()["seen"][0]
+    assert np.linalg.norm(ends(seen)[1] - end) < 0.1
+    mask = pointer_mask(ada, seen["number"])
+    begin = ends(seen)[0]
+    for share in (0.2, 0.5, 0.8):
+        at = ada.pixel_of([begin + share * (end - begin)], CENTER, ZONES)[0]
+        assert has_changed(mask, at, 1.5), f"the ray is not seen at {share}"
+    places = ada.pixel_of([begin + 0.9 * (end - begin), end], CENTER, ZONES)
+    assert has_changed(mask, places[1], 1.5)
+    # Nothing goes on behind the spot.
+    onwards = (places[1] - places[0]) / max(np.linalg.norm(places[1] - places[0]), 1e-9)
+    rows, columns = np.nonzero(mask)
+    beyond = (np.stack([columns + 0.5, rows + 0.5], axis=1) - places[1]) @ onwards
+    assert beyond.max() < 4
+    bob.page.keyboard.up("e")
+    wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is None)
+
+
+def test_the_middle_button_and_a_finger_on_the_page_s_own_point(pair: tuple[RoomPage, RoomPage]) -> None:
+    _, bob = pair
+    bob.page.mouse.move(380.5, 175.5)
+    assert bob.step()["own"]["pointer"] is None
+    bob.page.mouse.down(button="middle")
+    bob.page.wait_for_timeout(AIMS)
+    at = bob.pixel_of([ends(bob.step()["own"])[1]], CENTER, ZONES)[0]
+    assert np.hypot(*(at - (380.5, 175.5))) < 0.6
+    bob.page.mouse.up(button="middle")
+    assert bob.step()["own"]["pointer"] is None
+    bob.page.wait_for_timeout(AIMS)
+    press = "([name]) => document.querySelector('[aria-keyshortcuts=E]').dispatchEvent(new PointerEvent(name))"
+    bob.page.evaluate("() => { Element.prototype.setPointerCapture = () => undefined; }")
+    bob.page.evaluate(press, ["pointerdown"])
+    at = bob.pixel_of([ends(bob.step()["own"])[1]], CENTER, ZONES)[0]
+    assert np.hypot(*(at - np.multiply(SIZE, 0.5))) < 1.2
+    bob.page.evaluate(press, ["pointerup"])
+    assert bob.step()["own"]["pointer"] is None
+
+
+def pointer_mask(viewer: RoomPage, number: int) -> Any:
+    """Pixels (H, W) that muting the pointer of a user changes."""
+    mute = "([number, isMuted]) => window.nearfar.room.presence.mute(number, isMuted)"
+    viewer.page.evaluate("() => window.nearfar.viewer.setGuests(window.nearfar.room.avatars)")
+    found = viewer.picture()
+    viewer.page.evaluate(mute, [number, True])
+    without = viewer.picture()
+    viewer.page.evaluate(mute, [number, False])
+    return np.abs(found - without).max(axis=-1) > 12
+
+
+STAND = """([number, position]) => {
+  const { presence } = window.nearfar.room;
+  const head = { position, rotation: [0, 0, 0, 1] };
+  const body = { head, left: null, right: null, pointer: null };
+  const pose = { ...body, sequence: 1, clock: 0n, isAcknowledged: false, stops: true };
+  presence.hear({ kind: 'joined', user: number, group: 0, name: '' }, 0);
+  presence.hear({ kind: 'pose', user: number, pose }, performance.now() / 1000);
+}"""
+
+
+def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPage], scene: nf.Scene) -> None:
+    ada, _ = pair
+    ada.page.evaluate("() => window.nearfar.viewer.setGuests(window.nearfar.room.avatars)")
+    yaw, away = far_wall(scene)
+    ada.pose, before = {"position": list(CENTER), "yaw": yaw, "pitch": 0.0}, ada.pose
+    try:
+        ahead = np.array([-np.sin(yaw), 0, -np.cos(yaw)])
+        empty = ada.picture()
+        for share, is_seen in ((0.7, True), (1.3, False)):
+            ada.page.evaluate(STAND, [999, (CENTER + share * away * ahead).tolist()])
+            mask = np.abs(ada.picture() - empty).max(axis=-1) > 12
+            assert has_changed(mask, np.multiply(SIZE, 0.5), 3) == is_seen
+    finally:
+        ada.page.evaluate("() => window.nearfar.room.presence.hear({ kind: 'left', user: 999 }, 0)")
+        ada.pose = before
+
+
+def far_wall(scene: nf.Scene) -> tuple[float, float]:
+    """A direction, as yaw, in which the centre sees a wall beyond the last ring, and its distance."""
+    yaws = np.linspace(-np.pi, np.pi, 720, endpoint=False)
+    aheads = np.stack([-np.sin(yaws), np.zeros_like(yaws), -np.cos(yaws)], axis=1)
+    aways = nf.cast_rays(scene, np.broadcast_to(CENTER, aheads.shape), aheads).t_hit
+    spread = np.stack([np.roll(aways, shift) for shift in range(-3, 4)])
+    is_wall = (spread.min(axis=0) > 35) & (spread.max(axis=0) < 1.1 * spread.min(axis=0)) & (aways < 120)
+    number = int(np.argmax(is_wall))
+    assert is_wall[number]
+    return float(yaws[number]), float(aways[number])
+
+
+@pytest.mark.parametrize("size", [DESKTOP, PHONE])
+def test_the_card_tells_who_is_here(chromium: Any, url: str, size: tuple[int, int]) -> None:
+    with opened(chromium, *size) as page, opened(chromium, *SIZE) as other:
+        for shown, name, group in ((page, "Ada", 0), (other, "Grace Hopper", 1)):
+            shown.goto(f"{url}&rings=0&room=card{size[0]}&name={name}&group={group}&token=mine")
+        chip = page.get_by_role("button", name="2 here")
+        chip.click()
+        card = page.get_by_role("region", name="Here")
+        assert card.get_by_role("listitem").all_inner_texts() == ["Ada (you)", "Grace Hopper (other group)"]
+        mute = card.get_by_role("button", name="Mute the pointer of Grace Hopper")
+        mute.click()
+        page.get_by_role("button", name="Show the pointer of Grace Hopper").wait_for()
+        assert page.evaluate("() => window.nearfar.room.presence.guests.map(({ isMuted }) => isMuted)") == [True]
+        link = page.evaluate("""() => new Promise((done) => {
+          navigator.clipboard.writeText = async (text) => done(text);
+          [...document.querySelectorAll('.here button')].find((button) => button.textContent === 'Copy link').click();
+        })""")
+        assert f"room=card{size[0]}&group=0" in link
+        assert "mine" not in link
+        assert "Ada" not in link
+        boxes = [page.locator(name).bounding_box() for name in (".here-chip", ".here", ".tools")]
+        for box in boxes:
+            assert box["x"] >= 0
+            assert box["y"] >= 0
+            assert box["x"] + box["width"] <= size[0]
+            assert box["y"] + box["height"] <= size[1]
+        assert boxes[1]["y"] + boxes[1]["height"] <= boxes[2]["y"]
+        other.close()
+        page.get_by_role("button", name="1 here").wait_for()
+        assert page.printed == []
+
+
+def test_a_room_that_there_cannot_be_is_told(chromium: Any, url: str) -> None:
+    with opened(chromium, *SIZE) as page:
+        page.goto(f"{url}&rings=0&room=a/b")
+        assert "expected a name" in page.get_by_role("region", name="Here").inner_text()
+        assert page.printed == []
+
+
+def test_nothing_of_rooms_is_asked_for_where_none_is_named(chromium: Any, url: str) -> None:
+    with opened(chromium, *SIZE) as page:
+        asked: list[str] = []
+        page.on("request", lambda request: asked.append(request.url))
+        page.goto(f"{url}&rings=0")
+        assert wait_for_ring(page, 0) == ""
+        assert any("shared.js" in each for each in asked)
+        assert not any("rooms" in each for each in asked)
+
+
+def test_users_come_back_by_themselves_when_the_server_does(chromium: Any, bundle: Path) -> None:
+    sites, rooms = {"": Site.of_bundle(bundle)}, Rooms(key=bytes(32))
+    state = "() => window.nearfar?.room?.connection.state"
+    with opened(chromium, *SIZE) as page:
+        with Server(sites, rooms=rooms) as server:
+            page.goto(f"{server.url}?rings=0&room=again")
+            wait_until(page, lambda: (page.evaluate(state) or {}).get("kind") == "here")
+            user, port = page.evaluate(state)["user"], server.port
+        wait_until(page, lambda: page.evaluate(state)["kind"] == "waiting")
+        assert "server ends" in page.evaluate(state)["words"]
+        with Server(sites, port=port, rooms=rooms):
+            wait_until(page, lambda: page.evaluate(state)["kind"] == "here")
+            assert page.evaluate(state)["user"] == user
+
+
+def test_a_user_without_a_token_is_told(chromium: Any, bundle: Path) -> None:
+    rooms = Rooms(key=bytes(32), needs_token=True)
+    with opened(chromium, *SIZE) as page, Server({"": Site.of_bundle(bundle)}, rooms=rooms) as server:
+        page.goto(f"{server.url}?rings=0&room=closed")
+        page.get_by_role("button", name="Not connected").click()
+        card = page.get_by_role("region", name="Here")
+        assert "does not let you into the room" in card.inner_text()
+        assert card.get_by_role("button", name="Join again").is_visible()

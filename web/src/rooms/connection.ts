@@ -1,0 +1,187 @@
+/** A connection to a room: it joins, comes back by itself, acknowledges poses and measures round trips. */
+import { type Address, relayOf } from './address';
+import { FrameError } from './bytes';
+import { type FromServer, type FromUser, readMessage, writeFrame } from './frames';
+import type { Body } from './pose';
+import { type End, endOf, endOfCode } from './reasons';
+import { createRoundTrips, type RoundTrips } from './round_trips';
+
+/** Seconds of the first pause before it comes back, and of the longest. */
+const [FIRST, LONGEST] = [1, 30] as const;
+/** Seconds in the room after which pauses begin anew, and those in which a server must let a user in. */
+const [STAYED, WELCOME] = [10, 15] as const;
+/** Bytes that wait to be sent, from which on poses are dropped. */
+const WAITING = 1 << 14;
+
+export type State =
+  | { readonly kind: 'joining' }
+  | { readonly kind: 'here'; readonly user: number }
+  /** It comes back after some seconds. */
+  | { readonly kind: 'waiting'; readonly words: string; readonly seconds: number }
+  | { readonly kind: 'ended'; readonly words: string };
+
+/** The part of the browser's WebSocket that is used. */
+export type Socket = Pick<
+  WebSocket,
+  'binaryType' | 'bufferedAmount' | 'close' | 'onclose' | 'onmessage' | 'onopen' | 'send'
+>;
+
+export interface ConnectionSettings {
+  readonly address: Address;
+  /** The page beside which the room is. */
+  readonly page: string;
+  /** A frame of the server, and the time at which it came; `welcome` says that nobody else is known any more. */
+  readonly heard: (frame: FromServer, now: number) => void;
+  readonly changed: (state: State) => void;
+  /** The browser's, by default. */
+  readonly open?: (url: string) => Socket;
+  /** Seconds from any begin. */
+  readonly now?: () => number;
+  /** Act after some seconds; the answer is a function that prevents it. */
+  readonly later?: (seconds: number, action: () => void) => () => void;
+}
+
+export interface Connection {
+  readonly state: State;
+  readonly roundTrips: RoundTrips;
+  /** Send where the user is; false if the room does not take it now. */
+  pose(body: Body, stops: boolean): boolean;
+  /** Come back after it has ended, or at once while it waits. */
+  retry(): void;
+  leave(): void;
+}
+
+export function connect(settings: ConnectionSettings): Connection {
+  const { address, page, heard, changed, open = openSocket, now = seconds, later = wait } = settings;
+  const roundTrips = createRoundTrips();
+  let state: State = { kind: 'joining' };
+  let socket: Socket | null = null;
+  let ticket: Uint8Array = new Uint8Array();
+  let pause: number = FIRST;
+  let [entered, sequence] = [0, 0];
+  let stop = (): void => undefined;
+  /** Others who get this user's poses. */
+  const peers = new Set<number>();
+
+  function set(next: State): void {
+    state = next;
+    changed(next);
+  }
+
+  function join(): void {
+    stop();
+    set({ kind: 'joining' });
+    const own = open(relayOf(page, address));
+    socket = own;
+    own.binaryType = 'arraybuffer';
+    own.onopen = () => {
+      if (socket === own) send({ kind: 'hello', group: address.group, name: address.name, ticket });
+    };
+    own.onmessage = ({ data }) => {
+      if (socket === own) take(data);
+    };
+    own.onclose = ({ code }) => {
+      if (socket === own) end(endOfCode(code, state.kind === 'here'));
+    };
+    stop = later(WELCOME, () => end({ words: 'The room does not answer.', isFinal: false }));
+  }
+
+  function take(data: unknown): void {
+    try {
+      if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is a text');
+      const time = now();
+      for (const frame of readMessage(new Uint8Array(data))) if (socket) follow(frame, time);
+    } catch (error) {
+      if (!(error instanceof FrameError)) throw error;
+      end({ words: `This page does not understand the server: ${error.message}.`, isFinal: false });
+    }
+  }
+
+  function follow(frame: FromServer, time: number): void {
+    if (frame.kind === 'refused') {
+      end(endOf(frame.reason));
+      return;
+    }
+    if ((frame.kind === 'welcome') === (state.kind === 'here')) throw new FrameError('expected one welcome, first');
+    if (frame.kind === 'welcome') {
+      stop();
+      ticket = frame.ticket;
+      entered = time;
+      peers.clear();
+      roundTrips.forget();
+      set({ kind: 'here', user: frame.user });
+    } else if (frame.kind === 'joined' && frame.group === address.group) {
+      peers.add(frame.user);
+    } else if (frame.kind === 'left') {
+      peers.delete(frame.user);
+    } else if (frame.kind === 'settled') {
+      roundTrips.settle(frame.sequence, time);
+    } else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
+      send({ kind: 'ack', user: frame.user, sequence: frame.pose.sequence });
+    }
+    heard(frame, time);
+  }
+
+  function send(frame: FromUser): void {
+    socket?.send(writeFrame(frame));
+  }
+
+  function drop(): void {
+    stop();
+    const old = socket;
+    socket = null;
+    old?.close();
+  }
+
+  function end({ words, isFinal }: End): void {
+    const wasLong = state.kind === 'here' && now() - entered >= STAYED;
+    drop();
+    if (isFinal) {
+      set({ kind: 'ended', words });
+      return;
+    }
+    if (wasLong) pause = FIRST;
+    const before = pause;
+    pause = Math.min(2 * pause, LONGEST);
+    stop = later(before, join);
+    set({ kind: 'waiting', words, seconds: before });
+  }
+
+  join();
+  return {
+    roundTrips,
+    get state() {
+      return state;
+    },
+    pose(body, stops) {
+      if (state.kind !== 'here' || !socket || socket.bufferedAmount > WAITING) return false;
+      const time = now();
+      sequence += 1;
+      // Nobody else settles it.
+      const isAcknowledged = peers.size > 0 && roundTrips.send(sequence, time);
+      send({ kind: 'pose', pose: { ...body, sequence, clock: BigInt(Math.round(1e6 * time)), isAcknowledged, stops } });
+      return true;
+    },
+    retry() {
+      if (state.kind === 'waiting' || state.kind === 'ended') join();
+    },
+    leave() {
+      if (state.kind === 'here') send({ kind: 'bye' });
+      drop();
+      set({ kind: 'ended', words: 'You have left the room.' });
+    },
+  };
+}
+
+function openSocket(url: string): Socket {
+  return new WebSocket(url);
+}
+
+function seconds(): number {
+  return performance.now() / 1000;
+}
+
+function wait(seconds: number, action: () => void): () => void {
+  const timer = setTimeout(action, 1000 * seconds);
+  return () => clearTimeout(timer);
+}

@@ -1,0 +1,129 @@
+/** Frames of rooms as bytes: a kind, the length of the body, and the body. docs/rooms.md has a table of every field. */
+import { FrameError, Reader, Writer } from './bytes';
+import { type Pose, readPose, writePose } from './pose';
+
+/** Version of all frames. */
+const VERSION = 1;
+/** Most bytes of a user's name, of what is said, and of a signal. */
+export const NAME = 64;
+const [SAY, SIGNAL] = [1 << 12, 1 << 14] as const;
+
+const KINDS = { hello: 1, pose: 2, ack: 3, bye: 6 } as const;
+/** Kinds of the server's frames. */
+export const SERVER = {
+  welcome: 129,
+  pose: 130,
+  settled: 131,
+  say: 132,
+  signal: 133,
+  joined: 134,
+  left: 135,
+  refused: 136,
+} as const;
+
+/** A frame that a user sends; the page says nothing else. */
+export type FromUser =
+  | { readonly kind: 'hello'; readonly group: number; readonly name: string; readonly ticket: Uint8Array }
+  | { readonly kind: 'pose'; readonly pose: Pose }
+  | { readonly kind: 'ack'; readonly user: number; readonly sequence: number }
+  | { readonly kind: 'bye' };
+
+/** A frame that the server sends. */
+export type FromServer =
+  | { readonly kind: 'welcome'; readonly user: number; readonly others: number; readonly ticket: Uint8Array }
+  | { readonly kind: 'pose'; readonly user: number; readonly pose: Pose }
+  | { readonly kind: 'settled'; readonly sequence: number }
+  | { readonly kind: 'say'; readonly user: number; readonly to: 'group' | 'room'; readonly payload: Uint8Array }
+  | { readonly kind: 'signal'; readonly user: number; readonly payload: Uint8Array }
+  | { readonly kind: 'joined'; readonly user: number; readonly group: number; readonly name: string }
+  | { readonly kind: 'left'; readonly user: number }
+  | { readonly kind: 'refused'; readonly reason: number; readonly sentence: string };
+
+/** All frames of a message of the server; a `FrameError` if one of them is none. */
+export function readMessage(message: Uint8Array): FromServer[] {
+  const frames: FromServer[] = [];
+  const bytes = new Reader(message);
+  while (!bytes.isAtEnd) {
+    const [kind, length] = [bytes.u8(), bytes.u16()];
+    frames.push(readFrame(kind, new Reader(bytes.take(length))));
+  }
+  return frames;
+}
+
+function readFrame(kind: number, body: Reader): FromServer {
+  const frame = readBody(kind, body);
+  body.end();
+  return frame;
+}
+
+function readBody(kind: number, body: Reader): FromServer {
+  switch (kind) {
+    case SERVER.welcome:
+      return { kind: 'welcome', user: body.u16(), others: body.u16(), ticket: body.take(body.u8()).slice() };
+    case SERVER.pose:
+      return { kind: 'pose', user: body.u16(), pose: readPose(body) };
+    case SERVER.settled:
+      return { kind: 'settled', sequence: body.u32() };
+    case SERVER.say:
+      return { kind: 'say', user: body.u16(), to: readTo(body), payload: body.rest(SAY).slice() };
+    case SERVER.signal:
+      return { kind: 'signal', user: body.u16(), payload: body.rest(SIGNAL).slice() };
+    case SERVER.joined:
+      return { kind: 'joined', user: body.u16(), group: body.u16(), name: readName(body) };
+    case SERVER.left:
+      return { kind: 'left', user: body.u16() };
+    case SERVER.refused:
+      return { kind: 'refused', reason: body.u8(), sentence: textOf(body.rest(SAY), 'a sentence is no text') };
+    default:
+      throw new FrameError('a frame is of no kind that the server sends');
+  }
+}
+
+/** The bytes of a frame; a `FrameError` for a hello whose name or ticket is none. */
+export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
+  const body = new Writer();
+  if (frame.kind === 'hello') {
+    body.u8(VERSION);
+    body.u16(frame.group);
+    const name = new TextEncoder().encode(checkedName(frame.name));
+    for (const bytes of [name, frame.ticket]) {
+      if (bytes.length > 0xff) throw new FrameError('a ticket is too long');
+      body.u8(bytes.length);
+      body.put(bytes);
+    }
+  } else if (frame.kind === 'pose') {
+    writePose(body, frame.pose);
+  } else if (frame.kind === 'ack') {
+    body.u16(frame.user);
+    body.u32(frame.sequence);
+  }
+  const out = new Writer();
+  out.u8(KINDS[frame.kind]);
+  out.u16(body.length);
+  out.put(body.done());
+  return out.done();
+}
+
+function readTo(body: Reader): 'group' | 'room' {
+  const to = (['group', 'room'] as const)[body.u8()];
+  if (!to) throw new FrameError('expected the group or the room');
+  return to;
+}
+
+function readName(body: Reader): string {
+  return checkedName(textOf(body.take(body.u8()), 'a name is no text'));
+}
+
+function checkedName(name: string): string {
+  if (new TextEncoder().encode(name).length > NAME) throw new FrameError('a name is too long');
+  if (/\p{Cc}/u.test(name)) throw new FrameError('a name has control characters');
+  return name;
+}
+
+function textOf(bytes: Uint8Array, sentence: string): string {
+  try {
+    return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
+  } catch {
+    throw new FrameError(sentence);
+  }
+}

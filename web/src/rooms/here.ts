@@ -1,0 +1,158 @@
+/** Who is here: a card with names, whose pointers can be muted, and with what the room says of itself. */
+import { icon, make, write } from '../ui/dom';
+import { milliseconds } from '../ui/format';
+import { copyText } from '../ui/out';
+import { cssOf } from './color';
+import type { State } from './connection';
+import type { Guest } from './presence';
+
+/** Outlines in a square of 24 units: an arrow, and a ray with what it hits. */
+const POINT = 'M5 4l6 15 2.2-6.3L19.5 10.5zM14 14l5 5';
+const POINTER = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1M20 2l-1 1';
+
+export interface HereCommands {
+  mute(number: number, isMuted: boolean): void;
+  retry(): void;
+  /** A link for others. */
+  link(): string;
+  announce(text: string): void;
+}
+
+/** The user itself, and all others. */
+export interface Room {
+  readonly name: string;
+  readonly group: number;
+  readonly guests: readonly Guest[];
+  /** Seconds; null for none that is known. */
+  readonly roundTrip: number | null;
+}
+
+export interface Here {
+  /** Held to point at the middle of the picture. */
+  readonly button: HTMLElement;
+  /** Show who is here, a few times a second. */
+  update(state: State, room: Room): void;
+  /** There is no room, for a reason. */
+  refuse(words: string): void;
+}
+
+/** Build the card in the element that holds the panel. */
+export function createHere(root: HTMLElement, commands: HereCommands): Here {
+  const chip = make('button', { type: 'button', class: 'chip card here-chip', 'aria-controls': 'here' });
+  const list = make('ul', { class: 'here-list' });
+  const words = make('p', { class: 'here-words', role: 'status' });
+  const [again, copy] = [action('Join again', commands.retry), action('Copy link', () => void share())];
+  const card = make(
+    'section',
+    { class: 'card here', id: 'here', 'aria-label': 'Here', hidden: true },
+    make('h2', {}, 'Here'),
+    list,
+    words,
+    make('div', { class: 'here-actions' }, copy, again),
+  );
+  const corner = make('div', { class: 'here-corner' }, chip, card);
+  const title = 'Hold to point at the middle of the picture (E at the cursor)';
+  const text = make('span', { class: 'tool-label' }, 'Point');
+  const button = make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': 'E' }, icon(POINT), text);
+  root.querySelector('.top')?.append(corner);
+  const bar = root.querySelector('.tools');
+  bar?.append(button);
+  bar?.classList.add('tools-many');
+  chip.addEventListener('click', () => open(card.hidden !== false));
+  open(false);
+  const rows = new Map<number, Row>();
+  const you = row();
+  let last: State | null = null;
+
+  function open(isOpen: boolean): void {
+    card.hidden = !isOpen;
+    chip.setAttribute('aria-expanded', String(isOpen));
+  }
+
+  async function share(): Promise<void> {
+    const link = commands.link();
+    commands.announce((await copyText(link)) ? 'Link to the room copied' : link);
+  }
+
+  function tell(state: State, { roundTrip }: Room): void {
+    write(words, wordsOf(state, roundTrip));
+    words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
+    again.hidden = state.kind === 'here' || state.kind === 'joining';
+    // What changes by itself while the user looks elsewhere.
+    const isNews = state !== last && 'words' in state;
+    if (isNews && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
+    if (state.kind !== 'joining') last = state;
+  }
+
+  return {
+    button,
+    update(state, room) {
+      const isHere = state.kind === 'here';
+      write(chip, isHere ? `${room.guests.length + 1} here` : state.kind === 'joining' ? 'Joining' : 'Not connected');
+      chip.dataset['wrong'] = String(!isHere && state.kind !== 'joining');
+      tell(state, room);
+      const numbers = new Set(room.guests.map(({ number }) => number));
+      for (const number of rows.keys()) if (!numbers.has(number)) rows.delete(number);
+      you.show(`${room.name} (you)`, isHere ? cssOf(state.user) : '', null);
+      const others = room.guests.map((guest) => {
+        const found = rows.get(guest.number) ?? row((isMuted) => commands.mute(guest.number, isMuted));
+        rows.set(guest.number, found);
+        const isElsewhere = guest.group !== room.group;
+        found.show(isElsewhere ? `${guest.name} (other group)` : guest.name, cssOf(guest.number), guest.isMuted);
+        return found.element;
+      });
+      arrange(list, [you.element, ...others]);
+    },
+    refuse(reason) {
+      write(chip, 'No room');
+      write(words, reason);
+      chip.dataset['wrong'] = words.dataset['wrong'] = 'true';
+      for (const each of [again, copy, button]) each.hidden = true;
+      commands.announce(reason);
+      open(true);
+    },
+  };
+}
+
+interface Row {
+  readonly element: HTMLElement;
+  /** `isMuted` is null for who cannot be muted. */
+  show(name: string, color: string, isMuted: boolean | null): void;
+}
+
+function row(mute?: (isMuted: boolean) => void): Row {
+  const dot = make('span', { class: 'here-dot', 'aria-hidden': 'true' });
+  const name = make('span', { class: 'here-name' });
+  const button = make('button', { type: 'button', class: 'button-icon' }, icon(POINTER));
+  button.addEventListener('click', () => mute?.(button.getAttribute('aria-pressed') !== 'true'));
+  return {
+    element: make('li', {}, dot, name, ...(mute ? [button] : [])),
+    show(text, color, isMuted) {
+      write(name, text);
+      dot.style.setProperty('--color', color);
+      if (isMuted === null || button.getAttribute('aria-pressed') === String(isMuted)) return;
+      button.setAttribute('aria-pressed', String(isMuted));
+      const title = `${isMuted ? 'Show' : 'Mute'} the pointer of ${text}`;
+      button.setAttribute('aria-label', title);
+      button.title = title;
+    },
+  };
+}
+
+function action(text: string, run: () => void): HTMLButtonElement {
+  const made = make('button', { type: 'button', class: 'button-main' }, text);
+  made.addEventListener('click', run);
+  return made;
+}
+
+function wordsOf(state: State, roundTrip: number | null): string {
+  if (state.kind === 'here') return roundTrip === null ? '' : `Round trip ${milliseconds(1000 * roundTrip)}`;
+  if (state.kind === 'joining') return 'Joining the room';
+  return state.kind === 'waiting' ? `${state.words} Trying again in ${state.seconds} s.` : state.words;
+}
+
+/** Put children into an order, and leave alone what is in it. */
+function arrange(list: HTMLElement, wanted: readonly HTMLElement[]): void {
+  const isSame = list.children.length === wanted.length && wanted.every((child, at) => list.children[at] === child);
+  if (!isSame) list.replaceChildren(...wanted);
+}

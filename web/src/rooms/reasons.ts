@@ -1,0 +1,48 @@
+/** Why a connection to a room has ended, in words. */
+
+/** Numbers of the reasons of docs/rooms.md. */
+const REASON = {
+  version: 2,
+  frame: 3,
+  token: 4,
+  full: 5,
+  flood: 6,
+  slow: 7,
+  silent: 8,
+  replaced: 9,
+  ending: 10,
+} as const;
+/** Close codes of WebSocket: that of a reason is so many higher than its number. */
+const OWN = 4000;
+
+const WORDS: Readonly<Record<number, string>> = {
+  [REASON.version]: 'The server has another version of rooms than this page. Reload the page.',
+  [REASON.frame]: 'The server does not understand what this page sends.',
+  [REASON.token]: 'This link does not let you into the room. Ask for another one.',
+  [REASON.full]: 'The room is full.',
+  [REASON.flood]: 'This page has sent more than the server takes.',
+  [REASON.slow]: 'The connection is too slow for this room.',
+  [REASON.silent]: 'The server has not heard from this page.',
+  [REASON.replaced]: 'You have entered the room elsewhere.',
+  [REASON.ending]: 'The server ends.',
+};
+/** Reasons after which coming back would not help. */
+const FINAL: ReadonlySet<number> = new Set([REASON.version, REASON.token, REASON.replaced]);
+
+/** How a connection has ended. */
+export interface End {
+  readonly words: string;
+  /** It is of no use to try again. */
+  readonly isFinal: boolean;
+}
+
+/** The end by a reason's number. */
+export function endOf(reason: number): End {
+  return { words: WORDS[reason] ?? 'The room has ended the connection.', isFinal: FINAL.has(reason) };
+}
+
+/** The end that a close code of WebSocket tells; `wasIn` if the user was in the room. */
+export function endOfCode(code: number, wasIn: boolean): End {
+  if (code > OWN) return endOf(code - OWN);
+  return { words: wasIn ? 'The connection to the room broke off.' : 'The room cannot be reached.', isFinal: false };
+}

@@ -1,0 +1,52 @@
+/** When a user's own poses are sent: as often as others can use them, and only while something changes. */
+import type { Body, Placed, Pointer } from './pose';
+
+/** Poses a second. */
+const RATE = 72;
+/** Metres, and part of a rotation, that count as no change; part of its length that a pointer may change unnoticed. */
+const [STILL, STEADY, SHARE] = [1e-3, 5e-4, 1e-3] as const;
+
+export interface Sender {
+  /** Where the user is now, once a frame; times are seconds. */
+  update(body: Body, now: number): void;
+  /** Somebody does not know yet where the user is. */
+  repeat(): void;
+}
+
+/** `send` is given a pose, and whether none follows until the user moves again; it answers whether it was taken. */
+export function createSender(send: (body: Body, stops: boolean) => boolean): Sender {
+  let last: Body | null = null;
+  let hasStopped = false;
+  let next = -Infinity;
+
+  return {
+    update(body, now) {
+      const isSame = last !== null && isSameBody(body, last);
+      if ((isSame && hasStopped) || now < next) return;
+      if (!send(body, isSame)) return;
+      // A frame that comes late does not put off the next one, and a pause saves none up.
+      next = Math.max(next + 1 / RATE, now);
+      [last, hasStopped] = [body, isSame];
+    },
+    repeat() {
+      hasStopped = false;
+    },
+  };
+}
+
+function isSameBody(a: Body, b: Body): boolean {
+  const isSameHand = (side: 'head' | 'left' | 'right'): boolean => isSamePlaced(a[side], b[side]);
+  return isSameHand('head') && isSameHand('left') && isSameHand('right') && isSamePointer(a.pointer, b.pointer);
+}
+
+function isSamePlaced(a: Placed | null, b: Placed | null): boolean {
+  if (!a || !b) return a === b;
+  const isNear = (of: readonly number[], other: readonly number[], most: number): boolean =>
+    of.every((value, axis) => Math.abs(value - (other[axis] ?? 0)) <= most);
+  return isNear(a.position, b.position, STILL) && isNear(a.rotation, b.rotation, STEADY);
+}
+
+function isSamePointer(a: Pointer | null, b: Pointer | null): boolean {
+  if (!a || !b) return a === b;
+  return a.begin === b.begin && Math.abs(a.length - b.length) <= SHARE * b.length;
+}

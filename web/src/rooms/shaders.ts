@@ -1,0 +1,82 @@
+/** Vertex shaders of what faces the viewer: pointers and names. Fragments are those of near geometry. */
+import { SHARED, SHOWN_AT } from '../shaders/shared';
+
+/** Axes of a square that faces the viewer, upright. */
+const FACING = /* glsl */ `
+mat3 facing(vec3 at) {
+  vec3 toward = -normalize(at);
+  vec3 right = cross(vec3(0.0, 1.0, 0.0), toward);
+  right = dot(right, right) > 1e-6 ? normalize(right) : vec3(1.0, 0.0, 0.0);
+  return mat3(right, cross(toward, right), toward);
+}
+`;
+
+const HEAD = /* glsl */ `
+${SHARED}
+${SHOWN_AT}
+${FACING}
+uniform mat4 projectionMatrix;
+uniform mat4 viewMatrix;
+out vec3 v_point;
+out vec3 v_shown;
+`;
+
+/** A pointer: a ribbon along the ray, each piece of which is morphed, and a spot where it ends. */
+export const POINTER_VERTEX = /* glsl */ `
+${HEAD}
+// Share of the way, 2 for the spot; and how far to the side and up, in parts of the half width.
+in vec3 position;
+uniform vec3 begin;
+uniform vec3 end;
+// Tangent of the angle that a pixel covers.
+uniform float pixel;
+// Half widths: the least, metres, in pixels, so that no gaps are seen, and of the spot as the tangent of an angle.
+const vec2 RIBBON = vec2(0.003, 0.75);
+const vec3 SPOT = vec3(0.02, 2.5, 0.004);
+// Part of the way to the spot by which it is drawn nearer, in front of the surface that it lies on.
+const float BEFORE = 0.985;
+// Share of the way to the point that tells which way the ribbon goes on.
+const float ONWARDS = 0.004;
+
+void main() {
+  bool is_spot = position.x > 1.5;
+  float share = min(position.x, 1.0);
+  v_point = mix(begin, end, share);
+  vec3 at = shown(v_point);
+  float away = length(at);
+  if (is_spot) {
+    mat3 axes = facing(at);
+    // From the centre, too, whose ranges the map holds.
+    v_point *= BEFORE;
+    v_shown = BEFORE * at;
+    v_shown += (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * away);
+  } else {
+    vec3 side = cross(shown(mix(begin, end, share + ONWARDS)) - at, at);
+    side = dot(side, side) > 0.0 ? normalize(side) : vec3(0.0, 1.0, 0.0);
+    v_shown = at + side * position.y * max(RIBBON.x, RIBBON.y * pixel * away);
+  }
+  gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
+}
+`;
+
+/** A name above a head, which is as high as it must be to be read. */
+export const NAME_VERTEX = /* glsl */ `
+${HEAD}
+in vec3 position;
+in vec2 uv;
+out vec2 v_uv;
+uniform vec3 begin;
+// Width in parts of the height.
+uniform float ratio;
+// Least height, metres, and the tangent of the least angle.
+const vec2 HEIGHT = vec2(0.08, 0.032);
+
+void main() {
+  v_point = begin;
+  v_uv = uv;
+  vec3 at = shown(v_point);
+  mat3 axes = facing(at);
+  v_shown = at + (axes[0] * position.x * ratio + axes[1] * position.y) * max(HEIGHT.x, HEIGHT.y * length(at));
+  gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
+}
+`;

@@ -1,0 +1,137 @@
+/**
+ * Where another user is shown as time passes. Its poses have its own clock, are late, each by another time, or do not
+ * come. So it is drawn some time behind: as much as poses are late, and the time between two of them. Where that does
+ * not suffice, the movement goes on for a moment and stops. Times are seconds.
+ */
+import { between } from './between';
+import type { Body, Pose } from './pose';
+
+/** Poses that are kept: more than half a second. */
+const KEPT = 48;
+/** Both clocks are compared over so long, once or twice: clocks drift. */
+const WINDOW = 10;
+/** For how long a movement goes on by itself, and how fast it may be, metres a second: faster ones are jumps. */
+const [ONWARDS, FASTEST] = [0.1, 20] as const;
+/** Time between poses at first, and the longest that counts as such. */
+const [INTERVAL, PAUSE] = [1 / 72, 0.1] as const;
+/** The longest time behind, beyond what the way takes at least; in what time lateness is forgotten by e. */
+const [MOST_LATE, FORGET] = [0.25, 3] as const;
+/** Part of the time by which time behind may change, so that nobody sees it; a greater difference is no drift. */
+const [SLEW, STEP] = [0.1, 0.5] as const;
+
+interface Sample {
+  readonly time: number;
+  readonly sequence: number;
+  readonly body: Body;
+  readonly stops: boolean;
+}
+
+export interface Track {
+  /** A pose has come; poses that are known are ignored. */
+  hear(pose: Pose, now: number): void;
+  /** What is drawn now; null before the first pose. */
+  at(now: number): Body | null;
+  /** Seconds from the present of the user's own clock back to what is drawn, without the least time that poses take. */
+  readonly behind: number;
+}
+
+export function createTrack(): Track {
+  let begin = 0n;
+  let samples: Sample[] = [];
+  let [interval, late, latest] = [INTERVAL, 0, 0];
+  /** Least difference of both clocks, in this window and in the one before. */
+  let least = { since: 0, now: Infinity, before: Infinity };
+  /** What is subtracted from the time here; null until something is drawn. */
+  let subtracted: number | null = null;
+  let drawn = 0;
+
+  function reset(clock: bigint): void {
+    begin = clock;
+    samples = [];
+    [interval, late, subtracted] = [INTERVAL, 0, null];
+    least = { since: -Infinity, now: Infinity, before: Infinity };
+  }
+
+  /** Compare both clocks when a pose comes. */
+  function compare(difference: number, now: number): void {
+    if (now - least.since > WINDOW) least = { since: now, now: difference, before: least.now };
+    least.now = Math.min(least.now, difference);
+    late = Math.max(late * Math.exp(-(now - latest) / FORGET), difference - offset());
+    latest = now;
+  }
+
+  function offset(): number {
+    return Math.min(least.now, least.before);
+  }
+
+  function add(sample: Sample): void {
+    const place = lastOf(samples, ({ sequence }) => sequence < sample.sequence) + 1;
+    if (samples[place]?.sequence === sample.sequence) return;
+    const before = samples[place - 1];
+    const gap = sample.time - (before?.time ?? -Infinity);
+    if (before && !before.stops && gap > 0 && gap < PAUSE) interval += 0.1 * (gap - interval);
+    samples = [...samples.slice(0, place), sample, ...samples.slice(place)].slice(-KEPT);
+  }
+
+  /** When the movement to a pose began. */
+  function beginOf(before: Sample, after: Sample): number {
+    return before.stops ? Math.max(before.time, after.time - interval) : before.time;
+  }
+
+  function bodyAt(time: number): Body | null {
+    const number = lastOf(samples, (sample) => sample.time <= time);
+    const [before, after] = [samples[number], samples[number + 1]];
+    if (!before) return samples[0]?.body ?? null;
+    if (!after) return onwards(samples[number - 1], before, time);
+    const start = beginOf(before, after);
+    return between(before.body, after.body, Math.max(time - start, 0) / (after.time - start));
+  }
+
+  function onwards(before: Sample | undefined, last: Sample, time: number): Body {
+    if (!before || last.stops) return last.body;
+    const length = last.time - beginOf(before, last);
+    const [a, b] = [before.body.head.position, last.body.head.position];
+    const isJump = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > FASTEST * length;
+    if (isJump || !(length > 0)) return last.body;
+    return between(before.body, last.body, 1 + Math.min(time - last.time, ONWARDS) / length);
+  }
+
+  return {
+    hear(pose, now) {
+      const newest = samples.at(-1);
+      let time = Number(pose.clock - begin) / 1e6;
+      const isOther = newest && pose.sequence > newest.sequence && time <= newest.time;
+      if (!newest || isOther) {
+        reset(pose.clock);
+        time = 0;
+      } else if (pose.sequence < newest.sequence && time >= newest.time) {
+        return;
+      }
+      compare(now - time, now);
+      add({ time, sequence: pose.sequence, body: pose, stops: pose.stops });
+    },
+    at(now) {
+      if (samples.length === 0) return null;
+      const wanted = offset() + interval + Math.min(late, MOST_LATE);
+      const change = wanted - (subtracted ?? wanted);
+      const most = SLEW * Math.max(now - drawn, 0);
+      const isDrift = subtracted !== null && Math.abs(change) < STEP;
+      subtracted = isDrift ? (subtracted ?? 0) + Math.min(Math.max(change, -most), most) : wanted;
+      drawn = now;
+      return bodyAt(now - subtracted);
+    },
+    get behind() {
+      return subtracted === null ? 0 : subtracted - offset();
+    },
+  };
+}
+
+/** The number of the last sample of some kind, or −1. */
+function lastOf(samples: readonly Sample[], isOfKind: (sample: Sample) => boolean): number {
+  let number = samples.length - 1;
+  for (; number >= 0; number--) {
+    const sample = samples[number];
+    if (sample && isOfKind(sample)) break;
+  }
+  return number;
+}

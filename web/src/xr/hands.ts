@@ -1,0 +1,40 @@
+/** Where the hands of a headset are in the world, and which of them point. */
+import type { Vector } from '../control/vector';
+import { type Floor, worldOf } from './floor';
+import type { Input } from './inputs';
+
+export interface HandRay {
+  readonly side: 'left' | 'right';
+  /** In the world; the direction is a unit vector. */
+  readonly origin: Vector;
+  readonly direction: Vector;
+  /** The grip is squeezed. */
+  readonly isSqueezed: boolean;
+}
+
+export interface Hands {
+  /** Those that are tracked, above a floor. */
+  update(inputs: readonly Input[], floor: Floor): HandRay[];
+  dispose(): void;
+}
+
+export function createHands(session: XRSession): Hands {
+  const stop = new AbortController();
+  const squeezed = new Set<XRInputSource>();
+  const { signal } = stop;
+  session.addEventListener('squeezestart', ({ inputSource }) => squeezed.add(inputSource), { signal });
+  session.addEventListener('squeezeend', ({ inputSource }) => squeezed.delete(inputSource), { signal });
+
+  return {
+    update(inputs, floor) {
+      const turn = { position: [0, 0, 0], yaw: floor.yaw } as const;
+      return inputs.flatMap(({ source, ray }) => {
+        const { handedness: side } = source;
+        if (!ray || side === 'none') return [];
+        const [origin, direction] = [worldOf(floor, ray.origin), worldOf(turn, ray.direction)];
+        return [{ side, origin, direction, isSqueezed: squeezed.has(source) }];
+      });
+    },
+    dispose: () => stop.abort(),
+  };
+}

@@ -1,0 +1,275 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { inviteOf, readAddress, relayOf } from '../src/rooms/address';
+import { connect, type Connection, type Socket, type State } from '../src/rooms/connection';
+import type { FromServer } from '../src/rooms/frames';
+import { framed, REST, served } from './support/room_frames';
+
+/** A socket that a test opens and closes. */
+class Fake implements Socket {
+  binaryType: BinaryType = 'blob';
+  bufferedAmount = 0;
+  onopen: Socket['onopen'] = null;
+  onmessage: Socket['onmessage'] = null;
+  onclose: Socket['onclose'] = null;
+  readonly sent: Uint8Array[] = [];
+  isClosed = false;
+
+  constructor(readonly url: string) {}
+
+  send(data: unknown): void {
+    this.sent.push(data as Uint8Array);
+  }
+
+  close(): void {
+    this.isClosed = true;
+  }
+
+  open(): void {
+    this.onopen?.call(this as unknown as WebSocket, {} as Event);
+  }
+
+  /** Frames of the server come in one message. */
+  comes(...frames: readonly (FromServer | Uint8Array)[]): void {
+    const bytes = frames.map((frame) => (frame instanceof Uint8Array ? frame : served(frame)));
+    this.data(Uint8Array.from(Buffer.concat(bytes)).buffer);
+  }
+
+  data(data: unknown): void {
+    this.onmessage?.call(this as unknown as WebSocket, { data } as MessageEvent);
+  }
+
+  breaks(code = 1006): void {
+    this.onclose?.call(this as unknown as WebSocket, { code } as CloseEvent);
+  }
+}
+
+interface Bench {
+  readonly connection: Connection;
+  readonly sockets: Fake[];
+  readonly states: State[];
+  readonly heard: FromServer[];
+  /** The socket that was opened last. */
+  socket(): Fake;
+  /** Let some seconds pass. */
+  pass(seconds: number): void;
+}
+
+function bench(): Bench {
+  let time = 100;
+  let timers: { at: number; action: () => void }[] = [];
+  const [sockets, states, heard]: [Fake[], State[], FromServer[]] = [[], [], []];
+  const connection = connect({
+    address: { room: 'a b', name: 'Ada', group: 3, token: '7.x.y' },
+    page: 'https://host:8/folder/index.html?room=1#p=1,2,3',
+    heard: (frame) => heard.push(frame),
+    changed: (state) => states.push(state),
+    open: (url) => {
+      sockets.push(new Fake(url));
+      return sockets.at(-1) as Fake;
+    },
+    now: () => time,
+    later(seconds, action) {
+      const timer = { at: time + seconds, action };
+      timers.push(timer);
+      return () => (timers = timers.filter((other) => other !== timer));
+    },
+  });
+  return {
+    connection,
+    sockets,
+    states,
+    heard,
+    socket: () => sockets.at(-1) as Fake,
+    pass(seconds) {
+      time += seconds;
+      const due = timers.filter(({ at }) => at <= time + 1e-9);
+      timers = timers.filter((timer) => !due.includes(timer));
+      for (const { action } of due) action();
+    },
+  };
+}
+
+const WELCOME: FromServer = { kind: 'welcome', user: 5, others: 1, ticket: new Uint8Array([1, 2, 3]) };
+const PEER: FromServer = { kind: 'joined', user: 6, group: 3, name: 'Peer' };
+
+function entered(): Bench {
+  const made = bench();
+  made.socket().open();
+  made.socket().comes(WELCOME, PEER);
+  return made;
+}
+
+test('it joins the room beside the page, by name and token', () => {
+  const { socket, states, heard, connection } = bench();
+  assert.equal(socket().url, 'wss://host:8/folder/rooms/a%20b?token=7.x.y');
+  assert.equal(socket().binaryType, 'arraybuffer');
+  assert.deepEqual(connection.state, { kind: 'joining' });
+  assert.equal(connection.pose(REST, false), false);
+  socket().open();
+  assert.equal(Buffer.from(socket().sent[0] ?? []).toString('hex'), '010800' + '010300' + '03416461' + '00');
+  socket().comes(WELCOME, PEER);
+  assert.deepEqual(states.at(-1), { kind: 'here', user: 5 });
+  assert.deepEqual(heard.map(({ kind }) => kind), ['welcome', 'joined']);
+});
+
+test('it comes back with its ticket, after pauses that double to half a minute', () => {
+  const { socket, sockets, states, pass } = entered();
+  socket().breaks();
+  for (const seconds of [1, 2, 4, 8, 16, 30, 30]) {
+    const state = states.at(-1);
+    assert.deepEqual(state?.kind === 'waiting' && state.seconds, seconds);
+    const before = sockets.length;
+    pass(seconds - 0.01);
+    assert.equal(sockets.length, before);
+    pass(0.01);
+    assert.equal(sockets.length, before + 1);
+    socket().breaks();
+  }
+  pass(30);
+  socket().open();
+  assert.deepEqual([...(socket().sent[0] ?? [])].slice(-4), [3, 1, 2, 3]);
+  socket().comes(WELCOME);
+  // Who has been there for long begins with the shortest pause.
+  pass(10);
+  socket().breaks();
+  const state = states.at(-1);
+  assert.deepEqual(state?.kind === 'waiting' && state.seconds, 1);
+});
+
+test('a server that lets in and throws out is not asked faster and faster', () => {
+  const { socket, states, pass } = entered();
+  socket().breaks(4006);
+  pass(1);
+  socket().open();
+  socket().comes(WELCOME);
+  socket().breaks(4006);
+  const state = states.at(-1);
+  assert.ok(state?.kind === 'waiting' && state.seconds === 2 && /more than the server takes/.test(state.words));
+});
+
+test('reasons are told in words, and final ones end it until the user asks', () => {
+  const words: Readonly<Record<number, [string, RegExp]>> = {
+    2: ['ended', /another version/],
+    4: ['ended', /does not let you into/],
+    9: ['ended', /entered the room elsewhere/],
+    5: ['waiting', /full/],
+    10: ['waiting', /ends/],
+    200: ['waiting', /ended the connection/],
+  };
+  for (const [reason, [kind, expected]] of Object.entries(words)) {
+    for (const isFrame of [true, false]) {
+      const { socket, sockets, states, connection } = entered();
+      if (isFrame) socket().comes({ kind: 'refused', reason: Number(reason), sentence: '<b>' });
+      else socket().breaks(4000 + Number(reason));
+      const state = states.at(-1);
+      assert.equal(state?.kind, kind);
+      assert.match(state && 'words' in state ? state.words : '', expected);
+      connection.retry();
+      assert.equal(sockets.length, 2);
+    }
+  }
+});
+
+test('a server that does not answer, or breaks off, is told apart', () => {
+  const silent = bench();
+  silent.pass(15);
+  assert.match(JSON.stringify(silent.states.at(-1)), /does not answer/);
+  assert.ok(silent.sockets[0]?.isClosed);
+  const absent = bench();
+  absent.socket().breaks();
+  assert.match(JSON.stringify(absent.states.at(-1)), /cannot be reached/);
+  const broken = entered();
+  broken.socket().breaks();
+  assert.match(JSON.stringify(broken.states.at(-1)), /broke off/);
+});
+
+test('garbage of a server ends the connection, and nothing of it is heard after', () => {
+  const unknown = framed(7, new Uint8Array()).slice().buffer;
+  for (const data of ['text', new Uint8Array([130, 1]).buffer, unknown]) {
+    const { socket, states, heard } = entered();
+    const [count, own] = [heard.length, socket()];
+    own.data(data);
+    assert.equal(states.at(-1)?.kind, 'waiting');
+    own.comes(PEER);
+    own.breaks();
+    assert.equal(heard.length, count);
+    assert.equal(states.filter(({ kind }) => kind === 'waiting').length, 1);
+  }
+  const twice = entered();
+  twice.socket().comes(WELCOME);
+  assert.equal(twice.states.at(-1)?.kind, 'waiting');
+  const early = bench();
+  early.socket().comes(PEER);
+  assert.equal(early.states.at(-1)?.kind, 'waiting');
+});
+
+test('poses of others are acknowledged at once, those that ask for it', () => {
+  const { socket } = entered();
+  const before = socket().sent.length;
+  socket().comes(
+    { kind: 'pose', user: 6, pose: { ...REST, sequence: 8 } },
+    { kind: 'pose', user: 6, pose: { ...REST, sequence: 9, isAcknowledged: true } },
+  );
+  const answers = socket().sent.slice(before).map((bytes) => Buffer.from(bytes).toString('hex'));
+  assert.deepEqual(answers, ['030600' + '0600' + '09000000']);
+});
+
+/** Sequence and flags of the poses that were sent. */
+function poses(socket: Fake): [number, number][] {
+  const sent = socket.sent.filter(([kind]) => kind === 2).map((bytes) => Buffer.from(bytes));
+  return sent.map((bytes) => [bytes.readUInt32LE(3), bytes[15] ?? 0]);
+}
+
+test('round trips are from sending to settling, some of the poses, on one clock', () => {
+  const { connection, socket, pass } = entered();
+  assert.equal(connection.roundTrips.median, null);
+  for (let number = 0; number < 3; number++) {
+    assert.ok(connection.pose(REST, number === 2));
+    pass(0.125);
+  }
+  assert.deepEqual(poses(socket()), [[1, 1], [2, 0], [3, 3]]);
+  socket().comes({ kind: 'settled', sequence: 2 });
+  assert.ok(Math.abs((connection.roundTrips.median ?? 0) - 0.375) < 1e-9);
+  // Nobody settles what goes to nobody.
+  socket().comes({ kind: 'left', user: 6 });
+  pass(1);
+  connection.pose(REST, false);
+  assert.deepEqual(poses(socket()).at(-1), [4, 0]);
+});
+
+test('poses do not wait behind others', () => {
+  const { connection, socket } = entered();
+  socket().bufferedAmount = 1 << 20;
+  assert.equal(connection.pose(REST, false), false);
+  socket().bufferedAmount = 0;
+  assert.equal(connection.pose(REST, false), true);
+  assert.deepEqual(poses(socket()), [[1, 1]]);
+});
+
+test('who leaves says so, and does not come back by itself', () => {
+  const { connection, socket, sockets, states, pass } = entered();
+  connection.leave();
+  assert.deepEqual([...(socket().sent.at(-1) ?? [])], [6, 0, 0]);
+  socket().breaks(1000);
+  pass(100);
+  assert.equal(sockets.length, 1);
+  assert.equal(states.at(-1)?.kind, 'ended');
+});
+
+test('an address names a room, or says what was expected', () => {
+  const read = (query: string): ReturnType<typeof readAddress> => readAddress(new URLSearchParams(query));
+  assert.deepEqual(read('room=x'), { room: 'x', name: 'Guest', group: 0, token: null });
+  const all = { room: 'x', name: 'Ada', group: 65535, token: 't' };
+  assert.deepEqual(read('room=x&name=%20Ada%0A&group=65535&token=t'), all);
+  assert.deepEqual(read(`room=x&name=${'é'.repeat(40)}`), { ...(read('room=x') as object), name: 'é'.repeat(32) });
+  const [rooms, groups] = [['', '.', '..', 'a/b', 'a%00', 'x'.repeat(65)], ['', '-1', '65536', '1.5', 'x']];
+  for (const room of rooms) assert.match(String(read(`room=${room}`)), /^room:/);
+  for (const group of groups) assert.match(String(read(`room=x&group=${group}`)), /^group:/);
+});
+
+test('the relay is beside the page, and an invitation keeps what is the user’s own', () => {
+  const address = { room: '#?é', name: 'n', group: 0, token: null };
+  assert.equal(relayOf('http://h/a/b?c#d', address), 'ws://h/a/rooms/%23%3F%C3%A9');
+  assert.equal(inviteOf('http://h/?room=x&name=A&token=t&group=2#p=1,2,3'), 'http://h/?room=x&group=2#p=1,2,3');
+});
