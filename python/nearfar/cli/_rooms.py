@@ -47,7 +47,9 @@ def chosen(is_wanted: bool, key: str | None, **most: int | None) -> Rooms | None
     for name, count in given.items():
         check.integer(f"--most-{name}", count, 1, 2**16 - 2)
     secret = kept_key(cache.folder() / "rooms" / "key" if key is None else key)
-    return Rooms(**given, key=secret, needs_token=key is not None)
+    # A user who joins is told of all others at once, 72 bytes each.
+    queue = max(Rooms.queue_bytes, 128 + 72 * given.get("users", 0))
+    return Rooms(**given, queue_bytes=queue, key=secret, needs_token=key is not None)
 
 
 def tell(url: str, rooms: Rooms | None, key: str | None) -> None:
