@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -43,7 +44,8 @@ VALID = {
                "--face-size", "64", "--split", "50", "--by-footprint"),
     # They would serve until Ctrl-C without the second ones.
     "view": ("seen", "--write"),
-    "serve": ("seen", "--check", "--port", "0", "--log", "off"),
+    "serve": ("seen", "--check", "--port", "0", "--log", "off", "--rooms"),
+    "invite": ("hall", "--rooms-key", "room.key"),
     "stereo": ("-i", "ball.glb", "-o", "stereo", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
     "orthoview build": ("-i", "ball.glb", "-o", "tree.zarr", "--cell", "8", "--size", "8", "--directions", "5"),
     "orthoview info": ("seen.zarr", "--preview", "views.png"),
@@ -56,7 +58,7 @@ VALID = {
 VALUES = ("", "abc", "-1", "nan", "1e400", "9" * 5000, "\udcff", "a\0b", "1,2", "2x2x2")
 """Unusable for almost every option; the others take them."""
 
-FILES = ("--input", "--output", "--truth", "--preview", "--equirectangular", "--certificate", "--key")
+FILES = ("--input", "--output", "--truth", "--preview", "--equirectangular", "--certificate", "--key", "--rooms-key")
 """Options whose messages name the file instead."""
 
 
@@ -70,6 +72,7 @@ def _folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         trimesh.Scene([ball, far]).export("ball.glb")
         settings: dict[str, Any] = {"center": (0.0, 1.7, 0.0), "radii": [3.0, 8.0], "samples": 1, "face_size": 64}
         nf.stream.export(nf.Scene.load("ball.glb"), "seen", **settings)
+        Path("room.key").write_bytes(bytes(32))
         need("zarr")
         nf.orthoview.build(nf.Scene.load("ball.glb"), "seen.zarr", cell=8.0, size=8, directions=5)
         yield

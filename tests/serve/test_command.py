@@ -4,10 +4,6 @@ from __future__ import annotations
 
 import json
 import signal
-import subprocess
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import httpx
@@ -15,30 +11,12 @@ import pytest
 from typer.testing import CliRunner
 
 from nearfar.cli._app import app
+from tests.support.serving import rest_of, serving
 
 
 @pytest.fixture(autouse=True)
 def _cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
-
-
-@contextmanager
-def serving(*arguments: object) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """The command in a process of its own, and the address that it tells first."""
-    command = [sys.executable, "-m", "nearfar.cli", "serve", "--port", "0", *map(str, arguments)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
-        try:
-            assert running.stdout is not None
-            yield running, running.stdout.readline().split()[0]
-        finally:
-            running.kill()
-
-
-def rest_of(running: subprocess.Popen[str]) -> tuple[str, str]:
-    """The rest of its output and of its log. (`communicate` would lose what was read ahead with the first line.)"""
-    assert running.stdout is not None
-    assert running.stderr is not None
-    return running.stdout.read(), running.stderr.read()
 
 
 @pytest.mark.parametrize("ends", [signal.SIGINT, signal.SIGTERM])

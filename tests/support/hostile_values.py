@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import asyncio
 import datetime
 import decimal
 import fractions
+import inspect
 import itertools
 import math
 import os
@@ -175,12 +177,17 @@ def _paths(folder: Path) -> Iterator[Hostile]:
 
 
 def attempt(call: Callable[..., Any], arguments: Mapping[str, Any]) -> BaseException | None:
-    """Call with keywords, begin a result that is an iterator, and return the exception; warnings count as such."""
+    """Call with keywords and return the exception; warnings count as such.
+
+    A result that is an iterator is begun, and one that is a coroutine is run.
+    """
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", "the picture folds")
         try:
             result = call(**arguments)
+            if inspect.iscoroutine(result):
+                asyncio.run(result)
             if isinstance(result, Iterator):
                 for _ in itertools.islice(result, 2):
                     pass

@@ -10,6 +10,7 @@ import numpy as np
 import nearfar as nf
 from nearfar._scene.names import Names
 from tests.support import valid_orthoviews as orthoviews
+from tests.support.valid_clients import ROOM_CALLS, clients, room
 from tests.support.valid_fields import fields
 from tests.support.valid_objects import EYE, MATRIX, SIZE, ZONES, Valid
 from tests.support.valid_steady import steady
@@ -26,6 +27,7 @@ NEEDS = {
     "nearfar.orthoview.build": "zarr",
     "nearfar.orthoview.open": "zarr",
     "nearfar.stream.Bundle.show": "anywidget",
+    **dict.fromkeys(ROOM_CALLS, "aiohttp"),
     "nearfar.stream.Timeline.plot": "matplotlib",
 }
 """Parts of `tests.support.PARTS` that callables need."""
@@ -77,6 +79,7 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.stream.Growth": lambda: nf.stream.Growth((2.0, 4.0)),
         "nearfar.stream.RingMaps": lambda: valid.ring_maps,
         "nearfar.stream.Timeline": lambda: valid.timeline,
+        "nearfar.stream.client.Room": room,
         "nearfar.stream.Rings": lambda: valid.ring_maps.rings,
         "nearfar.stereo.AdaptivePlane": lambda: nf.stereo.AdaptivePlane(valid.hmd),
         "nearfar.stereo.TemporalAntialiasing": nf.stereo.TemporalAntialiasing,
@@ -96,7 +99,7 @@ def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
 
     A name followed by " @" and a word is another call of the same callable, which reaches other checks.
     """
-    makers = (_scenes, _pictures, _arrays, orthoviews.orthoviews, _devices, _levels, streams, steady)
+    makers = (_scenes, _pictures, _arrays, orthoviews.orthoviews, _devices, _levels, streams, clients, steady)
     return {name: arguments for make in makers for name, arguments in make(valid).items()}
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.vectors import bend, fit_4pl, lens, lookup, morph_cases
+from tests.vectors import bend, fit_4pl, lens, lookup, morph_cases, rooms
 
 FOLDER = Path(__file__).parent
 
@@ -12,7 +12,9 @@ FOLDER = Path(__file__).parent
 def files() -> dict[str, str]:
     """Texts of all files by name."""
     return {
-        name: text for oracle in (morph_cases, bend, lookup, lens, fit_4pl) for name, text in oracle.files().items()
+        name: text
+        for oracle in (morph_cases, bend, lookup, lens, fit_4pl, rooms)
+        for name, text in oracle.files().items()
     }
 
 

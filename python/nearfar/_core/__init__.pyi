@@ -56,6 +56,7 @@ from nearfar._core.serve import (
     Server as Server,
     begin_log as begin_log,
     certificate as certificate,
+    room_token as room_token,
     self_signed as self_signed,
 )
 from nearfar._core.stereo import HybridRig as HybridRig

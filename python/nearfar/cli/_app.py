@@ -22,6 +22,7 @@ from nearfar.cli import (
     _partition,
     _reduce,
     _render,
+    _rooms,
     _serve,
     _stereo,
     _view,
@@ -50,6 +51,7 @@ app.command("stereo")(_stereo.stereo)
 app.command("export")(_export.export)
 app.add_typer(_orthoview.app, name="orthoview")
 app.command("serve")(_serve.serve)
+app.command("invite")(_rooms.invite)
 app.command("view")(_view.view)
 
 

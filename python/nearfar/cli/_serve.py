@@ -12,7 +12,7 @@ from typing import Annotated
 import typer
 
 from nearfar._base import cache, check
-from nearfar.cli import _options as options, _sites
+from nearfar.cli import _options as options, _rooms, _sites
 from nearfar.cli._options import option
 from nearfar.serve import _addresses, _log
 from nearfar.serve._certificate import Certificate
@@ -65,6 +65,17 @@ def serve(
     per_client: Annotated[
         int, option("--per-client", "NUMBER", "Connections of one address of another machine.")
     ] = _DEFAULT.per_client,
+    with_rooms: Annotated[
+        bool,
+        typer.Option("--rooms", help="Let users who name the same room see each other's heads, hands and pointers."),
+    ] = False,
+    rooms_key: _rooms.Key = None,
+    most_rooms: Annotated[
+        int | None, option("--most-rooms", "NUMBER", "Rooms at the same time; by default 64.")
+    ] = None,
+    most_users: Annotated[
+        int | None, option("--most-users", "NUMBER", "Users of a room at the same time; by default 256.")
+    ] = None,
     log: Annotated[str, option("--log", "text|json|off", "Log of answers and warnings, on standard error.")] = "text",
     grid: Annotated[
         float, option("--grid", "METRES", "Scenes: spacing of the grid to which the centres of regions move.")
@@ -88,6 +99,7 @@ def serve(
     check.choice("--log", log, ("text", "json", "off"))
     limits = Limits(connections=connections, per_client=per_client)
     used = _certificate(certificate, key, self_signed, host, name)
+    rooms = _rooms.chosen(with_rooms, rooms_key, rooms=most_rooms, users=most_users)
     loading = _sites.Loading(up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     regions = _sites.Regions(
         cache_bytes=check.integer("--cache-bytes", cache_bytes, 0, 1 << 62),
@@ -101,12 +113,15 @@ def serve(
         _log.begin(as_json=log == "json")
     with (
         _ended() as end,
-        Server(sites, host=host, port=port, names=name, certificate=used, origin=origin, limits=limits) as server,
+        Server(
+            sites, host=host, port=port, names=name, certificate=used, origin=origin, limits=limits, rooms=rooms
+        ) as server,
     ):
         if only_check:
             _tell_what_is_there(server, sites, scenes)
             return
         _tell(server, sources, used)
+        _rooms.tell(server.urls[0], rooms, rooms_key)
         _sites.tell_of(scenes)
         end.wait()
 

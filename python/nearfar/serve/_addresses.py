@@ -20,6 +20,9 @@ HOST = re.compile(r"[\w.-]+|\[[0-9a-f:.]+\]", re.ASCII)
 ORIGIN = re.compile(rf"[a-z][a-z0-9+.-]*://(?:{HOST.pattern})(?::\d+)?", re.ASCII)
 """Origin of a page, as browsers send it."""
 
+PAGE = re.compile(rf"https?://(?:{HOST.pattern})(?::\d+)?(?:/[^\s?#]*)?", re.ASCII | re.IGNORECASE)
+"""Address of a page without a query."""
+
 
 def address(host: str) -> str:
     """Parse the address to listen at; ValueError if it is none."""
@@ -84,3 +87,11 @@ def _outward() -> str | None:
 def in_url(host: str) -> str:
     """Write a host as it stands in an address of the web."""
     return f"[{host}]" if ":" in host and not host.startswith("[") else host
+
+
+def page(url: str) -> str:
+    """Check the address of a page or a server, without a query; ValueError for what leads to none."""
+    if not PAGE.fullmatch(check.text("url", url)):
+        got = check.shortened(url)
+        raise ValueError(f"url: expected an address such as https://example.org/town/ without a query, got {got}")
+    return url

@@ -15,11 +15,15 @@ from nearfar.serve._addresses import LOCAL
 from nearfar.serve._certificate import Certificate
 from nearfar.serve._index import index
 from nearfar.serve._limits import Limits
+from nearfar.serve._rooms import Rooms
 from nearfar.serve._site import Site
 from nearfar.view._page import POLICY
 
 RESERVED = ("healthz", "metrics", "index.html", "index.css")
 """Names that the server has itself."""
+
+ROOMS = "rooms"
+"""First part of the paths of rooms."""
 
 HEADERS = {
     "content-security-policy": POLICY,
@@ -54,6 +58,8 @@ class Server:
         Origin whose pages may read the files, such as `https://example.org`, or `*` for all; None for the server's own.
     limits
         Limits of connections, times and regions.
+    rooms
+        Limits and key of rooms, in which users see each other, at `rooms/NAME`; None for no rooms.
 
     Raises
     ------
@@ -75,8 +81,11 @@ class Server:
         certificate: Certificate | None = None,
         origin: str | None = None,
         limits: Limits | None = None,
+        rooms: Rooms | None = None,
     ) -> None:
-        found = _checked(sites)
+        if rooms is not None:
+            check.instance("rooms", rooms, Rooms)
+        found = _checked(sites, RESERVED if rooms is None else (*RESERVED, ROOMS))
         listened, number = _addresses.address(host), check.integer("port", port, 0, 65535)
         if certificate is not None:
             check.instance("certificate", certificate, Certificate)
@@ -93,6 +102,7 @@ class Server:
                 origin=origin,
                 certificate=None if certificate is None else certificate.files,
                 limits=chosen,
+                rooms=rooms,
             )
         except OSError as error:
             if error.errno not in (errno.EADDRINUSE, errno.EADDRNOTAVAIL, errno.EACCES):
@@ -145,12 +155,12 @@ class Server:
         return f"Server({self.url!r})"
 
 
-def _checked(sites: Mapping[str, Site]) -> dict[str, Site]:
+def _checked(sites: Mapping[str, Site], reserved: Sequence[str]) -> dict[str, Site]:
     found = dict(check.mapping("sites", sites, "a mapping of names to sites"))
     for name, site in found.items():
         check.instance("sites", site, Site)
-        if name in RESERVED or "/" in name or name in (".", ".."):
-            taken = ", ".join(RESERVED)
+        if name in reserved or "/" in name or name in (".", ".."):
+            taken = ", ".join(reserved)
             raise ValueError(f"sites: expected names without a slash, but not {taken}, . or .., got {name!r}")
     if not found:
         raise ValueError("sites: expected one or more, got none")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from nearfar._render.blend import blend
+from nearfar.stream import client
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle, open  # noqa: A004
 from nearfar.stream._centers import snap
@@ -25,6 +26,7 @@ __all__ = [
     "assign",
     "bake_maps",
     "blend",
+    "client",
     "export",
     "footprints",
     "open",

@@ -72,7 +72,7 @@ mod _core {
         scene::stored::StoredMeshes,
         scene::wavefront::read_wavefront,
         scene::{Mesh, Scene},
-        serve::{Server, begin_log, certificate, self_signed},
+        serve::{Server, begin_log, certificate, room_token, self_signed},
         stereo::HybridRig,
         tessellate::{tessellate_arrays, tessellate_scene},
         trace::{cast_rays, instruction_sets, nearest_points, use_instruction_set},

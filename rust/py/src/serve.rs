@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use bytes::Bytes;
 use nearfar_serve::demand::{self, Cache, Demand, Maker, Making, Part, Place, Wanted};
+use nearfar_serve::rooms;
 use nearfar_serve::site::{Content, Document, Site, Sites};
 use nearfar_serve::tls::{self, Identity};
 use nearfar_serve::{self as serve, Answering, Router, Settings, log};
@@ -40,7 +41,7 @@ type OnDemand = (Py<PyAny>, Py<PyAny>, f64, Option<PathBuf>, u64);
 impl Server {
     /// `sites` are names with their documents and what makes regions on demand.
     #[new]
-    #[pyo3(signature = (sites, *, host, port, hosts, headers, origin, certificate, limits))]
+    #[pyo3(signature = (sites, *, host, port, hosts, headers, origin, certificate, limits, rooms=None))]
     #[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
     fn new(
         py: Python<'_>,
@@ -52,6 +53,7 @@ impl Server {
         origin: Option<&str>,
         certificate: Option<(PathBuf, PathBuf)>,
         limits: Limits,
+        rooms: Option<Rooms>,
     ) -> PyResult<Self> {
         let sites: PyResult<Sites> =
             sites.into_iter().map(|(name, listed, made)| Ok((name, site(listed, made, limits.regions())?))).collect();
@@ -65,7 +67,7 @@ impl Server {
             hosts: hosts.map(|names| names.into_iter().collect()),
             headers: headers?,
             origin: origin.transpose()?,
-            rooms: None,
+            rooms: rooms.map(Rooms::begin).transpose()?.map(Arc::new),
         };
         let settings = Settings {
             address: SocketAddr::new(host, port),
@@ -123,6 +125,56 @@ impl Limits {
             memory: self.memory_bytes,
         }
     }
+}
+
+/// Limits of rooms as Python has them, the secret bytes of their key, and whether users need a token of it.
+#[derive(FromPyObject)]
+struct Rooms {
+    rooms: usize,
+    users: usize,
+    message_bytes: usize,
+    queue_bytes: usize,
+    messages_per_second: f64,
+    bytes_per_second: f64,
+    burst_seconds: f64,
+    hello_seconds: f64,
+    ping_seconds: f64,
+    silent_seconds: f64,
+    linger_seconds: f64,
+    key: Option<PyBackedBytes>,
+    needs_token: bool,
+}
+
+impl Rooms {
+    fn begin(self) -> PyResult<rooms::Rooms> {
+        let limits = rooms::Limits {
+            rooms: self.rooms,
+            users: self.users,
+            message_bytes: self.message_bytes,
+            queue_bytes: self.queue_bytes,
+            messages_per_second: self.messages_per_second,
+            bytes_per_second: self.bytes_per_second,
+            burst: seconds(self.burst_seconds)?,
+            hello: seconds(self.hello_seconds)?,
+            ping: seconds(self.ping_seconds)?,
+            silence: seconds(self.silent_seconds)?,
+            linger: seconds(self.linger_seconds)?,
+            ..rooms::Limits::default()
+        };
+        let key = self.key.map(|secret| rooms::Key::new(&secret)).transpose().map_err(PyValueError::new_err)?;
+        let made = match key {
+            Some(key) if !self.needs_token => rooms::Rooms::open(limits, key),
+            key => rooms::Rooms::new(limits, key),
+        };
+        made.map_err(PyValueError::new_err)
+    }
+}
+
+/// A token that lets one user into a room until it ends, in seconds since 1970; its number is one that nobody can guess.
+#[pyfunction]
+pub fn room_token(room: &str, ends: u64, number: rooms::Number, key: PyBackedBytes) -> PyResult<String> {
+    let key = rooms::Key::new(&key).map_err(PyValueError::new_err)?;
+    Ok(key.token(room, ends, number))
 }
 
 /// SHA-256 of a certificate, when it ends in seconds since 1970, and the names that it is for.

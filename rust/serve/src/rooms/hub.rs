@@ -47,19 +47,22 @@ pub struct Seat {
 impl Rooms {
     /// No room yet. With a key users need a token, and tickets last beyond the server's end.
     pub fn new(limits: Limits, key: Option<Key>) -> Result<Self, String> {
-        limits.check()?;
         let back = match &key {
             Some(key) => key.clone(),
             None => Key::new(&random::<32>()?)?,
         };
-        Ok(Rooms {
-            limits,
-            figures: Arc::new(Figures::new()),
-            entry: key,
-            back,
-            places: Places::default(),
-            state: Mutex::default(),
-        })
+        Self::with(limits, key, back)
+    }
+
+    /// No room yet. Users need no token; the key signs tickets, which last beyond the server's end.
+    pub fn open(limits: Limits, key: Key) -> Result<Self, String> {
+        Self::with(limits, None, key)
+    }
+
+    fn with(limits: Limits, entry: Option<Key>, back: Key) -> Result<Self, String> {
+        limits.check()?;
+        let (figures, places) = (Arc::new(Figures::new()), Places::default());
+        Ok(Rooms { limits, figures, entry, back, places, state: Mutex::default() })
     }
 
     /// Whether users need a token.

@@ -11,3 +11,4 @@ mod seats;
 mod slow;
 mod support;
 mod tokens;
+mod vectors;

@@ -1,11 +1,12 @@
 //! Tokens and tickets, by themselves and at the door.
 
+use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use super::support::{User, connect, join, limits, server};
-use crate::Server;
+use super::support::{User, connect, join, limits, server, start};
 use crate::rooms::frame::{FromServer, FromUser};
-use crate::rooms::{Key, Limits, Number, Reason};
+use crate::rooms::{Key, Limits, Number, Reason, Rooms};
+use crate::{Answering, Server};
 
 fn key(byte: u8) -> Key {
     Key::new(&[byte; 16]).expect("a key")
@@ -134,6 +135,22 @@ async fn a_ticket_gives_the_number_back_also_after_a_restart() {
     third.hello(0, "one", &again.ticket).await;
     assert_eq!((third.number, &third.ticket), (user.number, &user.ticket));
     again.is_refused(Reason::Replaced).await;
+}
+
+#[tokio::test]
+async fn open_rooms_need_no_token_and_their_tickets_last() {
+    let open = || {
+        let rooms = Rooms::open(limits(), key(1)).expect("rooms");
+        let (hosts, headers, origin, rooms) = (None, Vec::new(), None, Some(Arc::new(rooms)));
+        start(Answering { sites: [].into(), hosts, headers, origin, rooms }, None)
+    };
+    let first = open();
+    let user = join(&first, "hall", 0, "one").await;
+    first.close();
+    let second = open();
+    let mut again = connect(second.address(), "/rooms/hall").await.expect("a connection");
+    again.hello(0, "one", &user.ticket).await;
+    assert_eq!(again.number, user.number);
 }
 
 #[tokio::test]

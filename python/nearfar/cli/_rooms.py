@@ -1,0 +1,63 @@
+"""Rooms of `nearfar serve`, and `nearfar invite`, which makes the tokens that let users in."""
+
+from __future__ import annotations
+
+from typing import Annotated
+from urllib.parse import quote
+
+import typer
+
+from nearfar._base import cache, check
+from nearfar.cli._options import option
+from nearfar.serve import _addresses
+from nearfar.serve._rooms import Rooms, kept_key, read_key, token
+
+Key = Annotated[
+    str | None,
+    option(
+        "--rooms-key", "FILE", "Secret of 16 bytes or more; users need a token that `nearfar invite` makes with it."
+    ),
+]
+"""The key that lets users in; `nearfar serve` makes it if there is no such file."""
+
+
+def invite(
+    room: Annotated[str, typer.Argument(metavar="ROOM", help="Name of the room.", show_default=False)],
+    rooms_key: Annotated[
+        str, option("--rooms-key", "FILE", "The file that `nearfar serve --rooms-key` is started with.")
+    ],
+    hours: Annotated[float, option("--hours", "NUMBER", "Time after which nobody can enter with it.")] = 24.0,
+    url: Annotated[
+        str | None, option("--url", "ADDRESS", "Address of the scene's page; prints a link to it instead of the token.")
+    ] = None,
+) -> None:
+    """Print a token that lets one user at a time into a room."""
+    made = token(room, read_key(rooms_key), hours=hours)
+    typer.echo(made if url is None else f"{_addresses.page(url)}?room={quote(room, safe='')}&token={made}")
+
+
+def chosen(is_wanted: bool, key: str | None, **most: int | None) -> Rooms | None:
+    """The rooms of a server, with the most `rooms` and `users` that are given; None if it is to have none."""
+    given = {name: count for name, count in most.items() if count is not None}
+    if not is_wanted:
+        without = ["--rooms-key"] * (key is not None) + [f"--most-{name}" for name in given]
+        if without:
+            raise ValueError(f"{without[0]}: expected --rooms beside it")
+        return None
+    for name, count in given.items():
+        check.integer(f"--most-{name}", count, 1, 2**16 - 2)
+    secret = kept_key(cache.folder() / "rooms" / "key" if key is None else key)
+    return Rooms(**given, key=secret, needs_token=key is not None)
+
+
+def tell(url: str, rooms: Rooms | None, key: str | None) -> None:
+    """Say how users enter."""
+    if rooms is None:
+        return
+    links = (
+        f"Users who open a page with ?room=NAME see each other, {rooms.users} in each of {rooms.rooms} rooms at most"
+    )
+    if key is None:
+        typer.echo(f"{links}.")
+    else:
+        typer.echo(f"{links}; for each `nearfar invite NAME --rooms-key {key} --url {url}` makes a link.")

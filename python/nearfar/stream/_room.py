@@ -1,0 +1,349 @@
+"""A user of a room: what it sends, and what happens around it."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import random
+import time
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+from nearfar.stream import _room_frames as frames, _room_names, _room_poses as poses
+from nearfar.stream._room_connection import Address, Connection, broken, require
+from nearfar.stream._room_events import Begin, Ended, Event, Joined, Left, Pose, Posed, RoomError, To, User
+from nearfar.stream._room_inbox import Inbox
+from nearfar.stream._room_round_trips import RoundTrips
+
+if TYPE_CHECKING:
+    from typing import Self
+
+ENTERING = 30.0
+"""Seconds in which a connection must have led into the room."""
+
+PAUSES = (0.05, 5.0)
+"""The first pause before another try to return, and the longest; each is twice the one before, more or less."""
+
+PATIENCE = 120.0
+"""Seconds after which no further try to return begins."""
+
+RETURNS = ("gone", "slow", "silent", "ending")
+"""Reasons after which a user returns: not those that would meet it again."""
+
+Placing = tuple[ArrayLike, ArrayLike]
+"""A position and a quaternion."""
+
+Payload = bytes | bytearray | memoryview
+"""What is said and signalled."""
+
+
+class Room:
+    """A user's place in a room, from the beginning of an `async with` block to its end; `join` makes it.
+
+    Iterating over it with `async for` yields events, until the connection has ended for good.
+
+    Parameters
+    ----------
+    url, room, name, group, token, reconnect, certificate
+        As those of `join`.
+    """
+
+    def __init__(
+        self,
+        url: str,
+        *,
+        room: str,
+        name: str = "",
+        group: int = 0,
+        token: str | None = None,
+        reconnect: bool = True,
+        certificate: str | os.PathLike[str] | None = None,
+    ) -> None:
+        require()
+        self._address = Address.of(url, room, token, certificate)
+        self._name, self._group = _room_names.user("name", name), check.integer("group", group, 0, 2**16 - 1)
+        self._reconnects = check.flag("reconnect", reconnect)
+        self._users: dict[int, User] = {}
+        self._user: int | None = None
+        self._ticket = b""
+        self._missing: int | None = None
+        self._sequence = 0
+        self._inbox, self._trips = Inbox(), RoundTrips()
+        self._connection: Connection | None = None
+        self._there = asyncio.Event()
+        self._end: Ended | None = None
+        self._reading: asyncio.Task[None] | None = None
+
+    @property
+    def users(self) -> dict[int, User]:
+        """Other users who are there, by number."""
+        return dict(self._users)
+
+    @property
+    def user(self) -> int:
+        """The user's own number; RoomError before it has joined."""
+        if self._user is None:
+            raise RoomError("unreached", "expected a user who has joined, by `async with`")
+        return self._user
+
+    @property
+    def round_trips(self) -> NDArray[np.float64]:
+        """Round trips of poses that others acknowledged, in seconds: the last 10,000, the newest last."""
+        return self._trips.seconds
+
+    @property
+    def dropped(self) -> int:
+        """Events that made place for others because nobody took them: 4,096 wait at most, and 1 MiB of what is said."""
+        return self._inbox.dropped
+
+    async def pose(
+        self,
+        position: ArrayLike,
+        rotation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+        *,
+        left: Placing | None = None,
+        right: Placing | None = None,
+        pointer: tuple[Begin, float] | None = None,
+        stops: bool = False,
+        acknowledged: bool = False,
+    ) -> int:
+        """Tell the group where the user's head, hands and pointer are.
+
+        While the connection is broken nothing is sent: a pose is of use only when it is new.
+
+        Parameters
+        ----------
+        position, rotation
+            Of the head: metres from the scene's origin, y up, and a unit quaternion (x, y, z, w).
+        left, right
+            Positions and quaternions of the hands that are there.
+        pointer
+            Where a ray begins, "head", "left" or "right", and its length in metres; it leaves its begin along −z.
+        stops
+            Whether no pose follows until the user moves again.
+        acknowledged
+            Whether the group's users acknowledge it, so that its round trip is measured.
+
+        Returns
+        -------
+        int
+            The pose's number, which `Settled` has.
+        """
+        head = poses.placed(("position", "rotation"), position, rotation)
+        hands = poses.hand("left", left), poses.hand("right", right)
+        ray = poses.pointer(pointer, *hands)
+        flags = check.flag("acknowledged", acknowledged), check.flag("stops", stops)
+        self._check_end()
+        self._sequence += 1
+        now = time.monotonic_ns()
+        moved = Pose(self._sequence, now // 1000, *flags, head, *hands, ray)
+        if acknowledged and self._has_peers():
+            self._trips.send(moved.sequence, 1e-9 * now)
+        if self._there.is_set():
+            # Whoever reads notices that the connection has broken off.
+            await self._send(frames.pose(moved), or_else=False)
+        return moved.sequence
+
+    async def say(self, data: Payload, *, to: To = "group") -> None:
+        """Say at most 4,096 bytes to the group, or to the room; it waits for the return while the connection is broken.
+
+        Raises
+        ------
+        RoomError
+            If the connection breaks off, so that nobody may have heard it, or has ended.
+        """
+        check.choice("to", to, ("group", "room"))
+        await self._send_inside(frames.say(to, _payload(data, frames.MOST_SAID)))
+
+    async def signal(self, user: int, data: Payload) -> None:
+        """Send at most 16,384 bytes to one user, whom the server knows or ignores; else as `say`."""
+        number = check.integer("user", user, 0, 2**16 - 1)
+        await self._send_inside(frames.signal(number, _payload(data, frames.MOST_SIGNALLED)))
+
+    async def __aenter__(self) -> Self:
+        await self._enter()
+        self._reading = asyncio.create_task(self._read_on())
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._reading is not None:
+            if self._there.is_set():
+                await self._send(frames.bye(), or_else=False)
+            self._finish(RoomError("bye", "the user left"))
+            self._reading.cancel()
+            await asyncio.wait([self._reading])
+            # A task that is cancelled before it began closes nothing.
+            await self._leave()
+            if not self._reading.cancelled():
+                self._reading.result()
+
+    def __aiter__(self) -> Self:
+        return self
+
+    async def __anext__(self) -> Event:
+        event = await self._inbox.take()
+        if event is None:
+            raise StopAsyncIteration
+        return event
+
+    def __repr__(self) -> str:
+        return f"Room({self._address.url.partition('?')[0]!r}, user={self._user}, others={len(self._users)})"
+
+    async def _enter(self) -> None:
+        """Connect, say hello, and wait until it is known who is there; RoomError if that is not possible."""
+        connection = Connection(self._address)
+        try:
+            async with asyncio.timeout(ENTERING):
+                await connection.open()
+                await connection.send(frames.hello(self._group, self._name, self._ticket))
+                self._missing = None
+                while self._missing is None or self._missing > 0:
+                    await self._take(connection)
+        except TimeoutError:
+            await connection.close()
+            raise RoomError("silent", f"the server has not let the user in within {ENTERING:g} s") from None
+        except BaseException:
+            await connection.close()
+            raise
+        self._connection = connection
+        self._there.set()
+
+    async def _read_on(self) -> None:
+        """Take messages, return after the connection broke off, and end at last."""
+        try:
+            end = await self._read()
+            while self._reconnects and end.reason in RETURNS:
+                self._add(Ended(end.reason, end.sentence, returns=True))
+                await self._return()
+                end = await self._read()
+        except RoomError as error:
+            end = error
+        finally:
+            await self._leave()
+            self._inbox.end()
+        self._finish(end)
+
+    async def _read(self) -> RoomError:
+        """Take messages until the connection has ended; the reason."""
+        try:
+            while self._connection is not None:
+                await self._take(self._connection)
+            return broken()
+        except RoomError as end:
+            return end
+        finally:
+            await self._leave()
+
+    async def _return(self) -> None:
+        """Enter again, however often it takes; RoomError if that is in vain."""
+        pause, longest = PAUSES
+        last = time.monotonic() + PATIENCE
+        while True:
+            # Users whom a server has lost do not all come back at the same time.
+            await asyncio.sleep(pause * random.uniform(0.5, 1.0))
+            try:
+                await self._enter()
+            except RoomError as error:
+                self._forget()
+                if error.reason not in RETURNS or time.monotonic() > last:
+                    raise
+                pause = min(2.0 * pause, longest)
+            else:
+                return
+
+    async def _leave(self) -> None:
+        """Close the connection, if there is one; nobody is there then."""
+        self._there.clear()
+        self._forget()
+        if self._connection is not None:
+            connection, self._connection = self._connection, None
+            await connection.close()
+
+    def _forget(self) -> None:
+        self._users.clear()
+        self._trips.forget()
+
+    def _finish(self, end: RoomError) -> None:
+        """Let the last event be the end for this reason, unless there is one."""
+        if self._end is None:
+            self._end = Ended(end.reason, end.sentence, returns=False)
+            self._add(self._end)
+            self._inbox.end()
+            # Who waits for the return learns that there is none.
+            self._there.set()
+
+    async def _take(self, connection: Connection) -> None:
+        """Take a message, and acknowledge the poses in it; RoomError at the end."""
+        message = await connection.receive()
+        if message is None:
+            raise broken()
+        acks = b"".join(self._took(frame) for frame in frames.read(message))
+        if acks:
+            await connection.send(acks)
+
+    def _took(self, frame: frames.Frame) -> bytes:
+        """Take a frame; the frame that answers it, if one does."""
+        match frame:
+            case frames.Welcome(user, others, ticket):
+                self._user, self._missing, self._ticket = user, others, ticket
+            case frames.Refused(reason, sentence):
+                raise RoomError(reason, sentence)
+            case frames.SettledUpTo(sequence):
+                for event in self._trips.settle(sequence, time.monotonic()):
+                    self._add(event)
+            case Joined(user, name, group):
+                self._users[user] = User(user, name, group)
+                self._missing = (self._missing or 0) - 1
+                self._add(frame)
+            case Left(user):
+                self._users.pop(user, None)
+                if not self._has_peers():
+                    self._trips.forget()
+                self._add(frame)
+            case Posed(user, pose):
+                self._add(frame)
+                return frames.ack(user, pose.sequence) if pose.is_acknowledged else b""
+            case _:
+                self._add(frame)
+        return b""
+
+    def _has_peers(self) -> bool:
+        return any(user.group == self._group for user in self._users.values())
+
+    def _add(self, event: Event) -> None:
+        self._inbox.add(event)
+
+    async def _send_inside(self, frame: bytes) -> None:
+        """Send a frame as soon as the user is in the room; RoomError at the end."""
+        self._check_end()
+        await self._there.wait()
+        self._check_end()
+        await self._send(frame)
+
+    async def _send(self, frame: bytes, *, or_else: bool = True) -> None:
+        """Send a frame; RoomError if the connection has broken off, unless nothing depends on it."""
+        try:
+            if self._connection is not None:
+                await self._connection.send(frame)
+        except RoomError:
+            if or_else:
+                raise
+
+    def _check_end(self) -> None:
+        if self._end is not None:
+            raise RoomError(self._end.reason, self._end.sentence)
+
+
+def _payload(data: Payload, most: int) -> bytes:
+    if not isinstance(data, bytes | bytearray | memoryview):
+        raise TypeError(f"data: expected bytes, such as text.encode() makes, got {check.described(data)}")
+    payload = bytes(data)
+    if len(payload) > most:
+        raise ValueError(f"data: expected at most {most:,} bytes, got {len(payload):,}")
+    return payload

@@ -1,0 +1,150 @@
+"""The WebSocket of a room, by aiohttp."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import ssl
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+from urllib.parse import quote, urlsplit
+
+from nearfar._base import check
+from nearfar.stream import _room_names
+from nearfar.stream._room_events import RoomError
+
+if TYPE_CHECKING:
+    import aiohttp
+
+HEARTBEAT = 15.0
+"""Seconds without a byte of the server after which it is sent a ping; half of it later it is gone."""
+
+MOST_MESSAGE = 1 << 23
+"""Most bytes of a message: what waits for a user, and a pose of each other one."""
+
+_AGAIN = range(500, 600)
+"""Codes of HTTP of a server, or a proxy before it, that may answer otherwise later."""
+
+
+@dataclass(frozen=True)
+class Address:
+    """The address of a room, and whom it is believed to be of."""
+
+    url: str
+    certificates: ssl.SSLContext | None
+
+    @classmethod
+    def of(cls, url: str, room: str, token: str | None, certificate: str | os.PathLike[str] | None) -> Address:
+        """The address of a room of a server; errors name the argument."""
+        base = _server(url)
+        query = "" if token is None else f"?token={quote(check.text('token', token), safe='.')}"
+        name = quote(_room_names.room("room", room), safe="")
+        return cls(f"{base}/rooms/{name}{query}", _trusted(certificate))
+
+
+class Connection:
+    """A WebSocket, which `close` ends."""
+
+    def __init__(self, address: Address) -> None:
+        self._address = address
+        self._session: aiohttp.ClientSession | None = None
+        self._socket: aiohttp.ClientWebSocketResponse | None = None
+
+    async def open(self) -> None:
+        """Connect; RoomError if that is not possible, with the reason "gone" if it may be later."""
+        import aiohttp
+        import yarl
+
+        self._session = aiohttp.ClientSession()
+        trusted: ssl.SSLContext | bool = self._address.certificates or True
+        try:
+            self._socket = await self._session.ws_connect(
+                yarl.URL(self._address.url, encoded=True), heartbeat=HEARTBEAT, max_msg_size=MOST_MESSAGE, ssl=trusted
+            )
+        except aiohttp.WSServerHandshakeError as error:
+            raise _unwelcome(error.status) from None
+        except aiohttp.ClientConnectorCertificateError:
+            sentence = "expected a server whose certificate is known; certificate= takes that of one that signs itself"
+            raise RoomError("unreached", sentence) from None
+        except aiohttp.InvalidURL:
+            raise RoomError("unreached", "expected the address of a server that there can be") from None
+        except (aiohttp.ClientError, OSError) as error:
+            raise RoomError("gone", check.one_line(f"the server cannot be reached: {error}", 300)) from None
+
+    async def send(self, data: bytes) -> None:
+        """Send a message; RoomError if the connection has broken off."""
+        if self._socket is None:
+            raise broken()
+        try:
+            await self._socket.send_bytes(data)
+        except (ConnectionError, RuntimeError):
+            raise broken() from None
+
+    async def receive(self) -> bytes | None:
+        """The next message; None at the end."""
+        import aiohttp
+
+        if self._socket is None:
+            return None
+        message = await self._socket.receive()
+        if message.type is aiohttp.WSMsgType.BINARY:
+            return bytes(message.data)
+        if message.type is aiohttp.WSMsgType.TEXT:
+            raise RoomError("frame", "the server sent what is no frame: a text")
+        return None
+
+    async def close(self) -> None:
+        """Close the WebSocket and all that belongs to it."""
+        try:
+            if self._socket is not None:
+                await self._socket.close()
+        finally:
+            if self._session is not None:
+                await self._session.close()
+
+
+def broken() -> RoomError:
+    """The error for a connection that has broken off."""
+    return RoomError("gone", "the connection broke off")
+
+
+def require() -> None:
+    """ImportError that says what to install if there is no aiohttp."""
+    if importlib.util.find_spec("aiohttp") is None:
+        raise ImportError('rooms need aiohttp: pip install "nearfar[stream]"')
+
+
+def _server(url: str) -> str:
+    """The address of a server without a slash at its end."""
+    try:
+        parts = urlsplit(check.text("url", url))
+        is_server = parts.scheme in ("http", "https", "ws", "wss") and bool(parts.hostname) and parts.port != 0
+    except ValueError as error:
+        if str(error).startswith("url:"):
+            raise
+        is_server = False
+    if not is_server or parts.query or parts.fragment or not url.isprintable() or " " in url:
+        got = check.shortened(url)
+        raise ValueError(f"url: expected the address of a server, such as http://127.0.0.1:8080/, got {got}")
+    return url.rstrip("/")
+
+
+def _trusted(certificate: str | os.PathLike[str] | None) -> ssl.SSLContext | None:
+    if certificate is None:
+        return None
+    path = check.path("certificate", certificate)
+    try:
+        return ssl.create_default_context(cafile=path)
+    except ssl.SSLError:
+        raise ValueError(f"certificate: expected a file of certificates in PEM, got {check.shortened(path)}") from None
+
+
+def _unwelcome(code: int) -> RoomError:
+    """The error for an answer that makes no WebSocket."""
+    if code in _AGAIN:
+        return RoomError("gone", f"the server answered with code {code}")
+    why = {
+        403: "it is not called by this name",
+        404: "it has no rooms, or they are not at this address",
+    }.get(code, "it makes no WebSocket")
+    return RoomError("unreached", f"the server answered with code {code}: {why}")

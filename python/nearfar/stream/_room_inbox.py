@@ -1,0 +1,63 @@
+"""Events that wait until who iterates takes them, in bounded memory."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import OrderedDict
+from itertools import count
+
+from nearfar.stream._room_events import Event, Left, Posed, Said, Signalled
+
+MOST_EVENTS = 4096
+MOST_BYTES = 1 << 20
+"""Most events that wait, and most bytes of what was said and signalled; older events make place."""
+
+
+class Inbox:
+    """Events in order. A pose that waits is overwritten by a newer one of the same user, as the server does it."""
+
+    def __init__(self) -> None:
+        self._waiting: OrderedDict[tuple[str, int], Event] = OrderedDict()
+        self._numbers = count()
+        self._bytes = 0
+        self._is_ended = False
+        self._wake = asyncio.Event()
+        self.dropped = 0
+        """Events that nobody took before too many waited."""
+
+    def add(self, event: Event) -> None:
+        """Let an event wait."""
+        if isinstance(event, Posed):
+            self._waiting[("pose", event.user)] = event
+        else:
+            if isinstance(event, Left):
+                self._waiting.pop(("pose", event.user), None)
+            self._waiting[("event", next(self._numbers))] = event
+            self._bytes += _payload(event)
+        while len(self._waiting) > MOST_EVENTS or self._bytes > MOST_BYTES:
+            self._first()
+            self.dropped += 1
+        self._wake.set()
+
+    def end(self) -> None:
+        """Let no event follow those that wait."""
+        self._is_ended = True
+        self._wake.set()
+
+    async def take(self) -> Event | None:
+        """The first event that waits, as soon as there is one; None after the last."""
+        while not self._waiting:
+            if self._is_ended:
+                return None
+            self._wake.clear()
+            await self._wake.wait()
+        return self._first()
+
+    def _first(self) -> Event:
+        _, event = self._waiting.popitem(last=False)
+        self._bytes -= _payload(event)
+        return event
+
+
+def _payload(event: Event) -> int:
+    return len(event.data) if isinstance(event, Said | Signalled) else 0

@@ -1,0 +1,301 @@
+"""Users of rooms in Python, against the real server."""
+
+from __future__ import annotations
+
+import asyncio
+import pickle
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar._base.errors import Error
+from nearfar.serve._certificate import Certificate
+from nearfar.serve._server import Server
+from nearfar.serve._site import Site
+from nearfar.stream.client import (
+    Ended,
+    Joined,
+    Left,
+    Placed,
+    Pointer,
+    Posed,
+    RoomError,
+    Said,
+    Settled,
+    Signalled,
+    User,
+    join,
+)
+from tests.support import need
+from tests.support.room_cases import REST, run, server as served, some, until
+
+need("aiohttp")
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[Server]:
+    with served() as running:
+        yield running
+
+
+def test_users_see_who_is_there(server: Server) -> None:
+    async def script() -> None:
+        async with join(server.url, room="who", name="Ada é", group=3) as ada:
+            assert ada.users == {}
+            async with join(server.url, room="who", name="Grace") as grace:
+                assert grace.users == {ada.user: User(ada.user, "Ada é", 3)}
+                assert await anext(grace) == Joined(ada.user, "Ada é", 3)
+                assert await anext(ada) == Joined(grace.user, "Grace", 0)
+                assert ada.users == {grace.user: User(grace.user, "Grace", 0)}
+                assert ada.user != grace.user
+            assert await anext(ada) == Left(grace.user)
+            assert ada.users == {}
+            with pytest.raises(RoomError, match=r"\(bye\)"):
+                await grace.pose((0.0, 1.7, 0.0))
+            assert [type(event) async for event in grace] == [Ended]
+
+    run(script())
+
+
+def test_rooms_and_groups_are_apart(server: Server) -> None:
+    async def script() -> None:
+        async with (
+            join(server.url, room="hall", group=1) as one,
+            join(server.url, room="hall", group=1) as two,
+            join(server.url, room="hall", group=2) as three,
+            join(server.url, room="yard", group=1) as four,
+        ):
+            assert (len(one.users), len(four.users)) == (2, 0)
+            await one.pose((1.0, 2.0, 3.0))
+            await one.say(b"to the group")
+            await one.say(b"to the room", to="room")
+            assert (await until(two, Posed)).user == one.user
+            heard: list[object] = [await anext(three)]
+            while not isinstance(heard[-1], Said):
+                heard.append(await anext(three))
+            assert not [event for event in heard if isinstance(event, Posed)]
+            assert heard[-1] == Said(one.user, b"to the room", "room")
+            await four.say(b"in another room", to="room")
+            await two.say(b"end", to="room")
+            assert (await until(three, Said)).data == b"end"
+
+    run(script())
+
+
+def test_poses_come_as_they_were_sent(server: Server) -> None:
+    rng = np.random.default_rng(5)
+    turns = rng.normal(size=(3, 4))
+    turns /= np.linalg.norm(turns, axis=1)[:, None]
+    places = rng.uniform(-1e6, 1e6, (3, 3)).astype(np.float32)
+
+    def is_same(found: Placed | None, number: int) -> None:
+        assert found is not None
+        np.testing.assert_array_equal(found.position, places[number])
+        # Half a step, and the rounding of float64.
+        np.testing.assert_allclose(found.rotation, turns[number], rtol=0, atol=0.5 / 32767 + 1e-12)
+
+    async def script() -> None:
+        async with join(server.url, room="poses") as one, join(server.url, room="poses") as two:
+            left, right = (places[1], turns[1]), (places[2].tolist(), tuple(turns[2]))
+            for pointer in (None, ("head", 20.0), ("left", 0.0), ("right", 3.3)):
+                number = await one.pose(places[0], turns[0], left=left, right=right, pointer=pointer, stops=True)
+                event = await until(two, Posed)
+                assert (event.user, event.pose.sequence) == (one.user, number)
+                for place, expected in ((event.pose.head, 0), (event.pose.left, 1), (event.pose.right, 2)):
+                    is_same(place, expected)
+                shown = None if pointer is None else Pointer(pointer[0], float(np.float32(pointer[1])))
+                assert event.pose.pointer == shown
+                assert event.pose.stops
+                assert not event.pose.is_acknowledged
+            first = event.pose
+            await one.pose(places[0])
+            event = await until(two, Posed)
+            assert (event.pose.left, event.pose.right, event.pose.pointer) == (None, None, None)
+            assert event.pose.head.rotation.tolist() == list(REST)
+            assert (event.pose.sequence, event.pose.clock > first.clock) == (first.sequence + 1, True)
+
+    run(script())
+
+
+def test_all_hear_the_same_order(server: Server) -> None:
+    async def script() -> None:
+        async with (
+            join(server.url, room="talk") as one,
+            join(server.url, room="talk") as two,
+            join(server.url, room="talk") as three,
+            join(server.url, room="talk") as four,
+        ):
+
+            async def speak(room: nf.stream.client.Room) -> None:
+                for number in range(40):
+                    await room.say(bytes([number]), to="room")
+
+            await asyncio.gather(speak(one), speak(two))
+            heard = await some(three, Said, 80)
+            assert heard == await some(four, Said, 80)
+            for user in (one.user, two.user):
+                assert [event.data[0] for event in heard if event.user == user] == list(range(40))
+            assert {event.to for event in heard} == {"room"}
+            await one.say(bytes(4096))
+            assert await until(two, Said, lambda event: event.to == "group") == Said(one.user, bytes(4096), "group")
+
+    run(script())
+
+
+def test_signals_reach_one_user(server: Server) -> None:
+    async def script() -> None:
+        async with (
+            join(server.url, room="signals", group=1) as one,
+            join(server.url, room="signals", group=2) as two,
+            join(server.url, room="signals", group=2) as three,
+        ):
+            await one.signal(two.user, memoryview(bytes(16384)))
+            assert await until(two, Signalled) == Signalled(one.user, bytes(16384))
+            await one.signal(12345 if one.user != 12345 else 1, b"to nobody")
+            await one.say(b"end", to="room")
+            events = [await anext(three)]
+            while not isinstance(events[-1], Said):
+                events.append(await anext(three))
+            assert not [event for event in events if isinstance(event, Signalled)]
+
+    run(script())
+
+
+def test_round_trips_end_when_all_of_the_group_have_acknowledged(server: Server) -> None:
+    async def script() -> None:
+        async with join(server.url, room="trips", group=1) as one:
+            # Nobody is there who acknowledges it.
+            await one.pose((0.0, 0.0, 0.0), acknowledged=True)
+            async with join(server.url, room="trips", group=1), join(server.url, room="trips", group=2):
+                await until(one, Joined)
+                for count in range(1, 4):
+                    await one.pose((0.0, 0.0, 0.0))
+                    number = await one.pose((0.0, 0.0, 0.0), acknowledged=True)
+                    settled = await until(one, Settled)
+                    assert settled.sequence == number
+                    assert one.round_trips.shape == (count,)
+                    assert one.round_trips[-1] == settled.seconds >= 0.0
+
+    run(script())
+
+
+def test_a_certificate_that_signs_itself_is_trusted_when_it_is_named(tmp_path_factory: pytest.TempPathFactory) -> None:
+    used = Certificate.self_signed(tmp_path_factory.mktemp("certificate"), ["localhost", "127.0.0.1"])
+
+    async def script(url: str) -> None:
+        async with (
+            join(url, room="hall", certificate=used.certificate) as one,
+            join(url.replace("https", "wss"), room="hall", certificate=used.certificate) as two,
+        ):
+            assert list(two.users) == [one.user]
+        with pytest.raises(RoomError, match="certificate= takes") as refused:
+            async with join(url, room="hall"):
+                pass
+        assert refused.value.reason == "unreached"
+
+    with served(certificate=used) as encrypted:
+        run(script(encrypted.url))
+
+
+def test_a_server_that_is_not_there_or_has_no_rooms_is_told() -> None:
+    async def script(url: str) -> RoomError:
+        with pytest.raises(RoomError) as refused:
+            async with join(url, room="hall"):
+                pass
+        return refused.value
+
+    with Server({"": Site({"a.txt": b"a"}, has_page=False)}) as without:
+        assert "it has no rooms" in run(script(without.url)).sentence
+        url = without.url
+    error = run(script(url))
+    assert (error.reason, "cannot be reached" in str(error)) == ("gone", True)
+    assert isinstance(error, Error)
+    again = pickle.loads(pickle.dumps(error))
+    assert (str(again), again.reason, again.sentence) == (str(error), error.reason, error.sentence)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"url": "127.0.0.1:8080"}, "url: expected the address of a server"),
+        ({"url": "http://here/?a=b"}, "url: expected"),
+        ({"url": "http://here:99999/"}, "url: expected"),
+        ({"url": "ftp://here/"}, "url: expected"),
+        ({"room": ""}, "room: expected 1 to 64 bytes"),
+        ({"room": "a/b"}, "room: expected"),
+        ({"room": ".."}, "room: expected"),
+        ({"room": "é" * 33}, "room: expected at most 64 bytes"),
+        ({"name": "a\nb"}, "name: expected no control characters"),
+        ({"name": "é" * 33}, "name: expected at most 64 bytes"),
+        ({"group": 65536}, "group: expected"),
+        ({"certificate": __file__}, "certificate: expected a file of certificates"),
+    ],
+)
+def test_what_cannot_be_joined_is_named(changes: dict[str, object], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        join(**{"url": "http://127.0.0.1:8080/", "room": "hall", **changes})  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"position": (0.0, 2e6, 0.0)}, "position: expected coordinates within"),
+        ({"position": (0.0, np.nan, 0.0)}, "position: expected 3 finite numbers"),
+        ({"rotation": (0.0, 0.0, 0.0)}, "rotation: expected a quaternion"),
+        ({"rotation": (0.0, 0.0, 0.0, 0.5)}, "rotation: expected a quaternion of length 1"),
+        ({"rotation": (0.0, 0.0, 0.0, np.nan)}, "rotation: expected"),
+        ({"left": (0.0, 0.0, 0.0)}, "left: expected a position and a quaternion"),
+        ({"pointer": ("right", 1.0)}, "pointer: expected a hand"),
+        ({"pointer": ("foot", 1.0)}, "pointer: expected one of"),
+        ({"pointer": ("head", -1.0)}, "pointer: expected a number from 0"),
+        ({"pointer": "head"}, "pointer: expected where it begins"),
+    ],
+)
+def test_poses_of_nowhere_are_named(changes: dict[str, object], message: str) -> None:
+    room = join("http://127.0.0.1:8080/", room="hall")
+    with pytest.raises((ValueError, TypeError), match=message):
+        run(room.pose(**{"position": (0.0, 0.0, 0.0), **changes}))  # type: ignore[arg-type]
+
+
+def test_payloads_have_an_end() -> None:
+    room = join("http://127.0.0.1:8080/", room="hall")
+    with pytest.raises(ValueError, match="data: expected at most 4,096 bytes"):
+        run(room.say(bytes(4097)))
+    with pytest.raises(ValueError, match="data: expected at most 16,384 bytes"):
+        run(room.signal(1, bytes(16385)))
+    with pytest.raises(TypeError, match="data: expected bytes"):
+        run(room.say("text"))  # type: ignore[arg-type]
+    with pytest.raises(RoomError, match="expected a user who has joined"):
+        _ = room.user
+
+
+def test_the_script_of_the_page_joins_and_hears(server: Server, capsys: pytest.CaptureFixture[str]) -> None:
+    page = (CHECKOUT / "docs" / "rooms.md").read_text(encoding="utf-8")
+    (script,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    assert len(script.splitlines()) <= 14
+
+    async def grace() -> None:
+        async with join(server.url, room="hall", name="Grace") as room:
+            running = asyncio.create_task(
+                asyncio.to_thread(exec, script.replace("http://127.0.0.1:8080/", server.url), {})
+            )
+            joined = await until(room, Joined)
+            assert joined.name == "Ada"
+            heard = [await anext(room), await anext(room)]
+            assert Said(joined.user, b"hello", "room") in heard
+            (seen,) = (event for event in heard if isinstance(event, Posed))
+            assert seen.pose.pointer == Pointer("head", 20.0)
+            await room.say(b"hello Ada")
+            await running
+            assert await anext(room) == Left(joined.user)
+
+    run(grace())
+    told = capsys.readouterr().out
+    assert "Joined(user=" in told
+    assert "data=b'hello Ada', to='group')" in told

@@ -1,0 +1,27 @@
+"""`nearfar serve` in a process of its own."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+
+@contextmanager
+def serving(*arguments: object, port: int | None = 0) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """The command in a process of its own, and the address that it tells first."""
+    command = [sys.executable, "-m", "nearfar.cli", "serve", "--port", str(port), *map(str, arguments)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+        try:
+            assert running.stdout is not None
+            yield running, running.stdout.readline().split()[0]
+        finally:
+            running.kill()
+
+
+def rest_of(running: subprocess.Popen[str]) -> tuple[str, str]:
+    """The rest of its output and of its log. (`communicate` would lose what was read ahead with the first line.)"""
+    assert running.stdout is not None
+    assert running.stderr is not None
+    return running.stdout.read(), running.stderr.read()
