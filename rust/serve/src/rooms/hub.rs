@@ -61,14 +61,8 @@ impl Rooms {
 
     fn with(limits: Limits, entry: Option<Key>, back: Key) -> Result<Self, String> {
         limits.check()?;
-        Ok(Rooms {
-            limits,
-            figures: Arc::new(Figures::new()),
-            entry,
-            back,
-            places: Places::default(),
-            state: Mutex::default(),
-        })
+        let (figures, places) = (Arc::new(Figures::new()), Places::default());
+        Ok(Rooms { limits, figures, entry, back, places, state: Mutex::default() })
     }
 
     /// Whether users need a token.

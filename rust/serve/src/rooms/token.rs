@@ -85,9 +85,8 @@ impl Key {
     }
 
     fn back(&self, room: &str, token: Option<&Number>, head: &[u8]) -> Hmac<Sha256> {
-        // A key is of a server that asks for tokens or of one that does not, so that zeros stand for none.
-        let token = token.copied().unwrap_or_default();
-        self.0.clone().chain_update(RETURN).chain_update(head).chain_update(token).chain_update(room)
+        let head = self.0.clone().chain_update(RETURN).chain_update(head).chain_update([u8::from(token.is_some())]);
+        head.chain_update(token.copied().unwrap_or_default()).chain_update(room)
     }
 }
 
