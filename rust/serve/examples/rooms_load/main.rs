@@ -2,8 +2,8 @@
 //!
 //! `rooms_load USERS GROUP HERTZ SECONDS [ATTACK]`, such as `rooms_load 32 4 72 10`, prints a row of a table: median
 //! and 99th percentile of the round trip (the paper's Eq. 3) and of the way from user to user, the server's residence
-//! and CPU, and bytes of a user against the closed form. With a last word of `attack`, eight others misbehave meanwhile in
-//! the group of the first users.
+//! and CPU, and bytes of a user against the closed form. With a last word of `attack`, eight others misbehave meanwhile
+//! in the group of the first users.
 
 mod attack;
 
