@@ -78,7 +78,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     write(words, wordsOf(state, roundTrip));
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
     again.hidden = state.kind === 'here' || state.kind === 'joining';
-    // What changes by itself while the user looks elsewhere.
+    // Changes that come by themselves while the user looks elsewhere.
     const isNews = state !== last && 'words' in state;
     if (isNews && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
     if (state.kind !== 'joining') last = state;
