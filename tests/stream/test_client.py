@@ -232,6 +232,7 @@ def test_a_server_that_is_not_there_or_has_no_rooms_is_told() -> None:
         ({"room": ".."}, "room: expected"),
         ({"room": "é" * 33}, "room: expected at most 64 bytes"),
         ({"name": "a\nb"}, "name: expected no control characters"),
+        ({"name": "a\u200bb"}, "name: expected no characters that only format"),
         ({"name": "é" * 33}, "name: expected at most 64 bytes"),
         ({"group": 65536}, "group: expected"),
         ({"certificate": __file__}, "certificate: expected a file of certificates"),

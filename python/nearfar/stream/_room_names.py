@@ -21,8 +21,11 @@ def room(argument: str, value: str) -> str:
 
 
 def user(argument: str, value: str) -> str:
-    """Check a user's name, which may be empty."""
-    return _name(argument, value)
+    """Check a user's name, which may be empty; ValueError for letters that nobody sees, with which names look alike."""
+    name = _name(argument, value)
+    if any(unicodedata.category(letter) == "Cf" for letter in name):
+        raise ValueError(f"{argument}: expected no characters that only format, got {check.shortened(value)}")
+    return name
 
 
 def _name(argument: str, value: str) -> str:
