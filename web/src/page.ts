@@ -161,7 +161,7 @@ async function main(): Promise<void> {
     import('./rooms/start').then(
       ({ enter }) => (room = enter(host)),
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),
-    );
+    ).catch((reason) => panel.announce(`The room cannot be entered: ${reason}`));
   }
   let last = performance.now();
   let sincePanel = PANEL_EVERY;

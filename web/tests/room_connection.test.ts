@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { inviteOf, readAddress, relayOf } from '../src/rooms/address';
+import { inviteOf, readAddress, relayOf, shownName } from '../src/rooms/address';
 import { connect, type Connection, type Socket, type State } from '../src/rooms/connection';
 import type { FromServer } from '../src/rooms/frames';
 import { framed, REST, served } from './support/room_frames';
@@ -238,6 +238,27 @@ test('round trips are from sending to settling, some of the poses, on one clock'
   assert.deepEqual(poses(socket()).at(-1), [4, 0]);
 });
 
+test('round trips of poses that nobody was left to settle are forgotten', () => {
+  const { connection, socket, pass } = entered();
+  connection.pose(REST, false);
+  socket().comes({ kind: 'left', user: 6 });
+  pass(60);
+  socket().comes(PEER);
+  connection.pose(REST, false);
+  pass(0.125);
+  socket().comes({ kind: 'settled', sequence: 2 });
+  assert.ok(Math.abs((connection.roundTrips.median ?? 0) - 0.125) < 1e-9);
+});
+
+test('a peer who never acknowledges does not end the asking', () => {
+  const { connection, socket, pass } = entered();
+  for (let number = 0; number < 100; number++) {
+    connection.pose(REST, false);
+    pass(0.25);
+  }
+  assert.ok(poses(socket()).every(([, flags]) => flags === 1));
+});
+
 test('poses do not wait behind others', () => {
   const { connection, socket } = entered();
   socket().bufferedAmount = 1 << 20;
@@ -262,6 +283,7 @@ test('an address names a room, or says what was expected', () => {
   assert.deepEqual(read('room=x'), { room: 'x', name: 'Guest', group: 0, token: null });
   const all = { room: 'x', name: 'Ada', group: 65535, token: 't' };
   assert.deepEqual(read('room=x&name=%20Ada%0A&group=65535&token=t'), all);
+  assert.deepEqual(read('room=x&name=A%E2%80%8Bda&group=65535&token=t'), all);
   assert.deepEqual(read(`room=x&name=${'é'.repeat(40)}`), { ...(read('room=x') as object), name: 'é'.repeat(32) });
   const [rooms, groups] = [['', '.', '..', 'a/b', 'a%00', 'x'.repeat(65)], ['', '-1', '65536', '1.5', 'x']];
   for (const room of rooms) assert.match(String(read(`room=${room}`)), /^room:/);
@@ -272,4 +294,8 @@ test('the relay is beside the page, and an invitation keeps what is the user’s
   const address = { room: '#?é', name: 'n', group: 0, token: null };
   assert.equal(relayOf('http://h/a/b?c#d', address), 'ws://h/a/rooms/%23%3F%C3%A9');
   assert.equal(inviteOf('http://h/?room=x&name=A&token=t&group=2#p=1,2,3'), 'http://h/?room=x&group=2#p=1,2,3');
+});
+
+test('users of one name are told apart by their numbers', () => {
+  assert.deepEqual([shownName('Ada', 3), shownName('Ada', 4), shownName('', 5)], ['Ada #3', 'Ada #4', 'Guest #5']);
 });

@@ -28,6 +28,9 @@ ENTERING = 30.0
 PAUSES = (0.05, 5.0)
 """The first pause before another try to return, and the longest; each is twice the one before, more or less."""
 
+STAYED = 10.0
+"""Seconds in the room after which pauses begin anew."""
+
 PATIENCE = 120.0
 """Seconds after which no further try to return begins."""
 
@@ -72,6 +75,7 @@ class Room:
         self._ticket = b""
         self._missing: int | None = None
         self._sequence = 0
+        self._pause, self._entered = PAUSES[0], time.monotonic()
         self._inbox, self._trips = Inbox(), RoundTrips()
         self._connection: Connection | None = None
         self._there = asyncio.Event()
@@ -87,7 +91,7 @@ class Room:
     def user(self) -> int:
         """The user's own number; RoomError before it has joined."""
         if self._user is None:
-            raise RoomError("unreached", "expected a user who has joined, by `async with`")
+            raise _outside()
         return self._user
 
     @property
@@ -165,6 +169,8 @@ class Room:
         await self._send_inside(frames.signal(number, _payload(data, frames.MOST_SIGNALLED)))
 
     async def __aenter__(self) -> Self:
+        if self._reading is not None:
+            raise RoomError("bye", "expected a Room that was not entered before; join makes another one")
         await self._enter()
         self._reading = asyncio.create_task(self._read_on())
         return self
@@ -187,6 +193,8 @@ class Room:
         return self
 
     async def __anext__(self) -> Event:
+        if self._reading is None:
+            raise _outside()
         event = await self._inbox.take()
         if event is None:
             raise StopAsyncIteration
@@ -212,6 +220,7 @@ class Room:
             await connection.close()
             raise
         self._connection = connection
+        self._entered = time.monotonic()
         self._there.set()
 
     async def _read_on(self) -> None:
@@ -224,6 +233,9 @@ class Room:
                 end = await self._read()
         except RoomError as error:
             end = error
+        except Exception as error:
+            self._finish(RoomError("gone", check.one_line(f"the client failed: {error!r}", 300)))
+            raise
         finally:
             await self._leave()
             self._inbox.end()
@@ -242,18 +254,21 @@ class Room:
 
     async def _return(self) -> None:
         """Enter again, however often it takes; RoomError if that is in vain."""
-        pause, longest = PAUSES
+        shortest, longest = PAUSES
+        if time.monotonic() - self._entered > STAYED:
+            self._pause = shortest
         last = time.monotonic() + PATIENCE
         while True:
             # Users whom a server has lost do not all come back at the same time.
-            await asyncio.sleep(pause * random.uniform(0.5, 1.0))
+            await asyncio.sleep(self._pause * random.uniform(0.5, 1.0))
+            # Who is let in and thrown out again waits longer each time, too.
+            self._pause = min(2.0 * self._pause, longest)
             try:
                 await self._enter()
             except RoomError as error:
                 self._forget()
                 if error.reason not in RETURNS or time.monotonic() > last:
                     raise
-                pause = min(2.0 * pause, longest)
             else:
                 return
 
@@ -336,8 +351,14 @@ class Room:
                 raise
 
     def _check_end(self) -> None:
+        if self._reading is None:
+            raise _outside()
         if self._end is not None:
             raise RoomError(self._end.reason, self._end.sentence)
+
+
+def _outside() -> RoomError:
+    return RoomError("unreached", "expected a user who has joined, by `async with`")
 
 
 def _payload(data: Payload, most: int) -> bytes:

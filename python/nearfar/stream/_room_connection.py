@@ -86,7 +86,11 @@ class Connection:
 
         if self._socket is None:
             return None
-        message = await self._socket.receive()
+        try:
+            message = await self._socket.receive()
+        except (aiohttp.ClientError, ConnectionError, RuntimeError):
+            # It answers pings while it receives, and may meet a connection that has ended meanwhile.
+            return None
         if message.type is aiohttp.WSMsgType.BINARY:
             return bytes(message.data)
         if message.type is aiohttp.WSMsgType.TEXT:

@@ -1,5 +1,5 @@
 /** The room that the address of the page names, and the address of its relay. */
-import { NAME } from './frames';
+import { HIDDEN, NAME } from './frames';
 
 /** Most bytes of a room's name, and the greatest number of a group. */
 const [ROOM, GROUP] = [64, 0xffff] as const;
@@ -42,9 +42,14 @@ export function inviteOf(page: string): string {
 
 /** As much of a name as a frame can hold. */
 function nameOf(wanted: string): string {
-  const letters = [...wanted.replace(/\p{Cc}/gu, '').trim()];
+  const letters = [...wanted.replace(new RegExp(HIDDEN, 'gu'), '').trim()];
   while (sizeOf(letters.join('')) > NAME) letters.pop();
   return letters.join('') || NOBODY;
+}
+
+/** A user's name with its number, since users may have the same name, or one that looks the same. */
+export function shownName(name: string, number: number): string {
+  return `${name || NOBODY} #${number}`;
 }
 
 function sizeOf(text: string): number {

@@ -13,8 +13,8 @@ export const NOTHING_HIT = 100;
 const BEYOND = 2;
 
 /**
- * The point that a part of the picture shows: near geometry, whose place is found back from where the morph shows it; or what the
- * map shows, by its range from the centre.
+ * The point that a part of the picture shows: near geometry, whose place is found back from where the morph shows it; or
+ * what the map shows, by its range from the centre.
  */
 export function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: Place): Vector {
   const { shown, entry } = viewer.facts;

@@ -2,6 +2,7 @@
 import type { Point } from '../bundle/manifest';
 import type { Shared } from '../show/materials';
 import type { Guests } from '../show/picture';
+import { shownName } from './address';
 import { type Avatar, createAvatar, type Drawn } from './avatar';
 import type { Body } from './pose';
 import type { Seen } from './presence';
@@ -53,7 +54,7 @@ export function createAvatars(shared: Shared): Avatars {
     show(seen, own, pixel) {
       common.pixel.value = pixel;
       forget(new Set([...seen.map(({ number }) => number), ...(own ? [own.number] : [])]));
-      for (const { number, name, body } of seen) of(number, name).show(body, true);
+      for (const { number, name, body } of seen) of(number, shownName(name, number)).show(body, true);
       if (own) of(own.number, '').show(own.body, false);
     },
     place(center: Point) {

@@ -8,7 +8,7 @@ export function between(from: Body, to: Body, share: number): Body {
   const later = share < 0.5 ? from : to;
   const hand = (side: 'left' | 'right'): Placed | null => {
     const [a, b] = [from[side], to[side]];
-    return a && b ? placedBetween(a, b, share) : later[side];
+    return a && b ? placedBetween(a, b, Math.min(share, 1)) : later[side];
   };
   return {
     head: placedBetween(from.head, to.head, share),

@@ -114,6 +114,8 @@ export function connect(settings: ConnectionSettings): Connection {
       peers.add(frame.user);
     } else if (frame.kind === 'left') {
       peers.delete(frame.user);
+      // Nothing is settled for who is alone, and what waits would be settled by the next one.
+      if (peers.size === 0) roundTrips.forget();
     } else if (frame.kind === 'settled') {
       roundTrips.settle(frame.sequence, time);
     } else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {

@@ -114,9 +114,12 @@ function readName(body: Reader): string {
   return checkedName(textOf(body.take(body.u8()), 'a name is no text'));
 }
 
+/** Letters that names must not have: nobody sees them, or they turn the order of others. */
+export const HIDDEN = /[\p{Cc}\p{Cf}]/u;
+
 function checkedName(name: string): string {
   if (new TextEncoder().encode(name).length > NAME) throw new FrameError('a name is too long');
-  if (/\p{Cc}/u.test(name)) throw new FrameError('a name has control characters');
+  if (HIDDEN.test(name)) throw new FrameError('a name has characters that control or format text');
   return name;
 }
 

@@ -2,6 +2,7 @@
 import { icon, make, write } from '../ui/dom';
 import { milliseconds } from '../ui/format';
 import { copyText } from '../ui/out';
+import { shownName } from './address';
 import { cssOf } from './color';
 import type { State } from './connection';
 import type { Guest } from './presence';
@@ -41,6 +42,8 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
   const chip = make('button', { type: 'button', class: 'chip card here-chip', 'aria-controls': 'here' });
   const list = make('ul', { class: 'here-list' });
   const words = make('p', { class: 'here-words', role: 'status' });
+  // Without a role: readers of screens would tell each change.
+  const figure = make('p', { class: 'here-words' });
   const [again, copy] = [action('Join again', commands.retry), action('Copy link', () => void share())];
   const card = make(
     'section',
@@ -48,6 +51,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     make('h2', {}, 'Here'),
     list,
     words,
+    figure,
     make('div', { class: 'here-actions' }, copy, again),
   );
   const corner = make('div', { class: 'here-corner' }, chip, card);
@@ -75,7 +79,9 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
   }
 
   function tell(state: State, { roundTrip }: Room): void {
-    write(words, wordsOf(state, roundTrip));
+    write(words, wordsOf(state));
+    const isKnown = state.kind === 'here' && roundTrip !== null;
+    write(figure, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
     again.hidden = state.kind === 'here' || state.kind === 'joining';
     // Changes that come by themselves while the user looks elsewhere.
@@ -98,7 +104,8 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
         const found = rows.get(guest.number) ?? row((isMuted) => commands.mute(guest.number, isMuted));
         rows.set(guest.number, found);
         const isElsewhere = guest.group !== room.group;
-        found.show(isElsewhere ? `${guest.name} (other group)` : guest.name, cssOf(guest.number), guest.isMuted);
+        const name = shownName(guest.name, guest.number);
+        found.show(isElsewhere ? `${name} (other group)` : name, cssOf(guest.number), guest.isMuted);
         return found.element;
       });
       arrange(list, [you.element, ...others]);
@@ -130,9 +137,9 @@ function row(mute?: (isMuted: boolean) => void): Row {
     show(text, color, isMuted) {
       write(name, text);
       dot.style.setProperty('--color', color);
-      if (isMuted === null || button.getAttribute('aria-pressed') === String(isMuted)) return;
-      button.setAttribute('aria-pressed', String(isMuted));
       const title = `${isMuted ? 'Show' : 'Mute'} the pointer of ${text}`;
+      if (isMuted === null || button.title === title) return;
+      button.setAttribute('aria-pressed', String(isMuted));
       button.setAttribute('aria-label', title);
       button.title = title;
     },
@@ -145,14 +152,18 @@ function action(text: string, run: () => void): HTMLButtonElement {
   return made;
 }
 
-function wordsOf(state: State, roundTrip: number | null): string {
-  if (state.kind === 'here') return roundTrip === null ? '' : `Round trip ${milliseconds(1000 * roundTrip)}`;
+function wordsOf(state: State): string {
+  if (state.kind === 'here') return '';
   if (state.kind === 'joining') return 'Joining the room';
   return state.kind === 'waiting' ? `${state.words} Trying again in ${state.seconds} s.` : state.words;
 }
 
 /** Put children into an order, and leave alone what is in it. */
 function arrange(list: HTMLElement, wanted: readonly HTMLElement[]): void {
-  const isSame = list.children.length === wanted.length && wanted.every((child, at) => list.children[at] === child);
-  if (!isSame) list.replaceChildren(...wanted);
+  const kept = new Set<Element>(wanted);
+  for (const child of [...list.children]) if (!kept.has(child)) child.remove();
+  // Rows in place stay, and keep the focus.
+  wanted.forEach((child, at) => {
+    if (list.children[at] !== child) list.insertBefore(child, list.children[at] ?? null);
+  });
 }

@@ -3,8 +3,8 @@ import { CanvasTexture, type Color, LinearFilter, LinearMipmapLinearFilter, SRGB
 
 /** Pixels: height of the picture and of the letters, and beside them. */
 const [HEIGHT, LETTERS, BESIDE] = [64, 40, 22] as const;
-/** Letters that are shown of a name. */
-const MOST = 24;
+/** Letters that are shown of a name, and pixels: some letters are as wide as words. */
+const [MOST, WIDEST] = [24, 640] as const;
 
 export interface Label {
   readonly texture: CanvasTexture;
@@ -19,7 +19,8 @@ export function createLabel(name: string, color: Color): Label {
   const text = letters.length > MOST ? `${letters.slice(0, MOST - 1).join('')}…` : name;
   const font = `600 ${LETTERS}px system-ui, sans-serif`;
   if (pen) pen.font = font;
-  canvas.width = Math.ceil(pen?.measureText(text).width ?? 0) + 2 * BESIDE;
+  const width = Math.min(Math.ceil(pen?.measureText(text).width ?? 0), WIDEST);
+  canvas.width = width + 2 * BESIDE;
   canvas.height = HEIGHT;
   if (pen) {
     pen.beginPath();
@@ -28,7 +29,7 @@ export function createLabel(name: string, color: Color): Label {
     pen.fill();
     // Setting the width has reset the pen.
     Object.assign(pen, { font, textAlign: 'center', textBaseline: 'middle', fillStyle: '#0b0e12' });
-    pen.fillText(text, canvas.width / 2, HEIGHT / 2 + 2);
+    pen.fillText(text, canvas.width / 2, HEIGHT / 2 + 2, width);
   }
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;

@@ -27,8 +27,10 @@ export function createRoundTrips(): RoundTrips {
       return sorted[sorted.length >> 1] ?? null;
     },
     send(sequence, now) {
-      if (now - last < EVERY || open.size >= MOST_OPEN) return false;
+      if (now - last < EVERY) return false;
       last = now;
+      const [oldest] = open.keys();
+      if (open.size >= MOST_OPEN && oldest !== undefined) open.delete(oldest);
       open.set(sequence, now);
       return true;
     },

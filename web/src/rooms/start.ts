@@ -104,7 +104,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   function bodyOf(pose: Pose, now: number): Body {
     const hands = host.hands();
     if (hands) return inHeadset(pose, hands, ({ origin, direction }) => viewer.along(origin, direction) ?? NOTHING_HIT);
-    return atScreen(pose, hold.place && aim(pose, hold.place, now));
+    return atScreen(pose, aim(pose, hold.place, now));
   }
 
   const room: Room = {
@@ -139,12 +139,16 @@ function pixelOf({ camera, renderer }: Viewer): number {
   return (2 * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(renderer.domElement.height, 1);
 }
 
-type Aim = (pose: Pose, place: Place, now: number) => Vector;
+type Aim = (pose: Pose, place: Place | null, now: number) => Vector | null;
 
 /** Looks at what the pointer hits less often than frames are drawn: the answer of the GPU must be waited for. */
 function createAim(look: (pose: Pose, place: Place) => Vector): Aim {
   let [target, next]: [Vector | null, number] = [null, -Infinity];
   return (pose, place, now) => {
+    if (!place) {
+      target = null;
+      return null;
+    }
     if (target && now < next) return target;
     next = now + AIM_EVERY;
     target = look(pose, place);
