@@ -52,6 +52,25 @@ test('who has joined is told where the user rests', () => {
   assert.deepEqual(sent, [[4, false], [4, true], [4, true]]);
 });
 
+test('who is hidden rests at once without a pointer, and tells those who join', () => {
+  const sent: [Body, boolean][] = [];
+  const sender = createSender((body, stops) => sent.push([body, stops]) > 0);
+  sender.rest();
+  assert.deepEqual(sent, []);
+  const pointing: Body = { ...at(1), right: REST.head, pointer: { begin: 'right', length: 10 } };
+  sender.update(pointing, 0);
+  sender.rest();
+  sender.repeat();
+  const resting: Body = { ...pointing, pointer: null };
+  assert.deepEqual(sent.slice(1), [[resting, true], [resting, true]]);
+  sender.update(resting, 1);
+  assert.equal(sent.length, 3);
+  sender.update(pointing, 2);
+  sender.repeat();
+  sender.update(pointing, 3);
+  assert.deepEqual(sent.slice(3), [[pointing, false], [pointing, true]]);
+});
+
 test('hands and pointers that come, go or change are changes', () => {
   const { sent, sender } = new Outbox();
   const bodies: readonly Body[] = [

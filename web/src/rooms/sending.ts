@@ -11,6 +11,8 @@ export interface Sender {
   update(body: Body, now: number): void;
   /** Somebody does not know yet where the user is. */
   repeat(): void;
+  /** No frames come, as in a hidden tab: until they do, the user rests where it was and points nowhere. */
+  rest(): void;
 }
 
 /** `send` is given a pose, and whether none follows until the user moves again; it answers whether it was taken. */
@@ -18,9 +20,11 @@ export function createSender(send: (body: Body, stops: boolean) => boolean): Sen
   let last: Body | null = null;
   let hasStopped = false;
   let next = -Infinity;
+  let isResting = false;
 
   return {
     update(body, now) {
+      isResting = false;
       const isSame = last !== null && isSameBody(body, last);
       if ((isSame && hasStopped) || now < next) return;
       if (!send(body, isSame)) return;
@@ -29,7 +33,13 @@ export function createSender(send: (body: Body, stops: boolean) => boolean): Sen
       [last, hasStopped] = [body, isSame];
     },
     repeat() {
-      hasStopped = false;
+      hasStopped = isResting && last !== null && send(last, true);
+    },
+    rest() {
+      if (!last) return;
+      isResting = true;
+      last = { ...last, pointer: null };
+      hasStopped = send(last, true);
     },
   };
 }

@@ -93,6 +93,9 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   /** Others who were there before the user. */
   let known = 0;
   viewer.setGuests(avatars);
+  document.addEventListener('visibilitychange', () => {
+    if (document.hidden) sender.rest();
+  });
 
   function heard(frame: FromServer, now: number): void {
     presence.hear(frame, now);
