@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from typing import Annotated
 from urllib.parse import quote
 
@@ -36,7 +37,7 @@ def invite(
     typer.echo(made if url is None else f"{_addresses.page(url)}?room={quote(room, safe='')}&token={made}")
 
 
-def chosen(is_wanted: bool, key: str | None, **most: int | None) -> Rooms | None:
+def chosen(is_wanted: bool, sources: list[str], key: str | None, **most: int | None) -> Rooms | None:
     """The rooms of a server, with the most `rooms` and `users` that are given; None if it is to have none."""
     given = {name: count for name, count in most.items() if count is not None}
     if not is_wanted:
@@ -44,6 +45,9 @@ def chosen(is_wanted: bool, key: str | None, **most: int | None) -> Rooms | None
         if without:
             raise ValueError(f"{without[0]}: expected --rooms beside it")
         return None
+    if len(sources) > 1:
+        # Users of several scenes would stand in one room, and pages look for it beside their own scene.
+        raise ValueError(f"--rooms: expected one source, got {len(sources)}")
     for name, count in given.items():
         check.integer(f"--most-{name}", count, 1, 2**16 - 2)
     secret = kept_key(cache.folder() / "rooms" / "key" if key is None else key)
@@ -62,4 +66,4 @@ def tell(url: str, rooms: Rooms | None, key: str | None) -> None:
     if key is None:
         typer.echo(f"{links}.")
     else:
-        typer.echo(f"{links}; for each `nearfar invite NAME --rooms-key {key} --url {url}` makes a link.")
+        typer.echo(f"{links}; for each `nearfar invite NAME --rooms-key {shlex.quote(key)} --url {url}` makes a link.")

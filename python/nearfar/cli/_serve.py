@@ -99,7 +99,7 @@ def serve(
     check.choice("--log", log, ("text", "json", "off"))
     limits = Limits(connections=connections, per_client=per_client)
     used = _certificate(certificate, key, self_signed, host, name)
-    rooms = _rooms.chosen(with_rooms, rooms_key, rooms=most_rooms, users=most_users)
+    rooms = _rooms.chosen(with_rooms, sources, rooms_key, rooms=most_rooms, users=most_users)
     loading = _sites.Loading(up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     regions = _sites.Regions(
         cache_bytes=check.integer("--cache-bytes", cache_bytes, 0, 1 << 62),
