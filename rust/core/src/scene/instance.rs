@@ -1,6 +1,6 @@
 //! Meshes placed in the world.
 
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
 
 use glam::{DAffine3, Vec3};
 
@@ -63,7 +63,6 @@ pub struct InstanceSet {
     /// Number of triangles before each instance, and of all.
     offsets: Vec<i64>,
     tlas: OnceLock<Tlas>,
-    building: Mutex<()>,
 }
 
 impl InstanceSet {
@@ -108,9 +107,8 @@ impl InstanceSet {
         self.tlas.get()
     }
 
-    /// Builds the trees of all meshes and the top-level tree, each on first use.
+    /// Builds the trees of all meshes and the top-level tree, each on first use; no lock is held meanwhile.
     pub fn build(&self, progress: &Progress) -> Result<()> {
-        let _one_builder = self.building.lock().unwrap_or_else(PoisonError::into_inner);
         if self.tlas.get().is_some() {
             return Ok(());
         }

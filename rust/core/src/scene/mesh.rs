@@ -1,6 +1,6 @@
 //! Triangle meshes with their attributes, which instances place in the world.
 
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::OnceLock;
 
 use glam::Vec3;
 use rayon::prelude::*;
@@ -35,7 +35,6 @@ pub struct Mesh {
     pub materials: FaceMap,
     bounds: Aabb,
     bvh: OnceLock<Bvh>,
-    building: Mutex<()>,
 }
 
 impl Mesh {
@@ -97,8 +96,7 @@ impl Mesh {
         bounds: Aabb,
     ) -> Self {
         let bvh = OnceLock::new();
-        let (normals, building) = (None, Mutex::new(()));
-        Self { positions, faces, uvs, colors, normals, objects, materials, bounds, bvh, building }
+        Self { positions, faces, uvs, colors, normals: None, objects, materials, bounds, bvh }
     }
 
     /// The mesh with other vertex normals for shading; `None` for flat faces.
@@ -206,9 +204,9 @@ impl Mesh {
         self.bvh.get()
     }
 
-    /// Builds the bounding volume hierarchy on first use.
+    /// Builds the bounding volume hierarchy on first use. Threads that come at the same time each build one, and the first
+    /// stays: a thread that waits inside rayon for a part of the work may be given a task that needs this tree, too.
     pub fn build_bvh(&self, progress: &Progress) -> Result<&Bvh> {
-        let _one_builder = self.building.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(bvh) = self.bvh.get() {
             return Ok(bvh);
         }
