@@ -28,6 +28,7 @@ def room() -> client.Room:
     """A user who is in a room."""
     made = client.join(URL, room="hall")
     made._connection = _Nowhere(Address.of(URL, "hall", None, None))
+    made._was_entered = True
     made._there.set()
     return made
 

@@ -81,6 +81,7 @@ class Room:
         self._there = asyncio.Event()
         self._end: Ended | None = None
         self._reading: asyncio.Task[None] | None = None
+        self._was_entered = False
 
     @property
     def users(self) -> dict[int, User]:
@@ -169,9 +170,10 @@ class Room:
         await self._send_inside(frames.signal(number, _payload(data, frames.MOST_SIGNALLED)))
 
     async def __aenter__(self) -> Self:
-        if self._reading is not None:
+        if self._was_entered:
             raise RoomError("bye", "expected a Room that was not entered before; join makes another one")
         await self._enter()
+        self._was_entered = True
         self._reading = asyncio.create_task(self._read_on())
         return self
 
@@ -193,7 +195,7 @@ class Room:
         return self
 
     async def __anext__(self) -> Event:
-        if self._reading is None:
+        if not self._was_entered:
             raise _outside()
         event = await self._inbox.take()
         if event is None:
@@ -351,7 +353,7 @@ class Room:
                 raise
 
     def _check_end(self) -> None:
-        if self._reading is None:
+        if not self._was_entered:
             raise _outside()
         if self._end is not None:
             raise RoomError(self._end.reason, self._end.sentence)

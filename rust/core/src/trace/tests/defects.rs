@@ -2,6 +2,8 @@
 
 use std::time::Instant;
 
+use rayon::prelude::*;
+
 use super::*;
 
 /// A square of two triangles, perpendicular to the z axis.
@@ -155,5 +157,17 @@ fn rays_that_overflow_are_no_panics() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn trees_can_be_built_by_all_threads_at_once() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(4).build().unwrap();
+    for turn in 0..2 {
+        let triangles: Vec<[Vec3; 3]> =
+            (0..1_000).flat_map(|n| wall(((n * 7919 + turn) % 1_009) as f32, 1.0)).collect();
+        let mesh = mesh(&triangles);
+        // A thread that waits for a part of its tree takes up another of these tasks.
+        pool.install(|| (0..8).into_par_iter().for_each(|_| assert!(mesh.build_bvh(&Progress::new()).is_ok())));
     }
 }
