@@ -41,7 +41,7 @@ Placing = tuple[ArrayLike, ArrayLike]
 """A position and a quaternion."""
 
 Payload = bytes | bytearray | memoryview
-"""What is said and signalled."""
+"""Bytes that are said and signalled."""
 
 
 class Room:

@@ -1,4 +1,4 @@
-/** What is drawn of a user: a head with a name above it, hands, and a pointer. */
+/** The drawing of a user: a head with a name above it, hands, and a pointer. */
 import {
   type BufferGeometry,
   type IUniform,

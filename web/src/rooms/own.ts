@@ -1,4 +1,4 @@
-/** What the user shows of itself to others. */
+/** The body that the user shows to others. */
 import type { Pose } from '../control/pose';
 import { ahead, minus, moved, rightOf, type Vector } from '../control/vector';
 import type { HandRay } from '../xr/hands';

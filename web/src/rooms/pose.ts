@@ -22,7 +22,7 @@ export interface Pointer {
   readonly length: number;
 }
 
-/** What a user shows of itself. */
+/** The parts of a user that others see. */
 export interface Body {
   readonly head: Placed;
   readonly left: Placed | null;

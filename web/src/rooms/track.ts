@@ -29,7 +29,7 @@ interface Sample {
 export interface Track {
   /** A pose has come; poses that are known are ignored. */
   hear(pose: Pose, now: number): void;
-  /** What is drawn now; null before the first pose. */
+  /** The body that is drawn now; null before the first pose. */
   at(now: number): Body | null;
   /** Seconds from the present of the user's own clock back to what is drawn, without the least time that poses take. */
   readonly behind: number;
@@ -41,7 +41,7 @@ export function createTrack(): Track {
   let [interval, late, latest] = [INTERVAL, 0, 0];
   /** Least difference of both clocks, in this window and in the one before. */
   let least = { since: 0, now: Infinity, before: Infinity };
-  /** What is subtracted from the time here; null until something is drawn. */
+  /** Seconds that are subtracted from the time here; null until something is drawn. */
   let subtracted: number | null = null;
   let drawn = 0;
 

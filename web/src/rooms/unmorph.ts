@@ -1,7 +1,7 @@
 /** The morph of shaders/near.ts in numbers, and back: the point of the world that is shown somewhere. */
 import { minus, type Vector } from '../control/vector';
 
-/** What the picture is morphed by; places are metres from the centre. */
+/** The morph of the picture; places are metres from the centre. */
 export interface Morph {
   /** The eye. */
   readonly user: Vector;

@@ -36,7 +36,7 @@ vec3 irradiance(vec3 n) {
 }
 `;
 
-/** What a direction shows where nothing is hit. */
+/** The sky in a direction, where nothing is hit. */
 export const BACKGROUND = /* glsl */ `
 ${glsl(SKY)}
 

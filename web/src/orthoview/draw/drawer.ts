@@ -1,4 +1,4 @@
-/** What the page needs of whatever draws. */
+/** The drawers that the page can use, as it uses them. */
 import type { Camera } from '../cut/camera';
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';

@@ -8,7 +8,7 @@ import { type Stock, stockOf } from './stock';
 export type Graphics = 'webgl' | 'webgpu';
 
 export interface StartSettings {
-  /** What draws; null for WebGPU where it is, else WebGL 2. */
+  /** The graphics that draw; null for WebGPU where it is, else WebGL 2. */
   readonly graphics: Graphics | null;
   /** The script that draws by WebGPU, which is read where it is used. */
   readonly script: URL;

@@ -1,4 +1,4 @@
-/** What lies on the GPU of a tree, and pictures of it. */
+/** The part of a tree that lies on the GPU, and pictures of it. */
 import type { Camera } from '../cut/camera';
 import { nameOf } from '../cut/cells';
 import type { Piece } from '../decode/leaf';
@@ -9,7 +9,7 @@ import { GEOMETRY, type Layout, type Triple } from '../store/layout';
 import { Resident } from './resident';
 import type { Choice } from './stand_in';
 
-/** What stays, if possible, though the picture does not show it. */
+/** Cells and leaves that stay, if possible, though the picture does not show them. */
 export interface Kept {
   /** Names of cells. */
   readonly cells: ReadonlySet<string>;

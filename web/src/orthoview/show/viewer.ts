@@ -35,7 +35,7 @@ export interface ViewerSettings {
   readonly lift: number;
   /** Samples along each axis of a pixel. */
   readonly grid: number;
-  /** What draws; null for what is there. */
+  /** The graphics that draw; null for those that are there. */
   readonly graphics: Graphics | null;
   /** Bytes of the GPU that views may take, and a quarter of it geometry; those of one picture may take more. */
   readonly bytes: number;

@@ -2,7 +2,7 @@
 import { BEGIN, RESOLVE, SPLATS } from './splat_shaders';
 
 export interface Kernels {
-  /** What is bound: numbers that calls choose by an offset, alone and with what the pipelines need. */
+  /** Layouts of what is bound: numbers that calls choose by an offset, alone and with what the pipelines need. */
   readonly numbered: GPUBindGroupLayout;
   readonly splatLayout: GPUBindGroupLayout;
   readonly beginLayout: GPUBindGroupLayout;

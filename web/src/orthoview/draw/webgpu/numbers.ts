@@ -3,7 +3,7 @@ import type { Projector } from '../../splats/sight';
 import { SLOT } from './room';
 import type { Band } from './samples';
 
-/** What is the same for all calls. */
+/** Numbers that are the same for all calls. */
 export interface Common {
   /** Of the samples. */
   readonly projector: Projector;

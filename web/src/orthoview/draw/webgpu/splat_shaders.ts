@@ -331,7 +331,7 @@ fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_inv
 }
 `;
 
-/** What geometry left, as where splats begin. */
+/** Depths of the geometry, with which splats begin. */
 export const BEGIN = /* wgsl */ `
 ${DRAW}
 @group(0) @binding(1) var depths: texture_depth_2d;
