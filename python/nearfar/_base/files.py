@@ -102,6 +102,13 @@ def write(path: Path, data: bytes | memoryview) -> None:
             whole = whole[file.write(whole[:_PIECE]) :]
 
 
+def write_with_mode(path: Path, data: bytes, mode: int) -> None:
+    """Write a file aside that has its mode before there is anything to read, and rename it."""
+    with atomic_file(path) as temporary:
+        temporary.chmod(mode)
+        temporary.write_bytes(data)
+
+
 def restore(path: str | os.PathLike[str]) -> None:
     """Put back a folder that was being replaced when the process died, on systems that cannot exchange two at once."""
     aside.restore(_absolute(path))

@@ -90,8 +90,5 @@ class Certificate:
         made = _core.self_signed(wanted)
         place.mkdir(parents=True, exist_ok=True)
         for path, text, mode in zip((key, certificate), reversed(made), (0o600, 0o644), strict=True):
-            with files.atomic_file(path) as aside:
-                # Before there is anything to read.
-                aside.chmod(mode)
-                aside.write_text(text)
+            files.write_with_mode(path, text.encode(), mode)
         return cls(certificate, key)

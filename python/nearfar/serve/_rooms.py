@@ -144,10 +144,7 @@ def kept_key(path: str | os.PathLike[str]) -> bytes:
     place = check.path("path", path)
     if not place.exists():
         place.parent.mkdir(parents=True, exist_ok=True)
-        with files.atomic_file(place) as aside:
-            # Before there is anything to read.
-            aside.chmod(0o600)
-            aside.write_bytes(secrets.token_bytes(_MADE_BYTES))
+        files.write_with_mode(place, secrets.token_bytes(_MADE_BYTES), 0o600)
     return read_key(place)
 
 
