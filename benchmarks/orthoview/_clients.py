@@ -66,7 +66,8 @@ STAND = """async ([pose, cut]) => {
 STILL = """async ([width, height]) => {
   const gl = document.querySelector('canvas').getContext('webgl2');
   await client.draw();
-  client.paint?.();
+  // In the same task, whose end gives the picture away.
+  await client.paint?.();
   const pixels = new Uint8Array(4 * width * height);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   let text = '';
