@@ -93,6 +93,7 @@ def test_a_site_does_not_hide_rooms() -> None:
         ({"hello_seconds": 0.0}, "hello_seconds: expected"),
         ({"key": bytes(15)}, "key: expected 16 bytes or more, got 15"),
         ({"key": "secret" * 5}, "key: expected bytes, got str"),
+        ({"peers": 1}, "peers: expected"),
         ({"needs_token": True}, "needs_token: expected a key beside it"),
     ],
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Mapping
 from typing import Annotated
 from urllib.parse import quote
 
@@ -37,11 +38,14 @@ def invite(
     typer.echo(made if url is None else f"{_addresses.page(url)}?room={quote(room, safe='')}&token={made}")
 
 
-def chosen(is_wanted: bool, sources: list[str], key: str | None, **most: int | None) -> Rooms | None:
+def chosen(
+    is_wanted: bool, sources: list[str], key: str | None, most: Mapping[str, int | None], no_peers: bool
+) -> Rooms | None:
     """The rooms of a server, with the most `rooms` and `users` that are given; None if it is to have none."""
     given = {name: count for name, count in most.items() if count is not None}
     if not is_wanted:
         without = ["--rooms-key"] * (key is not None) + [f"--most-{name}" for name in given]
+        without += ["--no-peers"] * no_peers
         if without:
             raise ValueError(f"{without[0]}: expected --rooms beside it")
         return None
@@ -53,7 +57,7 @@ def chosen(is_wanted: bool, sources: list[str], key: str | None, **most: int | N
     secret = kept_key(cache.folder() / "rooms" / "key" if key is None else key)
     # A user who joins is told of all others at once, 72 bytes each.
     queue = max(Rooms.queue_bytes, 128 + 72 * given.get("users", 0))
-    return Rooms(**given, queue_bytes=queue, key=secret, needs_token=key is not None)
+    return Rooms(**given, queue_bytes=queue, key=secret, needs_token=key is not None, peers=not no_peers)
 
 
 def tell(url: str, rooms: Rooms | None, key: str | None) -> None:

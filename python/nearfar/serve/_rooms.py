@@ -50,6 +50,8 @@ class Rooms:
         random ones of this server alone.
     needs_token
         Whether users need a token that `token` made with the same key.
+    peers
+        Whether pages may exchange files among themselves.
 
     Raises
     ------
@@ -75,6 +77,7 @@ class Rooms:
     linger_seconds: float = 2.0
     key: bytes | None = field(default=None, repr=False)
     needs_token: bool = False
+    peers: bool = True
 
     def __post_init__(self) -> None:
         check.integer("rooms", self.rooms, 1, _MOST)
@@ -89,6 +92,7 @@ class Rooms:
             check.within(name, getattr(self, name), 1.0, _MOST_RATE)
         for name in ("burst_seconds", "hello_seconds", "ping_seconds", "silent_seconds", "linger_seconds"):
             check.within(name, getattr(self, name), 0.01, _MOST_SECONDS)
+        check.flag("peers", self.peers)
         if self.key is not None:
             _checked("key", self.key)
         if check.flag("needs_token", self.needs_token) and self.key is None:

@@ -127,7 +127,8 @@ impl Limits {
     }
 }
 
-/// Limits of rooms as Python has them, the secret bytes of their key, and whether users need a token of it.
+/// Limits of rooms as Python has them, the secret bytes of their key, whether users need a token of it, and whether pages
+/// may exchange files.
 #[derive(FromPyObject)]
 struct Rooms {
     rooms: usize,
@@ -146,6 +147,7 @@ struct Rooms {
     linger_seconds: f64,
     key: Option<PyBackedBytes>,
     needs_token: bool,
+    peers: bool,
 }
 
 impl Rooms {
@@ -171,7 +173,8 @@ impl Rooms {
             Some(key) if !self.needs_token => rooms::Rooms::open(limits, key),
             key => rooms::Rooms::new(limits, key),
         };
-        made.map_err(PyValueError::new_err)
+        let made = made.map_err(PyValueError::new_err)?;
+        Ok(if self.peers { made } else { made.without_peers() })
     }
 }
 

@@ -13,7 +13,8 @@ use crate::metrics::{self, Metrics};
 use crate::packed::Packed;
 use crate::respond::Asked;
 use crate::rooms::Rooms;
-use crate::rooms::upgrade::{self, Door};
+use crate::rooms::door::Door;
+use crate::rooms::{about, upgrade};
 use crate::site::{Document, Sites, find};
 use crate::{regions, respond};
 
@@ -34,7 +35,7 @@ pub struct Answering {
     pub headers: Vec<(HeaderName, HeaderValue)>,
     /// Whose pages may read answers: an origin, or `*`; none for the server's own.
     pub origin: Option<HeaderValue>,
-    /// Rooms, at `rooms/NAME`.
+    /// Rooms, at `rooms/NAME`; `rooms` tells of them.
     pub rooms: Option<Arc<Rooms>>,
 }
 
@@ -116,14 +117,14 @@ impl Router {
             }
             _ => {}
         }
-        if let Some((rooms, room)) = self.rooms().zip(upgrade::room(&path)) {
-            let door = Door {
-                host: self.host(request),
-                is_named: self.answering.hosts.is_some() || self.is_certified(request),
-                allowed: self.answering.origin.as_ref(),
-                needs_token: rooms.needs_token(),
-            };
-            return upgrade::answer(room, door, || rooms.place(client, self.sockets), request);
+        if let Some(rooms) = self.rooms() {
+            let door = || self.door(rooms, request);
+            if path == about::PATH {
+                return about::answer(rooms, door(), request.headers());
+            }
+            if let Some(room) = upgrade::room(&path) {
+                return upgrade::answer(room, door(), || rooms.place(client, self.sockets), request);
+            }
         }
         if !path.is_empty() && self.sites().contains_key(&*path) {
             return moved_below(request.uri().path());
@@ -138,6 +139,16 @@ impl Router {
                 None => nothing(),
             },
             None => nothing(),
+        }
+    }
+
+    /// The rules by which a request for rooms is let in.
+    fn door<'a, B>(&'a self, rooms: &Rooms, request: &'a Request<B>) -> Door<'a> {
+        Door {
+            host: self.host(request),
+            is_named: self.answering.hosts.is_some() || self.is_certified(request),
+            allowed: self.answering.origin.as_ref(),
+            needs_token: rooms.needs_token(),
         }
     }
 

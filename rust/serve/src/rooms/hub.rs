@@ -19,6 +19,8 @@ use super::token::Key;
 pub struct Rooms {
     /// Limits of rooms and users.
     pub limits: Limits,
+    /// Pages may exchange files among themselves.
+    pub(super) peers: bool,
     pub(super) figures: Arc<Figures>,
     /// Signs tokens, if users need one.
     pub(super) entry: Option<Key>,
@@ -62,7 +64,12 @@ impl Rooms {
     fn with(limits: Limits, entry: Option<Key>, back: Key) -> Result<Self, String> {
         limits.check()?;
         let (figures, places) = (Arc::new(Figures::new()), Places::default());
-        Ok(Rooms { limits, figures, entry, back, places, state: Mutex::default() })
+        Ok(Rooms { limits, peers: true, figures, entry, back, places, state: Mutex::default() })
+    }
+
+    /// The same rooms; pages take files from the server alone.
+    pub fn without_peers(self) -> Self {
+        Rooms { peers: false, ..self }
     }
 
     /// Whether users need a token.

@@ -3,7 +3,9 @@
 //! `socket` is one way by which a user's messages come and go; others need `session` and `outbox`. docs/rooms.md
 //! describes the frames and the rules.
 
+pub(crate) mod about;
 mod bucket;
+pub(crate) mod door;
 mod figures;
 pub mod frame;
 mod hub;

@@ -208,7 +208,7 @@ async fn what_does_not_ask_for_a_socket_gets_none() {
     }
     let elsewhere = [&["Host: evil.example"], &ASKS[1..]].concat();
     assert_eq!(code(&server, "/rooms/hall", &elsewhere).await, 403);
-    for (target, expected) in [("/rooms/h%C3%A4ll", 101), ("/rooms/", 404), ("/rooms", 404), ("/rooms/a/b", 404)] {
+    for (target, expected) in [("/rooms/h%C3%A4ll", 101), ("/rooms/", 404), ("/rooms/a/b", 404)] {
         assert_eq!(code(&server, target, &ASKS).await, expected, "{target}");
     }
     let without = start(answering(None, false), None);

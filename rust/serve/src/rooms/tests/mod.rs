@@ -1,5 +1,6 @@
 //! Tests of rooms, most of them with a server on this machine.
 
+mod about;
 mod clock;
 mod faults;
 mod frames;
