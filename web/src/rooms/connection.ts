@@ -1,6 +1,7 @@
 /** A connection to a room: it joins, comes back by itself, acknowledges poses and measures round trips. */
 import { type Address, relayOf } from './address';
 import { FrameError } from './bytes';
+import { CLOCK, type Clock } from './clock';
 import { type FromServer, type FromUser, readMessage, writeFrame } from './frames';
 import type { Body } from './pose';
 import { type End, endOf, endOfCode } from './reasons';
@@ -35,10 +36,7 @@ export interface ConnectionSettings {
   readonly changed: (state: State) => void;
   /** The browser's, by default. */
   readonly open?: (url: string) => Socket;
-  /** Seconds from any begin. */
-  readonly now?: () => number;
-  /** Act after some seconds; the answer is a function that prevents it. */
-  readonly later?: (seconds: number, action: () => void) => () => void;
+  readonly clock?: Clock;
 }
 
 export interface Connection {
@@ -46,13 +44,16 @@ export interface Connection {
   readonly roundTrips: RoundTrips;
   /** Send where the user is; false if the room does not take it now. */
   pose(body: Body, stops: boolean): boolean;
+  /** Send bytes to one other user, no more than docs/rooms.md allows; false outside of the room. */
+  signal(user: number, payload: Uint8Array): boolean;
   /** Come back after it has ended, or at once while it waits. */
   retry(): void;
   leave(): void;
 }
 
 export function connect(settings: ConnectionSettings): Connection {
-  const { address, page, heard, changed, open = openSocket, now = seconds, later = wait } = settings;
+  const { address, page, heard, changed, open = openSocket, clock = CLOCK } = settings;
+  const { now, later } = clock;
   const roundTrips = createRoundTrips();
   let state: State = { kind: 'joining' };
   let socket: Socket | null = null;
@@ -164,6 +165,11 @@ export function connect(settings: ConnectionSettings): Connection {
       send({ kind: 'pose', pose: { ...body, sequence, clock: BigInt(Math.round(1e6 * time)), isAcknowledged, stops } });
       return true;
     },
+    signal(user, payload) {
+      if (state.kind !== 'here' || !socket) return false;
+      send({ kind: 'signal', user, payload });
+      return true;
+    },
     retry() {
       if (state.kind === 'waiting' || state.kind === 'ended') join();
     },
@@ -177,13 +183,4 @@ export function connect(settings: ConnectionSettings): Connection {
 
 function openSocket(url: string): Socket {
   return new WebSocket(url);
-}
-
-function seconds(): number {
-  return performance.now() / 1000;
-}
-
-function wait(seconds: number, action: () => void): () => void {
-  const timer = setTimeout(action, 1000 * seconds);
-  return () => clearTimeout(timer);
 }

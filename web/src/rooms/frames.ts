@@ -8,7 +8,7 @@ const VERSION = 1;
 export const NAME = 64;
 const [SAY, SIGNAL] = [1 << 12, 1 << 14] as const;
 
-const KINDS = { hello: 1, pose: 2, ack: 3, bye: 6 } as const;
+const KINDS = { hello: 1, pose: 2, ack: 3, signal: 5, bye: 6 } as const;
 /** Kinds of the server's frames. */
 export const SERVER = {
   welcome: 129,
@@ -26,6 +26,7 @@ export type FromUser =
   | { readonly kind: 'hello'; readonly group: number; readonly name: string; readonly ticket: Uint8Array }
   | { readonly kind: 'pose'; readonly pose: Pose }
   | { readonly kind: 'ack'; readonly user: number; readonly sequence: number }
+  | { readonly kind: 'signal'; readonly user: number; readonly payload: Uint8Array }
   | { readonly kind: 'bye' };
 
 /** A frame that the server sends. */
@@ -79,7 +80,7 @@ function readBody(kind: number, body: Reader): FromServer {
   }
 }
 
-/** The bytes of a frame; a `FrameError` for a hello whose name or ticket is none. */
+/** The bytes of a frame; a `FrameError` for a hello whose name or ticket is none, and for too long a payload. */
 export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   const body = new Writer();
   if (frame.kind === 'hello') {
@@ -96,6 +97,10 @@ export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   } else if (frame.kind === 'ack') {
     body.u16(frame.user);
     body.u32(frame.sequence);
+  } else if (frame.kind === 'signal') {
+    if (frame.payload.length > SIGNAL) throw new FrameError('a payload is too long');
+    body.u16(frame.user);
+    body.put(frame.payload);
   }
   const out = new Writer();
   out.u8(KINDS[frame.kind]);

@@ -1,6 +1,6 @@
 /** Who is here: a card with names, whose pointers can be muted, and with what the room says of itself. */
 import { icon, make, write } from '../ui/dom';
-import { milliseconds } from '../ui/format';
+import { bytes, milliseconds } from '../ui/format';
 import { copyText } from '../ui/out';
 import { shownName } from './address';
 import { cssOf } from './color';
@@ -26,6 +26,8 @@ export interface Room {
   readonly guests: readonly Guest[];
   /** Seconds; null for none that is known. */
   readonly roundTrip: number | null;
+  /** Bytes of files that came from others, and from the server; null where pages exchange none. */
+  readonly files: { readonly others: number; readonly server: number } | null;
 }
 
 export interface Here {
@@ -43,7 +45,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
   const list = make('ul', { class: 'here-list' });
   const words = make('p', { class: 'here-words', role: 'status' });
   // Without a role: readers of screens would tell each change.
-  const figure = make('p', { class: 'here-words' });
+  const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
   const [again, copy] = [action('Join again', commands.retry), action('Copy link', () => void share())];
   const card = make(
     'section',
@@ -52,6 +54,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     list,
     words,
     figure,
+    source,
     make('div', { class: 'here-actions' }, copy, again),
   );
   const corner = make('div', { class: 'here-corner' }, chip, card);
@@ -78,10 +81,11 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     commands.announce((await copyText(link)) ? 'Link to the room copied' : link);
   }
 
-  function tell(state: State, { roundTrip }: Room): void {
+  function tell(state: State, { roundTrip, files }: Room): void {
     write(words, wordsOf(state));
     const isKnown = state.kind === 'here' && roundTrip !== null;
     write(figure, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
+    write(source, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
     again.hidden = state.kind === 'here' || state.kind === 'joining';
     // Changes that come by themselves while the user looks elsewhere.

@@ -1,6 +1,9 @@
 /** A room in the page: who is here, where they look and point. A script of its own, for those who join a room. */
+import { filesOfRing } from '../bundle/contents';
+import type { Files } from '../bundle/source';
 import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
+import { type Peers, startPeers } from '../peers/start';
 import type { Viewer } from '../show/viewer';
 import { make } from '../ui/dom';
 import type { HandRay } from '../xr/hands';
@@ -27,6 +30,9 @@ export interface Host {
   readonly viewer: Viewer;
   readonly canvas: HTMLCanvasElement;
   readonly root: HTMLElement;
+  readonly files: Files;
+  /** Files that every region needs. */
+  readonly moving: readonly string[];
   /** r1 as a share of r2. */
   readonly nearShare: number;
   /** The hands of the headset; null outside. */
@@ -38,6 +44,8 @@ export interface Room {
   readonly connection: Connection;
   readonly presence: Presence;
   readonly avatars: Avatars;
+  /** The exchange of files with others. */
+  readonly peers: Peers;
   /** Others as they were drawn last, and the user's own body. */
   readonly seen: readonly Seen[];
   readonly body: Body | null;
@@ -62,9 +70,12 @@ export function enter(host: Host): Room | null {
   }
   const hold = createHold(host.canvas, here.button);
   const room = join(host, address, hold, (made) => {
-    const { presence, connection } = made;
+    const { presence, connection, peers } = made;
     const { name, group } = address;
-    here.update(connection.state, { name, group, guests: presence.guests, roundTrip: connection.roundTrips.median });
+    const { others, server } = peers.counts;
+    const files = peers.refusal === null ? { others: others.bytes, server: server.bytes } : null;
+    const roundTrip = connection.roundTrips.median;
+    here.update(connection.state, { name, group, guests: presence.guests, roundTrip, files });
   });
   return room;
 }
@@ -80,7 +91,15 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     heard,
     changed: ({ kind }) => {
       if (kind !== 'here') presence.clear();
+      if (kind === 'waiting' || kind === 'ended') peers.clear();
     },
+  });
+  const peers = startPeers({
+    page: location.href,
+    files: host.files,
+    wanted: () => [...host.moving, ...(viewer.facts.entry?.rings ?? []).flatMap(filesOfRing)],
+    isFirst: () => viewer.facts.arrived < 0,
+    signal: connection.signal,
   });
   const sender = createSender((body, stops) => {
     // Beyond it no frame can say where the user is.
@@ -99,6 +118,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
 
   function heard(frame: FromServer, now: number): void {
     presence.hear(frame, now);
+    peers.hear(frame);
     if (frame.kind === 'welcome') known = frame.others;
     if (frame.kind === 'welcome' || frame.kind === 'joined') sender.repeat();
     if (frame.kind === 'joined' && --known < 0) host.announce(`${frame.name} is here`);
@@ -114,6 +134,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     connection,
     presence,
     avatars,
+    peers,
     get seen() {
       return seen;
     },
