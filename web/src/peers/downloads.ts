@@ -100,8 +100,8 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
       const request = ++last;
       return new Promise((done, failed) => {
         const stopped = (): void => {
-          giveUp(request, download, 'none');
           failed(signal.reason as Error);
+          giveUp(request, download, 'none');
         };
         const ended = (answer: Answer): void => {
           signal.removeEventListener('abort', stopped);

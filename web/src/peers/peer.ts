@@ -40,6 +40,8 @@ export interface Peer {
   readonly isFree: boolean;
   /** How it comes by a file, as far as it has told. */
   holds(key: string): Holding;
+  /** It waits for a file from this page. */
+  awaits(key: string): boolean;
   tell(holding: Holding, keys: readonly string[]): void;
   ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer>;
   /** A file has come to this page, or does not come. */
@@ -131,6 +133,7 @@ export function createPeer({ number, line, shelf, now, sent, refuse }: PeerSetti
       if (answer === 'none') known.delete(file.sha256);
       return answer;
     },
+    awaits: uploads.awaits,
     settle: uploads.settle,
     tick(isSecond) {
       downloads.tick();

@@ -56,7 +56,7 @@ export function createShare(settings: ShareSettings): Share {
   function chosen(key: string, tried: ReadonlySet<number>): Peer | null {
     const number = own();
     if (number === null) return null;
-    const free = peers().filter((peer) => peer.isFree && !tried.has(peer.number));
+    const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !tried.has(peer.number));
     const byLoad = (a: Peer, b: Peer): number => a.open - b.open || (isBefore(a.number, b.number, key) ? -1 : 1);
     const [holder] = free.filter((peer) => peer.holds(key) === 'here').sort(byLoad);
     if (holder) return holder;

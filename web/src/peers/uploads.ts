@@ -23,6 +23,8 @@ export interface Uploads {
   /** A request has come; the answer is a sentence if it breaks the rules. */
   want(request: number, key: string): string | null;
   cancel(request: number): void;
+  /** The other page waits for a file that is not here yet. */
+  awaits(key: string): boolean;
   /** A file has come, or does not come. */
   settle(key: string): void;
   /** Tell of those that are waited for. */
@@ -88,10 +90,14 @@ export function createUploads(outlet: Outlet, shelf: Shelf, now: Clock['now']): 
       if (found) {
         ready.set(request, found);
         void sendAll();
-      } else if (!isFast && shelf.obtain(key)) {
-        waiting.set(request, key);
+        return null;
+      }
+      // Before it is obtained: who waits for a file is not asked for it.
+      waiting.set(request, key);
+      if (!isFast && shelf.obtain(key)) {
         outlet.send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
       } else {
+        waiting.delete(request);
         outlet.send({ kind: 'none', request });
       }
       return null;
@@ -100,6 +106,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, now: Clock['now']): 
       const isOpen = ready.delete(request) || waiting.delete(request);
       if (isOpen) outlet.send({ kind: 'none', request });
     },
+    awaits: (key) => [...waiting.values()].includes(key),
     settle(key) {
       const found = shelf.find(key);
       for (const [request, wanted] of waiting) {
