@@ -14,7 +14,7 @@ use tokio_tungstenite::tungstenite::Error;
 use tokio_tungstenite::tungstenite::protocol::{CloseFrame, Message, Role, WebSocketConfig};
 
 use super::frame::{FromServer, HEAD};
-use super::outbox::Taken;
+use super::outbox::{Part, Taken};
 use super::pose;
 use super::reason::{End, Reason};
 use super::session::Session;
@@ -150,7 +150,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
             let message = if std::mem::take(&mut self.is_ping_due) {
                 Message::Ping(Bytes::new())
             } else {
-                match self.session.outbox.take(&mut self.message, &mut self.read) {
+                match self.session.outbox.take(Part::All, &mut self.message, &mut self.read) {
                     Taken::End(end) => return Poll::Ready(end),
                     Taken::Message => Message::Binary(self.message.split().freeze()),
                     Taken::Nothing => return Poll::Pending,
