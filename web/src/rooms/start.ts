@@ -15,6 +15,7 @@ import { atScreen, inHeadset } from './own';
 import { type Body, isWithin } from './pose';
 import { createPresence, type Presence, type Seen } from './presence';
 import { createSender } from './sending';
+import { createOpen } from './way';
 
 /** Seconds between two looks at what the pointer hits, and between two updates of the card. */
 const [AIM_EVERY, CARD_EVERY] = [1 / 36, 0.25] as const;
@@ -74,9 +75,11 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   const { viewer, nearShare } = host;
   const presence = createPresence();
   const avatars = createAvatars(viewer.shared);
+  const isWithoutDatagrams = new URLSearchParams(location.search).get('datagrams') === 'off';
   const connection = connect({
     address,
     page: location.href,
+    open: createOpen(location.href, isWithoutDatagrams),
     heard,
     changed: ({ kind }) => {
       if (kind !== 'here') presence.clear();

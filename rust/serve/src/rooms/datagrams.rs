@@ -19,6 +19,8 @@ use crate::quic::session::{Link, datagram, payload};
 
 /// Bytes that are read at once.
 const READ: usize = 1 << 12;
+/// Datagrams, and pieces of the stream, that are read in a row; then other connections have their turn.
+const ROW: usize = 16;
 /// Most bytes of a datagram's frames; few networks take larger packets.
 pub const DATAGRAM: usize = 1200;
 
@@ -135,8 +137,9 @@ impl Way {
     /// All that there is to do now; ready when the user has ended the session.
     fn poll_end(&mut self, context: &mut Context<'_>) -> Result<Poll<()>, End> {
         self.count()?;
-        self.read_stream(context)?;
+        // Those that came before a hello are dropped.
         self.read_datagrams(context)?;
+        self.read_stream(context)?;
         if self.link.poll_ended(context).is_ready() {
             return self.link.connection.close_reason().map_or(Ok(Poll::Ready(())), |error| Err(lost(error)));
         }
@@ -155,7 +158,8 @@ impl Way {
 
     fn read_stream(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         let mut piece = [0; READ];
-        while let Poll::Ready(polled) = self.receive.poll_read(context, &mut piece) {
+        for _ in 0..ROW {
+            let Poll::Ready(polled) = self.receive.poll_read(context, &mut piece) else { return Ok(()) };
             match polled {
                 Ok(0) if self.came.is_empty() => return Err(End::new(Reason::Bye, "the user left")),
                 Ok(0) => return Err(End::new(Reason::Frame, "expected a whole frame before the stream's end")),
@@ -165,6 +169,7 @@ impl Way {
             }
             self.take_frames()?;
         }
+        context.waker().wake_by_ref();
         Ok(())
     }
 
@@ -186,11 +191,13 @@ impl Way {
     }
 
     fn read_datagrams(&mut self, context: &mut Context<'_>) -> Result<(), End> {
-        while let Poll::Ready(Some(came)) = self.incoming.as_mut().poll_next(context) {
+        for _ in 0..ROW {
+            let Poll::Ready(Some(came)) = self.incoming.as_mut().poll_next(context) else { return Ok(()) };
             let bytes = came.map_err(lost)?;
             let frames = payload(&bytes).ok_or_else(|| End::new(Reason::Frame, "expected datagrams of the session"))?;
             self.session.datagram(frames, std::time::Instant::now())?;
         }
+        context.waker().wake_by_ref();
         Ok(())
     }
 

@@ -84,7 +84,7 @@ fn what_a_later_one_replaces_is_sent_apart_from_what_must_arrive() {
     let frames = [FromServer::Settled { sequence: 5 }, FromServer::Pose { user: 1, pose: pose(2) }];
     assert_eq!(split(&passing.bytes), bytes(&frames));
     outbox.add_settled(6, true);
-    outbox.sent(&passing);
+    assert_eq!(outbox.sent(&passing).len(), 1);
     assert_eq!(outbox.passing(1000).bytes.len(), 0);
     assert_eq!(part(), (bytes(&[FromServer::Settled { sequence: 6 }]), 0));
     assert!(taken(&outbox).is_empty());
@@ -98,7 +98,7 @@ fn datagrams_hold_as_much_as_fits_and_leave_nobody_out() {
     (0..5).for_each(|user| assert!(!outbox.add_pose(user, pose(0), now)));
     assert!(outbox.passing(each - 1).bytes.is_empty(), "not even one fits");
     let mut seen = Vec::new();
-    for sequence in 1..6 {
+    for sequence in 1..11 {
         let passing = outbox.passing(2 * each + 1);
         for frame in split(&passing.bytes) {
             let Ok((FromServer::Pose { user, .. }, _)) = FromServer::read(&frame) else { panic!("a pose") };
@@ -107,7 +107,9 @@ fn datagrams_hold_as_much_as_fits_and_leave_nobody_out() {
         assert_eq!(outbox.sent(&passing).len(), 2);
         (0..5).for_each(|user| _ = outbox.add_pose(user, pose(sequence), now));
     }
-    assert_eq!(seen, [0, 1, 2, 3, 4, 0, 1, 2, 3, 4]);
+    assert_eq!(seen[..5], [0, 1, 2, 3, 4]);
+    let least = (0..5).map(|user| seen.iter().filter(|each| **each == user).count()).min();
+    assert!(least >= Some(3), "{seen:?}");
 }
 
 #[test]
