@@ -11,4 +11,5 @@ mod seats;
 mod slow;
 mod support;
 mod tokens;
+mod trials;
 mod vectors;
