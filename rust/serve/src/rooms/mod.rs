@@ -21,6 +21,8 @@ mod settle;
 mod socket;
 mod tap;
 mod token;
+#[cfg(any(test, fuzzing))]
+pub mod trial;
 pub(crate) mod upgrade;
 
 #[cfg(test)]

@@ -15,4 +15,5 @@ mod settled;
 mod slow;
 mod support;
 mod tokens;
+mod trials;
 mod vectors;
