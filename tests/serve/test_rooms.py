@@ -94,6 +94,7 @@ def test_a_site_does_not_hide_rooms() -> None:
         ({"key": bytes(15)}, "key: expected 16 bytes or more, got 15"),
         ({"key": "secret" * 5}, "key: expected bytes, got str"),
         ({"peers": 1}, "peers: expected"),
+        ({"datagrams": None}, "datagrams: expected"),
         ({"needs_token": True}, "needs_token: expected a key beside it"),
     ],
 )

@@ -74,6 +74,7 @@ def test_an_invitation_lets_a_user_in(place: Path, tmp_path: Path) -> None:
         (("serve", "PLACE", "--rooms-key", "k", "--check"), "--rooms-key: expected --rooms beside it"),
         (("serve", "PLACE", "--most-users", "3", "--check"), "--most-users: expected --rooms beside it"),
         (("serve", "PLACE", "--no-peers", "--check"), "--no-peers: expected --rooms beside it"),
+        (("serve", "PLACE", "--no-datagrams", "--check"), "--no-datagrams: expected --rooms beside it"),
         (("serve", "PLACE", "--rooms", "--most-rooms", "0", "--check"), "--most-rooms: expected"),
         (("serve", "PLACE", "--rooms", "--rooms-key", "short", "--check"), "short: expected a key of 16 bytes or more"),
         (("serve", "a=PLACE", "b=PLACE", "--rooms", "--check"), "--rooms: expected one source, got 2"),

@@ -1,24 +1,27 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { inviteOf, readAddress, relayOf, shownName } from '../src/rooms/address';
-import { connect, type Connection, type Socket, type State } from '../src/rooms/connection';
+import { connect, type Connection, type State } from '../src/rooms/connection';
 import type { FromServer } from '../src/rooms/frames';
+import type { Listener, Socket } from '../src/rooms/socket';
 import { framed, REST, served } from './support/room_frames';
 
 /** A socket that a test opens and closes. */
 class Fake implements Socket {
-  binaryType: BinaryType = 'blob';
   bufferedAmount = 0;
-  onopen: Socket['onopen'] = null;
-  onmessage: Socket['onmessage'] = null;
-  onclose: Socket['onclose'] = null;
   readonly sent: Uint8Array[] = [];
+  /** Of each frame that was sent, whether it may get lost. */
+  readonly passing: boolean[] = [];
   isClosed = false;
 
-  constructor(readonly url: string) {}
+  constructor(
+    readonly url: string,
+    private readonly listener: Listener,
+  ) {}
 
-  send(data: unknown): void {
-    this.sent.push(data as Uint8Array);
+  send(data: Uint8Array, isPassing: boolean): void {
+    this.sent.push(data);
+    this.passing.push(isPassing);
   }
 
   close(): void {
@@ -26,7 +29,7 @@ class Fake implements Socket {
   }
 
   open(): void {
-    this.onopen?.call(this as unknown as WebSocket, {} as Event);
+    this.listener.opened();
   }
 
   /** Frames of the server come in one message. */
@@ -36,11 +39,11 @@ class Fake implements Socket {
   }
 
   data(data: unknown): void {
-    this.onmessage?.call(this as unknown as WebSocket, { data } as MessageEvent);
+    this.listener.came(data);
   }
 
   breaks(code = 1006): void {
-    this.onclose?.call(this as unknown as WebSocket, { code } as CloseEvent);
+    this.listener.closed(code);
   }
 }
 
@@ -64,8 +67,8 @@ function bench(): Bench {
     page: 'https://host:8/folder/index.html?room=1#p=1,2,3',
     heard: (frame) => heard.push(frame),
     changed: (state) => states.push(state),
-    open: (url) => {
-      sockets.push(new Fake(url));
+    open: (url, listener) => {
+      sockets.push(new Fake(url, listener));
       return sockets.at(-1) as Fake;
     },
     clock: {
@@ -105,7 +108,6 @@ function entered(): Bench {
 test('it joins the room beside the page, by name and token', () => {
   const { socket, states, heard, connection } = bench();
   assert.equal(socket().url, 'wss://host:8/folder/rooms/a%20b?token=7.x.y');
-  assert.equal(socket().binaryType, 'arraybuffer');
   assert.deepEqual(connection.state, { kind: 'joining' });
   assert.equal(connection.pose(REST, false), false);
   socket().open();
@@ -215,6 +217,34 @@ test('poses of others are acknowledged at once, those that ask for it', () => {
   );
   const answers = socket().sent.slice(before).map((bytes) => Buffer.from(bytes).toString('hex'));
   assert.deepEqual(answers, ['030600' + '0600' + '09000000']);
+});
+
+test('what a later frame replaces may get lost, the last one before a pause may not', () => {
+  const { connection, socket, pass } = entered();
+  const before = socket().sent.length;
+  connection.pose(REST, false);
+  connection.pose(REST, true);
+  // One before it is open, so that it asks for an acknowledgement, too.
+  assert.deepEqual(poses(socket()), [[1, 1], [2, 3]]);
+  const theirs = { ...REST, isAcknowledged: true };
+  socket().comes({ kind: 'pose', user: 6, pose: { ...theirs, sequence: 8 } });
+  socket().comes({ kind: 'pose', user: 6, pose: { ...theirs, sequence: 9, stops: true } });
+  assert.deepEqual(socket().passing.slice(before), [true, false, true, false]);
+  socket().comes({ kind: 'settled', sequence: 2 });
+  pass(0.01);
+  connection.pose(REST, true);
+  assert.deepEqual(poses(socket()).at(-1), [3, 2]);
+  connection.leave();
+  assert.equal(socket().passing.at(-1), false);
+});
+
+test('datagrams that overtake the welcome are ignored', () => {
+  const { socket, states, heard } = bench();
+  socket().open();
+  const sent = socket().sent.length;
+  socket().comes({ kind: 'pose', user: 6, pose: { ...REST, sequence: 8, isAcknowledged: true } });
+  socket().comes({ kind: 'settled', sequence: 2 });
+  assert.deepEqual([heard.length, socket().sent.length, states.at(-1)?.kind], [0, sent, 'joining']);
 });
 
 /** Sequence and flags of the poses that were sent. */

@@ -39,15 +39,29 @@ def invite(
 
 
 def chosen(
-    is_wanted: bool, sources: list[str], key: str | None, most: Mapping[str, int | None], no_peers: bool
+    is_wanted: bool, sources: list[str], key: str | None, most: Mapping[str, int | None], without: Mapping[str, bool]
 ) -> Rooms | None:
-    """The rooms of a server, with the most `rooms` and `users` that are given; None if it is to have none."""
+    """The rooms of a server; None if it is to have none.
+
+    Parameters
+    ----------
+    is_wanted
+        Whether it is to have rooms; if not, no option of rooms may be given.
+    sources
+        What it serves.
+    key
+        File of the key that lets users in; None if they need no token.
+    most
+        The most `rooms` and `users`; None for the default.
+    without
+        Whether to do without `peers` and `datagrams`.
+    """
     given = {name: count for name, count in most.items() if count is not None}
     if not is_wanted:
-        without = ["--rooms-key"] * (key is not None) + [f"--most-{name}" for name in given]
-        without += ["--no-peers"] * no_peers
-        if without:
-            raise ValueError(f"{without[0]}: expected --rooms beside it")
+        unused = ["--rooms-key"] * (key is not None) + [f"--most-{name}" for name in given]
+        unused += [f"--no-{name}" for name, is_off in without.items() if is_off]
+        if unused:
+            raise ValueError(f"{unused[0]}: expected --rooms beside it")
         return None
     if len(sources) > 1:
         # Users of several scenes would stand in one room, and pages look for it beside their own scene.
@@ -57,7 +71,15 @@ def chosen(
     secret = kept_key(cache.folder() / "rooms" / "key" if key is None else key)
     # A user who joins is told of all others at once, 72 bytes each.
     queue = max(Rooms.queue_bytes, 128 + 72 * given.get("users", 0))
-    return Rooms(**given, queue_bytes=queue, key=secret, needs_token=key is not None, peers=not no_peers)
+    return Rooms(
+        rooms=given.get("rooms", Rooms.rooms),
+        users=given.get("users", Rooms.users),
+        queue_bytes=queue,
+        key=secret,
+        needs_token=key is not None,
+        peers=not without["peers"],
+        datagrams=not without["datagrams"],
+    )
 
 
 def tell(url: str, rooms: Rooms | None, key: str | None) -> None:

@@ -79,6 +79,9 @@ def serve(
     no_peers: Annotated[
         bool, typer.Option("--no-peers", help="Pages of a room take files from the server alone, not from each other.")
     ] = False,
+    no_datagrams: Annotated[
+        bool, typer.Option("--no-datagrams", help="Users of rooms connect by WebSocket alone, not by WebTransport.")
+    ] = False,
     log: Annotated[str, option("--log", "text|json|off", "Log of answers and warnings, on standard error.")] = "text",
     grid: Annotated[
         float, option("--grid", "METRES", "Scenes: spacing of the grid to which the centres of regions move.")
@@ -102,7 +105,9 @@ def serve(
     check.choice("--log", log, ("text", "json", "off"))
     limits = Limits(connections=connections, per_client=per_client)
     used = _certificate(certificate, key, self_signed, host, name)
-    rooms = _rooms.chosen(with_rooms, sources, rooms_key, {"rooms": most_rooms, "users": most_users}, no_peers)
+    most = {"rooms": most_rooms, "users": most_users}
+    without = {"peers": no_peers, "datagrams": no_datagrams}
+    rooms = _rooms.chosen(with_rooms, sources, rooms_key, most, without)
     loading = _sites.Loading(up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     regions = _sites.Regions(
         cache_bytes=check.integer("--cache-bytes", cache_bytes, 0, 1 << 62),

@@ -52,6 +52,8 @@ class Rooms:
         Whether users need a token that `token` made with the same key.
     peers
         Whether pages may exchange files among themselves.
+    datagrams
+        Whether users may connect by WebTransport, at the server's port of UDP or the next one that is free.
 
     Raises
     ------
@@ -78,6 +80,7 @@ class Rooms:
     key: bytes | None = field(default=None, repr=False)
     needs_token: bool = False
     peers: bool = True
+    datagrams: bool = True
 
     def __post_init__(self) -> None:
         check.integer("rooms", self.rooms, 1, _MOST)
@@ -92,7 +95,8 @@ class Rooms:
             check.within(name, getattr(self, name), 1.0, _MOST_RATE)
         for name in ("burst_seconds", "hello_seconds", "ping_seconds", "silent_seconds", "linger_seconds"):
             check.within(name, getattr(self, name), 0.01, _MOST_SECONDS)
-        check.flag("peers", self.peers)
+        for name in ("peers", "datagrams"):
+            check.flag(name, getattr(self, name))
         if self.key is not None:
             _checked("key", self.key)
         if check.flag("needs_token", self.needs_token) and self.key is None:

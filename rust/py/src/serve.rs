@@ -127,8 +127,8 @@ impl Limits {
     }
 }
 
-/// Limits of rooms as Python has them, the secret bytes of their key, whether users need a token of it, and whether pages
-/// may exchange files.
+/// Limits of rooms as Python has them, the secret bytes of their key, whether users need a token of it, whether pages may
+/// exchange files, and whether users may connect by WebTransport.
 #[derive(FromPyObject)]
 struct Rooms {
     rooms: usize,
@@ -148,6 +148,7 @@ struct Rooms {
     key: Option<PyBackedBytes>,
     needs_token: bool,
     peers: bool,
+    datagrams: bool,
 }
 
 impl Rooms {
@@ -174,7 +175,8 @@ impl Rooms {
             key => rooms::Rooms::new(limits, key),
         };
         let made = made.map_err(PyValueError::new_err)?;
-        Ok(if self.peers { made } else { made.without_peers() })
+        let made = if self.peers { made } else { made.without_peers() };
+        Ok(if self.datagrams { made } else { made.without_datagrams() })
     }
 }
 

@@ -81,7 +81,7 @@ pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, ends: End
 }
 
 /// A connection until it ends; it takes no more requests once the server ends.
-async fn watched<C: Future>(connection: C, mut ends: Ends, finish: impl FnOnce(Pin<&mut C>)) -> C::Output {
+pub async fn watched<C: Future>(connection: C, mut ends: Ends, finish: impl FnOnce(Pin<&mut C>)) -> C::Output {
     let mut connection = pin!(connection);
     tokio::select! {
         result = &mut connection => return result,

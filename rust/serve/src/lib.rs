@@ -11,6 +11,7 @@ pub mod log;
 mod metrics;
 mod open;
 mod packed;
+mod quic;
 mod ranges;
 mod record;
 mod regions;

@@ -1,5 +1,6 @@
 //! From a request to its answer.
 
+use std::borrow::Cow;
 use std::collections::HashSet;
 use std::net::IpAddr;
 use std::sync::Arc;
@@ -11,9 +12,10 @@ use percent_encoding::percent_decode_str;
 
 use crate::metrics::{self, Metrics};
 use crate::packed::Packed;
+use crate::quic::Offer;
 use crate::respond::Asked;
-use crate::rooms::Rooms;
 use crate::rooms::door::Door;
+use crate::rooms::{Datagrams, Entering, Rooms};
 use crate::rooms::{about, upgrade};
 use crate::site::{Document, Sites, find};
 use crate::{regions, respond};
@@ -47,6 +49,8 @@ pub struct Router {
     sockets: usize,
     /// Names that the server's certificate lists.
     certified: Vec<String>,
+    /// Where datagrams are taken.
+    offer: Option<Offer>,
     /// Counts of what was answered.
     pub metrics: Metrics,
 }
@@ -55,12 +59,20 @@ impl Router {
     /// Answer requests so.
     pub fn new(answering: Answering) -> Self {
         let metrics = Metrics::new(&answering.sites, answering.rooms.as_deref());
-        Router { metrics, packed: Packed::new(PACKED), sockets: usize::MAX, certified: Vec::new(), answering }
+        Router {
+            metrics,
+            packed: Packed::new(PACKED),
+            sockets: usize::MAX,
+            certified: Vec::new(),
+            offer: None,
+            answering,
+        }
     }
 
-    /// Leave some of so many connections to those who ask for files, and know the names of a certificate.
-    pub(crate) fn within(self, connections: usize, certified: Vec<String>) -> Self {
-        Router { sockets: connections - connections / FILES, certified, ..self }
+    /// Leave some of so many connections to those who ask for files, know the names of a certificate, and tell pages
+    /// where datagrams are taken.
+    pub(crate) fn within(self, connections: usize, certified: Vec<String>, offer: Option<Offer>) -> Self {
+        Router { sockets: connections - connections / FILES, certified, offer, ..self }
     }
 
     /// The sites.
@@ -102,10 +114,7 @@ impl Router {
             return answer;
         }
         let nothing = || respond::refusal(StatusCode::NOT_FOUND, "no such file");
-        // A target such as `*` is no path.
-        let Some(path) = request.uri().path().strip_prefix('/') else { return nothing() };
-        // Decoded once: a name that still has percent signs is that of a file with percent signs.
-        let Ok(path) = percent_decode_str(path).decode_utf8() else { return nothing() };
+        let Some(path) = path_of(request) else { return nothing() };
         let asked = Asked { client, method: request.method(), headers: request.headers(), packed: &self.packed };
         match &*path {
             "healthz" => return respond::refusal(StatusCode::OK, "the server runs"),
@@ -120,7 +129,7 @@ impl Router {
         if let Some(rooms) = self.rooms() {
             let door = || self.door(rooms, request);
             if path == about::PATH {
-                return about::answer(rooms, door(), request.headers());
+                return about::answer(rooms, self.datagrams(), door(), request.headers());
             }
             if let Some(room) = upgrade::room(&path) {
                 return upgrade::answer(room, door(), || rooms.place(client, self.sockets), request);
@@ -140,6 +149,26 @@ impl Router {
             },
             None => nothing(),
         }
+    }
+
+    /// Where a client's request for a session of WebTransport leads, or the status by which it is refused.
+    pub(crate) fn entering<B>(&self, client: IpAddr, request: &Request<B>) -> Result<Entering, StatusCode> {
+        if !self.is_called_by_its_name(request) {
+            return Err(StatusCode::FORBIDDEN);
+        }
+        let path = path_of(request).ok_or(StatusCode::NOT_FOUND)?;
+        let (rooms, room) = self.rooms().zip(upgrade::room(&path)).ok_or(StatusCode::NOT_FOUND)?;
+        upgrade::session(room, self.door(rooms, request), || rooms.place(client, self.sockets), request)
+    }
+
+    /// Where datagrams are taken now, if anywhere.
+    pub(crate) fn datagrams(&self) -> Option<Datagrams> {
+        self.offer.as_ref().map(Offer::told)
+    }
+
+    /// Make the next certificate for datagrams if it is time.
+    pub(crate) fn renew_offer(&self) -> Result<(), String> {
+        self.offer.as_ref().map_or(Ok(()), Offer::refresh)
     }
 
     /// The rules by which a request for rooms is let in.
@@ -171,11 +200,20 @@ impl Router {
 
     /// The name by which a request calls the server, without its port, in lower case.
     fn name<B>(&self, request: &Request<B>) -> String {
-        let named = self.host(request).unwrap_or_default();
-        let is_port = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
-        let name = named.rsplit_once(':').filter(|(_, port)| is_port(port)).map_or(named, |(name, _)| name);
-        name.to_ascii_lowercase()
+        without_port(self.host(request).unwrap_or_default()).to_ascii_lowercase()
     }
+}
+
+/// The name of a host without its port.
+pub(crate) fn without_port(named: &str) -> &str {
+    let is_port = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    named.rsplit_once(':').filter(|(_, port)| is_port(port)).map_or(named, |(name, _)| name)
+}
+
+/// The path of a request without its leading slash, decoded once: a name that still has percent signs is that of a file
+/// with percent signs. None for a target such as `*`, which is no path.
+fn path_of<B>(request: &Request<B>) -> Option<Cow<'_, str>> {
+    percent_decode_str(request.uri().path().strip_prefix('/')?).decode_utf8().ok()
 }
 
 /// Lead from a site's name to its root, below which the page's relative addresses lie.

@@ -1,7 +1,7 @@
 //! Listens, and keeps connections within their limits until the server ends.
 
 use std::io;
-use std::net::SocketAddr;
+use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
@@ -11,8 +11,10 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot, watch};
 use tokio_rustls::TlsAcceptor;
 
-use crate::clients::{Clients, counted};
+use crate::clients::{Clients, Entered, counted};
 use crate::connection::{self, Shared};
+use crate::quic;
+use crate::rooms::{self, Datagrams};
 use crate::router::Router;
 use crate::tls::Current;
 
@@ -86,15 +88,17 @@ impl Server {
             .enable_all()
             .build()?;
         let listener = runtime.block_on(TcpListener::bind(address))?;
+        let offered = router.rooms().filter(|rooms| rooms.takes_datagrams()).map(|rooms| rooms.limits);
+        let _inside = runtime.enter();
+        let offered = offered.and_then(|limits| datagrams(listener.local_addr().ok()?, limits, current.as_ref()));
+        let (quic, offer) = offered.unzip();
         let certified = current.as_ref().map_or_else(Vec::new, |current| current.identity().names.clone());
-        let (address, router) = (listener.local_addr()?, Arc::new(router.within(limits.connections, certified)));
+        let (address, router) = (listener.local_addr()?, Arc::new(router.within(limits.connections, certified, offer)));
         let (end, ended) = oneshot::channel();
         let shared = Arc::new(Shared { router: Arc::clone(&router), limits, tls });
         let thread = std::thread::Builder::new().name("nearfar serve".into()).spawn(move || {
-            if let Some(current) = current {
-                runtime.spawn(renew(current, Arc::clone(&shared.router)));
-            }
-            runtime.block_on(listen(listener, shared, ended));
+            runtime.spawn(renew(current, Arc::clone(&shared.router)));
+            runtime.block_on(listen(listener, quic.map(Arc::new), shared, ended));
             // Reads of files that hang are left alone.
             runtime.shutdown_timeout(limits.grace);
         })?;
@@ -104,6 +108,11 @@ impl Server {
     /// The address that it listens at.
     pub fn address(&self) -> SocketAddr {
         self.address
+    }
+
+    /// Where it takes users of rooms by WebTransport, and the hashes of its certificate; none if it takes none.
+    pub fn datagrams(&self) -> Option<Datagrams> {
+        self.router.datagrams()
     }
 
     /// Accept no more requests, let answers end within the grace, and stop.
@@ -129,13 +138,49 @@ impl Drop for Server {
     }
 }
 
-async fn listen(listener: TcpListener, shared: Arc<Shared>, mut ended: oneshot::Receiver<()>) {
+/// Places among the connections, of all clients and of each.
+#[derive(Clone)]
+pub struct Gate {
+    open: Arc<Semaphore>,
+    clients: Arc<Clients>,
+    per_client: usize,
+}
+
+/// A connection's place among the connections.
+pub type Entry = (Entered, OwnedSemaphorePermit);
+
+impl Gate {
+    fn new(limits: Limits) -> Self {
+        let (open, clients) = (Arc::new(Semaphore::new(limits.connections)), Arc::default());
+        Gate { open, clients, per_client: limits.per_client }
+    }
+
+    /// A place for a client's connection, if there is one now.
+    pub fn enter(&self, client: IpAddr) -> Option<Entry> {
+        let place = Arc::clone(&self.open).try_acquire_owned().ok()?;
+        self.enter_at(client, place)
+    }
+
+    /// The same for a place that was waited for.
+    fn enter_at(&self, client: IpAddr, place: OwnedSemaphorePermit) -> Option<Entry> {
+        Some((Clients::enter(&self.clients, counted(client), self.per_client)?, place))
+    }
+}
+
+async fn listen(
+    listener: TcpListener,
+    quic: Option<Arc<quic::Listener>>,
+    shared: Arc<Shared>,
+    mut ended: oneshot::Receiver<()>,
+) {
     let limits = shared.limits;
-    let (open, (ending, ends)) = (Arc::new(Semaphore::new(limits.connections)), watch::channel(()));
-    let clients = Arc::new(Clients::default());
+    let (gate, (ending, ends)) = (Gate::new(limits), watch::channel(()));
+    if let Some(quic) = &quic {
+        tokio::spawn(Arc::clone(quic).listen(Arc::clone(&shared), gate.clone(), ends.clone()));
+    }
     loop {
         let accepted = tokio::select! {
-            accepted = next(&listener, &open) => accepted,
+            accepted = next(&listener, &gate.open) => accepted,
             _ = &mut ended => break,
         };
         let (stream, address, place) = match accepted {
@@ -147,7 +192,7 @@ async fn listen(listener: TcpListener, shared: Arc<Shared>, mut ended: oneshot::
             }
         };
         let address = address.ip().to_canonical();
-        let Some(client) = Clients::enter(&clients, counted(address), limits.per_client) else {
+        let Some(entry) = gate.enter_at(address, place) else {
             shared.router.metrics.lost("connections");
             continue;
         };
@@ -158,14 +203,20 @@ async fn listen(listener: TcpListener, shared: Arc<Shared>, mut ended: oneshot::
                 shared.router.metrics.lost(reason);
             }
             shared.router.metrics.connections.dec();
-            drop((client, place));
+            drop(entry);
         });
     }
     drop(listener);
     let _ = ending.send(());
-    // Each connection has a place until it ends.
-    let all = u32::try_from(limits.connections).unwrap_or(u32::MAX);
-    let _ = tokio::time::timeout(limits.grace, open.acquire_many(all)).await;
+    let finished = async {
+        // Each connection has a place until it ends.
+        let all = u32::try_from(limits.connections).unwrap_or(u32::MAX);
+        let _all = gate.open.acquire_many(all).await;
+        if let Some(quic) = quic {
+            quic.finish().await;
+        }
+    };
+    let _ = tokio::time::timeout(limits.grace, finished).await;
 }
 
 /// Wait for a place among the connections, then for one.
@@ -178,13 +229,28 @@ async fn next(
     Ok((stream, address, place))
 }
 
-/// Take up a certificate's new files, and tell when it ends.
-async fn renew(current: Arc<Current>, router: Arc<Router>) {
+/// Listen for datagrams; without them rooms work by WebSocket alone.
+fn datagrams(
+    address: SocketAddr,
+    limits: rooms::Limits,
+    current: Option<&Arc<Current>>,
+) -> Option<(quic::Listener, quic::Offer)> {
+    let bound = quic::Listener::bind(address, limits, current);
+    bound.inspect_err(|error| tracing::warn!(%error, "rooms have no datagrams")).ok()
+}
+
+/// Take up a certificate's new files, tell when it ends, and make the next one of those that are made here.
+async fn renew(current: Option<Arc<Current>>, router: Arc<Router>) {
     loop {
-        if let Err(reason) = current.refresh() {
-            tracing::warn!(%reason, "the new certificate is not used");
+        if let Some(current) = &current {
+            if let Err(reason) = current.refresh() {
+                tracing::warn!(%reason, "the new certificate is not used");
+            }
+            router.metrics.expires(current.identity().ends);
         }
-        router.metrics.expires(current.identity().ends);
+        if let Err(reason) = router.renew_offer() {
+            tracing::warn!(%reason, "pages cannot connect for datagrams");
+        }
         tokio::time::sleep(LOOK).await;
     }
 }

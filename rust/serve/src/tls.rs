@@ -29,6 +29,8 @@ pub struct Identity {
     pub ends: i64,
     /// Names and addresses that it is for.
     pub names: Vec<String>,
+    /// No authority has signed it.
+    pub is_self_signed: bool,
 }
 
 impl Identity {
@@ -56,11 +58,11 @@ impl Identity {
                 told(ends)
             ));
         }
-        let names = names_of(&parsed);
+        let (names, is_self_signed) = (names_of(&parsed), parsed.issuer() == parsed.subject());
         let fingerprint = fingerprint(&first);
         let key_of = CertifiedKey::from_der(chain, secret, &ring::default_provider())
             .map_err(|error| format!("{}: expected the key of {}: {error}", key.display(), certificate.display()))?;
-        Ok(Identity { key: Arc::new(key_of), fingerprint, ends, names })
+        Ok(Identity { key: Arc::new(key_of), fingerprint, ends, names, is_self_signed })
     }
 }
 

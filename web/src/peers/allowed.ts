@@ -1,5 +1,7 @@
 /** Whether the pages of a room exchange files: the server and the user must want it, and the browser must be able to. */
 
+import type { About } from '../rooms/about';
+
 /** The parameter by which a user does not. */
 const PARAMETER = 'peers';
 
@@ -10,16 +12,8 @@ export function refusalHere(query: URLSearchParams): string | null {
   return typeof RTCPeerConnection === 'function' ? null : 'the browser has no WebRTC';
 }
 
-/** The reason of the server beside whose page the rooms are; null for none. */
-export async function refusalThere(page: string): Promise<string | null> {
-  const silent = 'the server does not tell whether pages may';
-  try {
-    const answer = await fetch(new URL('rooms', page), { credentials: 'same-origin' });
-    if (!answer.ok) return silent;
-    const told: unknown = await answer.json();
-    if (typeof told !== 'object' || told === null || !('peers' in told)) return silent;
-    return told.peers === true ? null : 'the server does not want it';
-  } catch {
-    return silent;
-  }
+/** The reason of the server, by what it tells; null for none. */
+export function refusalThere(about: About | null): string | null {
+  if (!about) return 'the server does not tell whether pages may';
+  return about.peers ? null : 'the server does not want it';
 }

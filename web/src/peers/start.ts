@@ -1,6 +1,7 @@
 /** Pages of a room exchange files; the server signals, and has what no page has. */
 import type { Described } from '../bundle/manifest';
 import type { Files } from '../bundle/source';
+import type { Ask } from '../rooms/about';
 import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
 import { refusalHere, refusalThere } from './allowed';
@@ -17,8 +18,10 @@ import { createStore } from './store';
 const SECOND = Math.round(1 / TICK);
 
 export interface PeersSettings {
-  /** The page beside which the rooms are. */
-  readonly page: string;
+  /** Of the page's address. */
+  readonly query: URLSearchParams;
+  /** Tells what the server tells of its rooms. */
+  readonly ask: Ask;
   readonly files: Files;
   readonly wanted: () => Iterable<string>;
   readonly isFirst: () => boolean;
@@ -41,7 +44,7 @@ export interface Peers {
 }
 
 /** Exchange files from now on, where all want that. */
-export function startPeers({ page, files, wanted, isFirst, signal }: PeersSettings): Peers {
+export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings): Peers {
   const clock = CLOCK;
   const peers = new Map<number, Peer>();
   const store = createStore();
@@ -95,10 +98,10 @@ export function startPeers({ page, files, wanted, isFirst, signal }: PeersSettin
     else files.goBy(null);
   }
 
-  const here = refusalHere(new URLSearchParams(new URL(page).search));
+  const here = refusalHere(query);
   if (here === null) {
     files.goBy(share.get);
-    void refusalThere(page).then(begin);
+    void ask().then((about) => begin(refusalThere(about)));
   } else {
     begin(here);
   }

@@ -6,6 +6,7 @@ import { type FromServer, type FromUser, readMessage, writeFrame } from './frame
 import type { Body } from './pose';
 import { type End, endOf, endOfCode } from './reasons';
 import { createRoundTrips, type RoundTrips } from './round_trips';
+import { type Open, openSocket, type Socket } from './socket';
 
 /** Seconds of the first pause before it comes back, and of the longest. */
 const [FIRST, LONGEST] = [1, 30] as const;
@@ -21,12 +22,6 @@ export type State =
   | { readonly kind: 'waiting'; readonly words: string; readonly seconds: number }
   | { readonly kind: 'ended'; readonly words: string };
 
-/** The part of the browser's WebSocket that is used. */
-export type Socket = Pick<
-  WebSocket,
-  'binaryType' | 'bufferedAmount' | 'close' | 'onclose' | 'onmessage' | 'onopen' | 'send'
->;
-
 export interface ConnectionSettings {
   readonly address: Address;
   /** The page beside which the room is. */
@@ -34,8 +29,8 @@ export interface ConnectionSettings {
   /** A frame of the server, and the time at which it came; `welcome` says that nobody else is known any more. */
   readonly heard: (frame: FromServer, now: number) => void;
   readonly changed: (state: State) => void;
-  /** The browser's, by default. */
-  readonly open?: (url: string) => Socket;
+  /** A WebSocket, by default. */
+  readonly open?: Open;
   readonly clock?: Clock;
 }
 
@@ -72,18 +67,18 @@ export function connect(settings: ConnectionSettings): Connection {
   function join(): void {
     stop();
     set({ kind: 'joining' });
-    const own = open(relayOf(page, address));
+    const own = open(relayOf(page, address), {
+      opened() {
+        if (socket === own) send({ kind: 'hello', group: address.group, name: address.name, ticket });
+      },
+      came(data) {
+        if (socket === own) take(data);
+      },
+      closed(code) {
+        if (socket === own) end(endOfCode(code, state.kind === 'here'));
+      },
+    });
     socket = own;
-    own.binaryType = 'arraybuffer';
-    own.onopen = () => {
-      if (socket === own) send({ kind: 'hello', group: address.group, name: address.name, ticket });
-    };
-    own.onmessage = ({ data }) => {
-      if (socket === own) take(data);
-    };
-    own.onclose = ({ code }) => {
-      if (socket === own) end(endOfCode(code, state.kind === 'here'));
-    };
     stop = later(WELCOME, () => end({ words: 'The room does not answer.', isFinal: false }));
   }
 
@@ -103,6 +98,8 @@ export function connect(settings: ConnectionSettings): Connection {
       end(endOf(frame.reason));
       return;
     }
+    // Datagrams may come before what was sent before them.
+    if ((frame.kind === 'pose' || frame.kind === 'settled') && state.kind !== 'here') return;
     if ((frame.kind === 'welcome') === (state.kind === 'here')) throw new FrameError('expected one welcome, first');
     if (frame.kind === 'welcome') {
       stop();
@@ -120,13 +117,14 @@ export function connect(settings: ConnectionSettings): Connection {
     } else if (frame.kind === 'settled') {
       roundTrips.settle(frame.sequence, time);
     } else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
-      send({ kind: 'ack', user: frame.user, sequence: frame.pose.sequence });
+      send({ kind: 'ack', user: frame.user, sequence: frame.pose.sequence }, !frame.pose.stops);
     }
     heard(frame, time);
   }
 
-  function send(frame: FromUser): void {
-    socket?.send(writeFrame(frame));
+  /** `isPassing` if a later frame replaces it, so that it may get lost. */
+  function send(frame: FromUser, isPassing = false): void {
+    socket?.send(writeFrame(frame), isPassing);
   }
 
   function drop(): void {
@@ -161,8 +159,9 @@ export function connect(settings: ConnectionSettings): Connection {
       const time = now();
       sequence += 1;
       // Nobody else settles it.
-      const isAcknowledged = peers.size > 0 && roundTrips.send(sequence, time);
-      send({ kind: 'pose', pose: { ...body, sequence, clock: BigInt(Math.round(1e6 * time)), isAcknowledged, stops } });
+      const isAcknowledged = peers.size > 0 && roundTrips.send(sequence, time, stops);
+      const clock = BigInt(Math.round(1e6 * time));
+      send({ kind: 'pose', pose: { ...body, sequence, clock, isAcknowledged, stops } }, !stops);
       return true;
     },
     signal(user, payload) {
@@ -179,8 +178,4 @@ export function connect(settings: ConnectionSettings): Connection {
       set({ kind: 'ended', words: 'You have left the room.' });
     },
   };
-}
-
-function openSocket(url: string): Socket {
-  return new WebSocket(url);
 }

@@ -8,8 +8,11 @@ const KEPT = 32;
 export interface RoundTrips {
   /** Seconds, the median of the last ones; null before the first. */
   readonly median: number | null;
-  /** A pose is about to be sent; whether it is to be acknowledged. */
-  send(sequence: number, now: number): boolean;
+  /**
+   * A pose is about to be sent; whether it is to be acknowledged. The last one before a pause is, if another is open: that
+   * one may have got lost, and would be settled after the pause alone.
+   */
+  send(sequence: number, now: number, isLast: boolean): boolean;
   /** All others have acknowledged this pose, or a later one. */
   settle(sequence: number, now: number): void;
   /** The connection is another one. */
@@ -26,8 +29,8 @@ export function createRoundTrips(): RoundTrips {
       const sorted = [...kept].sort((a, b) => a - b);
       return sorted[sorted.length >> 1] ?? null;
     },
-    send(sequence, now) {
-      if (now - last < EVERY) return false;
+    send(sequence, now, isLast) {
+      if (now - last < EVERY && !(isLast && open.size > 0)) return false;
       last = now;
       const [oldest] = open.keys();
       if (open.size >= MOST_OPEN && oldest !== undefined) open.delete(oldest);

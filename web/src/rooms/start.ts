@@ -7,6 +7,7 @@ import { type Peers, startPeers } from '../peers/start';
 import type { Viewer } from '../show/viewer';
 import { make } from '../ui/dom';
 import type { HandRay } from '../xr/hands';
+import { askOnce } from './about';
 import { type Address, inviteOf, readAddress } from './address';
 import { NOTHING_HIT, targetAt } from './aim';
 import { type Avatars, createAvatars } from './avatars';
@@ -18,6 +19,7 @@ import { atScreen, inHeadset } from './own';
 import { type Body, isWithin } from './pose';
 import { createPresence, type Presence, type Seen } from './presence';
 import { createSender } from './sending';
+import { createOpen } from './way';
 
 /** Seconds between two looks at what the pointer hits, and between two updates of the card. */
 const [AIM_EVERY, CARD_EVERY] = [1 / 36, 0.25] as const;
@@ -85,9 +87,12 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   const { viewer, nearShare } = host;
   const presence = createPresence();
   const avatars = createAvatars(viewer.shared);
+  const isWithoutDatagrams = new URLSearchParams(location.search).get('datagrams') === 'off';
+  const ask = askOnce(location.href);
   const connection = connect({
     address,
     page: location.href,
+    open: createOpen(ask, isWithoutDatagrams),
     heard,
     changed: ({ kind }) => {
       if (kind !== 'here') presence.clear();
@@ -95,7 +100,8 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     },
   });
   const peers = startPeers({
-    page: location.href,
+    query: new URLSearchParams(location.search),
+    ask,
     files: host.files,
     wanted: () => [...host.moving, ...(viewer.facts.entry?.rings ?? []).flatMap(filesOfRing)],
     isFirst: () => viewer.facts.arrived < 0,

@@ -4,12 +4,11 @@ use std::net::SocketAddr;
 use std::str::FromStr;
 use std::time::{Duration, Instant};
 
-use futures_util::{SinkExt, StreamExt};
 use nearfar_serve::rooms::frame::{FromServer, FromUser, To};
-use tokio::io::AsyncWriteExt;
-use tokio_tungstenite::tungstenite::Message;
 
-use crate::{Failure, Socket, connect, pose};
+use crate::Failure;
+use crate::user::pose;
+use crate::websocket::Socket;
 
 /// Users who misbehave at the same time.
 pub const INTRUDERS: usize = 8;
@@ -72,54 +71,51 @@ pub async fn attack(kind: Attack, address: SocketAddr, number: usize, epoch: Ins
 }
 
 async fn attempt(kind: Attack, address: SocketAddr, number: usize, epoch: Instant) -> Result<(), Failure> {
-    let mut socket = connect(address, 0, GROUP).await?;
-    let said = written(FromUser::Say { to: To::Group, payload: &[0; 4000] });
+    let mut socket = Socket::join(address, 0, GROUP).await?;
+    let payload = &[0; 4000];
     match kind {
         Attack::Garbage => {
-            socket.send(Message::binary(vec![0xff; 100])).await?;
-            read_on(&mut socket).await;
+            socket.send_bytes(vec![0xff; 100]).await?;
+            read_on(&mut socket).await
         }
         Attack::FloodPose => {
             for sequence in 0.. {
-                socket.send(Message::binary(written(FromUser::Pose(pose(sequence, epoch))))).await?;
+                socket.send(&[FromUser::Pose(pose(sequence, epoch))]).await?;
             }
+            Ok(())
         }
-        Attack::FloodSay => {
-            let said = written(FromUser::Say { to: To::Room, payload: &[0; 4000] });
-            loop {
-                socket.send(Message::binary(said.clone())).await?;
-            }
-        }
+        Attack::FloodSay => loop {
+            socket.send(&[FromUser::Say { to: To::Room, payload }]).await?;
+        },
         Attack::FloodSignal => {
-            let signal = written(FromUser::Signal { user: other(&mut socket).await?, payload: &[0; 4000] });
+            let user = other(&mut socket).await?;
             loop {
-                socket.send(Message::binary(signal.clone())).await?;
+                socket.send(&[FromUser::Signal { user, payload }]).await?;
             }
         }
         Attack::Churn => {
-            socket.send(Message::binary(written(FromUser::Bye))).await?;
-            read_on(&mut socket).await;
+            socket.send(&[FromUser::Bye]).await?;
+            read_on(&mut socket).await
         }
         Attack::Mute => read_on(&mut socket).await,
         // A message of 100 bytes begins.
-        Attack::Vanish => socket.get_mut().write_all(&[0x82, 0x80 | 100, 1, 2, 3, 4, 5]).await?,
+        Attack::Vanish => socket.send_raw(&[0x82, 0x80 | 100, 1, 2, 3, 4, 5]).await,
         Attack::Slow if number == 0 => loop {
-            socket.send(Message::binary(said.clone())).await?;
+            socket.send(&[FromUser::Say { to: To::Group, payload }]).await?;
             tokio::time::sleep(SPEAKS).await;
         },
         Attack::Slow => loop {
             // Frames that are sent keep the connection.
-            socket.send(Message::binary(written(FromUser::Ack { user: 1, sequence: 1 }))).await?;
+            socket.send(&[FromUser::Ack { user: 1, sequence: 1 }]).await?;
             tokio::time::sleep(Duration::from_secs(1)).await;
         },
     }
-    Ok(())
 }
 
 /// The number of another user who is there.
 async fn other(socket: &mut Socket) -> Result<u16, Failure> {
     loop {
-        let message = socket.next().await.ok_or("the server ended")??.into_data();
+        let message = socket.receive().await?;
         let mut rest = &message[..];
         while !rest.is_empty() {
             let (frame, behind) = FromServer::read(rest).map_err(|fault| format!("{fault:?}"))?;
@@ -131,12 +127,9 @@ async fn other(socket: &mut Socket) -> Result<u16, Failure> {
     }
 }
 
-async fn read_on(socket: &mut Socket) {
-    while socket.next().await.is_some_and(|message| message.is_ok()) {}
-}
-
-fn written(frame: FromUser<'_>) -> Vec<u8> {
-    let mut out = Vec::new();
-    frame.write(&mut out);
-    out
+/// Read until the server ends the connection.
+async fn read_on(socket: &mut Socket) -> Result<(), Failure> {
+    loop {
+        socket.receive().await?;
+    }
 }

@@ -31,12 +31,12 @@ pub struct Datagrams {
 }
 
 /// Answer a request for what the rooms can do.
-pub fn answer(rooms: &Rooms, door: Door<'_>, headers: &HeaderMap) -> Response<Body> {
+pub fn answer(rooms: &Rooms, datagrams: Option<Datagrams>, door: Door<'_>, headers: &HeaderMap) -> Response<Body> {
     if !door.is_open(headers) {
         return respond::refusal(StatusCode::FORBIDDEN, CLOSED);
     }
     // Numbers, flags and digits always become text.
-    let text = serde_json::to_string(&About { peers: rooms.peers, datagrams: None }).unwrap_or_default();
+    let text = serde_json::to_string(&About { peers: rooms.peers, datagrams }).unwrap_or_default();
     let head = Response::builder().header(header::CACHE_CONTROL, "no-store");
     respond::finished(head.header(header::CONTENT_TYPE, "application/json").body(Body::from(text)))
 }

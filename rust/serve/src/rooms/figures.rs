@@ -17,6 +17,8 @@ pub struct Figures {
     pub users: Gauge,
     /// Rooms that somebody is in.
     pub rooms: Gauge,
+    /// Connections of WebTransport.
+    pub datagrams: Gauge,
     /// Poses that were older than one that was sent, or that a newer one has overwritten.
     pub dropped: Counter,
     forwarded: Counter,
@@ -44,13 +46,16 @@ impl Figures {
         // From 8 microseconds to a quarter of a second, by factors of two.
         let residence = Histogram::new(exponential_buckets(8e-6, 2.0, 16));
         let closes = Family::default();
-        Figures { users: Gauge::default(), rooms: Gauge::default(), dropped, forwarded, poses, closes, residence }
+        let [users, rooms, datagrams] = [(); 3].map(|()| Gauge::default());
+        Figures { users, rooms, datagrams, dropped, forwarded, poses, closes, residence }
     }
 
     /// Let a registry tell them.
     pub fn register(&self, registry: &mut Registry) {
         registry.register("rooms", "Rooms that somebody is in", self.rooms.clone());
         registry.register("room_users", "Users who are in rooms", self.users.clone());
+        let sessions = self.datagrams.clone();
+        registry.register("room_datagram_connections", "Connections whose poses come as datagrams", sessions);
         registry.register("room_poses", "Poses that came to a user or were overwritten", self.poses.clone());
         registry.register("room_closes", "Connections of rooms that ended, by reason", self.closes.clone());
         registry.register_with_unit(

@@ -21,6 +21,8 @@ pub struct Rooms {
     pub limits: Limits,
     /// Pages may exchange files among themselves.
     pub(super) peers: bool,
+    /// Users may connect by WebTransport.
+    datagrams: bool,
     pub(super) figures: Arc<Figures>,
     /// Signs tokens, if users need one.
     pub(super) entry: Option<Key>,
@@ -64,12 +66,22 @@ impl Rooms {
     fn with(limits: Limits, entry: Option<Key>, back: Key) -> Result<Self, String> {
         limits.check()?;
         let (figures, places) = (Arc::new(Figures::new()), Places::default());
-        Ok(Rooms { limits, peers: true, figures, entry, back, places, state: Mutex::default() })
+        Ok(Rooms { limits, peers: true, datagrams: true, figures, entry, back, places, state: Mutex::default() })
     }
 
     /// The same rooms; pages take files from the server alone.
     pub fn without_peers(self) -> Self {
         Rooms { peers: false, ..self }
+    }
+
+    /// The same rooms; users connect by WebSocket alone.
+    pub fn without_datagrams(self) -> Self {
+        Rooms { datagrams: false, ..self }
+    }
+
+    /// Whether users may connect by WebTransport.
+    pub(crate) fn takes_datagrams(&self) -> bool {
+        self.datagrams
     }
 
     /// Whether users need a token.

@@ -1,10 +1,11 @@
 //! Rooms: users of one scene see each other's heads, hands and pointers.
 //!
-//! `socket` is one way by which a user's messages come and go; others need `session` and `outbox`. docs/rooms.md
+//! `socket` and `datagrams` are the ways by which a user's frames come and go; both use `session` and `outbox`. docs/rooms.md
 //! describes the frames and the rules.
 
 pub(crate) mod about;
 mod bucket;
+mod datagrams;
 pub(crate) mod door;
 mod figures;
 pub mod frame;
@@ -20,11 +21,15 @@ mod settle;
 mod socket;
 mod tap;
 mod token;
+#[cfg(any(test, fuzzing))]
+pub mod trial;
 pub(crate) mod upgrade;
 
 #[cfg(test)]
 mod tests;
 
+pub use about::Datagrams;
+pub(crate) use datagrams::{DATAGRAM, serve as serve_datagrams};
 pub use hub::Rooms;
 pub(crate) use hub::ending;
 pub use limits::Limits;

@@ -38,14 +38,41 @@ struct Pending {
     on_way: usize,
     /// At most one pose of each user.
     poses: Vec<Waiting>,
-    settled: Option<u32>,
+    settled: Option<Settled>,
     end: Option<End>,
+}
+
+/// The number up to which poses are settled.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Settled {
+    sequence: u32,
+    /// No later one may follow.
+    is_last: bool,
 }
 
 struct Waiting {
     user: u16,
     pose: Pose,
     read: Instant,
+}
+
+/// Which of what waits is taken.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Part {
+    /// All of it.
+    All,
+    /// What must arrive, without poses and settled numbers that a later one will replace.
+    Lasting,
+}
+
+/// Poses and a settled number as a datagram that may be sent.
+#[derive(Default)]
+pub struct Passing {
+    /// Its frames; none if nothing waits.
+    pub bytes: BytesMut,
+    /// Users and numbers of the poses, and when they were read.
+    poses: Vec<(u16, u32, Instant)>,
+    settled: Option<u32>,
 }
 
 /// The outcome of a writer's look at what waits.
@@ -128,11 +155,11 @@ impl Outbox {
         is_overwritten
     }
 
-    /// Add that poses are settled up to a number.
-    pub fn add_settled(&self, sequence: u32) {
+    /// Add that poses are settled up to a number; `is_last` if no later one may follow.
+    pub fn add_settled(&self, sequence: u32, is_last: bool) {
         let mut pending = self.pending();
         if pending.end.is_none() {
-            pending.settled = pending.settled.max(Some(sequence));
+            pending.settled = pending.settled.max(Some(Settled { sequence, is_last }));
         }
         drop(pending);
         self.writer.wake();
@@ -163,9 +190,9 @@ impl Outbox {
         self.writer.register(writer);
     }
 
-    /// Take all that waits as one message: frames in order, then poses, whose times of reading come with them. What was
-    /// taken before has been written.
-    pub fn take(&self, message: &mut BytesMut, read: &mut Vec<Instant>) -> Taken {
+    /// Take what waits, or a part of it, as one message: frames in order, then poses, whose times of reading come with them.
+    /// What was taken before has been written.
+    pub fn take(&self, part: Part, message: &mut BytesMut, read: &mut Vec<Instant>) -> Taken {
         let mut pending = self.pending();
         if let Some(end) = &pending.end {
             return Taken::End(end.clone());
@@ -179,14 +206,52 @@ impl Outbox {
         pending.queue.clear();
         pending.shares.clear();
         pending.since = None;
-        for waiting in pending.poses.drain(..) {
-            FromServer::Pose { user: waiting.user, pose: waiting.pose }.write(message);
-            read.push(waiting.read);
-        }
-        if let Some(sequence) = pending.settled.take() {
+        pending.poses.retain(|waiting| {
+            let is_taken = part == Part::All || waiting.pose.stops;
+            if is_taken {
+                FromServer::Pose { user: waiting.user, pose: waiting.pose }.write(message);
+                read.push(waiting.read);
+            }
+            !is_taken
+        });
+        if let Some(Settled { sequence, .. }) = pending.settled.take_if(|told| part == Part::All || told.is_last) {
             FromServer::Settled { sequence }.write(message);
         }
         if message.is_empty() { Taken::Nothing } else { Taken::Message }
+    }
+
+    /// As many poses and settled numbers, those that last apart, as so many bytes can hold. They wait until they are sent.
+    pub fn passing(&self, most: usize) -> Passing {
+        let (pending, mut passing) = (self.pending(), Passing::default());
+        let fits = |passing: &Passing, frame: &FromServer<'_>| passing.bytes.len() + frame.bytes() <= most;
+        if let Some(Settled { sequence, is_last: false }) = pending.settled {
+            let frame = FromServer::Settled { sequence };
+            if fits(&passing, &frame) {
+                frame.write(&mut passing.bytes);
+                passing.settled = Some(sequence);
+            }
+        }
+        for waiting in pending.poses.iter().filter(|waiting| !waiting.pose.stops) {
+            let frame = FromServer::Pose { user: waiting.user, pose: waiting.pose };
+            if !fits(&passing, &frame) {
+                break;
+            }
+            frame.write(&mut passing.bytes);
+            passing.poses.push((waiting.user, waiting.pose.sequence, waiting.read));
+        }
+        passing
+    }
+
+    /// A datagram was sent: what is in it waits no longer, but newer poses do. When its poses were read.
+    pub fn sent(&self, passing: &Passing) -> impl ExactSizeIterator<Item = Instant> {
+        let mut pending = self.pending();
+        let is_sent = |waiting: &Waiting| {
+            passing.poses.iter().any(|(user, sequence, _)| (*user, *sequence) == (waiting.user, waiting.pose.sequence))
+        };
+        pending.poses.retain(|waiting| !is_sent(waiting));
+        pending.settled.take_if(|told| Some(told.sequence) == passing.settled && !told.is_last);
+        drop(pending);
+        passing.poses.iter().map(|(.., read)| *read)
     }
 
     fn pending(&self) -> MutexGuard<'_, Pending> {

@@ -36,6 +36,8 @@ struct User {
     token: Option<Number>,
     outbox: Arc<Outbox>,
     settling: Settling,
+    /// Its last pose said that none follows, until it moves again.
+    rests: bool,
 }
 
 /// Who sends: a number, and the connection that has it unless the user has come back by another one.
@@ -131,6 +133,7 @@ impl Room {
             self.figures.dropped.inc();
             return;
         }
+        user.rests = pose.stops;
         let group = groups.get(&user.group).into_iter().flatten();
         let others = group.filter(|(other, _)| *other != from);
         let overwritten = others.filter(|(_, outbox)| outbox.add_pose(from, pose, read)).count();
@@ -147,7 +150,7 @@ impl Room {
         }
         let Some(user) = state.users.get_mut(&user) else { return };
         if let Some(settled) = user.settling.acknowledge(by.user, sequence) {
-            user.outbox.add_settled(settled);
+            user.outbox.add_settled(settled, user.rests);
         }
     }
 
@@ -214,7 +217,8 @@ impl State {
         }
         peers.push((user, Arc::clone(&joining.outbox)));
         let outbox = Arc::clone(&joining.outbox);
-        self.users.insert(user, User { group, name: name.to_owned(), identity, token, outbox, settling });
+        let name = name.to_owned();
+        self.users.insert(user, User { group, name, identity, token, outbox, settling, rests: false });
     }
 
     /// Let a user out, and tell others. What waits for it.
@@ -223,9 +227,9 @@ impl State {
         if let Some(peers) = self.groups.get_mut(&gone.group) {
             peers.retain(|(peer, _)| *peer != user);
             for (peer, outbox) in peers.iter() {
-                let settled = self.users.get_mut(peer).and_then(|peer| peer.settling.leave(user));
-                if let Some(sequence) = settled {
-                    outbox.add_settled(sequence);
+                let Some(peer) = self.users.get_mut(peer) else { continue };
+                if let Some(sequence) = peer.settling.leave(user) {
+                    outbox.add_settled(sequence, peer.rests);
                 }
             }
             if peers.is_empty() {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Instant, SystemTime};
 
 use super::bucket::Bucket;
-use super::frame::{Fault, FromUser, VERSION};
+use super::frame::{Fault, FromUser, HEAD, VERSION};
 use super::hub::{Rooms, Seat, random};
 use super::limits::Limits;
 use super::outbox::Outbox;
@@ -13,8 +13,10 @@ use super::reason::{End, Reason};
 use super::room::Joining;
 
 /// Part of others' queues that a user may fill at once by `say` and `signal`.
-const BURST: usize = 8;
-/// Bytes for which a shorter payload counts, as frames have heads.
+const BURST: usize = 4;
+/// Bytes that a frame has around its payload when it comes to others.
+const AROUND: usize = HEAD + 2 + 1;
+/// Bytes for which a shorter frame counts.
 const LEAST: usize = 64;
 
 /// A connection to a room: without a place in it until the first frame has come.
@@ -83,6 +85,21 @@ impl Session {
         Ok(())
     }
 
+    /// A datagram has come, which may hold poses and acknowledgements. Those of a user who is not in the room yet are
+    /// dropped: a datagram may come before the hello.
+    pub fn datagram(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
+        self.counted(now)?;
+        while self.is_in() && !bytes.is_empty() {
+            let (frame, rest) = FromUser::read(bytes).map_err(told)?;
+            if !matches!(frame, FromUser::Pose(_) | FromUser::Ack { .. }) {
+                return Err(End::new(Reason::Frame, "expected poses and acknowledgements alone in datagrams"));
+            }
+            self.frame(frame, now)?;
+            bytes = rest;
+        }
+        Ok(())
+    }
+
     fn frame(&mut self, frame: FromUser<'_>, now: Instant) -> Result<(), End> {
         if let FromUser::Say { payload, .. } | FromUser::Signal { payload, .. } = frame {
             self.says(payload, now)?;
@@ -105,7 +122,7 @@ impl Session {
             let Limits { said_bytes_per_second: rate, queue_bytes, .. } = self.rooms.limits;
             format!("expected at most {rate} bytes a second of say and signal, {} at once", queue_bytes / BURST)
         };
-        let bytes = payload.len().max(LEAST) as f64;
+        let bytes = (payload.len() + AROUND).max(LEAST) as f64;
         if self.said.take(bytes, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
     }
 

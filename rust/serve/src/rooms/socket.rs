@@ -14,7 +14,7 @@ use tokio_tungstenite::tungstenite::Error;
 use tokio_tungstenite::tungstenite::protocol::{CloseFrame, Message, Role, WebSocketConfig};
 
 use super::frame::{FromServer, HEAD};
-use super::outbox::Taken;
+use super::outbox::{Part, Taken};
 use super::pose;
 use super::reason::{End, Reason};
 use super::session::Session;
@@ -22,6 +22,8 @@ use super::tap::Tap;
 
 /// Bytes that are read at once.
 const READ: usize = 1 << 12;
+/// Messages that are read in a row; then other connections have their turn.
+const ROW: usize = 16;
 
 /// One connection.
 struct Socket<S> {
@@ -105,7 +107,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
     }
 
     fn poll_read(&mut self, context: &mut Context<'_>) -> Poll<End> {
-        loop {
+        for _ in 0..ROW {
             let polled = Pin::new(&mut self.stream).poll_next(context);
             let came = self.stream.get_mut().came();
             if came == 0 && polled.is_pending() {
@@ -129,6 +131,8 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
                 Err(end) => return Poll::Ready(end),
             }
         }
+        context.waker().wake_by_ref();
+        Poll::Pending
     }
 
     /// Write all that waits, as one message whenever the stream has taken the one before.
@@ -150,7 +154,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
             let message = if std::mem::take(&mut self.is_ping_due) {
                 Message::Ping(Bytes::new())
             } else {
-                match self.session.outbox.take(&mut self.message, &mut self.read) {
+                match self.session.outbox.take(Part::All, &mut self.message, &mut self.read) {
                     Taken::End(end) => return Poll::Ready(end),
                     Taken::Message => Message::Binary(self.message.split().freeze()),
                     Taken::Nothing => return Poll::Pending,

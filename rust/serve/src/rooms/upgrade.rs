@@ -1,4 +1,4 @@
-//! The request by which a connection becomes the WebSocket of a room.
+//! The request by which a connection becomes the WebSocket of a room, or a session of WebTransport.
 
 use axum::body::Body;
 use axum::http::header::{self, HeaderValue};
@@ -37,9 +37,7 @@ pub fn answer<B>(
             let Some(place) = place() else {
                 return respond::refusal(StatusCode::SERVICE_UNAVAILABLE, "there are as many users as there may be");
             };
-            let query = request.uri().query().unwrap_or_default();
-            let token = query.split('&').find_map(|pair| pair.strip_prefix("token="));
-            answer.extensions_mut().insert(Entering::new(room, token, place));
+            answer.extensions_mut().insert(entering(room, place, request));
             answer
         }
         Err(error) => {
@@ -51,4 +49,24 @@ pub fn answer<B>(
             answer
         }
     }
+}
+
+/// Answer a request for a session of WebTransport: where it leads, or the status by which it is refused.
+pub fn session<B>(
+    room: &str,
+    door: Door<'_>,
+    place: impl FnOnce() -> Option<Place>,
+    request: &Request<B>,
+) -> Result<Entering, StatusCode> {
+    if !door.is_open(request.headers()) {
+        return Err(StatusCode::FORBIDDEN);
+    }
+    let place = place().ok_or(StatusCode::SERVICE_UNAVAILABLE)?;
+    Ok(entering(room, place, request))
+}
+
+fn entering<B>(room: &str, place: Place, request: &Request<B>) -> Entering {
+    let query = request.uri().query().unwrap_or_default();
+    let token = query.split('&').find_map(|pair| pair.strip_prefix("token="));
+    Entering::new(room, token, place)
 }

@@ -10,7 +10,7 @@ use crate::rooms::Rooms;
 use crate::{Answering, HeaderValue, Server};
 
 /// The head and the body of the answer to a page.
-async fn told(server: &Server, target: &str, headers: &str) -> (String, String) {
+pub async fn told(server: &Server, target: &str, headers: &str) -> (String, String) {
     let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
     let request = format!("GET {target} HTTP/1.1\r\nHost: localhost:80\r\nConnection: close\r\n{headers}\r\n");
     stream.write_all(request.as_bytes()).await.expect("sent");
@@ -22,15 +22,16 @@ async fn told(server: &Server, target: &str, headers: &str) -> (String, String) 
 
 #[tokio::test]
 async fn pages_are_told_what_rooms_can_do() {
-    let server = start(answering(limits(), None), None);
+    let rooms = || Rooms::new(limits(), None).expect("limits that fit").without_datagrams();
+    let begin = |rooms| start(Answering { rooms: Some(Arc::new(rooms)), ..answering(limits(), None) }, None);
+    let server = begin(rooms());
     for target in ["/rooms", "/room%73", "/rooms?any"] {
         let (head, body) = told(&server, target, "").await;
         assert!(head.starts_with("http/1.1 200"), "{head}");
         assert!(head.contains("cache-control: no-store") && head.contains("content-type: application/json"), "{head}");
         assert_eq!(body, r#"{"peers":true,"datagrams":null}"#);
     }
-    let rooms = Some(Arc::new(Rooms::new(limits(), None).expect("limits that fit").without_peers()));
-    let server = start(Answering { rooms, ..answering(limits(), None) }, None);
+    let server = begin(rooms().without_peers());
     assert_eq!(told(&server, "/rooms", "").await.1, r#"{"peers":false,"datagrams":null}"#);
 }
 

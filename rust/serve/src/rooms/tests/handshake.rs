@@ -151,7 +151,7 @@ fn one_client_has_so_many_sockets_and_begins_so_many_rooms() {
 fn who_says_more_than_others_should_take_is_ended() {
     let rooms = Arc::new(Rooms::new(Limits { said_bytes_per_second: 1000.0, ..limits() }, None).expect("they fit"));
     let begin = Instant::now();
-    for (payload, most) in [(4096, 4), (0, 256)] {
+    for (payload, most) in [(4096, 7), (0, 512)] {
         let place = rooms.place([10, 0, 0, 1].into(), 100).expect("there is place");
         let mut session = Session::new(Arc::clone(&rooms), Entering::new("hall", None, place), begin);
         let mut say = |after, frame: FromUser<'_>| {
@@ -164,10 +164,10 @@ fn who_says_more_than_others_should_take_is_ended() {
         for count in 0..most {
             let to_one = FromUser::Signal { user: 1, payload: &payload };
             let frame = if count % 2 == 0 { to_one } else { FromUser::Say { to: To::Room, payload: &payload } };
-            assert_eq!(say(0, frame), Ok(()), "an eighth of 128 KiB");
+            assert_eq!(say(0, frame), Ok(()), "a quarter of 128 KiB");
         }
         assert_eq!(say(10, FromUser::Say { to: To::Group, payload: &payload }), Ok(()), "it has refilled");
-        let too_much = (0..most).find_map(|_| say(10, FromUser::Say { to: To::Group, payload: &payload }).err());
+        let too_much = (0..=most).find_map(|_| say(10, FromUser::Say { to: To::Group, payload: &payload }).err());
         assert_eq!(too_much.map(|end| end.reason), Some(Reason::Flood));
     }
 }

@@ -7,7 +7,8 @@ use bytes::BytesMut;
 use super::support::{asking, pose, split};
 use crate::rooms::bucket::Bucket;
 use crate::rooms::frame::{FromServer, To};
-use crate::rooms::outbox::{Outbox, Taken};
+use crate::rooms::outbox::{Outbox, Part, Taken};
+use crate::rooms::pose::Pose;
 use crate::rooms::reason::{End, Reason};
 
 const BURST: Duration = Duration::from_secs(2);
@@ -15,7 +16,7 @@ const BURST: Duration = Duration::from_secs(2);
 /// All that waits, as bytes of frames.
 fn taken(outbox: &Outbox) -> Vec<Vec<u8>> {
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
-    match outbox.take(&mut message, &mut read) {
+    match outbox.take(Part::All, &mut message, &mut read) {
         Taken::Nothing => Vec::new(),
         Taken::Message => split(&message),
         Taken::End(end) => panic!("{end:?}"),
@@ -39,8 +40,8 @@ fn newer_poses_overwrite_and_all_else_stays_in_order() {
     outbox.add(&FromServer::Left { user: 9 });
     assert!(!outbox.add_pose(2, pose(7), now));
     assert!(outbox.add_pose(1, pose(2), now));
-    outbox.add_settled(4);
-    outbox.add_settled(3);
+    outbox.add_settled(4, false);
+    outbox.add_settled(3, true);
     outbox.add(&FromServer::Left { user: 8 });
     let expected = [
         FromServer::Left { user: 9 },
@@ -58,6 +59,60 @@ fn newer_poses_overwrite_and_all_else_stays_in_order() {
 }
 
 #[test]
+fn what_a_later_one_replaces_is_sent_apart_from_what_must_arrive() {
+    let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
+    let part = || {
+        let (mut message, mut read) = (BytesMut::new(), Vec::new());
+        let _ = outbox.take(Part::Lasting, &mut message, &mut read);
+        (split(&message), read.len())
+    };
+    let rest = Pose { stops: true, ..pose(5) };
+    outbox.add(&FromServer::Left { user: 9 });
+    outbox.add_pose(1, pose(1), now);
+    outbox.add_pose(2, rest, now);
+    outbox.add_settled(4, false);
+    let lasting = [FromServer::Left { user: 9 }, FromServer::Pose { user: 2, pose: rest }];
+    assert_eq!(part(), (bytes(&lasting), 1));
+    let passing = outbox.passing(1000);
+    let frames = [FromServer::Settled { sequence: 4 }, FromServer::Pose { user: 1, pose: pose(1) }];
+    assert_eq!(split(&passing.bytes), bytes(&frames));
+    // It waits until it is sent; what comes meanwhile takes its place.
+    outbox.add_pose(1, pose(2), now);
+    outbox.add_settled(5, false);
+    assert_eq!(outbox.sent(&passing).len(), 1);
+    let passing = outbox.passing(1000);
+    let frames = [FromServer::Settled { sequence: 5 }, FromServer::Pose { user: 1, pose: pose(2) }];
+    assert_eq!(split(&passing.bytes), bytes(&frames));
+    outbox.add_settled(6, true);
+    assert_eq!(outbox.sent(&passing).len(), 1);
+    assert_eq!(outbox.passing(1000).bytes.len(), 0);
+    assert_eq!(part(), (bytes(&[FromServer::Settled { sequence: 6 }]), 0));
+    assert!(taken(&outbox).is_empty());
+}
+
+#[test]
+fn datagrams_hold_as_much_as_fits_and_leave_nobody_out() {
+    let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
+    let each = FromServer::Pose { user: 0, pose: pose(0) }.bytes();
+    assert!(outbox.passing(each).bytes.is_empty());
+    (0..5).for_each(|user| assert!(!outbox.add_pose(user, pose(0), now)));
+    assert!(outbox.passing(each - 1).bytes.is_empty(), "not even one fits");
+    let mut seen = Vec::new();
+    for sequence in 1..11 {
+        let passing = outbox.passing(2 * each + 1);
+        for frame in split(&passing.bytes) {
+            let Ok((FromServer::Pose { user, .. }, _)) = FromServer::read(&frame) else { panic!("a pose") };
+            seen.push(user);
+        }
+        assert_eq!(outbox.sent(&passing).len(), 2);
+        (0..5).for_each(|user| _ = outbox.add_pose(user, pose(sequence), now));
+    }
+    assert_eq!(seen[..5], [0, 1, 2, 3, 4]);
+    let least = (0..5).map(|user| seen.iter().filter(|each| **each == user).count()).min();
+    assert!(least >= Some(3), "{seen:?}");
+}
+
+#[test]
 fn who_lets_too_much_wait_is_ended_and_holds_nothing() {
     let (outbox, frame) = (Outbox::new(20, BURST), FromServer::Left { user: 1 });
     (0..3).for_each(|_| outbox.add(&frame));
@@ -66,13 +121,13 @@ fn who_lets_too_much_wait_is_ended_and_holds_nothing() {
     outbox.add(&frame);
     outbox.add(&frame);
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
-    let end = outbox.take(&mut message, &mut read);
+    let end = outbox.take(Part::All, &mut message, &mut read);
     assert!(matches!(&end, Taken::End(End { reason: Reason::Slow, .. })), "{end:?}");
     assert!(message.is_empty());
     // The first reason stays.
     outbox.end(End::new(Reason::Ending, ""));
     outbox.add_pose(1, pose(1), Instant::now());
-    assert_eq!(outbox.take(&mut message, &mut read), end);
+    assert_eq!(outbox.take(Part::All, &mut message, &mut read), end);
 }
 
 #[test]

@@ -47,7 +47,16 @@ pub fn start(answering: Answering, certificate: Option<(PathBuf, PathBuf)>) -> S
 
 /// The same within limits of connections.
 pub fn start_within(answering: Answering, certificate: Option<(PathBuf, PathBuf)>, limits: crate::Limits) -> Server {
-    let address = ([127, 0, 0, 1], 0).into();
+    start_at(([127, 0, 0, 1], 0).into(), answering, certificate, limits)
+}
+
+/// The same at an address.
+pub fn start_at(
+    address: SocketAddr,
+    answering: Answering,
+    certificate: Option<(PathBuf, PathBuf)>,
+    limits: crate::Limits,
+) -> Server {
     let settings = Settings { address, limits, certificate, router: Router::new(answering) };
     // A server begins where no other tasks run.
     std::thread::spawn(|| Server::start(settings)).join().expect("no panic").expect("it listens")

@@ -1,0 +1,126 @@
+//! The link: TUN devices, and threads that carry packets between them.
+
+use std::fs::{File, OpenOptions};
+use std::io::{Read, Write};
+use std::os::fd::AsRawFd;
+use std::process::Command;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crate::Failure;
+
+/// Bytes of a packet, at most.
+const PACKET: usize = 1500;
+/// Packets that are on their way in one direction, at most.
+const ON_WAY: usize = 1 << 14;
+/// Longest time that a packet waits for those before it to be sent; one that would wait longer is lost, as routers do.
+const QUEUE: Duration = Duration::from_millis(50);
+
+/// One direction of the link.
+#[derive(Clone, Copy)]
+struct Direction {
+    delay: Duration,
+    /// Bits a second.
+    rate: f64,
+    /// Share of packets that are lost.
+    loss: f64,
+    /// State of the random numbers that choose them.
+    random: u64,
+}
+
+/// Be the link until the standard input ends.
+pub fn run(arguments: &[String]) -> Result<(), Failure> {
+    let [near, near_address, far, far_address, delay, rate, loss] = arguments else {
+        return Err("expected NAMESPACE ADDRESS NAMESPACE ADDRESS DELAY_MS MBIT LOSS_PERCENT".into());
+    };
+    let delay = Duration::from_secs_f64(delay.parse::<f64>()? / 1e3);
+    let (rate, loss) = (rate.parse::<f64>()? * 1e6, loss.parse::<f64>()? / 100.0);
+    let one = end(near, near_address, far_address)?;
+    let two = end(far, far_address, near_address)?;
+    for (from, to, random) in [(one.try_clone()?, two.try_clone()?, 1), (two, one, 2)] {
+        carry(from, to, Direction { delay, rate, loss, random });
+    }
+    println!("ready");
+    std::io::stdin().read_to_end(&mut Vec::new())?;
+    for namespace in [near, far] {
+        ip(&["netns", "del", namespace])?;
+    }
+    Ok(())
+}
+
+/// A namespace with a TUN device that leads to the other end's address.
+fn end(namespace: &str, address: &str, other: &str) -> Result<File, Failure> {
+    let device = format!("nf-{namespace}");
+    ip(&["netns", "add", namespace])?;
+    let file = tun(&device)?;
+    // The file stays with its device.
+    ip(&["link", "set", &device, "netns", namespace])?;
+    let inside = |arguments: &[&str]| ip(&[&["-n", namespace], arguments].concat());
+    inside(&["link", "set", "lo", "up"])?;
+    inside(&["address", "add", address, "peer", other, "dev", &device])?;
+    inside(&["link", "set", &device, "mtu", &PACKET.to_string(), "up"])?;
+    Ok(file)
+}
+
+fn ip(arguments: &[&str]) -> Result<(), Failure> {
+    let status = Command::new("ip").args(arguments).status()?;
+    if status.success() { Ok(()) } else { Err(format!("ip {}: {status}", arguments.join(" ")).into()) }
+}
+
+/// A new TUN device, from which whole packets are read and to which they are written.
+fn tun(name: &str) -> Result<File, Failure> {
+    let file = OpenOptions::new().read(true).write(true).open("/dev/net/tun")?;
+    // SAFETY: ifreq consists of numbers, for which zeros are valid.
+    let mut request: libc::ifreq = unsafe { std::mem::zeroed() };
+    for (to, from) in request.ifr_name.iter_mut().zip(name.bytes()) {
+        *to = from as libc::c_char;
+    }
+    request.ifr_ifru.ifru_flags = (libc::IFF_TUN | libc::IFF_NO_PI) as i16;
+    // SAFETY: the file is open, and TUNSETIFF reads and writes one ifreq, which outlives the call.
+    if unsafe { libc::ioctl(file.as_raw_fd(), libc::TUNSETIFF, &raw mut request) } < 0 {
+        return Err(std::io::Error::last_os_error().into());
+    }
+    Ok(file)
+}
+
+/// Carry packets in one direction, in threads of its own.
+fn carry(from: File, to: File, direction: Direction) {
+    let (sender, receiver) = sync_channel(ON_WAY);
+    thread::spawn(move || take(from, &sender, direction));
+    thread::spawn(move || give(to, &receiver));
+}
+
+fn take(mut from: File, sender: &SyncSender<(Instant, Vec<u8>)>, mut direction: Direction) -> Option<()> {
+    let (mut packet, mut free) = ([0; PACKET], Instant::now());
+    loop {
+        let length = from.read(&mut packet).ok()?;
+        let now = Instant::now();
+        free = free.max(now);
+        if free - now > QUEUE || direction.loses() {
+            continue;
+        }
+        free += Duration::from_secs_f64(8.0 * length as f64 / direction.rate);
+        sender.send((free + direction.delay, packet[..length].to_vec())).ok()?;
+    }
+}
+
+fn give(mut to: File, receiver: &Receiver<(Instant, Vec<u8>)>) -> Option<()> {
+    loop {
+        let (due, packet) = receiver.recv().ok()?;
+        thread::sleep(due.saturating_duration_since(Instant::now()));
+        // A device that is not up yet, or whose queue is full, loses the packet.
+        let _ = to.write(&packet);
+    }
+}
+
+impl Direction {
+    /// Whether the next packet is lost (SplitMix64).
+    fn loses(&mut self) -> bool {
+        self.random = self.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (self.random ^ (self.random >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let share = (mixed ^ (mixed >> 31)) as f64 / u64::MAX as f64;
+        share < self.loss
+    }
+}

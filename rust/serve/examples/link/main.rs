@@ -1,0 +1,17 @@
+//! A link between two network namespaces with a delay, a rate and loss, for systems without `netem`. Linux, as root.
+//!
+//! `link NAMESPACE ADDRESS NAMESPACE ADDRESS DELAY_MS MBIT LOSS_PERCENT`, such as `link near 10.77.0.1 far 10.77.0.2 10
+//! 100 1`, makes both namespaces with a TUN device in each, prints `ready`, and carries packets until the standard input
+//! ends. Delay, rate and loss hold for each direction.
+
+#[cfg(target_os = "linux")]
+mod linux;
+
+type Failure = Box<dyn std::error::Error + Send + Sync>;
+
+fn main() -> Result<(), Failure> {
+    #[cfg(target_os = "linux")]
+    return linux::run(&std::env::args().skip(1).collect::<Vec<_>>());
+    #[cfg(not(target_os = "linux"))]
+    return Err("network namespaces and TUN devices are Linux's".into());
+}

@@ -1,0 +1,61 @@
+//! The load that the arguments ask for.
+
+use std::net::SocketAddr;
+use std::time::Duration;
+
+use crate::Failure;
+use crate::attack::{Attack, NAMES};
+
+/// Users of a room, if groups are not larger.
+const ROOM: usize = 64;
+/// Longer than anybody measures.
+const NEVER: Duration = Duration::from_secs(1 << 32);
+
+/// Users, and what happens to them.
+#[derive(Clone)]
+pub struct Load {
+    pub users: usize,
+    pub group: usize,
+    pub hertz: f64,
+    pub seconds: f64,
+    pub attack: Option<Attack>,
+    /// Time after which a user leaves and comes again.
+    pub stay: Duration,
+    /// Where the server listens, and in which network namespace.
+    pub serve: SocketAddr,
+    pub namespace: Option<String>,
+}
+
+impl Load {
+    pub fn read(arguments: &[String]) -> Result<Self, Failure> {
+        let usage = || Failure::from("expected USERS GROUP HERTZ SECONDS, and pairs of an option and its value");
+        let [users, group, hertz, seconds, options @ ..] = arguments else { return Err(usage()) };
+        let mut load = Load {
+            users: users.parse()?,
+            group: group.parse()?,
+            hertz: hertz.parse()?,
+            seconds: seconds.parse()?,
+            attack: None,
+            stay: NEVER,
+            serve: ([127, 0, 0, 1], 0).into(),
+            namespace: None,
+        };
+        for option in options.chunks(2) {
+            let [name, value] = option else { return Err(usage()) };
+            match name.as_str() {
+                "--attack" => load.attack = Some(value.parse().map_err(|_| format!("--attack: one of {NAMES}"))?),
+                "--stay" => load.stay = Duration::try_from_secs_f64(value.parse()?)?,
+                "--serve" => load.serve = value.parse()?,
+                "--in" => load.namespace = Some(value.clone()),
+                _ => return Err(format!("expected an option of those above, got {name}").into()),
+            }
+        }
+        Ok(load)
+    }
+
+    /// A user's room and group.
+    pub fn place(&self, number: usize) -> (usize, u16) {
+        let group = number / self.group;
+        (group / (ROOM / self.group).max(1), group as u16)
+    }
+}

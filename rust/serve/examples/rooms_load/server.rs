@@ -1,0 +1,99 @@
+//! The server, in a process of its own.
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::process::{Child, Command, Stdio};
+use std::sync::Arc;
+
+use nearfar_serve::rooms::{self, Rooms};
+use nearfar_serve::{Answering, Router, Server, Settings};
+
+use crate::Failure;
+use crate::options::Load;
+
+/// Rooms and connections, at most.
+const MOST: usize = 1 << 14;
+/// Clock ticks of a second in `/proc`.
+const TICKS: f64 = 100.0;
+
+/// Be the server until the standard input ends.
+pub fn serve(address: SocketAddr) -> Result<(), Failure> {
+    let each = rooms::Limits::default();
+    // All users may come from one address.
+    let limits =
+        rooms::Limits { rooms: MOST, users: 1 << 10, sockets_per_client: MOST, rooms_per_client: MOST, ..each };
+    let rooms = Some(Arc::new(Rooms::new(limits, None)?));
+    let answering = Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms };
+    let each = nearfar_serve::Limits::default();
+    let limits = nearfar_serve::Limits { connections: MOST, per_client: MOST, ..each };
+    let server = Server::start(Settings { address, limits, certificate: None, router: Router::new(answering) })?;
+    println!("{}", server.address());
+    std::io::stdin().read_to_end(&mut Vec::new())?;
+    Ok(())
+}
+
+/// The server's process.
+pub struct Process {
+    child: Child,
+    pub address: SocketAddr,
+}
+
+impl Process {
+    pub fn start(load: &Load) -> Result<Self, Failure> {
+        let program = std::env::current_exe()?;
+        let mut command = match &load.namespace {
+            None => Command::new(program),
+            // It becomes the program itself, with the same number of its process.
+            Some(namespace) => {
+                let mut command = Command::new("ip");
+                command.args(["netns", "exec", namespace]).arg(program);
+                command
+            }
+        };
+        command.arg("serve").arg(load.serve.to_string());
+        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
+        let mut line = String::new();
+        BufReader::new(child.stdout.take().ok_or("no output")?).read_line(&mut line)?;
+        Ok(Process { child, address: line.trim().parse()? })
+    }
+
+    pub fn stop(mut self) -> Result<(), Failure> {
+        drop(self.child.stdin.take());
+        self.child.wait()?;
+        Ok(())
+    }
+
+    /// CPU seconds that it has taken.
+    pub fn cpu_seconds(&self) -> Result<f64, Failure> {
+        let text = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id()))?;
+        let fields: Vec<&str> = text.rsplit(')').next().unwrap_or_default().split_whitespace().collect();
+        let ticks = |index: usize| fields.get(index).ok_or("too few fields")?.parse::<f64>().map_err(Failure::from);
+        Ok((ticks(11)? + ticks(12)?) / TICKS)
+    }
+
+    /// Kilobytes of memory that it has.
+    pub fn kilobytes(&self) -> Result<f64, Failure> {
+        let text = std::fs::read_to_string(format!("/proc/{}/status", self.child.id()))?;
+        let line = text.lines().find_map(|line| line.strip_prefix("VmRSS:")).ok_or("no size")?;
+        Ok(line.trim().trim_end_matches(" kB").parse()?)
+    }
+
+    /// Share of poses that were in the server for at most a millisecond, and the seconds that 99 % of them have not
+    /// passed.
+    pub fn residence(&self) -> Result<(f64, f64), Failure> {
+        let mut stream = TcpStream::connect(self.address)?;
+        let request = format!("GET /metrics HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.address);
+        stream.write_all(request.as_bytes())?;
+        let mut text = String::new();
+        stream.read_to_string(&mut text)?;
+        let mut buckets = Vec::new();
+        for line in text.lines().filter_map(|line| line.strip_prefix("nearfar_room_residence_seconds_bucket{le=\"")) {
+            let (bound, count) = line.split_once("\"} ").ok_or("no bucket")?;
+            buckets.push((bound.parse::<f64>().unwrap_or(f64::INFINITY), count.parse::<f64>()?));
+        }
+        let all = buckets.last().ok_or("no buckets")?.1;
+        let within = buckets.iter().rfind(|(bound, _)| *bound < 1.05e-3).map_or(0.0, |(_, count)| count / all);
+        let bound = buckets.iter().find(|(_, count)| *count >= 0.99 * all).map_or(f64::INFINITY, |(bound, _)| *bound);
+        Ok((within, bound))
+    }
+}

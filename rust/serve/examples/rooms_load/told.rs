@@ -1,0 +1,49 @@
+//! What was measured, as JSON.
+
+use std::time::Instant;
+
+use nearfar_serve::rooms::frame::HEAD;
+use serde_json::{Value, json};
+
+use crate::Took;
+use crate::options::Load;
+use crate::user::{Seen, pose};
+
+/// Bytes of `ack` and of `settled`.
+const ACK: usize = HEAD + 6;
+const SETTLED: usize = HEAD + 4;
+/// Bytes that WebSocket adds to a short message of a user and of the server.
+const FROM_USER: usize = 6;
+const FROM_SERVER: usize = 2;
+
+/// Figures; times are in milliseconds.
+pub fn figures(load: &Load, seen: &[Seen], took: &Took, (within, bound): (f64, f64)) -> Value {
+    let sum = |pick: fn(&Seen) -> usize| seen.iter().map(pick).sum::<usize>() as f64;
+    let poses = sum(|each| each.poses);
+    let (others, pose) = (load.group - 1, HEAD + pose(0, Instant::now()).bytes());
+    json!({
+        "users": load.users,
+        "group": load.group,
+        "poses_per_second": poses / load.users as f64 / load.seconds,
+        "round_trip": percentiles(seen, |each| &each.round_trips),
+        "way": percentiles(seen, |each| &each.ways),
+        "unsettled": sum(|each| each.unsettled),
+        "residence": { "99": bound * 1e3, "share_within_1.02": within },
+        "cores": took.cpu_seconds / load.seconds,
+        "microseconds_per_pose": took.cpu_seconds / poses * 1e6,
+        "kilobytes_per_user": took.kilobytes_per_user,
+        "kilobytes": took.kilobytes,
+        "bytes_up": sum(|each| each.sent) / poses,
+        "bytes_down": sum(|each| each.received) / poses,
+        // If every frame is a message of its own.
+        "closed_form_up": pose + FROM_USER + others * (ACK + FROM_USER),
+        "closed_form_down": others * (pose + 2 + FROM_SERVER) + SETTLED + FROM_SERVER,
+    })
+}
+
+fn percentiles(seen: &[Seen], pick: fn(&Seen) -> &Vec<u32>) -> Value {
+    let mut times: Vec<u32> = seen.iter().flat_map(|each| pick(each).iter().copied()).collect();
+    times.sort_unstable();
+    let at = |share: f64| times.get((times.len() as f64 * share) as usize).map(|time| f64::from(*time) / 1e3);
+    json!({ "median": at(0.5), "99": at(0.99), "most": at(1.0 - f64::EPSILON) })
+}

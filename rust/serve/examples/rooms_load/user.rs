@@ -1,0 +1,135 @@
+//! A user who sends poses and acknowledges those of others.
+
+use std::net::SocketAddr;
+use std::time::{Duration, Instant};
+
+use nearfar_serve::rooms::frame::{FromServer, FromUser};
+use nearfar_serve::rooms::pose::{Begin, Placed, Pose};
+use tokio::time::{Instant as Tick, MissedTickBehavior, interval_at};
+
+use crate::options::Load;
+use crate::websocket::Socket;
+use crate::{Failure, WARM};
+
+/// Times in microseconds, and bytes of messages with their heads.
+#[derive(Default)]
+pub struct Seen {
+    pub round_trips: Vec<u32>,
+    pub ways: Vec<u32>,
+    pub unsettled: usize,
+    pub poses: usize,
+    pub sent: usize,
+    pub received: usize,
+}
+
+/// A user's first connection.
+pub async fn enter(load: &Load, number: usize, address: SocketAddr) -> Result<Socket, Failure> {
+    let (room, group) = load.place(number);
+    Socket::join(address, room, group).await
+}
+
+/// Send poses and acknowledge those of others until the time is over, also by one connection after the other.
+pub async fn play(
+    load: &Load,
+    number: usize,
+    address: SocketAddr,
+    epoch: Instant,
+    mut socket: Socket,
+) -> Result<Seen, Failure> {
+    let begun = Tick::now();
+    let end = begun + WARM + Duration::from_secs_f64(load.seconds);
+    let mut visit = Visit { warm: begun + WARM, epoch, seen: Seen::default(), times: Vec::new(), settled: 0 };
+    // Users leave one after the other.
+    let mut stay = load.stay.mul_f64((number + 1) as f64 / load.users as f64);
+    loop {
+        let until = Tick::now().checked_add(stay).map_or(end, |leaves| leaves.min(end));
+        visit.run(load, number, until, &mut socket).await?;
+        if until == end {
+            return Ok(visit.seen);
+        }
+        socket.send(&[FromUser::Bye]).await?;
+        (socket, stay) = (enter(load, number, address).await?, load.stay);
+    }
+}
+
+/// A user while it is in the room.
+struct Visit {
+    /// When counting begins.
+    warm: Tick,
+    epoch: Instant,
+    seen: Seen,
+    /// When each pose was sent.
+    times: Vec<Tick>,
+    /// So many of them are settled.
+    settled: usize,
+}
+
+impl Visit {
+    async fn run(&mut self, load: &Load, number: usize, until: Tick, socket: &mut Socket) -> Result<(), Failure> {
+        let phase = Duration::from_secs_f64(number as f64 * 0.618_034 % 1.0 / load.hertz);
+        let mut ticks = interval_at(Tick::now() + phase, Duration::from_secs_f64(1.0 / load.hertz));
+        ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
+        (self.times, self.settled) = (Vec::new(), 0);
+        loop {
+            let before = (socket.sent, socket.received);
+            tokio::select! {
+                () = tokio::time::sleep_until(until) => break,
+                _ = ticks.tick() => {
+                    let pose = pose(self.times.len() as u32, self.epoch);
+                    self.times.push(Tick::now());
+                    socket.send(&[FromUser::Pose(pose)]).await?;
+                    self.seen.poses += usize::from(Tick::now() >= self.warm);
+                }
+                message = socket.receive() => {
+                    let message = message?;
+                    self.heard(&message, socket).await?;
+                }
+            }
+            if Tick::now() >= self.warm {
+                self.seen.sent += socket.sent - before.0;
+                self.seen.received += socket.received - before.1;
+            }
+        }
+        self.seen.unsettled += self.times.len() - self.settled;
+        Ok(())
+    }
+
+    /// Read a message's frames, and acknowledge its poses.
+    async fn heard(&mut self, mut message: &[u8], socket: &mut Socket) -> Result<(), Failure> {
+        let (now, mut acknowledged) = (Tick::now(), Vec::new());
+        while !message.is_empty() {
+            let (frame, rest) = FromServer::read(message).map_err(|fault| format!("{fault:?}"))?;
+            match frame {
+                FromServer::Pose { user, pose } => {
+                    let way = (self.epoch.elapsed().as_micros() as u64).saturating_sub(pose.clock);
+                    self.seen.ways.extend((now >= self.warm).then_some(way as u32));
+                    acknowledged.push(FromUser::Ack { user, sequence: pose.sequence });
+                }
+                FromServer::Settled { sequence } => {
+                    let last = sequence as usize + 1;
+                    let counted = self.times[self.settled..last].iter().filter(|time| **time >= self.warm);
+                    self.seen.round_trips.extend(counted.map(|time| now.duration_since(*time).as_micros() as u32));
+                    self.settled = last;
+                }
+                FromServer::Refused { sentence, .. } => return Err(sentence.into()),
+                _ => {}
+            }
+            message = rest;
+        }
+        if acknowledged.is_empty() { Ok(()) } else { socket.send(&acknowledged).await }
+    }
+}
+
+/// A head, two hands and a pointer.
+pub fn pose(sequence: u32, epoch: Instant) -> Pose {
+    let head = Placed { position: [0.0, 1.7, 0.0], rotation: [0, 0, 0, 32767] };
+    Pose {
+        sequence,
+        clock: epoch.elapsed().as_micros() as u64,
+        is_acknowledged: true,
+        stops: false,
+        head,
+        hands: [Some(head); 2],
+        pointer: Some((Begin::Right, 20.0)),
+    }
+}

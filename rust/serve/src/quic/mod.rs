@@ -1,0 +1,246 @@
+//! Listens for sessions of WebTransport, over QUIC, and keeps them within the limits of connections.
+
+mod fields;
+mod pinned;
+pub mod session;
+mod wire;
+
+use std::error::Error;
+use std::io;
+use std::net::{IpAddr, SocketAddr, UdpSocket};
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::http::header::{self, HeaderMap, HeaderValue};
+use quinn::crypto::rustls::QuicServerConfig;
+use quinn::{Connection, Endpoint, EndpointConfig, IdleTimeout, Incoming, ServerConfig, TokioRuntime, TransportConfig};
+use rustls::crypto::ring;
+use rustls::server::ResolvesServerCert;
+use time::OffsetDateTime;
+use tokio::sync::Semaphore;
+use tokio::time::{Instant, timeout_at};
+
+use crate::clients::{Clients, counted};
+use crate::connection::{Ends, Shared, watched};
+use crate::rooms::{self, Datagrams, Limits, Session};
+use crate::router;
+use crate::server::Gate;
+use crate::tls::Current;
+use pinned::Pinned;
+use session::{Asking, Broken, Link};
+
+/// Ports that are tried after that of TCP; then any that is free.
+const PORTS: u16 = 16;
+/// Connections that have no session yet, of all clients and of one.
+const GREETINGS: usize = 64;
+const GREETINGS_PER_CLIENT: usize = 16;
+/// So many of them may be of clients that have not shown that their address is theirs.
+const UNPROVEN: usize = 16;
+/// Bytes of a stream that wait until they are read, and those that are written and have not arrived.
+const WINDOW: u32 = 1 << 15;
+/// Streams that a client opens in one direction: settings, and two of tables for headers.
+const ONE_WAY: u32 = 3;
+/// And in both: the request for a session, and the stream of its frames.
+const TWO_WAY: u32 = 2;
+/// Bytes of datagrams that wait until they are read; older ones make place.
+const READ: usize = 1 << 14;
+/// Bytes that QUIC has of a datagram beside its own.
+const AROUND: usize = 64;
+/// Bytes of connections that nobody has taken up yet.
+const UNTAKEN: u64 = 1 << 20;
+
+/// Takes connections of QUIC.
+pub struct Listener {
+    endpoint: Endpoint,
+    /// The port of HTTP, by which pages name their origin.
+    port: u16,
+    limits: Limits,
+}
+
+/// Where sessions are taken, as pages are told.
+pub struct Offer {
+    port: u16,
+    pinned: Option<Arc<Pinned>>,
+}
+
+impl Offer {
+    /// What pages need now.
+    pub fn told(&self) -> Datagrams {
+        Datagrams { port: self.port, hashes: self.pinned.iter().map(|pinned| pinned.hash()).collect() }
+    }
+
+    /// Make the next certificate if it is time.
+    pub fn refresh(&self) -> Result<(), String> {
+        self.pinned.as_ref().map_or(Ok(()), |pinned| pinned.refresh(OffsetDateTime::now_utc()))
+    }
+}
+
+impl Listener {
+    /// Listen at an address of TCP, with the server's certificate if an authority has signed it, else with one that
+    /// pages know by its hash.
+    pub fn bind(address: SocketAddr, limits: Limits, current: Option<&Arc<Current>>) -> io::Result<(Self, Offer)> {
+        let socket = socket(address)?;
+        let signed = current.filter(|current| !current.identity().is_self_signed);
+        let (pinned, resolver): (_, Arc<dyn ResolvesServerCert>) = match signed {
+            Some(current) => (None, Arc::clone(current) as _),
+            None => {
+                let made = Arc::new(Pinned::new(OffsetDateTime::now_utc()).map_err(io::Error::other)?);
+                (Some(Arc::clone(&made)), made)
+            }
+        };
+        let config = config(resolver, limits).map_err(io::Error::other)?;
+        let offer = Offer { port: socket.local_addr()?.port(), pinned };
+        let endpoint = Endpoint::new(EndpointConfig::default(), Some(config), socket, Arc::new(TokioRuntime))?;
+        Ok((Listener { endpoint, port: address.port(), limits }, offer))
+    }
+
+    /// Take connections until the server ends.
+    pub async fn listen(self: Arc<Self>, shared: Arc<Shared>, gate: Gate, mut ends: Ends) {
+        let greetings = Arc::new(Semaphore::new(GREETINGS));
+        let greeters = Arc::new(Clients::default());
+        loop {
+            let incoming = tokio::select! {
+                incoming = self.endpoint.accept() => incoming,
+                _ = ends.changed() => break,
+            };
+            let Some(incoming) = incoming else { break };
+            if GREETINGS - greetings.available_permits() >= UNPROVEN && !incoming.remote_address_validated() {
+                // One that has been asked already is not asked again.
+                let _ = incoming.retry();
+                continue;
+            }
+            let client = incoming.remote_address().ip().to_canonical();
+            let greeting = Arc::clone(&greetings).try_acquire_owned().ok();
+            let greeter = Clients::enter(&greeters, counted(client), GREETINGS_PER_CLIENT);
+            let (Some(place), Some(greeting), Some(greeter)) = (gate.enter(client), greeting, greeter) else {
+                shared.router.metrics.lost("connections");
+                incoming.refuse();
+                continue;
+            };
+            let (this, shared, ends) = (Arc::clone(&self), Arc::clone(&shared), ends.clone());
+            tokio::spawn(async move {
+                shared.router.metrics.connections.inc();
+                let greeted = this.greet(&shared, incoming, client).await;
+                drop((greeting, greeter));
+                match greeted {
+                    Ok((session, link)) => follow(session, link, shared.limits.silence, client, ends).await,
+                    Err(reason) => shared.router.metrics.lost(reason),
+                }
+                shared.router.metrics.connections.dec();
+                drop(place);
+            });
+        }
+        self.endpoint.set_server_config(None);
+    }
+
+    /// Wait until the last packets of connections that have ended are sent.
+    pub async fn finish(&self) {
+        self.endpoint.wait_idle().await;
+    }
+
+    /// Take up a connection and let it into a room; the reason if it is not.
+    async fn greet(
+        &self,
+        shared: &Shared,
+        incoming: Incoming,
+        client: IpAddr,
+    ) -> Result<(Session, Link), &'static str> {
+        let until = Instant::now() + self.limits.hello;
+        let connection = match timeout_at(until, async { incoming.accept()?.await }).await {
+            Ok(Ok(connection)) => connection,
+            Ok(Err(error)) => {
+                tracing::debug!(%client, %error, "a handshake failed");
+                return Err("handshake");
+            }
+            Err(_) => return Err("headers"),
+        };
+        match timeout_at(until, self.enter(shared, &connection, client)).await {
+            Ok(entered) => entered,
+            Err(_) => {
+                session::break_off(&connection);
+                Err("headers")
+            }
+        }
+    }
+
+    /// Answer a connection's request for a session.
+    async fn enter(
+        &self,
+        shared: &Shared,
+        connection: &Connection,
+        client: IpAddr,
+    ) -> Result<(Session, Link), &'static str> {
+        let mut asking = Asking::read(connection).await.map_err(|Broken| "request")?;
+        self.rename(asking.request.headers_mut(), shared.tls.is_some());
+        let (Some(rooms), found) = (shared.router.rooms(), shared.router.entering(client, &asking.request)) else {
+            return Err("request");
+        };
+        match found {
+            Ok(entering) => {
+                let link = asking.accept().await.map_err(|Broken| "request")?;
+                Ok((Session::new(Arc::clone(rooms), entering, std::time::Instant::now()), link))
+            }
+            Err(status) => {
+                tracing::debug!(%client, code = status.as_u16(), "a session is refused");
+                asking.refuse(status, self.limits.linger).await;
+                Err("request")
+            }
+        }
+    }
+
+    /// Call the server as the origin of its own pages does: by the port of HTTP, which need not be that of datagrams.
+    fn rename(&self, headers: &mut HeaderMap, is_encrypted: bool) {
+        let named = headers.get(header::HOST).and_then(|named| named.to_str().ok()).unwrap_or_default();
+        let name = router::without_port(named);
+        let usual = if is_encrypted { 443 } else { 80 };
+        let own = if self.port == usual { name.to_owned() } else { format!("{name}:{}", self.port) };
+        if let Ok(own) = HeaderValue::try_from(own) {
+            headers.insert(header::HOST, own);
+        }
+    }
+}
+
+/// Serve a user of a room as long as its session lasts.
+async fn follow(session: Session, link: Link, silence: Duration, client: IpAddr, ends: Ends) {
+    let outbox = Arc::clone(&session.outbox);
+    let served = rooms::serve_datagrams(session, link, silence);
+    // Rooms tell those who are in them; a user who has not said hello is in none.
+    let reason = watched(served, ends, |_| outbox.end(rooms::ending())).await;
+    tracing::debug!(%client, reason = reason.name(), "a user's session has ended");
+}
+
+/// A socket of UDP at an address of TCP, or at the next port that is free.
+fn socket(address: SocketAddr) -> io::Result<UdpSocket> {
+    let ports = (0..=PORTS).filter_map(|further| address.port().checked_add(further)).chain([0]);
+    let mut taken = io::ErrorKind::AddrInUse.into();
+    for port in ports {
+        match UdpSocket::bind(SocketAddr::new(address.ip(), port)) {
+            Ok(socket) => return Ok(socket),
+            Err(error) => taken = error,
+        }
+    }
+    Err(taken)
+}
+
+/// How connections are encrypted, and how much each may have.
+fn config(resolver: Arc<dyn ResolvesServerCert>, limits: Limits) -> Result<ServerConfig, Box<dyn Error + Send + Sync>> {
+    let builder = rustls::ServerConfig::builder_with_provider(Arc::new(ring::default_provider()));
+    let builder = builder.with_protocol_versions(&[&rustls::version::TLS13])?.with_no_client_auth();
+    let mut tls = builder.with_cert_resolver(resolver);
+    tls.alpn_protocols = vec![b"h3".to_vec()];
+    let mut transport = TransportConfig::default();
+    let streams = ONE_WAY + TWO_WAY;
+    transport
+        .max_concurrent_uni_streams(ONE_WAY.into())
+        .max_concurrent_bidi_streams(TWO_WAY.into())
+        .stream_receive_window(WINDOW.into())
+        .receive_window((streams * WINDOW).into())
+        .send_window(WINDOW.into())
+        .datagram_receive_buffer_size(Some(READ))
+        .datagram_send_buffer_size(rooms::DATAGRAM + AROUND)
+        .max_idle_timeout(Some(IdleTimeout::try_from(limits.silence)?))
+        .keep_alive_interval(Some(limits.ping));
+    let mut config = ServerConfig::with_crypto(Arc::new(QuicServerConfig::try_from(tls)?));
+    config.transport_config(Arc::new(transport)).max_incoming(GREETINGS).incoming_buffer_size_total(UNTAKEN);
+    Ok(config)
+}

@@ -1,0 +1,330 @@
+//! WebTransport as the way of a user's frames: what must arrive by a stream, what a later one replaces by datagrams.
+
+use std::future::{Future, poll_fn};
+use std::pin::{Pin, pin};
+use std::sync::Arc;
+use std::task::{Context, Poll};
+use std::time::Duration;
+
+use bytes::{Buf, Bytes, BytesMut};
+use futures_util::{Stream, stream};
+use quinn::{Connection, ConnectionError, ReadError, RecvStream, SendDatagramError, SendStream, WriteError};
+use tokio::time::{Instant, Sleep, sleep_until, timeout, timeout_at};
+
+use super::frame::{FromServer, HEAD};
+use super::outbox::{Part, Taken};
+use super::reason::{End, Reason};
+use super::session::Session;
+use crate::quic::session::{Link, datagram, payload};
+
+/// Bytes that are read at once.
+const READ: usize = 1 << 12;
+/// Datagrams, and pieces of the stream, that are read in a row; then other connections have their turn.
+const ROW: usize = 16;
+/// Most bytes of a datagram's frames; few networks take larger packets.
+pub const DATAGRAM: usize = 1200;
+
+type Incoming = Pin<Box<dyn Stream<Item = Result<Bytes, ConnectionError>> + Send>>;
+type Sending = Pin<Box<dyn Future<Output = Result<(), SendDatagramError>> + Send>>;
+
+/// One connection.
+struct Way {
+    link: Link,
+    send: SendStream,
+    receive: RecvStream,
+    incoming: Incoming,
+    session: Session,
+    /// Bytes of the stream that are no whole frame yet.
+    came: BytesMut,
+    /// Bytes that the stream has not taken yet, and when the poses among them were read.
+    written: BytesMut,
+    read: Vec<std::time::Instant>,
+    /// A datagram that waits for place; it wakes this connection, and is made anew then.
+    waiting: Option<Sending>,
+    /// Bytes that had come by the network.
+    heard: u64,
+    /// When the stream took a byte last.
+    moved: Instant,
+    begun: Instant,
+    /// Time in which a user who reads takes a byte.
+    silence: Duration,
+    clock: Pin<Box<Sleep>>,
+}
+
+/// Serve a user whose session of WebTransport has begun. Why it ended.
+pub async fn serve(session: Session, link: Link, silence: Duration) -> Reason {
+    let rooms = Arc::clone(&session.rooms);
+    rooms.figures.datagrams.inc();
+    let begun = Instant::now();
+    let opened = opened(&session, &link, begun + rooms.limits.hello).await;
+    let (end, mut told) = match opened {
+        Ok(streams) => follow(session, link, streams, begun, silence).await,
+        Err(end) => (end, Told { link, stream: None }),
+    };
+    rooms.figures.closed(end.reason);
+    let _ = timeout(rooms.limits.linger, told.farewell(&end)).await;
+    told.link.close(end.reason.close_code(), end.reason.name());
+    rooms.figures.datagrams.dec();
+    end.reason
+}
+
+/// Wait until the user has opened its stream, or until the end.
+async fn opened(session: &Session, link: &Link, until: Instant) -> Result<(SendStream, RecvStream), End> {
+    let mut streams = pin!(timeout_at(until, link.stream()));
+    poll_fn(|context| {
+        session.outbox.register(context.waker());
+        if let Some(end) = session.outbox.ended() {
+            return Poll::Ready(Err(end));
+        }
+        streams.as_mut().poll(context).map(|opened| match opened {
+            Ok(Ok(streams)) => Ok(streams),
+            Ok(Err(_)) => Err(broken(&link.connection)),
+            Err(_) => Err(End::new(Reason::Silent, "expected hello")),
+        })
+    })
+    .await
+}
+
+/// Serve a user until the end; what is left to tell the user by.
+async fn follow(
+    session: Session,
+    link: Link,
+    (send, receive): (SendStream, RecvStream),
+    begun: Instant,
+    silence: Duration,
+) -> (End, Told) {
+    let connection = link.connection.clone();
+    let incoming: Incoming = Box::pin(stream::unfold(connection, |connection| async move {
+        Some((connection.read_datagram().await, connection))
+    }));
+    let heard = link.connection.stats().udp_rx.bytes;
+    let (came, written, read, waiting) = (BytesMut::new(), BytesMut::new(), Vec::new(), None);
+    let clock = Box::pin(sleep_until(begun));
+    let moved = begun;
+    let mut way = Way {
+        link,
+        send,
+        receive,
+        incoming,
+        session,
+        came,
+        written,
+        read,
+        waiting,
+        heard,
+        moved,
+        begun,
+        silence,
+        clock,
+    };
+    let end = poll_fn(|context| way.poll(context)).await;
+    // Others are told before the end is told to the user, who may not read it.
+    (end, Told { link: way.link, stream: Some((way.send, way.written)) })
+}
+
+impl Way {
+    fn poll(&mut self, context: &mut Context<'_>) -> Poll<End> {
+        // Before looking, so that nothing that is added in between is missed.
+        self.session.outbox.register(context.waker());
+        let end = match self.poll_end(context) {
+            Err(end) => Some(end),
+            Ok(Poll::Ready(())) => Some(End::new(Reason::Bye, "the user left")),
+            Ok(Poll::Pending) => None,
+        };
+        end.map_or(Poll::Pending, Poll::Ready)
+    }
+
+    /// All that there is to do now; ready when the user has ended the session.
+    fn poll_end(&mut self, context: &mut Context<'_>) -> Result<Poll<()>, End> {
+        self.count()?;
+        // Those that came before a hello are dropped.
+        self.read_datagrams(context)?;
+        self.read_stream(context)?;
+        if self.link.poll_ended(context).is_ready() {
+            return self.link.connection.close_reason().map_or(Ok(Poll::Ready(())), |error| Err(lost(error)));
+        }
+        self.look_at_clock(context)?;
+        self.write_stream(context)?;
+        self.write_datagrams(context)?;
+        Ok(Poll::Pending)
+    }
+
+    /// Count what came by the network, heads of packets included.
+    fn count(&mut self) -> Result<(), End> {
+        let heard = self.link.connection.stats().udp_rx.bytes;
+        let came = heard - std::mem::replace(&mut self.heard, heard);
+        self.session.took(usize::try_from(came).unwrap_or(usize::MAX), std::time::Instant::now())
+    }
+
+    fn read_stream(&mut self, context: &mut Context<'_>) -> Result<(), End> {
+        let mut piece = [0; READ];
+        for _ in 0..ROW {
+            let Poll::Ready(polled) = self.receive.poll_read(context, &mut piece) else { return Ok(()) };
+            match polled {
+                Ok(0) if self.came.is_empty() => return Err(End::new(Reason::Bye, "the user left")),
+                Ok(0) => return Err(End::new(Reason::Frame, "expected a whole frame before the stream's end")),
+                Ok(length) => self.came.extend_from_slice(&piece[..length]),
+                Err(ReadError::ConnectionLost(error)) => return Err(lost(error)),
+                Err(_) => return Err(gone()),
+            }
+            self.take_frames()?;
+        }
+        context.waker().wake_by_ref();
+        Ok(())
+    }
+
+    /// Take the whole frames of the bytes that have come. Each counts as a message.
+    fn take_frames(&mut self) -> Result<(), End> {
+        let most = self.session.rooms.limits.message_bytes;
+        while let Some(head) = self.came.first_chunk::<HEAD>() {
+            let length = HEAD + usize::from(u16::from_le_bytes([head[1], head[2]]));
+            if length > most {
+                return Err(End::new(Reason::Frame, format!("expected frames of at most {most} bytes")));
+            }
+            if self.came.len() < length {
+                break;
+            }
+            let frame = self.came.split_to(length);
+            self.session.message(&frame, std::time::Instant::now())?;
+        }
+        Ok(())
+    }
+
+    fn read_datagrams(&mut self, context: &mut Context<'_>) -> Result<(), End> {
+        for _ in 0..ROW {
+            let Poll::Ready(Some(came)) = self.incoming.as_mut().poll_next(context) else { return Ok(()) };
+            let bytes = came.map_err(lost)?;
+            let frames = payload(&bytes).ok_or_else(|| End::new(Reason::Frame, "expected datagrams of the session"))?;
+            self.session.datagram(frames, std::time::Instant::now())?;
+        }
+        context.waker().wake_by_ref();
+        Ok(())
+    }
+
+    /// Find out whether the user is silent or does not read. No frame waits for this clock.
+    fn look_at_clock(&mut self, context: &mut Context<'_>) -> Result<(), End> {
+        let limits = self.session.rooms.limits;
+        while self.clock.as_mut().poll(context).is_ready() {
+            let now = Instant::now();
+            if !self.session.is_in() && now >= self.begun + limits.hello {
+                return Err(End::new(Reason::Silent, "expected hello"));
+            }
+            if !self.written.is_empty() && now >= self.moved + self.silence {
+                return Err(End::new(Reason::Slow, "expected a user who reads"));
+            }
+            let deadline = if self.session.is_in() { self.moved + self.silence } else { self.begun + limits.hello };
+            // Also looks from time to time at how much has come that was for nobody.
+            let next = now + limits.ping;
+            self.clock.as_mut().reset(if deadline > now { next.min(deadline) } else { next });
+        }
+        Ok(())
+    }
+
+    /// Write what must arrive, whenever the stream has taken what was before.
+    fn write_stream(&mut self, context: &mut Context<'_>) -> Result<(), End> {
+        loop {
+            while !self.written.is_empty() {
+                match Pin::new(&mut self.send).poll_write(context, &self.written) {
+                    // The end does not wait for a user who does not read.
+                    Poll::Pending => return self.session.outbox.ended().map_or(Ok(()), Err),
+                    Poll::Ready(Ok(length)) => self.written.advance(length),
+                    Poll::Ready(Err(WriteError::ConnectionLost(error))) => return Err(lost(error)),
+                    Poll::Ready(Err(_)) => return Err(gone()),
+                }
+                self.moved = Instant::now();
+            }
+            let read = std::mem::take(&mut self.read);
+            self.wrote(read.into_iter());
+            match self.session.outbox.take(Part::Lasting, &mut self.written, &mut self.read) {
+                Taken::End(end) => return Err(end),
+                Taken::Message => self.moved = Instant::now(),
+                Taken::Nothing => return Ok(()),
+            }
+        }
+    }
+
+    /// Send the newest poses as datagrams as long as the connection takes them: while it does not, newer ones take the
+    /// places of those that wait.
+    fn write_datagrams(&mut self, context: &mut Context<'_>) -> Result<(), End> {
+        self.waiting = None;
+        loop {
+            let passing = self.session.outbox.passing(self.link.most().min(DATAGRAM));
+            if passing.bytes.is_empty() {
+                return Ok(());
+            }
+            let (connection, bytes) = (self.link.connection.clone(), datagram(&passing.bytes));
+            let mut sending: Sending = Box::pin(async move { connection.send_datagram_wait(bytes).await });
+            match sending.as_mut().poll(context) {
+                Poll::Pending => {
+                    self.waiting = Some(sending);
+                    return Ok(());
+                }
+                Poll::Ready(Ok(())) => {
+                    let outbox = Arc::clone(&self.session.outbox);
+                    self.wrote(outbox.sent(&passing));
+                }
+                // The network has begun to take smaller packets in between.
+                Poll::Ready(Err(SendDatagramError::TooLarge)) => {}
+                Poll::Ready(Err(SendDatagramError::ConnectionLost(error))) => return Err(lost(error)),
+                Poll::Ready(Err(_)) => return Err(gone()),
+            }
+        }
+    }
+
+    /// Poses were written that were read then.
+    fn wrote(&self, read: impl ExactSizeIterator<Item = std::time::Instant>) {
+        let now = std::time::Instant::now();
+        self.session.rooms.figures.written(read.map(|read| now.saturating_duration_since(read)));
+    }
+}
+
+/// What is left of a connection to tell its end by.
+struct Told {
+    link: Link,
+    /// The stream, and the rest of a frame that it has a part of.
+    stream: Option<(SendStream, BytesMut)>,
+}
+
+impl Told {
+    /// Tell a user why its connection ends, and wait until it has ended the session, so that what was written arrives.
+    /// What the user sends meanwhile is not read.
+    async fn farewell(&mut self, end: &End) {
+        if end.reason == Reason::Gone || self.link.connection.close_reason().is_some() {
+            return;
+        }
+        if let Some((send, rest)) = &mut self.stream {
+            if end.reason != Reason::Bye {
+                FromServer::Refused { code: end.reason.code(), sentence: &end.sentence }.write(rest);
+            }
+            // It arrives before the session's end is told.
+            if send.write_all(rest).await.is_ok() && send.finish().is_ok() {
+                let _ = send.stopped().await;
+            }
+        }
+        if self.link.end(end.reason.close_code(), end.reason.name()).await.is_ok() {
+            poll_fn(|context| self.link.poll_ended(context)).await;
+        }
+    }
+}
+
+/// Why a connection's stream was not opened as it should be.
+fn broken(connection: &Connection) -> End {
+    match connection.close_reason() {
+        Some(error) => lost(error),
+        None => End::new(Reason::Frame, "expected a stream of the session"),
+    }
+}
+
+/// Why an error ends a connection.
+fn lost(error: ConnectionError) -> End {
+    match error {
+        ConnectionError::TimedOut => End::new(Reason::Silent, "expected an answer to a ping"),
+        ConnectionError::ApplicationClosed(_) => End::new(Reason::Bye, "the user left"),
+        ConnectionError::TransportError(error) => End::new(Reason::Frame, error.to_string()),
+        _ => gone(),
+    }
+}
+
+fn gone() -> End {
+    End::new(Reason::Gone, "the connection broke off")
+}

@@ -1,0 +1,195 @@
+//! Users by WebTransport who misbehave, and connections that are none.
+
+use std::time::Duration;
+
+use tokio::time::timeout;
+use wtransport::VarInt;
+
+use super::session_support::{ask, bytes, connect, join};
+use super::support::{self, HANGS, HOURS, Numbers, User, limits, pose, server};
+use crate::rooms::frame::{FromServer, FromUser, To};
+use crate::rooms::{Limits, Reason};
+
+/// A burst that no sender fills a share in.
+const MOMENT: Duration = Duration::from_micros(1);
+
+/// Wait until a user has left.
+async fn sees_that_left(user: &mut User, number: u16) {
+    user.until(|frame| (frame == FromServer::Left { user: number }).then_some(())).await;
+}
+
+#[tokio::test]
+async fn garbage_on_the_stream_ends_its_sender_alone() {
+    let server = server(limits(), None);
+    let mut witness = support::join(&server, "hall", 1, "").await;
+    for (sent, sentence) in [
+        (vec![99, 0, 0], "a frame is of no kind that users send"),
+        (vec![2, 3, 0, 1, 1, 1], "a pose is too short"),
+        (vec![4, 0xff, 0xff], "expected frames of at most 32768 bytes"),
+        (bytes(&[FromUser::Hello { group: 1, name: "again", ticket: &[] }]), "expected one hello"),
+    ] {
+        let mut guest = join(&server, "hall", 1, "").await;
+        guest.send.write_all(&sent).await.expect("sent");
+        assert_eq!(guest.is_refused(Reason::Frame).await, sentence);
+        sees_that_left(&mut witness, guest.number).await;
+    }
+    let mut guest = join(&server, "hall", 1, "").await;
+    guest.send.write_all(&[2, 40, 0, 1]).await.expect("sent");
+    guest.send.finish().await.expect("it has come");
+    assert_eq!(guest.is_refused(Reason::Frame).await, "expected a whole frame before the stream's end");
+    let mut guest = connect(&server, "/rooms/hall").await;
+    guest.say(&[FromUser::Pose(pose(1))]).await;
+    assert_eq!(guest.is_refused(Reason::Frame).await, "expected hello first");
+}
+
+#[tokio::test]
+async fn garbage_in_datagrams_ends_its_sender_alone() {
+    let server = server(limits(), None);
+    let mut witness = support::join(&server, "hall", 1, "").await;
+    for (sent, sentence) in [
+        (vec![99, 0, 0], "a frame is of no kind that users send"),
+        (vec![2], "a frame is too short"),
+        (bytes(&[FromUser::Pose(pose(1)), FromUser::Bye]), "expected poses and acknowledgements alone in datagrams"),
+        (
+            bytes(&[FromUser::Say { to: To::Room, payload: b"" }]),
+            "expected poses and acknowledgements alone in datagrams",
+        ),
+    ] {
+        let mut guest = join(&server, "hall", 1, "").await;
+        guest.connection.send_datagram(sent).expect("sent");
+        assert_eq!(guest.is_refused(Reason::Frame).await, sentence);
+        sees_that_left(&mut witness, guest.number).await;
+    }
+}
+
+#[tokio::test]
+async fn datagrams_before_hello_are_dropped() {
+    let server = server(limits(), None);
+    let mut guest = connect(&server, "/rooms/hall").await;
+    for _ in 0..3 {
+        guest.connection.send_datagram([99, 0, 0]).expect("sent");
+    }
+    guest.say(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
+    guest.until(|_, frame| matches!(frame, FromServer::Welcome { .. }).then_some(())).await;
+}
+
+#[tokio::test]
+async fn who_sends_too_much_is_ended() {
+    let few = Limits { messages_per_second: 20.0, ..limits() };
+    let narrow = Limits { bytes_per_second: 4000.0, ..limits() };
+    let quiet = Limits { said_bytes_per_second: 100.0, ..limits() };
+    for (limits, sent) in
+        [(few, vec![]), (few, bytes(&[FromUser::Pose(pose(1))])), (narrow, bytes(&[FromUser::Pose(pose(1)); 5]))]
+    {
+        let server = server(limits, None);
+        let mut guest = join(&server, "hall", 1, "").await;
+        // Until they do not go out any more, as the session is closed.
+        for _ in 0..500 {
+            let _ = guest.connection.send_datagram(&sent);
+            tokio::task::yield_now().await;
+        }
+        guest.is_refused(Reason::Flood).await;
+    }
+    let server = server(quiet, None);
+    let mut guest = join(&server, "hall", 1, "").await;
+    let payload = [1; 4096];
+    for _ in 0..9 {
+        let _ = guest.send.write_all(&bytes(&[FromUser::Say { to: To::Room, payload: &payload }])).await;
+    }
+    guest.is_refused(Reason::Flood).await;
+}
+
+#[tokio::test]
+async fn others_see_who_vanishes_and_who_closes() {
+    let limits = Limits { ping: Duration::from_millis(100), silence: Duration::from_millis(400), ..limits() };
+    let server = server(limits, None);
+    let mut witness = support::join(&server, "hall", 1, "").await;
+    // The client's runtime ends, so that nothing answers any more.
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().expect("a runtime");
+    let vanishes = std::thread::scope(|scope| {
+        let gone = scope.spawn(|| {
+            let guest = runtime.block_on(join(&server, "hall", 1, ""));
+            let number = guest.number;
+            std::mem::forget(guest);
+            runtime.shutdown_background();
+            number
+        });
+        gone.join().expect("it joined")
+    });
+    sees_that_left(&mut witness, vanishes).await;
+    let guest = join(&server, "hall", 1, "").await;
+    guest.connection.close(VarInt::from_u32(0), b"");
+    sees_that_left(&mut witness, guest.number).await;
+    let mut guest = join(&server, "hall", 1, "").await;
+    guest.send.finish().await.expect("it has come");
+    sees_that_left(&mut witness, guest.number).await;
+}
+
+#[tokio::test]
+async fn who_stays_is_heard_without_a_frame() {
+    let limits = Limits { ping: Duration::from_millis(50), silence: Duration::from_millis(300), ..limits() };
+    let server = server(limits, None);
+    let mut guest = join(&server, "hall", 1, "").await;
+    tokio::time::sleep(Duration::from_millis(900)).await;
+    let mut other = support::join(&server, "hall", 1, "").await;
+    other.send(&[FromUser::Pose(pose(1))]).await;
+    guest.pose_of(other.number).await;
+}
+
+#[tokio::test]
+async fn who_says_no_hello_is_ended() {
+    let limits = Limits { hello: Duration::from_millis(300), ping: HOURS, silence: 2 * HOURS, ..limits() };
+    let server = server(limits, None);
+    let mut guest = connect(&server, "/rooms/hall").await;
+    guest.say(&[]).await;
+    guest.connection.send_datagram([]).expect("sent");
+    assert_eq!(guest.is_refused(Reason::Silent).await, "expected hello");
+    let (connection, _endpoint) = ask(&server, "/rooms/hall", None).await.expect("a session");
+    timeout(HANGS, connection.closed()).await.expect("its stream does not come");
+}
+
+#[tokio::test]
+async fn who_does_not_read_is_ended_and_others_get_all() {
+    let server = server(Limits { ping: HOURS, silence: 2 * HOURS, burst: MOMENT, ..limits() }, None);
+    let mut slow = join(&server, "hall", 1, "").await;
+    let mut sender = support::join(&server, "hall", 1, "").await;
+    let mut friend = support::join(&server, "hall", 1, "").await;
+    let (mut round, mut has_left) = (0u32, false);
+    while !has_left {
+        let payload = [&round.to_le_bytes()[..], &[0; 4000]].concat();
+        sender.send(&[FromUser::Say { to: To::Group, payload: &payload }]).await;
+        has_left = friend
+            .until(|frame| match frame {
+                FromServer::Say { payload, .. } => {
+                    assert_eq!(payload[..4], round.to_le_bytes());
+                    Some(false)
+                }
+                FromServer::Left { user } => (user == slow.number).then_some(true),
+                _ => None,
+            })
+            .await;
+        round += u32::from(!has_left);
+    }
+    // It reads on to the reason.
+    let sentence = slow.is_refused(Reason::Slow).await;
+    assert!(sentence.ends_with("before 131072 bytes wait for it"), "{sentence}");
+}
+
+#[tokio::test]
+async fn random_bytes_end_with_a_reason() {
+    let server = server(limits(), None);
+    let mut numbers = Numbers(3);
+    let mut witness = support::join(&server, "hall", 1, "").await;
+    for round in 0..20 {
+        let mut guest = join(&server, "hall", 1, "").await;
+        let garbage: Vec<u8> = (0..1 + numbers.below(600)).map(|_| numbers.below(256) as u8).collect();
+        if round % 2 == 0 {
+            let _ = guest.send.write_all(&garbage).await;
+            let _ = guest.send.finish().await;
+        } else {
+            guest.connection.send_datagram(&garbage).expect("sent");
+        }
+        guest.is_refused(Reason::Frame).await;
+        sees_that_left(&mut witness, guest.number).await;
+    }
+}

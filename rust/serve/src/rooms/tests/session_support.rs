@@ -1,0 +1,180 @@
+//! Users by WebTransport, whose sessions the tests hold.
+
+use std::collections::VecDeque;
+use std::net::{Ipv4Addr, SocketAddr};
+
+use tokio::time::timeout;
+use wtransport::endpoint::ConnectOptions;
+use wtransport::endpoint::endpoint_side::Client;
+use wtransport::error::{ConnectingError, ConnectionError};
+use wtransport::tls::{Sha256Digest, Sha256DigestFmt};
+use wtransport::{ClientConfig, Connection, Endpoint, RecvStream, SendStream};
+
+use super::support::{HANGS, split};
+use crate::Server;
+use crate::rooms::frame::{FromServer, FromUser};
+use crate::rooms::pose::Pose;
+use crate::rooms::{Datagrams, Reason};
+
+/// By which way frames come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum By {
+    Stream,
+    Datagram,
+}
+
+/// A user's session.
+pub struct Guest {
+    pub connection: Connection,
+    /// Packets go out as long as it is there.
+    _endpoint: Endpoint<Client>,
+    pub send: SendStream,
+    receive: RecvStream,
+    came: Vec<u8>,
+    frames: VecDeque<(By, Vec<u8>)>,
+    /// The number that the server gave.
+    pub number: u16,
+}
+
+/// A client that knows the server's certificate.
+pub fn client(datagrams: &Datagrams) -> Endpoint<Client> {
+    let [hash] = &datagrams.hashes[..] else { panic!("one hash") };
+    let bytes: Vec<String> = hash.as_bytes().chunks(2).map(|pair| String::from_utf8_lossy(pair).into()).collect();
+    let hash = Sha256Digest::from_str_fmt(bytes.join(":"), Sha256DigestFmt::DottedHex).expect("a hash");
+    let address = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
+    let config = ClientConfig::builder().with_bind_address(address).with_server_certificate_hashes([hash]).build();
+    Endpoint::client(config).expect("a socket")
+}
+
+/// Ask for a session.
+pub async fn ask(
+    server: &Server,
+    path: &str,
+    origin: Option<&str>,
+) -> Result<(Connection, Endpoint<Client>), ConnectingError> {
+    let datagrams = server.datagrams().expect("datagrams");
+    let endpoint = client(&datagrams);
+    let mut options = ConnectOptions::builder(format!("https://127.0.0.1:{}{path}", datagrams.port));
+    if let Some(origin) = origin {
+        options = options.add_header("origin", origin);
+    }
+    let connection = timeout(HANGS, endpoint.connect(options.build())).await.expect("an answer")?;
+    Ok((connection, endpoint))
+}
+
+/// Begin a session with its stream, without joining.
+pub async fn connect(server: &Server, path: &str) -> Guest {
+    let (connection, endpoint) = ask(server, path, None).await.expect("a session");
+    let (send, receive) = connection.open_bi().await.expect("a stream").await.expect("a stream");
+    let (came, frames) = (Vec::new(), VecDeque::new());
+    Guest { connection, _endpoint: endpoint, send, receive, came, frames, number: 0 }
+}
+
+/// Join a room.
+pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> Guest {
+    let mut user = connect(server, &format!("/rooms/{room}")).await;
+    user.say(&[FromUser::Hello { group, name, ticket: &[] }]).await;
+    user.number = user
+        .until(|_, frame| match frame {
+            FromServer::Welcome { user, .. } => Some(user),
+            _ => None,
+        })
+        .await;
+    user
+}
+
+impl Guest {
+    /// Send frames by the stream.
+    pub async fn say(&mut self, frames: &[FromUser<'_>]) {
+        self.send.write_all(&bytes(frames)).await.expect("the server reads");
+    }
+
+    /// Send frames as a datagram.
+    pub fn throw(&self, frames: &[FromUser<'_>]) {
+        self.connection.send_datagram(bytes(frames)).expect("the server takes datagrams");
+    }
+
+    /// The next frame, and by which way it came; none at the end.
+    pub async fn next(&mut self) -> Option<(By, Vec<u8>)> {
+        let mut piece = [0; 4096];
+        while self.frames.is_empty() {
+            let came = async {
+                tokio::select! {
+                    // What came before the end is read before it.
+                    biased;
+                    read = self.receive.read(&mut piece) => read.ok().flatten().map(|length| (By::Stream, length)),
+                    datagram = self.connection.receive_datagram() => {
+                        let datagram = datagram.ok()?;
+                        self.frames.extend(split(&datagram).into_iter().map(|frame| (By::Datagram, frame)));
+                        Some((By::Datagram, 0))
+                    }
+                }
+            };
+            let (_, length) = timeout(HANGS, came).await.expect("a frame")?;
+            self.came.extend_from_slice(&piece[..length]);
+            while let Ok((_, rest)) = FromServer::read(&self.came) {
+                let whole = self.came.len() - rest.len();
+                self.frames.push_back((By::Stream, self.came.drain(..whole).collect()));
+            }
+        }
+        self.frames.pop_front()
+    }
+
+    /// Wait for a frame that something can be made of.
+    pub async fn until<T>(&mut self, pick: impl Fn(By, FromServer<'_>) -> Option<T>) -> T {
+        loop {
+            let (by, bytes) = self.next().await.expect("a frame before the end");
+            let (frame, _) = FromServer::read(&bytes).expect("a frame");
+            if let Some(found) = pick(by, frame) {
+                return found;
+            }
+        }
+    }
+
+    /// The next pose of another user, and its way.
+    pub async fn pose_of(&mut self, other: u16) -> (By, Pose) {
+        self.until(|by, frame| match frame {
+            FromServer::Pose { user, pose } if user == other => Some((by, pose)),
+            _ => None,
+        })
+        .await
+    }
+
+    /// Assert that the server ends the session for a reason, by the stream and by the session's code; its sentence.
+    pub async fn is_refused(&mut self, reason: Reason) -> String {
+        let (code, sentence) = self
+            .until(|_, frame| match frame {
+                FromServer::Refused { code, sentence } => Some((code, sentence.to_owned())),
+                _ => None,
+            })
+            .await;
+        assert_eq!(code, reason.code(), "{sentence}");
+        assert!(self.next().await.is_none());
+        self.is_closed(reason).await;
+        sentence
+    }
+
+    /// Assert that the session's code is that of a reason.
+    pub async fn is_closed(&self, reason: Reason) {
+        let closed = timeout(HANGS, async {
+            loop {
+                if let Err(error) = self.connection.receive_datagram().await {
+                    return error;
+                }
+            }
+        });
+        match closed.await.expect("an end") {
+            ConnectionError::ApplicationClosed(closed) => {
+                assert_eq!(closed.code().into_inner(), u64::from(reason.close_code()));
+            }
+            other => panic!("{other}"),
+        }
+    }
+}
+
+/// Frames as bytes.
+pub fn bytes(frames: &[FromUser<'_>]) -> Vec<u8> {
+    let mut out = Vec::new();
+    frames.iter().for_each(|frame| frame.write(&mut out));
+    out
+}

@@ -1,0 +1,217 @@
+//! Rooms by WebTransport: what comes as datagrams, what by the stream, and who is let in.
+
+use std::net::UdpSocket;
+use std::sync::Arc;
+
+use wtransport::error::ConnectingError;
+
+use super::about;
+use super::session_support::{By, ask, connect, join};
+use super::support::{self, answering, asking, limits, pose, server, start, start_at, start_within};
+use crate::rooms::frame::{FromServer, FromUser, To};
+use crate::rooms::pose::Pose;
+use crate::rooms::{Key, Limits, Reason, Rooms};
+use crate::{Answering, HeaderValue, tls};
+
+#[tokio::test]
+async fn users_of_both_ways_see_each_other() {
+    let server = server(limits(), None);
+    let mut socket = support::join(&server, "hall", 1, "socket").await;
+    let mut guest = join(&server, "hall", 1, "guest").await;
+    let joined = FromServer::Joined { user: guest.number, group: 1, name: "guest" };
+    socket.until(|frame| (frame == joined).then_some(())).await;
+    guest.throw(&[FromUser::Pose(pose(1))]);
+    assert_eq!(socket.pose_of(guest.number).await, pose(1));
+    socket.send(&[FromUser::Pose(pose(7))]).await;
+    assert_eq!(guest.pose_of(socket.number).await, (By::Datagram, pose(7)));
+    // What ends a movement must arrive.
+    let rest = Pose { stops: true, ..pose(2) };
+    guest.say(&[FromUser::Pose(rest)]).await;
+    assert_eq!(socket.pose_of(guest.number).await, rest);
+    socket.send(&[FromUser::Pose(Pose { stops: true, ..pose(8) })]).await;
+    assert_eq!(guest.pose_of(socket.number).await, (By::Stream, Pose { stops: true, ..pose(8) }));
+    guest.say(&[FromUser::Say { to: To::Room, payload: b"to all" }]).await;
+    let said = FromServer::Say { user: guest.number, to: To::Room, payload: b"to all" };
+    socket.until(|frame| (frame == said).then_some(())).await;
+    guest.say(&[FromUser::Bye]).await;
+    guest.is_closed(Reason::Bye).await;
+    socket.until(|frame| (frame == FromServer::Left { user: guest.number }).then_some(())).await;
+}
+
+#[tokio::test]
+async fn poses_settle_by_datagrams_and_by_the_stream_once_the_user_rests() {
+    let server = server(limits(), None);
+    let mut one = join(&server, "hall", 1, "").await;
+    let mut two = join(&server, "hall", 1, "").await;
+    one.until(|_, frame| matches!(frame, FromServer::Joined { .. }).then_some(())).await;
+    let settled = |by, frame: FromServer<'_>| match frame {
+        FromServer::Settled { sequence } => Some((by, sequence)),
+        _ => None,
+    };
+    for sequence in 1..4 {
+        one.throw(&[FromUser::Pose(asking(sequence))]);
+        assert_eq!(two.pose_of(one.number).await, (By::Datagram, asking(sequence)));
+        two.throw(&[FromUser::Ack { user: one.number, sequence }]);
+        assert_eq!(one.until(settled).await, (By::Datagram, sequence));
+    }
+    let rest = Pose { stops: true, ..asking(4) };
+    one.say(&[FromUser::Pose(rest)]).await;
+    assert_eq!(two.pose_of(one.number).await, (By::Stream, rest));
+    two.say(&[FromUser::Ack { user: one.number, sequence: 4 }]).await;
+    assert_eq!(one.until(settled).await, (By::Stream, 4));
+}
+
+#[tokio::test]
+async fn an_older_pose_that_comes_late_is_dropped() {
+    let server = server(limits(), None);
+    let mut one = join(&server, "hall", 1, "").await;
+    let mut two = support::join(&server, "hall", 1, "").await;
+    one.until(|_, frame| matches!(frame, FromServer::Joined { .. }).then_some(())).await;
+    // By the stream, so that the test knows the order.
+    one.say(&[FromUser::Pose(pose(5))]).await;
+    assert_eq!(two.pose_of(one.number).await, pose(5));
+    one.say(&[FromUser::Pose(pose(4)), FromUser::Pose(pose(6))]).await;
+    assert_eq!(two.pose_of(one.number).await, pose(6));
+}
+
+#[tokio::test]
+async fn a_large_group_takes_several_datagrams() {
+    let server = server(limits(), None);
+    let mut reader = join(&server, "hall", 1, "").await;
+    let mut others = Vec::new();
+    for _ in 0..40 {
+        others.push(support::join(&server, "hall", 1, "").await);
+    }
+    for other in &mut others {
+        other.send(&[FromUser::Pose(pose(1))]).await;
+    }
+    let mut missing: Vec<u16> = others.iter().map(|other| other.number).collect();
+    while !missing.is_empty() {
+        let seen = reader.until(|_, frame| match frame {
+            FromServer::Pose { user, .. } => Some(user),
+            _ => None,
+        });
+        let seen = seen.await;
+        missing.retain(|number| *number != seen);
+    }
+}
+
+#[tokio::test]
+async fn pages_of_other_origins_and_other_paths_get_no_session() {
+    let server = server(limits(), None);
+    let own = format!("http://{}", server.address());
+    for (path, origin, expected) in [
+        ("/rooms/hall", None, true),
+        ("/rooms/hall", Some(own.as_str()), true),
+        ("/rooms/h%C3%A4ll?any", Some(own.as_str()), true),
+        ("/rooms/hall", Some("https://evil.example"), false),
+        ("/rooms/hall", Some("http://127.0.0.1:1"), false),
+        ("/rooms/hall", Some("null"), false),
+        ("/rooms/a/b", None, false),
+        ("/rooms", None, false),
+        ("/", None, false),
+    ] {
+        match ask(&server, path, origin).await {
+            Ok(_) => assert!(expected, "{path} {origin:?}"),
+            Err(ConnectingError::SessionRejected) => assert!(!expected, "{path} {origin:?}"),
+            Err(error) => panic!("{error}"),
+        }
+    }
+    // Files are for all pages, rooms are not: no token is needed.
+    let origin = Some(HeaderValue::from_static("*"));
+    let open = start(Answering { origin, ..answering(limits(), None) }, None);
+    assert!(ask(&open, "/rooms/hall", Some("https://any.example")).await.is_err());
+    let hosts = Some(["other".to_owned()].into());
+    let named = start(Answering { hosts, ..answering(limits(), None) }, None);
+    assert!(ask(&named, "/rooms/hall", None).await.is_err());
+}
+
+#[tokio::test]
+async fn pages_are_told_where_datagrams_are_taken() {
+    let server = server(limits(), None);
+    let told = server.datagrams().expect("datagrams");
+    assert_eq!(told.port, server.address().port());
+    let hash = &told.hashes[0];
+    let expected = format!(r#"{{"peers":true,"datagrams":{{"port":{},"hashes":["{hash}"]}}}}"#, told.port);
+    assert_eq!(about::told(&server, "/rooms", "").await.1, expected);
+}
+
+#[tokio::test]
+async fn users_need_a_token_where_those_of_sockets_do() {
+    let key = Key::new(&[7; 32]).expect("a key");
+    let server = server(limits(), Some(key.clone()));
+    let mut guest = connect(&server, "/rooms/hall?token=none").await;
+    guest.say(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
+    assert_eq!(guest.is_refused(Reason::Token).await, "expected a token that was made for this room");
+    let token = key.token("hall", u64::MAX, [1; 16]);
+    let mut guest = connect(&server, &format!("/rooms/hall?token={token}")).await;
+    guest.say(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
+    guest.until(|_, frame| matches!(frame, FromServer::Welcome { .. }).then_some(())).await;
+}
+
+#[tokio::test]
+async fn sessions_leave_connections_to_files() {
+    let limits = crate::Limits { connections: 4, ..crate::Limits::default() };
+    let server = start_within(answering(support::limits(), None), None, limits);
+    let mut guests = Vec::new();
+    for number in 0..3 {
+        guests.push(join(&server, &number.to_string(), 0, "").await);
+    }
+    assert!(ask(&server, "/rooms/hall", None).await.is_err());
+    guests.truncate(2);
+    // The place is free when the connection has ended.
+    while ask(&server, "/rooms/hall", None).await.is_err() {}
+}
+
+#[tokio::test]
+async fn datagrams_have_another_port_where_theirs_is_taken() {
+    // A port that is free for TCP and taken for UDP.
+    let taken = UdpSocket::bind("127.0.0.1:0").expect("a socket");
+    let address = taken.local_addr().expect("an address");
+    let server = start_at(address, answering(limits(), None), None, crate::Limits::default());
+    let port = server.datagrams().expect("datagrams").port;
+    assert_ne!(port, server.address().port());
+    let own = format!("http://{}", server.address());
+    assert!(ask(&server, "/rooms/hall", Some(&own)).await.is_ok(), "pages have the port of HTTP");
+    let other = format!("http://127.0.0.1:{port}");
+    assert!(ask(&server, "/rooms/hall", Some(&other)).await.is_err());
+}
+
+#[tokio::test]
+async fn a_certificate_that_signs_itself_is_not_used_for_datagrams() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (certificate, key) = tls::self_signed(vec!["127.0.0.1".into()]).expect("made");
+    let paths = (folder.path().join("chain.pem"), folder.path().join("key.pem"));
+    std::fs::write(&paths.0, &certificate).expect("written");
+    std::fs::write(&paths.1, key).expect("written");
+    let server = start(answering(limits(), None), Some(paths));
+    let own = format!("https://{}", server.address());
+    ask(&server, "/rooms/hall", Some(&own)).await.expect("a session");
+}
+
+#[tokio::test]
+async fn rooms_have_no_datagrams_where_they_are_switched_off() {
+    let rooms = Some(Arc::new(Rooms::new(Limits::default(), None).expect("limits that fit").without_datagrams()));
+    let server = start(Answering { rooms, ..answering(limits(), None) }, None);
+    assert!(server.datagrams().is_none());
+}
+
+#[tokio::test]
+async fn a_server_that_ends_tells_users_of_both_ways() {
+    let server = server(limits(), None);
+    let mut guest = join(&server, "hall", 1, "").await;
+    let (silent, _endpoint) = ask(&server, "/rooms/hall", None).await.expect("a session");
+    let ends = std::thread::spawn(move || server.close());
+    assert_eq!(guest.is_refused(Reason::Ending).await, "the server ends");
+    silent.closed().await;
+    ends.join().expect("it ends");
+}
+
+#[tokio::test]
+async fn counts_tell_of_sessions() {
+    let server = server(limits(), None);
+    let guest = join(&server, "hall", 1, "").await;
+    let (_, text) = about::told(&server, "/metrics", "").await;
+    assert!(text.contains("nearfar_room_datagram_connections 1") && text.contains("nearfar_room_users 1"), "{text}");
+    drop(guest);
+}

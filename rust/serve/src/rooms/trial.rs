@@ -1,0 +1,223 @@
+//! Users of a server's rooms who do what some bytes tell them, in one thread and without a network. A user who sees what
+//! no user may see panics: for tests and for fuzzing.
+
+use std::collections::HashMap;
+use std::net::IpAddr;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use bytes::{Buf, BytesMut};
+
+use super::frame::{FromServer, FromUser, HEAD, SAY, SIGNAL, To};
+use super::outbox::Taken;
+use super::pose::{self, Placed, Pose};
+use super::reason::End;
+use super::{Entering, Limits, Rooms, Session};
+
+/// Users at the same time, some more than a room takes, and rooms.
+const USERS: usize = 8;
+const ROOM: usize = 5;
+/// Sockets of one client; users come of two.
+const SOCKETS: usize = 4;
+/// Longest time that passes at once.
+const PAUSE: Duration = Duration::from_millis(2);
+
+/// Let users do what these bytes tell them.
+pub fn run(mut script: &[u8]) {
+    let each = Limits::default();
+    let queue_bytes = 1 << 15;
+    let limits = Limits { users: ROOM, rooms: 1, sockets_per_client: SOCKETS, queue_bytes, ..each };
+    let Ok(rooms) = Rooms::new(limits, None) else { return };
+    let mut trial = Trial { rooms: Arc::new(rooms), users: Default::default(), now: Instant::now() };
+    while let Ok(step) = script.try_get_u8() {
+        trial.step(usize::from(step) % USERS, usize::from(step) / USERS, &mut script);
+    }
+    for who in 0..USERS {
+        trial.look(who);
+    }
+    trial.users = Default::default();
+    let place = trial.rooms.place([10, 0, 0, 1].into(), 1);
+    assert!(place.is_some(), "a place was not given back");
+}
+
+struct Trial {
+    rooms: Arc<Rooms>,
+    users: [User; USERS],
+    now: Instant,
+}
+
+#[derive(Default)]
+struct User {
+    session: Option<Session>,
+    seen: Seen,
+    /// Of its last time.
+    ticket: Vec<u8>,
+    /// Of the last pose that it sent, and the greatest of all.
+    sequence: u32,
+    most: Option<u32>,
+}
+
+/// What a user knows of its room.
+#[derive(Default)]
+struct Seen {
+    number: Option<u16>,
+    group: u16,
+    /// Groups of others, and the sequences of their last poses.
+    others: HashMap<u16, (u16, Option<u32>)>,
+    settled: Option<u32>,
+}
+
+impl Trial {
+    fn step(&mut self, who: usize, what: usize, script: &mut &[u8]) {
+        let mut byte = || script.try_get_u8().unwrap_or_default();
+        match what {
+            0 | 1 => self.connect(who),
+            2 | 3 => self.hello(who, u16::from(byte() % 2), usize::from(byte())),
+            4..=10 => self.pose(who, byte().cast_signed(), byte()),
+            11..=14 => self.acknowledge(who, usize::from(byte()) % USERS, byte()),
+            15 => {
+                let payload = &vec![0; 16 * usize::from(byte())][..];
+                self.send(who, &[FromUser::Say { to: [To::Group, To::Room][who % 2], payload: cut(payload, SAY) }]);
+            }
+            16 => {
+                let user = self.number(usize::from(byte()) % USERS);
+                let payload = &vec![0; 64 * usize::from(byte())][..];
+                self.send(who, &[FromUser::Signal { user, payload: cut(payload, SIGNAL) }]);
+            }
+            17 => self.send(who, &[FromUser::Bye]),
+            18 => {
+                let length = usize::from(byte());
+                let (raw, rest) = script.split_at(length.min(script.len()));
+                *script = rest;
+                self.give(who, raw);
+            }
+            19 | 20 => self.now += PAUSE * u32::from(byte()),
+            // As if the connection broke off.
+            21 => self.users[who].session = None,
+            22 if byte() == 0 => self.rooms.close(),
+            _ => self.look(who),
+        }
+    }
+
+    fn connect(&mut self, who: usize) {
+        self.users[who].session = None;
+        let client: IpAddr = [10, 0, 0, 1 + (who % 2) as u8].into();
+        let Some(place) = self.rooms.place(client, USERS) else { return };
+        let session = Session::new(Arc::clone(&self.rooms), Entering::new("hall", None, place), self.now);
+        let user = &mut self.users[who];
+        (user.session, user.seen, user.most) = (Some(session), Seen::default(), None);
+    }
+
+    fn hello(&mut self, who: usize, group: u16, choice: usize) {
+        let ticket = if choice % 2 == 0 { Vec::new() } else { self.users[choice / 2 % USERS].ticket.clone() };
+        if self.users[who].seen.number.is_none() {
+            self.users[who].seen.group = group;
+        }
+        self.send(who, &[FromUser::Hello { group, name: &"name"[..choice % 5], ticket: &ticket }]);
+    }
+
+    fn pose(&mut self, who: usize, step: i8, flags: u8) {
+        let user = &mut self.users[who];
+        user.sequence = user.sequence.wrapping_add_signed(i32::from(step));
+        user.most = user.most.max(Some(user.sequence));
+        let head = Placed { position: [0.0; 3], rotation: [0, 0, 0, 32767] };
+        let (is_acknowledged, stops) = (flags & 1 == 0, flags & 2 != 0);
+        let pose = Pose {
+            sequence: user.sequence,
+            // Clocks of users need not agree, nor go on.
+            clock: u64::from(flags).wrapping_mul(0x0101_0101_0101_0101),
+            is_acknowledged,
+            stops,
+            head,
+            hands: [None; 2],
+            pointer: None,
+        };
+        self.send(who, &[FromUser::Pose(pose)]);
+    }
+
+    fn acknowledge(&mut self, who: usize, whom: usize, choice: u8) {
+        let user = self.number(whom);
+        let seen = self.users[who].seen.others.get(&user).and_then(|(_, sequence)| *sequence);
+        let sequence = if choice < 200 { seen.unwrap_or_default() } else { u32::from(choice) };
+        self.send(who, &[FromUser::Ack { user, sequence }]);
+    }
+
+    fn number(&self, who: usize) -> u16 {
+        self.users[who].seen.number.unwrap_or(who as u16)
+    }
+
+    fn send(&mut self, who: usize, frames: &[FromUser<'_>]) {
+        let mut message = Vec::new();
+        frames.iter().for_each(|frame| frame.write(&mut message));
+        self.give(who, &message);
+    }
+
+    fn give(&mut self, who: usize, message: &[u8]) {
+        let user = &mut self.users[who];
+        let Some(session) = &mut user.session else { return };
+        let given = session.took(message.len(), self.now).and_then(|()| session.message(message, self.now));
+        if let Err(End { sentence, .. }) = given {
+            assert!(!sentence.is_empty(), "an end without a reason");
+            user.session = None;
+        }
+    }
+
+    /// Take all that waits for a user.
+    fn look(&mut self, who: usize) {
+        let (mut message, mut read) = (BytesMut::new(), Vec::new());
+        let User { session, seen, ticket, most, .. } = &mut self.users[who];
+        let Some(open) = session else { return };
+        match open.outbox.take(&mut message, &mut read) {
+            Taken::Nothing => {}
+            Taken::End(_) => *session = None,
+            Taken::Message => {
+                let bound = open.rooms.limits.queue_bytes + ROOM * (HEAD + 2 + pose::MOST) + HEAD + 4;
+                assert!(message.len() <= bound, "{} bytes waited", message.len());
+                let mut rest = &message[..];
+                while !rest.is_empty() {
+                    let (frame, behind) = FromServer::read(rest).expect("a frame of the server");
+                    seen.see(frame, *most, ticket);
+                    rest = behind;
+                }
+            }
+        }
+    }
+}
+
+impl Seen {
+    /// `most` is the greatest sequence of the user's own poses.
+    fn see(&mut self, frame: FromServer<'_>, most: Option<u32>, ticket: &mut Vec<u8>) {
+        assert_eq!(self.number.is_none(), matches!(frame, FromServer::Welcome { .. }), "one welcome, first");
+        let group = |user: &u16| self.others.get(user).map(|(group, _)| *group);
+        match frame {
+            FromServer::Welcome { user, others, ticket: own } => {
+                assert!(usize::from(others) < ROOM, "more users than a room takes");
+                (self.number, *ticket) = (Some(user), own.to_vec());
+            }
+            FromServer::Joined { user, group, .. } => {
+                assert_ne!(self.number, Some(user), "a user joined itself");
+                assert!(self.others.insert(user, (group, None)).is_none(), "a user joined twice");
+                assert!(self.others.len() < ROOM, "more users than a room takes");
+            }
+            FromServer::Left { user } => assert!(self.others.remove(&user).is_some(), "nobody left"),
+            FromServer::Pose { user, pose } => {
+                let (group, last) = self.others.get_mut(&user).expect("a pose of somebody who is there");
+                assert_eq!(*group, self.group, "a pose of another group");
+                assert!(last.replace(pose.sequence) < Some(pose.sequence), "an old pose");
+            }
+            FromServer::Say { user, to: To::Group, .. } => assert_eq!(group(&user), Some(self.group)),
+            FromServer::Say { user, .. } | FromServer::Signal { user, .. } => {
+                assert!(self.number == Some(user) || group(&user).is_some(), "somebody who is not there speaks");
+            }
+            FromServer::Settled { sequence } => {
+                assert!(Some(sequence) <= most, "what was not sent is settled");
+                assert!(self.settled.replace(sequence) < Some(sequence), "settled again");
+            }
+            FromServer::Refused { .. } => panic!("a refusal waits with others"),
+        }
+    }
+}
+
+fn cut(bytes: &[u8], most: usize) -> &[u8] {
+    &bytes[..bytes.len().min(most)]
+}

@@ -1,0 +1,147 @@
+/** WebTransport as the way of frames: what must arrive by a stream, what a later one replaces by datagrams. */
+import type { Datagrams } from './about';
+import type { Listener, Socket } from './socket';
+
+/** Seconds in which a connection must be there: networks that drop UDP tell nothing. */
+const READY = 3;
+/** Datagrams that wait for the network; more are dropped, and so are those that wait for so many milliseconds. */
+const [WAITING, OLDEST] = [4, 50] as const;
+/** Bytes of a frame before its body, of which the last two tell how many follow. */
+const HEAD = 3;
+/** The close code of a WebSocket that broke off. */
+const BROKEN = 1006;
+
+/** Connect to where the server takes datagrams. It rejects if that cannot be done; nothing is heard before it resolves. */
+export async function openDatagrams(relay: string, to: Datagrams, listener: Listener): Promise<Socket> {
+  const transport = new WebTransport(addressOf(relay, to), {
+    congestionControl: 'low-latency',
+    serverCertificateHashes: to.hashes.map((value) => ({ algorithm: 'sha-256', value })),
+  });
+  const closed = transport.closed.then(
+    ({ closeCode }) => closeCode || BROKEN,
+    () => BROKEN,
+  );
+  try {
+    const stream = await within(READY, openStream(transport));
+    void closed.then((code) => listener.closed(code));
+    void readAll(stream.readable, splitter((frames) => listener.came(frames)));
+    void readAll(transport.datagrams.readable, (datagram) => listener.came(datagram.slice().buffer));
+    return sending(transport, stream.writable);
+  } catch (error) {
+    transport.close();
+    throw error;
+  }
+}
+
+/** The address of a room's relay there. */
+export function addressOf(relay: string, { port }: Datagrams): string {
+  const address = new URL(relay);
+  address.protocol = 'https:';
+  address.port = String(port);
+  return address.href;
+}
+
+async function openStream(transport: WebTransport): Promise<WebTransportBidirectionalStream> {
+  await transport.ready;
+  return transport.createBidirectionalStream();
+}
+
+function sending(transport: WebTransport, writable: WritableStream): Socket {
+  const { datagrams } = transport;
+  datagrams.outgoingHighWaterMark = WAITING;
+  datagrams.outgoingMaxAge = OLDEST;
+  const [stream, passing] = [writable.getWriter(), datagrams.writable.getWriter()];
+  let bytes = 0;
+  const gather = gatherer((frames) => {
+    if ((passing.desiredSize ?? 0) > 0) passing.write(frames).catch(ignore);
+  });
+  return {
+    get bufferedAmount() {
+      return bytes;
+    },
+    send(data, isPassing) {
+      if (isPassing && data.length <= datagrams.maxDatagramSize) {
+        gather(data, datagrams.maxDatagramSize);
+        return;
+      }
+      bytes += data.length;
+      stream.write(data).then(() => (bytes -= data.length), ignore);
+    },
+    close: () => transport.close(),
+  };
+}
+
+/** Make one datagram of the frames of one task, or several if they are too many; `write` is given each. */
+export function gatherer(write: (frames: Uint8Array) => void): (frame: Uint8Array, most: number) => void {
+  let frames: Uint8Array[] = [];
+  let length = 0;
+  function flush(): void {
+    if (length === 0) return;
+    const all = join(frames, length);
+    [frames, length] = [[], 0];
+    write(all);
+  }
+  return (frame, most) => {
+    if (length + frame.length > most) flush();
+    if (length === 0) queueMicrotask(flush);
+    frames.push(frame);
+    length += frame.length;
+  };
+}
+
+/** Give on the whole frames of the pieces of a stream. */
+export function splitter(give: (frames: ArrayBuffer) => void): (piece: Uint8Array) => void {
+  let rest: Uint8Array = new Uint8Array();
+  return (piece) => {
+    const all = join([rest, piece], rest.length + piece.length);
+    const view = new DataView(all.buffer);
+    let whole = 0;
+    while (whole + HEAD <= all.length) {
+      const next = whole + HEAD + view.getUint16(whole + 1, true);
+      if (next > all.length) break;
+      whole = next;
+    }
+    rest = all.slice(whole);
+    if (whole > 0) give(all.buffer.slice(0, whole));
+  };
+}
+
+function join(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {
+  const all = new Uint8Array(length);
+  let at = 0;
+  for (const part of parts) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
+}
+
+/** Read until the end, of which the session's own end tells. */
+async function readAll(readable: ReadableStream, take: (bytes: Uint8Array) => void): Promise<void> {
+  const reader = readable.getReader();
+  try {
+    for (;;) {
+      const { done, value } = await reader.read();
+      if (done) return;
+      take(value);
+    }
+  } catch {
+    return;
+  }
+}
+
+async function within<T>(seconds: number, promise: Promise<T>): Promise<T> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const late = new Promise<never>((_, reject) => {
+    timer = setTimeout(() => reject(new Error('the server does not answer')), 1000 * seconds);
+  });
+  try {
+    return await Promise.race([promise, late]);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+function ignore(): void {
+  // The session's end is told by itself.
+}

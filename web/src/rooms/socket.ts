@@ -1,0 +1,29 @@
+/** The way by which frames come and go: a WebSocket, or what does the same. */
+
+export interface Socket {
+  /** Bytes that wait to be sent. */
+  readonly bufferedAmount: number;
+  /** Send a frame; `isPassing` if a later one replaces it, so that it may get lost. */
+  send(data: Uint8Array<ArrayBuffer>, isPassing: boolean): void;
+  close(): void;
+}
+
+/** Whoever listens to a socket; nothing is told before the socket is returned. */
+export interface Listener {
+  opened(): void;
+  /** Whole frames have come, as an ArrayBuffer, or what is no such thing. */
+  came(data: unknown): void;
+  /** A close code of WebSocket. */
+  closed(code: number): void;
+}
+
+export type Open = (url: string, listener: Listener) => Socket;
+
+export function openSocket(url: string, listener: Listener): Socket {
+  const socket = new WebSocket(url);
+  socket.binaryType = 'arraybuffer';
+  socket.onopen = () => listener.opened();
+  socket.onmessage = ({ data }) => listener.came(data);
+  socket.onclose = ({ code }) => listener.closed(code);
+  return socket;
+}

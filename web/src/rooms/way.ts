@@ -1,0 +1,70 @@
+/** By which way a page comes into rooms: by datagrams where both sides have them, else by WebSocket. */
+import type { Ask, Datagrams } from './about';
+import { openDatagrams } from './datagrams';
+import { type Listener, type Open, openSocket, type Socket } from './socket';
+
+export interface Ways {
+  /** Where the server takes datagrams; null if nowhere. */
+  readonly datagrams: () => Promise<Datagrams | null>;
+  readonly openDatagrams: (relay: string, to: Datagrams, listener: Listener) => Promise<Socket>;
+  readonly openSocket: Open;
+}
+
+/** Open sockets to a server that tells by which ways. What has failed once is not tried again. */
+export function createOpen(ask: Ask, isOff: boolean, ways: Ways = browserWays(ask)): Open {
+  let asked: Promise<Datagrams | null> | null = isOff ? Promise.resolve(null) : null;
+
+  async function find(url: string, listener: Listener): Promise<Found> {
+    asked ??= ways.datagrams();
+    const to = await asked;
+    if (to) {
+      try {
+        return { socket: await ways.openDatagrams(url, to, listener), isOpen: true };
+      } catch {
+        asked = Promise.resolve(null);
+      }
+    }
+    return { socket: ways.openSocket(url, listener), isOpen: false };
+  }
+
+  return (url, listener) => later(find(url, listener), () => listener.opened());
+}
+
+interface Found {
+  readonly socket: Socket;
+  readonly isOpen: boolean;
+}
+
+function browserWays(ask: Ask): Ways {
+  return {
+    async datagrams() {
+      if (typeof WebTransport === 'undefined') return null;
+      return (await ask())?.datagrams ?? null;
+    },
+    openDatagrams,
+    openSocket,
+  };
+}
+
+/** A socket that is found later; until then nothing can be sent. */
+function later(found: Promise<Found>, opened: () => void): Socket {
+  let socket: Socket | null = null;
+  let isClosed = false;
+  void found.then((one) => {
+    socket = one.socket;
+    if (isClosed) socket.close();
+    else if (one.isOpen) opened();
+  });
+  return {
+    get bufferedAmount() {
+      return socket?.bufferedAmount ?? 0;
+    },
+    send(data, isPassing) {
+      socket?.send(data, isPassing);
+    },
+    close() {
+      isClosed = true;
+      socket?.close();
+    },
+  };
+}

@@ -1,0 +1,132 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { readAbout } from '../src/rooms/about';
+import { addressOf, gatherer, splitter } from '../src/rooms/datagrams';
+import type { Listener, Socket } from '../src/rooms/socket';
+import { createOpen } from '../src/rooms/way';
+
+const TO = { port: 8443, hashes: [] };
+const RELAY = 'wss://host:8/rooms/a';
+
+/** What was opened, in order, and what the page was told. */
+interface Bench {
+  readonly opened: string[];
+  readonly told: string[];
+  readonly open: (isOff?: boolean) => Socket;
+  /** Let what was begun go on. */
+  readonly settle: () => Promise<void>;
+}
+
+function bench(datagrams: () => Promise<typeof TO | null>, isTaken: () => boolean): Bench {
+  const [opened, told]: [string[], string[]] = [[], []];
+  const socket = (name: string): Socket => ({
+    bufferedAmount: 7,
+    send: (data, isPassing) => told.push(`${name} ${data.length} ${isPassing}`),
+    close: () => told.push(`${name} closes`),
+  });
+  const listener: Listener = { opened: () => told.push('opened'), came: () => {}, closed: () => {} };
+  const ways = {
+    datagrams: () => {
+      opened.push('asks');
+      return datagrams();
+    },
+    openDatagrams: async () => {
+      opened.push('datagrams');
+      if (!isTaken()) throw new Error('refused');
+      return socket('datagrams');
+    },
+    openSocket: () => {
+      opened.push('socket');
+      return socket('socket');
+    },
+  };
+  const [on, off] = [false, true].map((isOff) => createOpen(() => Promise.resolve(null), isOff, ways));
+  const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+  return { opened, told, open: (isOff) => (isOff ? off : on)?.(RELAY, listener) as Socket, settle };
+}
+
+test('datagrams are used where the server tells of them, which is asked once', async () => {
+  const { opened, told, open, settle } = bench(async () => TO, () => true);
+  const socket = open();
+  socket.send(new Uint8Array(2), true);
+  assert.equal(socket.bufferedAmount, 0);
+  await settle();
+  assert.deepEqual([opened, told], [['asks', 'datagrams'], ['opened']]);
+  socket.send(new Uint8Array(3), true);
+  assert.equal(socket.bufferedAmount, 7);
+  open();
+  await settle();
+  assert.deepEqual(opened, ['asks', 'datagrams', 'datagrams']);
+  assert.deepEqual(told, ['opened', 'datagrams 3 true', 'opened']);
+});
+
+test('what fails once is not tried again', async () => {
+  const { opened, told, open, settle } = bench(async () => TO, () => false);
+  for (let count = 0; count < 2; count++) {
+    open();
+    await settle();
+  }
+  assert.deepEqual([opened, told], [['asks', 'datagrams', 'socket', 'socket'], []]);
+});
+
+test('without datagrams it is a WebSocket', async () => {
+  const without = bench(async () => null, () => true);
+  without.open();
+  await without.settle();
+  assert.deepEqual(without.opened, ['asks', 'socket']);
+  const off = bench(async () => TO, () => true);
+  off.open(true);
+  await off.settle();
+  assert.deepEqual(off.opened, ['socket']);
+});
+
+test('who has left before anything was found is not there', async () => {
+  const { told, open, settle } = bench(async () => TO, () => true);
+  open().close();
+  await settle();
+  assert.deepEqual(told, ['datagrams closes']);
+});
+
+test('frames of a stream are whole, however they come', () => {
+  const frames = [[1, 2, 0, 9, 9], [6, 0, 0], [4, 1, 0, 5]];
+  const bytes = Uint8Array.from(frames.flat());
+  for (let length = 1; length <= bytes.length; length++) {
+    const given: number[] = [];
+    const split = splitter((whole) => {
+      const view = new DataView(whole);
+      for (let at = 0; at < view.byteLength; at += 3 + view.getUint16(at + 1, true)) given.push(view.getUint8(at));
+      assert.ok(whole.byteLength > 0);
+    });
+    for (let at = 0; at < bytes.length; at += length) split(bytes.subarray(at, at + length));
+    assert.deepEqual(given, [1, 6, 4]);
+  }
+});
+
+test('frames of one task are one datagram, as far as it holds them', async () => {
+  const sent: number[] = [];
+  const gather = gatherer((frames) => sent.push(frames.length));
+  for (const length of [40, 30, 30, 50]) gather(new Uint8Array(length), 100);
+  assert.deepEqual(sent, [100]);
+  await Promise.resolve();
+  assert.deepEqual(sent, [100, 50]);
+  gather(new Uint8Array(1), 100);
+  await Promise.resolve();
+  assert.deepEqual(sent, [100, 50, 1]);
+});
+
+test('what the server tells of rooms is read, or not at all', () => {
+  const hash = '0a'.repeat(32);
+  const told = readAbout({ peers: true, datagrams: { port: 8443, hashes: [hash] } });
+  assert.equal(told?.peers, true);
+  assert.deepEqual([told?.datagrams?.port, [...(told?.datagrams?.hashes[0] ?? [])]], [8443, Array(32).fill(10)]);
+  assert.deepEqual(readAbout({ peers: false, datagrams: null }), { peers: false, datagrams: null });
+  for (const datagrams of [{ port: 0, hashes: [] }, { port: 1.5, hashes: [] }, { port: 1, hashes: ['0A'] }, { port: 1 }, 3]) {
+    assert.deepEqual(readAbout({ peers: true, datagrams }), { peers: true, datagrams: null });
+  }
+  for (const wrong of [null, 'text', [], {}, { peers: 1 }]) assert.equal(readAbout(wrong), null);
+});
+
+test('datagrams have a port of their own', () => {
+  const address = addressOf('ws://localhost:8080/rooms/a%20b?token=1.2.3', TO);
+  assert.equal(address, 'https://localhost:8443/rooms/a%20b?token=1.2.3');
+});
