@@ -157,7 +157,8 @@ async function main(): Promise<void> {
   viewer.open(world.places.nearest(start.position));
   if (query.has('room')) {
     const hands = (): Headset['hands'] | null => (headset?.isPresenting ? headset.hands : null);
-    const host = { viewer, canvas, root, nearShare: world.nearShare, hands, announce: panel.announce };
+    const { announce, explain } = panel;
+    const host = { viewer, canvas, root, nearShare: world.nearShare, hands, announce, explain };
     import('./rooms/start').then(
       ({ enter }) => (room = enter(host)),
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),
