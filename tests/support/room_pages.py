@@ -22,6 +22,14 @@ SEEN = """() => {
   };
 }"""
 
+HEAR = """([user, body]) => {
+  const { presence } = window.nearfar.room;
+  presence.hear({ kind: 'joined', user, group: 0, name: '' }, 0);
+  const pose = { ...body, sequence: 1, clock: 0n, isAcknowledged: false, stops: true };
+  presence.hear({ kind: 'pose', user, pose }, performance.now() / 1000);
+}"""
+"""A user comes whose body rests."""
+
 AIMS = 60
 """Milliseconds after which a page looks again at what its pointer hits."""
 
