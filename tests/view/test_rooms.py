@@ -16,7 +16,7 @@ from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support.browser import opened, wait_for_ring, wait_until
-from tests.support.room_pages import AIMS, HEAR, RoomPage, ends, has_changed
+from tests.support.room_pages import AIMS, HEAR, RoomPage, ends, has_changed, reach_beyond
 
 pytestmark = pytest.mark.slow
 
@@ -121,10 +121,7 @@ def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
     places = ada.pixel_of([begin + 0.9 * (end - begin), end], CENTER, ZONES)
     assert has_changed(mask, places[1], 1.5)
     # Nothing goes on behind the spot.
-    onwards = (places[1] - places[0]) / max(np.linalg.norm(places[1] - places[0]), 1e-9)
-    rows, columns = np.nonzero(mask)
-    beyond = (np.stack([columns + 0.5, rows + 0.5], axis=1) - places[1]) @ onwards
-    assert beyond.max() < 4
+    assert reach_beyond(mask, *places) < 4
     bob.page.keyboard.up("e")
     wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is None)
 

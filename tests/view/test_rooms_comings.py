@@ -153,7 +153,7 @@ def test_a_hidden_page_rests_and_returns(chromium: Any, server: Server) -> None:
         # Who comes meanwhile is told where the page rests.
         with opened(chromium, *SIZE) as third:
             third.goto(f"{server.url}?rings=0&room=hidden")
-            wait_until(third, lambda: third.evaluate("() => window.nearfar?.room?.seen.length") == 2)
+            wait_until(third, lambda: ada.step() and third.evaluate("() => window.nearfar?.room?.seen.length") == 2)
         second.evaluate(hide, False)
         bob.pose["position"] = [4.0, 1.7, -1.0]
         wait_until(first, lambda: bob.step() and seen(True, 4.0))

@@ -21,9 +21,6 @@ import { createTicketStore } from './ticket';
 /** Seconds between two updates of the card. */
 const CARD_EVERY = 0.25;
 
-/** The tangent of the angle that a pixel of a headset covers: some twenty are in a degree. */
-const HEADSET_PIXEL = 9e-4;
-
 /** How to point, for the help. */
 const HELP: readonly Row[] = [
   [['E'], 'point at the cursor, while held'],
@@ -150,8 +147,10 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   return room;
 }
 
-/** The tangent of the angle that a pixel covers in the middle of the picture. */
+/** The tangent of the angle that a pixel covers in the middle of the picture, or of an eye's. */
 function pixelOf({ camera, renderer }: Viewer): number {
-  if (renderer.xr.isPresenting) return HEADSET_PIXEL;
-  return (2 * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(renderer.domElement.height, 1);
+  const [eye] = renderer.xr.isPresenting ? renderer.xr.getCamera().cameras : [];
+  const { projectionMatrix } = eye ?? camera;
+  const height = eye?.viewport?.w ?? renderer.domElement.height;
+  return 2 / (projectionMatrix.elements[5] * Math.max(height, 1));
 }
