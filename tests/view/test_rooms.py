@@ -16,7 +16,7 @@ from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support.browser import opened, wait_for_ring, wait_until
-from tests.support.room_pages import AIMS, RoomPage, ends, has_changed
+from tests.support.room_pages import AIMS, HEAR, RoomPage, ends, has_changed, reach_beyond
 
 pytestmark = pytest.mark.slow
 
@@ -121,10 +121,7 @@ def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
     places = ada.pixel_of([begin + 0.9 * (end - begin), end], CENTER, ZONES)
     assert has_changed(mask, places[1], 1.5)
     # Nothing goes on behind the spot.
-    onwards = (places[1] - places[0]) / max(np.linalg.norm(places[1] - places[0]), 1e-9)
-    rows, columns = np.nonzero(mask)
-    beyond = (np.stack([columns + 0.5, rows + 0.5], axis=1) - places[1]) @ onwards
-    assert beyond.max() < 4
+    assert reach_beyond(mask, *places) < 4
     bob.page.keyboard.up("e")
     wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is None)
 
@@ -160,16 +157,6 @@ def pointer_mask(viewer: RoomPage, number: int) -> Any:
     return np.abs(found - without).max(axis=-1) > 12
 
 
-STAND = """([number, position]) => {
-  const { presence } = window.nearfar.room;
-  const head = { position, rotation: [0, 0, 0, 1] };
-  const body = { head, left: null, right: null, pointer: null };
-  const pose = { ...body, sequence: 1, clock: 0n, isAcknowledged: false, stops: true };
-  presence.hear({ kind: 'joined', user: number, group: 0, name: '' }, 0);
-  presence.hear({ kind: 'pose', user: number, pose }, performance.now() / 1000);
-}"""
-
-
 def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPage], scene: nf.Scene) -> None:
     ada, _ = pair
     ada.page.evaluate("() => window.nearfar.viewer.setGuests(window.nearfar.room.avatars)")
@@ -179,7 +166,8 @@ def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPag
         ahead = np.array([-np.sin(yaw), 0, -np.cos(yaw)])
         empty = ada.picture()
         for share, is_seen in ((0.7, True), (1.3, False)):
-            ada.page.evaluate(STAND, [999, (CENTER + share * away * ahead).tolist()])
+            head = {"position": (CENTER + share * away * ahead).tolist(), "rotation": [0, 0, 0, 1]}
+            ada.page.evaluate(HEAR, [999, {"head": head, "left": None, "right": None, "pointer": None}])
             mask = np.abs(ada.picture() - empty).max(axis=-1) > 12
             assert has_changed(mask, np.multiply(SIZE, 0.5), 3) == is_seen
     finally:

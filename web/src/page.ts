@@ -159,7 +159,9 @@ async function main(): Promise<void> {
   if (script) {
     const hands = (): Headset['hands'] | null => (headset?.isPresenting ? headset.hands : null);
     const { moving } = opened;
-    const host = { viewer, canvas, root, files, moving, nearShare: world.nearShare, hands, announce: panel.announce };
+    const { announce, explain } = panel;
+    const nearShare = world.nearShare;
+    const host = { viewer, canvas, root, files, moving, nearShare, hands, announce, explain };
     const entered = script.then(
       ({ enter }) => void (room = enter(host)),
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),

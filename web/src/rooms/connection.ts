@@ -26,6 +26,8 @@ export interface ConnectionSettings {
   readonly address: Address;
   /** The page beside which the room is. */
   readonly page: string;
+  /** A ticket that the room gave before; empty by default. */
+  readonly ticket?: Uint8Array;
   /** A frame of the server, and the time at which it came; `welcome` says that nobody else is known any more. */
   readonly heard: (frame: FromServer, now: number) => void;
   readonly changed: (state: State) => void;
@@ -37,12 +39,15 @@ export interface ConnectionSettings {
 export interface Connection {
   readonly state: State;
   readonly roundTrips: RoundTrips;
+  /** The ticket with which the user gets its number back; empty if there is none. */
+  readonly ticket: Uint8Array;
   /** Send where the user is; false if the room does not take it now. */
   pose(body: Body, stops: boolean): boolean;
   /** Send bytes to one other user, no more than docs/rooms.md allows; false outside of the room. */
   signal(user: number, payload: Uint8Array): boolean;
   /** Come back after it has ended, or at once while it waits. */
   retry(): void;
+  /** Say that the user goes. */
   leave(): void;
 }
 
@@ -52,7 +57,7 @@ export function connect(settings: ConnectionSettings): Connection {
   const roundTrips = createRoundTrips();
   let state: State = { kind: 'joining' };
   let socket: Socket | null = null;
-  let ticket: Uint8Array = new Uint8Array();
+  let ticket = settings.ticket ?? new Uint8Array();
   let pause: number = FIRST;
   let [entered, sequence] = [0, 0];
   let stop = (): void => undefined;
@@ -153,6 +158,9 @@ export function connect(settings: ConnectionSettings): Connection {
     roundTrips,
     get state() {
       return state;
+    },
+    get ticket() {
+      return ticket;
     },
     pose(body, stops) {
       if (state.kind !== 'here' || !socket || socket.bufferedAmount > WAITING) return false;

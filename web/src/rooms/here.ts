@@ -14,6 +14,7 @@ const POINTER = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1
 export interface HereCommands {
   mute(number: number, isMuted: boolean): void;
   retry(): void;
+  leave(): void;
   /** A link for others. */
   link(): string;
   announce(text: string): void;
@@ -47,6 +48,11 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
   // Without a role: readers of screens would tell each change.
   const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
   const [again, copy] = [action('Join again', commands.retry), action('Copy link', () => void share())];
+  const leave = action('Leave', () => {
+    commands.leave();
+    // The button goes.
+    chip.focus();
+  });
   const card = make(
     'section',
     { class: 'card here', id: 'here', 'aria-label': 'Here', hidden: true },
@@ -54,8 +60,8 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     list,
     words,
     figure,
-    source,
-    make('div', { class: 'here-actions' }, copy, again),
+      source,
+      make('div', { class: 'here-actions' }, copy, leave, again),
   );
   const corner = make('div', { class: 'here-corner' }, chip, card);
   const title = 'Hold to point at the middle of the picture (E at the cursor)';
@@ -88,6 +94,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     write(source, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
     again.hidden = state.kind === 'here' || state.kind === 'joining';
+    leave.hidden = state.kind === 'ended';
     // Changes that come by themselves while the user looks elsewhere.
     const isNews = state !== last && 'words' in state;
     if (isNews && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
@@ -118,7 +125,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
       write(chip, 'No room');
       write(words, reason);
       chip.dataset['wrong'] = words.dataset['wrong'] = 'true';
-      for (const each of [again, copy, button]) each.hidden = true;
+      for (const each of [again, leave, copy, button]) each.hidden = true;
       commands.announce(reason);
       open(true);
     },

@@ -14,7 +14,7 @@ export interface Hold {
 }
 
 /** The key and the mouse point at the cursor, or at the middle where there is none; a button of the page there. */
-export function createHold(canvas: HTMLCanvasElement, button: HTMLElement, keys: EventTarget = window): Hold {
+export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold {
   const held = new Set<'key' | 'mouse' | 'button'>();
   let cursor: Place = MIDDLE;
 
@@ -23,15 +23,15 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement, keys:
     for (const name of names) target.addEventListener(name, action, { capture });
   }
 
-  listen(keys, ['keydown'], (event) => {
+  listen(window, ['keydown'], (event) => {
     const pressed = event as KeyboardEvent;
     if (pressed.code === KEY && !isElsewhere(pressed)) held.add('key');
   });
-  listen(keys, ['keyup'], (event) => {
+  listen(window, ['keyup'], (event) => {
     if ((event as KeyboardEvent).code === KEY) held.delete('key');
   });
   // A key that is let go elsewhere is not heard.
-  listen(keys, ['blur'], () => held.clear());
+  listen(window, ['blur'], () => held.clear());
   // Before the controls, which move by the same button.
   listen(window, ['pointerdown'], (event) => {
     const { target, pointerType, button: number, pointerId } = event as PointerEvent;

@@ -19,13 +19,13 @@ export function atScreen(pose: Pose, target: Vector | null): Body {
   return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...way), FARTHEST) } };
 }
 
-/** In a headset: a head, the hands that are tracked, and a pointer from the one that is squeezed. */
+/** In a headset: a head, the hands that are tracked, and a pointer from the first one that points. */
 export function inHeadset(pose: Pose, hands: readonly HandRay[], lengthOf: (hand: HandRay) => number): Body {
   const placed = (side: HandRay['side']): Placed | null => {
     const hand = hands.find((each) => each.side === side);
     return hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
   };
-  const pointing = hands.find(({ isSqueezed }) => isSqueezed);
+  const pointing = hands.find((each) => each.isPointing);
   return {
     head: { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) },
     left: placed('left'),

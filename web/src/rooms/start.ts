@@ -2,30 +2,38 @@
 import { filesOfRing } from '../bundle/contents';
 import type { Files } from '../bundle/source';
 import type { Pose } from '../control/pose';
-import type { Vector } from '../control/vector';
 import { type Peers, startPeers } from '../peers/start';
 import type { Viewer } from '../show/viewer';
 import { make } from '../ui/dom';
+import type { Row } from '../ui/help';
 import type { HandRay } from '../xr/hands';
 import { askOnce } from './about';
-import { type Address, inviteOf, readAddress } from './address';
-import { NOTHING_HIT, targetAt } from './aim';
+import { type Address, inviteOf, readAddress, relayOf, shownName } from './address';
+import { createArrivals } from './arrivals';
 import { type Avatars, createAvatars } from './avatars';
+import { followPage } from './away';
 import { connect, type Connection } from './connection';
 import type { FromServer } from './frames';
 import { createHere, type HereCommands } from './here';
-import { createHold, type Hold, type Place } from './hold';
-import { atScreen, inHeadset } from './own';
+import { createHold, type Hold } from './hold';
+import { createPointing } from './pointing';
 import { type Body, isWithin } from './pose';
 import { createPresence, type Presence, type Seen } from './presence';
 import { createSender } from './sending';
+import { createTicketStore } from './ticket';
 import { createOpen } from './way';
 
-/** Seconds between two looks at what the pointer hits, and between two updates of the card. */
-const [AIM_EVERY, CARD_EVERY] = [1 / 36, 0.25] as const;
+/** Seconds between two updates of the card. */
+const CARD_EVERY = 0.25;
 
-/** The tangent of the angle that a pixel of a headset covers: some twenty are in a degree. */
-const HEADSET_PIXEL = 9e-4;
+/** How to point, for the help. */
+const HELP: readonly Row[] = [
+  [['E'], 'point at the cursor, while held'],
+  [['Middle button'], 'the same'],
+  [['Point'], 'point at the middle of the picture'],
+  [['Grip'], 'headset: point along the controller'],
+  [['Index finger'], 'headset: point by it alone, the others bent'],
+];
 
 /** The page, as far as a room uses it. */
 export interface Host {
@@ -40,6 +48,8 @@ export interface Host {
   /** The hands of the headset; null outside. */
   hands(): readonly HandRay[] | null;
   announce(text: string): void;
+  /** Add a part to the help. */
+  explain(title: string, rows: readonly Row[]): void;
 }
 
 export interface Room {
@@ -62,6 +72,7 @@ export function enter(host: Host): Room | null {
   const commands: HereCommands = {
     mute: (number, isMuted) => room?.presence.mute(number, isMuted),
     retry: () => room?.connection.retry(),
+    leave: () => room?.connection.leave(),
     link: () => inviteOf(location.href),
     announce: host.announce,
   };
@@ -70,6 +81,7 @@ export function enter(host: Host): Room | null {
     here.refuse(address);
     return null;
   }
+  host.explain('Room', HELP);
   const hold = createHold(host.canvas, here.button);
   const room = join(host, address, hold, (made) => {
     const { presence, connection, peers } = made;
@@ -87,12 +99,15 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   const { viewer, nearShare } = host;
   const presence = createPresence();
   const avatars = createAvatars(viewer.shared);
+  const arrivals = createArrivals(host.announce);
+  const tickets = createTicketStore(relayOf(location.href, { ...address, token: null }));
   const isWithoutDatagrams = new URLSearchParams(location.search).get('datagrams') === 'off';
   const ask = askOnce(location.href);
   const connection = connect({
     address,
     page: location.href,
     open: createOpen(ask, isWithoutDatagrams),
+    ticket: tickets.take(),
     heard,
     changed: ({ kind }) => {
       if (kind !== 'here') presence.clear();
@@ -112,12 +127,12 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     const isSendable = [body.head, body.left, body.right].every((placed) => !placed || isWithin(placed.position));
     return isSendable && connection.pose(body, stops);
   });
-  const aim = createAim((pose, place) => targetAt(viewer, nearShare, pose, place));
+  const bodyOf = createPointing(viewer, nearShare, hold, host.hands);
   let [seen, body]: [readonly Seen[], Body | null] = [[], null];
   let toldAt = -Infinity;
-  /** Others who were there before the user. */
-  let known = 0;
+  avatars.prepare(viewer.renderer, viewer.camera);
   viewer.setGuests(avatars);
+  followPage(connection, tickets);
   document.addEventListener('visibilitychange', () => {
     if (document.hidden) sender.rest();
   });
@@ -125,15 +140,10 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   function heard(frame: FromServer, now: number): void {
     presence.hear(frame, now);
     peers.hear(frame);
-    if (frame.kind === 'welcome') known = frame.others;
     if (frame.kind === 'welcome' || frame.kind === 'joined') sender.repeat();
-    if (frame.kind === 'joined' && --known < 0) host.announce(`${frame.name} is here`);
-  }
-
-  function bodyOf(pose: Pose, now: number): Body {
-    const hands = host.hands();
-    if (hands) return inHeadset(pose, hands, ({ origin, direction }) => viewer.along(origin, direction) ?? NOTHING_HIT);
-    return atScreen(pose, aim(pose, hold.place, now));
+    if (frame.kind === 'welcome') arrivals.begin(frame.others);
+    else if (frame.kind === 'joined') arrivals.come(frame.user, shownName(frame.name, frame.user));
+    else if (frame.kind === 'left') arrivals.left(frame.user);
   }
 
   const room: Room = {
@@ -155,6 +165,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
       const { state } = connection;
       const own = state.kind === 'here' && body.pointer ? { number: state.user, body } : null;
       avatars.show(seen, own, pixelOf(viewer));
+      arrivals.tell(now);
       if (now - toldAt < CARD_EVERY) return;
       toldAt = now;
       told(room);
@@ -163,25 +174,10 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   return room;
 }
 
-/** The tangent of the angle that a pixel covers in the middle of the picture. */
+/** The tangent of the angle that a pixel covers in the middle of the picture, or of an eye's. */
 function pixelOf({ camera, renderer }: Viewer): number {
-  if (renderer.xr.isPresenting) return HEADSET_PIXEL;
-  return (2 * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(renderer.domElement.height, 1);
-}
-
-type Aim = (pose: Pose, place: Place | null, now: number) => Vector | null;
-
-/** Looks at what the pointer hits less often than frames are drawn: the answer of the GPU must be waited for. */
-function createAim(look: (pose: Pose, place: Place) => Vector): Aim {
-  let [target, next]: [Vector | null, number] = [null, -Infinity];
-  return (pose, place, now) => {
-    if (!place) {
-      target = null;
-      return null;
-    }
-    if (target && now < next) return target;
-    next = now + AIM_EVERY;
-    target = look(pose, place);
-    return target;
-  };
+  const [eye] = renderer.xr.isPresenting ? renderer.xr.getCamera().cameras : [];
+  const { projectionMatrix } = eye ?? camera;
+  const height = eye?.viewport?.w ?? renderer.domElement.height;
+  return 2 / (projectionMatrix.elements[5] * Math.max(height, 1));
 }
