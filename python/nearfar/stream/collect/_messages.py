@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -253,7 +253,13 @@ def _read_score(stage: Stage, body: bytes) -> Score:
     return Score(stage, bool(over), spheres, misses)
 
 
-_READERS = {1: _read_trial, 2: _read_sphere, 3: _read_aims, 4: _read_collected, 5: _read_score}
+_READERS: dict[int, Callable[[Stage, bytes], Message]] = {
+    1: _read_trial,
+    2: _read_sphere,
+    3: _read_aims,
+    4: _read_collected,
+    5: _read_score,
+}
 
 
 def _level(number: int) -> int:

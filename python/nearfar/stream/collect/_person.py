@@ -153,6 +153,7 @@ class Pointing:
             self._notice(now, target)
             self._past.append((now, target, self._aim))
             self._move(now, passed, target)
+            self._past[-1] = (now, target, self._aim)
         return self._aim[0] + self._tremor[0], self._aim[1] + self._tremor[1]
 
     def _notice(self, now: float, target: Target) -> None:
