@@ -157,9 +157,12 @@ async function main(): Promise<void> {
   viewer.open(world.places.nearest(start.position));
   if (query.has('room')) {
     const hands = (): Headset['hands'] | null => (headset?.isPresenting ? headset.hands : null);
-    const host = { viewer, canvas, root, nearShare: world.nearShare, hands, announce: panel.announce };
+    const host = { viewer, canvas, root, nearShare: world.nearShare, hands, go, announce: panel.announce };
     import('./rooms/start').then(
-      ({ enter }) => (room = enter(host)),
+      async ({ enter }) => {
+        room = enter(host);
+        if (room && query.get('task') === 'collect') (await import('./collect/start')).begin(room, host);
+      },
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),
     ).catch((reason) => panel.announce(`The room cannot be entered: ${reason}`));
   }

@@ -107,7 +107,8 @@ export function rayOf({ head, left, right, pointer }: Body): { readonly begin: V
   return { begin: from.position, end: [x + dx, y + dy, z + dz] };
 }
 
-function drawn(
+/** A mesh of near geometry's shading, with uniforms of its own beside those of the picture. */
+export function drawn(
   shape: BufferGeometry,
   shared: Shared,
   vertexShader: string,

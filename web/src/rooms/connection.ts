@@ -1,7 +1,7 @@
 /** A connection to a room: it joins, comes back by itself, acknowledges poses and measures round trips. */
 import { type Address, relayOf } from './address';
 import { FrameError } from './bytes';
-import { type FromServer, type FromUser, readMessage, writeFrame } from './frames';
+import { type Audience, type FromServer, type FromUser, readMessage, writeFrame } from './frames';
 import type { Body } from './pose';
 import { type End, endOf, endOfCode } from './reasons';
 import { createRoundTrips, type RoundTrips } from './round_trips';
@@ -46,6 +46,8 @@ export interface Connection {
   readonly roundTrips: RoundTrips;
   /** Send where the user is; false if the room does not take it now. */
   pose(body: Body, stops: boolean): boolean;
+  /** Say something to the group or to the room; false if it cannot be said now. */
+  say(payload: Uint8Array, to: Audience): boolean;
   /** Come back after it has ended, or at once while it waits. */
   retry(): void;
   leave(): void;
@@ -162,6 +164,11 @@ export function connect(settings: ConnectionSettings): Connection {
       // Nobody else settles it.
       const isAcknowledged = peers.size > 0 && roundTrips.send(sequence, time);
       send({ kind: 'pose', pose: { ...body, sequence, clock: BigInt(Math.round(1e6 * time)), isAcknowledged, stops } });
+      return true;
+    },
+    say(payload, to) {
+      if (state.kind !== 'here' || !socket) return false;
+      send({ kind: 'say', to, payload });
       return true;
     },
     retry() {

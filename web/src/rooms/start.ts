@@ -1,6 +1,7 @@
 /** A room in the page: who is here, where they look and point. A script of its own, for those who join a room. */
 import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
+import type { Guests } from '../show/picture';
 import type { Viewer } from '../show/viewer';
 import { make } from '../ui/dom';
 import type { HandRay } from '../xr/hands';
@@ -31,10 +32,25 @@ export interface Host {
   readonly nearShare: number;
   /** The hands of the headset; null outside. */
   hands(): readonly HandRay[] | null;
+  /** Go to another place, as soon as it can be shown. */
+  go(pose: Pose): void;
   announce(text: string): void;
 }
 
+/** What users of a room do together; it draws what guests are drawn as. */
+export interface Activity extends Guests {
+  /** Whether users point also while they hold nothing down. */
+  readonly isPointing: boolean;
+  /** A frame of the server has come. */
+  heard(frame: FromServer, now: number): void;
+  /** Before each frame: where the user's eyes are, and what others see of it. */
+  frame(pose: Pose, body: Body, now: number): void;
+  /** The point of the world at which a part of the picture points; null for what the scene has there. */
+  targetAt(pose: Pose, place: Place): Vector | null;
+}
+
 export interface Room {
+  readonly address: Address;
   readonly connection: Connection;
   readonly presence: Presence;
   readonly avatars: Avatars;
@@ -43,6 +59,10 @@ export interface Room {
   readonly body: Body | null;
   /** Before each frame: where the user is. */
   frame(pose: Pose): void;
+  /** What users do together; null for nothing. */
+  readonly activity: Activity | null;
+  /** Let users do something together from now on. */
+  begin(activity: Activity): void;
 }
 
 /** Join the room that the address of the page names; null where it names none that there can be. */
@@ -87,11 +107,12 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     const isSendable = [body.head, body.left, body.right].every((placed) => !placed || isWithin(placed.position));
     return isSendable && connection.pose(body, stops);
   });
-  const aim = createAim((pose, place) => targetAt(viewer, nearShare, pose, place));
+  const aim = createAim((pose, place) => activity?.targetAt(pose, place) ?? targetAt(viewer, nearShare, pose, place));
   let [seen, body]: [readonly Seen[], Body | null] = [[], null];
   let toldAt = -Infinity;
   /** Others who were there before the user. */
   let known = 0;
+  let activity: Activity | null = null;
   viewer.setGuests(avatars);
   document.addEventListener('visibilitychange', () => {
     if (document.hidden) sender.rest();
@@ -102,15 +123,19 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     if (frame.kind === 'welcome') known = frame.others;
     if (frame.kind === 'welcome' || frame.kind === 'joined') sender.repeat();
     if (frame.kind === 'joined' && --known < 0) host.announce(`${frame.name} is here`);
+    activity?.heard(frame, now);
   }
 
   function bodyOf(pose: Pose, now: number): Body {
     const hands = host.hands();
-    if (hands) return inHeadset(pose, hands, ({ origin, direction }) => viewer.along(origin, direction) ?? NOTHING_HIT);
+    hold.isAlways = activity?.isPointing ?? false;
+    const lengthOf = ({ origin, direction }: HandRay): number => viewer.along(origin, direction) ?? NOTHING_HIT;
+    if (hands) return inHeadset(pose, hands, hold.isAlways, lengthOf);
     return atScreen(pose, aim(pose, hold.place, now));
   }
 
   const room: Room = {
+    address,
     connection,
     presence,
     avatars,
@@ -124,6 +149,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
       const now = performance.now() / 1000;
       body = bodyOf(pose, now);
       sender.update(body, now);
+      activity?.frame(pose, body, now);
       seen = presence.at(now);
       const { state } = connection;
       const own = state.kind === 'here' && body.pointer ? { number: state.user, body } : null;
@@ -131,6 +157,21 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
       if (now - toldAt < CARD_EVERY) return;
       toldAt = now;
       told(room);
+    },
+    get activity() {
+      return activity;
+    },
+    begin(next) {
+      activity = next;
+      viewer.setGuests({
+        get meshes() {
+          return [...avatars.meshes, ...next.meshes];
+        },
+        place(center) {
+          avatars.place(center);
+          next.place(center);
+        },
+      });
     },
   };
   return room;

@@ -6,6 +6,8 @@ import asyncio
 import math
 from contextlib import suppress
 
+import numpy as np
+
 from nearfar._base import check
 from nearfar._base.errors import FormatError
 from nearfar.stream._room import Room
@@ -165,5 +167,6 @@ class _User:
             self._rays.pop(user, None)
             return
         x, y, z = begin.position.tolist()
-        a, b, c, d = begin.rotation.tolist()
+        # Frames hold quaternions whose length is 1 to a tenth.
+        a, b, c, d = (begin.rotation / np.linalg.norm(begin.rotation)).tolist()
         self._rays[user] = ((x, y, z), rotated((a, b, c, d)))

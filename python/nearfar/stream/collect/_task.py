@@ -26,6 +26,9 @@ from nearfar.stream.collect._spheres import Ray
 MOST_COUNTED = 2**16 - 1
 """Greatest number of spheres and misses that messages can hold."""
 
+LEAST_PAUSE = 0.05
+"""Least seconds from a collected sphere to the next one, so that no rules let a conductor speak without end."""
+
 Rays = Mapping[int, Ray]
 """The last pointers of users by their numbers; users who point nowhere are missing."""
 
@@ -141,7 +144,7 @@ class Task:
 
     def _hear_trial(self, trial: Trial, now: float) -> None:
         if self.trial is None or trial.stage != self.trial.stage or trial.is_over:
-            self.sphere, self._next_at = None, now if trial.elapsed == 0.0 else now + trial.pause
+            self.sphere, self._next_at = None, now if trial.elapsed == 0.0 else now + max(trial.pause, LEAST_PAUSE)
             self._rest()
         self.trial, self.began = trial, now - trial.elapsed
 
@@ -166,7 +169,7 @@ class Task:
         tallies[found.level] = Tally(old.spheres + 1, misses, seconds)
         self.trial = replace(self.trial, tallies=(tallies[0], tallies[1], tallies[2]))
         self.collected.append(found)
-        self.sphere, self._next_at = None, now + self.trial.pause
+        self.sphere, self._next_at = None, now + max(self.trial.pause, LEAST_PAUSE)
         self._rest()
 
     def _rest(self) -> None:
@@ -218,7 +221,8 @@ class Task:
         if elapsed >= trial.duration:
             return replace(trial, is_over=True, elapsed=min(elapsed, LONGEST))
         if self.sphere is None:
-            return spheres.sphere(trial, trial.stage, self.group, self._count()) if now >= self._next_at else None
+            is_due = now >= self._next_at and self._count() < MOST_COUNTED
+            return spheres.sphere(trial, trial.stage, self.group, self._count()) if is_due else None
         return self._judge(trial, self.sphere, now, rays)
 
     def _judge(self, trial: Trial, sphere: Sphere, now: float, rays: Rays) -> Message | None:
