@@ -161,9 +161,12 @@ async function main(): Promise<void> {
     const { moving } = opened;
     const { announce, explain } = panel;
     const nearShare = world.nearShare;
-    const host = { viewer, canvas, root, files, moving, nearShare, hands, announce, explain };
+    const host = { viewer, canvas, root, files, moving, nearShare, hands, go, announce, explain };
     const entered = script.then(
-      ({ enter }) => void (room = enter(host)),
+      async ({ enter }) => {
+        room = enter(host);
+        if (room && query.get('task') === 'collect') (await import('./collect/start')).begin(room, host);
+      },
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),
     ).catch((reason) => panel.announce(`The room cannot be entered: ${reason}`));
     // Files may come from others of the room.

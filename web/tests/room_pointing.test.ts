@@ -26,6 +26,9 @@ class Looked {
   }
 }
 
+/** Nothing that users do together. */
+const nobody = (): null => null;
+
 function hand(isPointing: boolean): HandRay {
   return { side: 'left', origin: [0, 1, 0], direction: [0, 0, -1], isPointing };
 }
@@ -34,7 +37,7 @@ test('the GPU is asked at most 36 times a second, at the screen and in the heads
   const place: Place = [0.5, 0.5];
   for (const hands of [null, [hand(true)]]) {
     const looked = new Looked();
-    const bodyOf = createPointing(looked.viewer, 0.7, { place }, () => hands);
+    const bodyOf = createPointing(looked.viewer, 0.7, { place, isAlways: false }, () => hands, nobody);
     for (let frame = 0; frame < 90; frame++) assert.ok(bodyOf(POSE, frame / 90).pointer);
     assert.ok(looked.looks <= 37 && looked.looks >= 25, String(looked.looks));
   }
@@ -43,7 +46,7 @@ test('the GPU is asked at most 36 times a second, at the screen and in the heads
 test('who points again is asked for at once', () => {
   const looked = new Looked();
   let hands = [hand(true)];
-  const bodyOf = createPointing(looked.viewer, 0.7, { place: null }, () => hands);
+  const bodyOf = createPointing(looked.viewer, 0.7, { place: null, isAlways: false }, () => hands, nobody);
   assert.deepEqual(bodyOf(POSE, 0).pointer, { begin: 'left', length: 5 });
   hands = [hand(false)];
   assert.equal(bodyOf(POSE, 0.001).pointer, null);
@@ -56,7 +59,7 @@ test('left of the divider a pointer ends where the picture shows things, right o
   const looked = new Looked();
   const user: Pose = { ...POSE, position: [2, 1.7, 0] };
   const end = (): readonly number[] => {
-    const { right, pointer } = createPointing(looked.viewer, 0.7, { place: [0.5, 0.5] }, () => null)(user, 0);
+    const { right, pointer } = createPointing(looked.viewer, 0.7, { place: [0.5, 0.5], isAlways: false }, () => null, nobody)(user, 0);
     assert.ok(right && pointer);
     const [x, y, z, w] = right.rotation;
     const along = [-2 * (x * z + w * y), -2 * (y * z - w * x), -1 + 2 * (x * x + y * y)];

@@ -2,7 +2,7 @@
 import { type Address, relayOf } from './address';
 import { FrameError } from './bytes';
 import { CLOCK, type Clock } from './clock';
-import { type FromServer, type FromUser, readMessage, writeFrame } from './frames';
+import { type Audience, type FromServer, type FromUser, readMessage, writeFrame } from './frames';
 import type { Body } from './pose';
 import { type End, endOf, endOfCode } from './reasons';
 import { createRoundTrips, type RoundTrips } from './round_trips';
@@ -45,6 +45,8 @@ export interface Connection {
   pose(body: Body, stops: boolean): boolean;
   /** Send bytes to one other user, no more than docs/rooms.md allows; false outside of the room. */
   signal(user: number, payload: Uint8Array): boolean;
+  /** Say something to the group or to the room; false if it cannot be said now. */
+  say(payload: Uint8Array, to: Audience): boolean;
   /** Come back after it has ended, or at once while it waits. */
   retry(): void;
   /** Say that the user goes. */
@@ -175,6 +177,11 @@ export function connect(settings: ConnectionSettings): Connection {
     signal(user, payload) {
       if (state.kind !== 'here' || !socket) return false;
       send({ kind: 'signal', user, payload });
+      return true;
+    },
+    say(payload, to) {
+      if (state.kind !== 'here' || !socket) return false;
+      send({ kind: 'say', to, payload });
       return true;
     },
     retry() {

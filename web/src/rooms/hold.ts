@@ -9,7 +9,9 @@ const MIDDLE = [0.5, 0.5] as const;
 export type Place = readonly [number, number];
 
 export interface Hold {
-  /** Where the user points; null while nothing is held. */
+  /** Whether the user points also while nothing is held. */
+  isAlways: boolean;
+  /** Where the user points; null while it does not. */
   readonly place: Place | null;
 }
 
@@ -17,6 +19,7 @@ export interface Hold {
 export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold {
   const held = new Set<'key' | 'mouse' | 'button'>();
   let cursor: Place = MIDDLE;
+  let isAlways = false;
 
   type Action = (event: Event) => void;
   function listen(target: EventTarget, names: readonly string[], action: Action, capture = false): void {
@@ -60,8 +63,14 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold
   listen(button, ['contextmenu'], (event) => event.preventDefault());
 
   return {
+    get isAlways() {
+      return isAlways;
+    },
+    set isAlways(next) {
+      isAlways = next;
+    },
     get place() {
-      if (held.size === 0) return null;
+      if (held.size === 0 && !isAlways) return null;
       const isLocked = document.pointerLockElement === canvas;
       return isLocked || (held.has('button') && held.size === 1) ? MIDDLE : cursor;
     },

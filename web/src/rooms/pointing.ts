@@ -3,6 +3,7 @@ import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
 import type { Viewer } from '../show/viewer';
 import type { HandRay } from '../xr/hands';
+import type { Activity } from './activity';
 import { NOTHING_HIT, targetAt } from './aim';
 import type { Hold } from './hold';
 import { atScreen, inHeadset } from './own';
@@ -18,21 +19,23 @@ export function createPointing(
   nearShare: number,
   hold: Hold,
   hands: () => readonly HandRay[] | null,
+  activity: () => Activity | null,
 ): (pose: Pose, now: number) => Body {
   const [targets, lengths] = [createSeldom<Vector>(EVERY), createSeldom<number>(EVERY)];
 
   function targetOf(pose: Pose, now: number): Vector | null {
     const { place } = hold;
-    if (place) return targets.at(now, () => targetAt(viewer, nearShare, pose, place));
+    if (place) return targets.at(now, () => activity()?.targetAt(pose, place) ?? targetAt(viewer, nearShare, pose, place));
     targets.forget();
     return null;
   }
 
   return (pose, now) => {
     const found = hands();
-    if (!found?.some(({ isPointing }) => isPointing)) lengths.forget();
+    hold.isAlways = activity()?.isPointing ?? false;
+    if (!hold.isAlways && !found?.some(({ isPointing }) => isPointing)) lengths.forget();
     if (!found) return atScreen(pose, targetOf(pose, now));
-    return inHeadset(pose, found, ({ origin, direction }) =>
+    return inHeadset(pose, found, hold.isAlways, ({ origin, direction }) =>
       lengths.at(now, () => viewer.along(origin, direction) ?? NOTHING_HIT),
     );
   };

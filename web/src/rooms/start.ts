@@ -8,6 +8,7 @@ import { make } from '../ui/dom';
 import type { Row } from '../ui/help';
 import type { HandRay } from '../xr/hands';
 import { askOnce } from './about';
+import type { Activity } from './activity';
 import { type Address, inviteOf, readAddress, relayOf, shownName } from './address';
 import { createArrivals } from './arrivals';
 import { type Avatars, createAvatars } from './avatars';
@@ -47,12 +48,15 @@ export interface Host {
   readonly nearShare: number;
   /** The hands of the headset; null outside. */
   hands(): readonly HandRay[] | null;
+  /** Go to another place, as soon as it can be shown. */
+  go(pose: Pose): void;
   announce(text: string): void;
   /** Add a part to the help. */
   explain(title: string, rows: readonly Row[]): void;
 }
 
 export interface Room {
+  readonly address: Address;
   readonly connection: Connection;
   readonly presence: Presence;
   readonly avatars: Avatars;
@@ -63,6 +67,10 @@ export interface Room {
   readonly body: Body | null;
   /** Before each frame: where the user is. */
   frame(pose: Pose): void;
+  /** What users do together; null for nothing. */
+  readonly activity: Activity | null;
+  /** Let users do something together from now on. */
+  begin(activity: Activity): void;
 }
 
 /** Join the room that the address of the page names; null where it names none that there can be. */
@@ -127,9 +135,10 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     const isSendable = [body.head, body.left, body.right].every((placed) => !placed || isWithin(placed.position));
     return isSendable && connection.pose(body, stops);
   });
-  const bodyOf = createPointing(viewer, nearShare, hold, host.hands);
+  const bodyOf = createPointing(viewer, nearShare, hold, host.hands, () => activity);
   let [seen, body]: [readonly Seen[], Body | null] = [[], null];
   let toldAt = -Infinity;
+  let activity: Activity | null = null;
   avatars.prepare(viewer.renderer, viewer.camera);
   viewer.setGuests(avatars);
   followPage(connection, tickets);
@@ -144,9 +153,11 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     if (frame.kind === 'welcome') arrivals.begin(frame.others);
     else if (frame.kind === 'joined') arrivals.come(frame.user, shownName(frame.name, frame.user));
     else if (frame.kind === 'left') arrivals.left(frame.user);
+    activity?.heard(frame, now);
   }
 
   const room: Room = {
+    address,
     connection,
     presence,
     avatars,
@@ -161,6 +172,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
       const now = performance.now() / 1000;
       body = bodyOf(pose, now);
       sender.update(body, now);
+      activity?.frame(pose, body, now);
       seen = presence.at(now);
       const { state } = connection;
       const own = state.kind === 'here' && body.pointer ? { number: state.user, body } : null;
@@ -169,6 +181,21 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
       if (now - toldAt < CARD_EVERY) return;
       toldAt = now;
       told(room);
+    },
+    get activity() {
+      return activity;
+    },
+    begin(next) {
+      activity = next;
+      viewer.setGuests({
+        get meshes() {
+          return [...avatars.meshes, ...next.meshes];
+        },
+        place(center) {
+          avatars.place(center);
+          next.place(center);
+        },
+      });
     },
   };
   return room;
