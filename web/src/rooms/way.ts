@@ -10,18 +10,18 @@ export interface Ways {
   readonly openSocket: Open;
 }
 
-/** Open sockets beside a page. What has failed once is not tried again. */
+/** Open sockets beside a page. What has failed is not tried again until the server tells of something else. */
 export function createOpen(page: string, isOff: boolean, ways: Ways = browserWays(page)): Open {
-  let asked: Promise<Datagrams | null> | null = isOff ? Promise.resolve(null) : null;
+  let failed = '';
 
   async function find(url: string, listener: Listener): Promise<Found> {
-    asked ??= ways.datagrams();
-    const to = await asked;
-    if (to) {
+    // The server may have another certificate each time.
+    const to = isOff ? null : await ways.datagrams();
+    if (to && nameOf(to) !== failed) {
       try {
         return { socket: await ways.openDatagrams(url, to, listener), isOpen: true };
       } catch {
-        asked = Promise.resolve(null);
+        failed = nameOf(to);
       }
     }
     return { socket: ways.openSocket(url, listener), isOpen: false };
@@ -33,6 +33,10 @@ export function createOpen(page: string, isOff: boolean, ways: Ways = browserWay
 interface Found {
   readonly socket: Socket;
   readonly isOpen: boolean;
+}
+
+function nameOf({ port, hashes }: Datagrams): string {
+  return `${port} ${hashes.join(' ')}`;
 }
 
 function browserWays(page: string): Ways {
