@@ -238,6 +238,27 @@ def test_nothing_of_rooms_is_asked_for_where_none_is_named(chromium: Any, url: s
         assert not any("rooms" in each for each in asked)
 
 
+def test_users_by_datagrams_and_by_sockets_see_each_other(chromium: Any, bundle: Path) -> None:
+    seen = "() => (window.nearfar?.room?.seen ?? []).map(({ name }) => name)"
+    measured = "() => window.nearfar.room.connection.roundTrips.median !== null"
+    with (
+        Server({"": Site.of_bundle(bundle)}, rooms=Rooms()) as server,
+        opened(chromium, *SIZE) as one,
+        opened(chromium, *SIZE) as other,
+    ):
+        for page, name, way in ((one, "Ada", "on"), (other, "Bob", "off")):
+            page.goto(f"{server.url}?rings=0&room=ways&name={name}&datagrams={way}")
+        wait_until(one, lambda: one.evaluate(seen) == ["Bob"])
+        wait_until(other, lambda: other.evaluate(seen) == ["Ada"])
+        counts = one.request.get(f"{server.url}metrics").text()
+        assert "nearfar_room_datagram_connections 1\n" in counts
+        assert "nearfar_room_users 2\n" in counts
+        for page in (one, other):
+            # What waits for each is settled, though nobody moves.
+            wait_until(page, lambda page=page: page.evaluate(measured))
+            assert page.printed == []
+
+
 def test_users_come_back_by_themselves_when_the_server_does(chromium: Any, bundle: Path) -> None:
     sites, rooms = {"": Site.of_bundle(bundle)}, Rooms(key=bytes(32))
     state = "() => window.nearfar?.room?.connection.state"

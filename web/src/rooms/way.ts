@@ -10,18 +10,24 @@ export interface Ways {
   readonly openSocket: Open;
 }
 
+<<<<<<< HEAD
 /** Open sockets to a server that tells by which ways. What has failed once is not tried again. */
 export function createOpen(ask: Ask, isOff: boolean, ways: Ways = browserWays(ask)): Open {
   let asked: Promise<Datagrams | null> | null = isOff ? Promise.resolve(null) : null;
+=======
+/** Open sockets beside a page. What has failed is not tried again until the server tells of something else. */
+export function createOpen(page: string, isOff: boolean, ways: Ways = browserWays(page)): Open {
+  let failed = '';
+>>>>>>> wt
 
   async function find(url: string, listener: Listener): Promise<Found> {
-    asked ??= ways.datagrams();
-    const to = await asked;
-    if (to) {
+    // The server may have another certificate each time.
+    const to = isOff ? null : await ways.datagrams();
+    if (to && nameOf(to) !== failed) {
       try {
         return { socket: await ways.openDatagrams(url, to, listener), isOpen: true };
       } catch {
-        asked = Promise.resolve(null);
+        failed = nameOf(to);
       }
     }
     return { socket: ways.openSocket(url, listener), isOpen: false };
@@ -35,7 +41,15 @@ interface Found {
   readonly isOpen: boolean;
 }
 
+<<<<<<< HEAD
 function browserWays(ask: Ask): Ways {
+=======
+function nameOf({ port, hashes }: Datagrams): string {
+  return `${port} ${hashes.join(' ')}`;
+}
+
+function browserWays(page: string): Ways {
+>>>>>>> wt
   return {
     async datagrams() {
       if (typeof WebTransport === 'undefined') return null;

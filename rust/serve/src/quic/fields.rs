@@ -186,4 +186,21 @@ mod tests {
             assert_eq!(read(wrong), None, "{wrong:02x?}");
         }
     }
+
+    #[test]
+    fn whatever_comes_is_read_or_refused() {
+        let mut state = 1_u64;
+        let mut below = |end: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as usize % end
+        };
+        for _ in 0..20_000 {
+            let mut bytes: Vec<u8> = (0..below(60)).map(|_| below(256) as u8).collect();
+            // Most begin as they should.
+            if let (Some(begin), true) = (bytes.get_mut(..2), below(4) > 0) {
+                begin.fill(0);
+            }
+            let _ = read(&bytes);
+        }
+    }
 }

@@ -5,6 +5,9 @@ mod pinned;
 pub mod session;
 mod wire;
 
+#[cfg(test)]
+mod tests;
+
 use std::error::Error;
 use std::io;
 use std::net::{IpAddr, SocketAddr, UdpSocket};

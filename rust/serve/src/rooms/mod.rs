@@ -26,7 +26,7 @@ pub mod trial;
 pub(crate) mod upgrade;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub use about::Datagrams;
 pub(crate) use datagrams::{DATAGRAM, serve as serve_datagrams};

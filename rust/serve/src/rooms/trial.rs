@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use bytes::{Buf, BytesMut};
 
 use super::frame::{FromServer, FromUser, HEAD, SAY, SIGNAL, To};
-use super::outbox::Taken;
+use super::outbox::{Outbox, Part, Taken};
 use super::pose::{self, Placed, Pose};
 use super::reason::End;
 use super::{Entering, Limits, Rooms, Session};
@@ -19,6 +19,10 @@ const USERS: usize = 8;
 const ROOM: usize = 5;
 /// Sockets of one client; users come of two.
 const SOCKETS: usize = 4;
+/// Most bytes of a datagram: two poses.
+const DATAGRAM: usize = 2 * (HEAD + 2 + pose::MOST);
+/// Kinds of the frames that users send by them: poses and acknowledgements.
+const PASSING: [u8; 2] = [2, 3];
 /// Longest time that passes at once.
 const PAUSE: Duration = Duration::from_millis(2);
 
@@ -155,7 +159,11 @@ impl Trial {
     fn give(&mut self, who: usize, message: &[u8]) {
         let user = &mut self.users[who];
         let Some(session) = &mut user.session else { return };
-        let given = session.took(message.len(), self.now).and_then(|()| session.message(message, self.now));
+        let is_passing = has_datagrams(who) && message.first().is_some_and(|kind| PASSING.contains(kind));
+        let given = session.took(message.len(), self.now).and_then(|()| match is_passing {
+            true => session.datagram(message, self.now),
+            false => session.message(message, self.now),
+        });
         if let Err(End { sentence, .. }) = given {
             assert!(!sentence.is_empty(), "an end without a reason");
             user.session = None;
@@ -167,10 +175,13 @@ impl Trial {
         let (mut message, mut read) = (BytesMut::new(), Vec::new());
         let User { session, seen, ticket, most, .. } = &mut self.users[who];
         let Some(open) = session else { return };
-        match open.outbox.take(&mut message, &mut read) {
-            Taken::Nothing => {}
+        let part = if has_datagrams(who) { Part::Lasting } else { Part::All };
+        match open.outbox.take(part, &mut message, &mut read) {
             Taken::End(_) => *session = None,
-            Taken::Message => {
+            Taken::Nothing | Taken::Message => {
+                if has_datagrams(who) {
+                    take_datagrams(&open.outbox, &mut message);
+                }
                 let bound = open.rooms.limits.queue_bytes + ROOM * (HEAD + 2 + pose::MOST) + HEAD + 4;
                 assert!(message.len() <= bound, "{} bytes waited", message.len());
                 let mut rest = &message[..];
@@ -215,6 +226,24 @@ impl Seen {
             }
             FromServer::Refused { .. } => panic!("a refusal waits with others"),
         }
+    }
+}
+
+/// Whether a user is by datagrams: each second one is.
+fn has_datagrams(who: usize) -> bool {
+    who % 2 == 1
+}
+
+/// Take all datagrams that wait, behind what must arrive.
+fn take_datagrams(outbox: &Outbox, message: &mut BytesMut) {
+    loop {
+        let passing = outbox.passing(DATAGRAM);
+        assert!(passing.bytes.len() <= DATAGRAM, "too large a datagram");
+        if passing.bytes.is_empty() {
+            return;
+        }
+        message.extend_from_slice(&passing.bytes);
+        let _ = outbox.sent(&passing).len();
     }
 }
 

@@ -13,7 +13,7 @@ mod session_support;
 mod sessions;
 mod settled;
 mod slow;
-mod support;
+pub mod support;
 mod tokens;
 mod trials;
 mod vectors;

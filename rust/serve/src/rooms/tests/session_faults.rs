@@ -100,40 +100,41 @@ async fn who_sends_too_much_is_ended() {
 }
 
 #[tokio::test]
-async fn others_see_who_vanishes_and_who_closes() {
-    let limits = Limits { ping: Duration::from_millis(100), silence: Duration::from_millis(400), ..limits() };
+async fn who_vanishes_is_gone_and_who_says_nothing_stays() {
+    let limits = Limits { ping: Duration::from_millis(300), silence: Duration::from_secs(3), ..limits() };
     let server = server(limits, None);
-    let mut witness = support::join(&server, "hall", 1, "").await;
+    let mut witness = join(&server, "hall", 1, "").await;
     // The client's runtime ends, so that nothing answers any more.
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().expect("a runtime");
-    let vanishes = std::thread::scope(|scope| {
-        let gone = scope.spawn(|| {
+    let vanished = std::thread::scope(|scope| {
+        let vanishes = scope.spawn(|| {
             let guest = runtime.block_on(join(&server, "hall", 1, ""));
             let number = guest.number;
             std::mem::forget(guest);
             runtime.shutdown_background();
             number
         });
-        gone.join().expect("it joined")
+        vanishes.join().expect("it joined")
     });
-    sees_that_left(&mut witness, vanishes).await;
+    let left = FromServer::Left { user: vanished };
+    witness.until(|_, frame| (frame == left).then_some(())).await;
+}
+
+#[tokio::test]
+async fn others_see_who_closes_its_session_or_its_stream() {
+    let server = server(limits(), None);
+    let mut witness = support::join(&server, "hall", 1, "").await;
     let guest = join(&server, "hall", 1, "").await;
     guest.connection.close(VarInt::from_u32(0), b"");
     sees_that_left(&mut witness, guest.number).await;
     let mut guest = join(&server, "hall", 1, "").await;
     guest.send.finish().await.expect("it has come");
+    guest.is_closed(Reason::Bye).await;
     sees_that_left(&mut witness, guest.number).await;
-}
-
-#[tokio::test]
-async fn who_stays_is_heard_without_a_frame() {
-    let limits = Limits { ping: Duration::from_millis(50), silence: Duration::from_millis(300), ..limits() };
-    let server = server(limits, None);
-    let mut guest = join(&server, "hall", 1, "").await;
-    tokio::time::sleep(Duration::from_millis(900)).await;
-    let mut other = support::join(&server, "hall", 1, "").await;
-    other.send(&[FromUser::Pose(pose(1))]).await;
-    guest.pose_of(other.number).await;
+    let guest = join(&server, "hall", 1, "").await;
+    let number = guest.number;
+    drop(guest);
+    sees_that_left(&mut witness, number).await;
 }
 
 #[tokio::test]

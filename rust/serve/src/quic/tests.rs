@@ -1,0 +1,180 @@
+//! Connections of QUIC that ask for a session as they should, or not, by the certificate of an authority.
+
+use std::net::{Ipv4Addr, SocketAddr};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+use quinn::crypto::rustls::QuicClientConfig;
+use quinn::{ClientConfig, Connection, ConnectionError, Endpoint, RecvStream, SendStream};
+use rcgen::{BasicConstraints, CertificateParams, IsCa, Issuer, KeyPair};
+use rustls::RootCertStore;
+use rustls::pki_types::CertificateDer;
+use tokio::time::timeout;
+
+use super::GREETINGS;
+use crate::Server;
+use crate::rooms::Limits;
+use crate::rooms::tests::support::{HANGS, HOURS, Numbers, answering, limits, start_within};
+
+/// A server whose certificate an authority has signed, and a client that trusts it.
+struct Bench {
+    server: Server,
+    endpoint: Endpoint,
+}
+
+impl Bench {
+    fn new(limits: Limits, of_server: crate::Limits) -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (paths, authority) = certified(folder.path().to_owned());
+        let server = start_within(answering(limits, None), Some(paths), of_server);
+        let mut trusted = RootCertStore::empty();
+        trusted.add(authority).expect("an authority");
+        let provider = Arc::new(rustls::crypto::ring::default_provider());
+        let tls = rustls::ClientConfig::builder_with_provider(provider).with_safe_default_protocol_versions();
+        let mut tls = tls.expect("versions").with_root_certificates(trusted).with_no_client_auth();
+        tls.alpn_protocols = vec![b"h3".to_vec()];
+        let config = ClientConfig::new(Arc::new(QuicClientConfig::try_from(tls).expect("TLS 1.3")));
+        let mut endpoint = Endpoint::client(SocketAddr::from((Ipv4Addr::LOCALHOST, 0))).expect("a socket");
+        endpoint.set_default_client_config(config);
+        Bench { server, endpoint }
+    }
+
+    async fn connect(&self) -> Result<Connection, ConnectionError> {
+        let port = self.server.datagrams().expect("datagrams").port;
+        let connecting = self.endpoint.connect((Ipv4Addr::LOCALHOST, port).into(), "localhost");
+        timeout(HANGS, connecting.expect("an address")).await.expect("an answer")
+    }
+
+    /// Send these bytes on the first stream of a connection.
+    async fn send(&self, bytes: &[u8]) -> (Connection, SendStream, RecvStream) {
+        let connection = self.connect().await.expect("a connection");
+        let (mut send, receive) = connection.open_bi().await.expect("a stream");
+        let _ = send.write_all(bytes).await;
+        (connection, send, receive)
+    }
+
+    /// The status of the answer to a request.
+    async fn status(&self, path: &str, origin: &str) -> (String, Connection, SendStream) {
+        let (connection, send, mut receive) = self.send(&request(path, origin)).await;
+        let mut answer = [0; 10];
+        timeout(HANGS, receive.read_exact(&mut answer)).await.expect("in time").expect("an answer");
+        assert_eq!(answer[..7], [1, 8, 0, 0, 0x5f, 9, 3]);
+        (String::from_utf8_lossy(&answer[7..]).into(), connection, send)
+    }
+}
+
+/// Files of a certificate that an authority has signed and of its key, and the authority.
+fn certified(folder: PathBuf) -> ((PathBuf, PathBuf), CertificateDer<'static>) {
+    let pair = || KeyPair::generate().expect("a key");
+    let mut asked = CertificateParams::new(Vec::new()).expect("no names");
+    asked.is_ca = IsCa::Ca(BasicConstraints::Unconstrained);
+    let key = pair();
+    let authority = asked.self_signed(&key).expect("signed");
+    let own = pair();
+    let mut asked_own = CertificateParams::new(vec!["localhost".to_owned()]).expect("a name");
+    asked_own.distinguished_name.push(rcgen::DnType::CommonName, "localhost");
+    let signed = asked_own.signed_by(&own, &Issuer::new(asked, key)).expect("signed");
+    let paths = (folder.join("chain.pem"), folder.join("key.pem"));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    std::fs::write(&paths.0, signed.pem()).expect("written");
+    std::fs::write(&paths.1, own.serialize_pem()).expect("written");
+    (paths, authority.der().clone())
+}
+
+/// A request for a session.
+fn request(path: &str, origin: &str) -> Vec<u8> {
+    let mut body = vec![0, 0, 0xc0 | 15, 0xc0 | 23, 0x50, 9];
+    body.extend_from_slice(b"localhost");
+    body.extend_from_slice(&[0x51, path.len() as u8]);
+    body.extend_from_slice(path.as_bytes());
+    body.extend_from_slice(&[0x27, 2]);
+    body.extend_from_slice(b":protocol");
+    body.push(12);
+    body.extend_from_slice(b"webtransport");
+    if !origin.is_empty() {
+        body.extend_from_slice(&[0x5f, 90 - 15, origin.len() as u8]);
+        body.extend_from_slice(origin.as_bytes());
+    }
+    let mut bytes = Vec::new();
+    super::wire::put_frame(&mut bytes, super::wire::frame::HEADERS, &body);
+    bytes
+}
+
+#[tokio::test]
+async fn requests_are_answered_with_their_codes() {
+    let bench = Bench::new(limits(), crate::Limits { connections: 8, ..crate::Limits::default() });
+    assert_eq!(bench.server.datagrams().map(|told| told.hashes.len()), Some(0), "pages trust the authority");
+    let mut there = Vec::new();
+    for (path, origin, expected) in [
+        ("/rooms/hall", "", "200"),
+        ("/rooms/hall", "https://evil.example", "403"),
+        ("/rooms/a/b", "", "404"),
+        ("/elsewhere", "", "404"),
+        // The other places of rooms.
+        ("/rooms/1", "", "200"),
+        ("/rooms/2", "", "200"),
+        ("/rooms/3", "", "200"),
+        ("/rooms/4", "", "200"),
+        ("/rooms/5", "", "200"),
+        ("/rooms/6", "", "503"),
+    ] {
+        let (status, connection, send) = bench.status(path, origin).await;
+        assert_eq!(status, expected, "{path} {origin}");
+        if status == "200" {
+            there.push((connection, send));
+        } else {
+            timeout(HANGS, connection.closed()).await.expect("it is closed");
+        }
+    }
+}
+
+#[tokio::test]
+async fn what_asks_for_no_session_is_closed() {
+    let bench = Bench::new(limits(), crate::Limits::default());
+    let mut numbers = Numbers(11);
+    let mut cases = vec![
+        vec![0, 1, 0],
+        vec![4, 0],
+        vec![1, 0x50, 0x00],
+        vec![0x40, 0x41, 0],
+        [&[0x21, 2, 9, 9][..], &request("no path", "")].concat(),
+        request("/rooms/hall", "\n"),
+    ];
+    for _ in 0..40 {
+        let mut changed = request("/rooms/hall", "https://localhost");
+        // Its kind stays, and its length.
+        for _ in 0..1 + numbers.below(3) {
+            let at = 4 + numbers.below(changed.len() as u64 - 4) as usize;
+            changed[at] = numbers.below(256) as u8;
+        }
+        cases.push(changed);
+    }
+    for (number, case) in cases.into_iter().enumerate() {
+        let (connection, mut send, mut receive) = bench.send(&case).await;
+        let _ = send.finish();
+        let mut answer = [0; 3];
+        let answered = timeout(HANGS, receive.read_exact(&mut answer)).await.expect("an end");
+        assert!(answered.is_err() || number >= 6, "{case:?}");
+        connection.close(0u32.into(), b"");
+    }
+    assert_eq!(bench.status("/rooms/hall", "").await.0, "200");
+}
+
+#[tokio::test]
+async fn connections_that_ask_for_nothing_are_few_and_end() {
+    let bench = Bench::new(Limits { hello: HOURS, ..limits() }, crate::Limits::default());
+    let mut idle = Vec::new();
+    for _ in 0..GREETINGS {
+        idle.push(bench.connect().await.expect("there is place"));
+    }
+    assert!(bench.connect().await.is_err(), "no place is left");
+    idle.pop().expect("one").close(0u32.into(), b"");
+    while bench.connect().await.is_err() {}
+    let short = Bench::new(Limits { hello: Duration::from_millis(200), ..limits() }, crate::Limits::default());
+    let connection = short.connect().await.expect("a connection");
+    // A stream whose kind never comes.
+    let mut open = connection.open_uni().await.expect("a stream");
+    open.write_all(&[0x40]).await.expect("sent");
+    timeout(HANGS, connection.closed()).await.expect("it is closed");
+}
