@@ -91,12 +91,6 @@ def peer_page(chromium: Any, size: tuple[int, int] = SIZE) -> Iterator[PeerPage]
         yield PeerPage(page)
 
 
-def tell_peers(page: Any, peers: bool) -> None:
-    """Answer in the server's place whether pages may exchange files."""
-    body = json.dumps({"peers": peers, "datagrams": None})
-    page.route(re.compile(r"/rooms$"), lambda route: route.fulfill(content_type="application/json", body=body))
-
-
 def bytes_of(folder: Path, pages: list[PeerPage]) -> int:
     """Bytes of the files of a bundle in a folder that the server was asked for."""
     return sum((folder / name).stat().st_size for page in pages for name in page.files)
