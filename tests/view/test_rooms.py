@@ -105,12 +105,7 @@ def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
     shown = bob.pixel_of([end], CENTER, ZONES)[0]
     assert np.hypot(*(shown - np.add(pixel, 0.5))) < (0.6 if near else 1.0)
 
-    def has_come() -> bool:
-        bob.step()
-        seen = ada.step()["seen"][0]
-        return bool(seen["pointer"]) and bool(np.linalg.norm(ends(seen)[1] - end) < max(0.02, 1e-3 * rho))
-
-    wait_until(ada.page, has_come)
+    wait_until(ada.page, lambda: bob.step() and sees(ada, end, max(0.02, 1e-3 * rho)))
     seen = ada.step()["seen"][0]
     assert np.linalg.norm(ends(seen)[1] - end) < 0.1
     mask = pointer_mask(ada, seen["number"])
@@ -124,6 +119,40 @@ def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
     assert reach_beyond(mask, *places) < 4
     bob.page.keyboard.up("e")
     wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is None)
+
+
+def test_left_of_the_divider_pointers_are_as_the_scene_is_there(
+    pair: tuple[RoomPage, RoomPage], scene: nf.Scene
+) -> None:
+    ada, bob = pair
+    divide = "(share) => window.nearfar.viewer.setDivider(share)"
+    pixel, unmorphed = (150, 178), (1e5, 2e5)
+    morphed = ends(bob.point_at(*pixel)["own"])[1]
+    bob.page.keyboard.up("e")
+    bob.step()
+    try:
+        for each in pair:
+            each.page.evaluate(divide, 0.5)
+        end = ends(bob.point_at(*pixel)["own"])[1]
+        # Another point of the scene, which the conventional picture shows in that pixel.
+        assert np.linalg.norm(end - morphed) > 0.3
+        assert nf.nearest_points(scene, [end]).distance[0] < 0.1
+        assert np.hypot(*(bob.pixel_of([end], CENTER, unmorphed)[0] - np.add(pixel, 0.5))) < 0.6
+        wait_until(ada.page, lambda: bob.step() and sees(ada, end, 0.02))
+        place = ada.pixel_of([end], CENTER, unmorphed)[0]
+        assert place[0] < 0.5 * SIZE[0] - 4
+        assert has_changed(pointer_mask(ada, ada.step()["seen"][0]["number"]), place, 1.5)
+    finally:
+        for each in pair:
+            each.page.evaluate(divide, None)
+        bob.page.keyboard.up("e")
+        bob.step()
+
+
+def sees(viewer: RoomPage, end: Any, most: float) -> bool:
+    """Whether a viewer sees the other one's pointer end within some metres of a point."""
+    seen = viewer.step()["seen"][0]
+    return bool(seen["pointer"]) and bool(np.linalg.norm(ends(seen)[1] - end) < most)
 
 
 def test_the_middle_button_and_a_finger_on_the_page_s_own_point(pair: tuple[RoomPage, RoomPage]) -> None:
@@ -218,6 +247,8 @@ def test_the_card_tells_who_is_here(chromium: Any, url: str, size: tuple[int, in
         assert boxes[1]["y"] + boxes[1]["height"] <= boxes[2]["y"]
         other.close()
         page.get_by_role("button", name="1 here").wait_for()
+        page.keyboard.press("?")
+        page.get_by_role("dialog").get_by_text("point at the cursor").wait_for()
         assert page.printed == []
 
 

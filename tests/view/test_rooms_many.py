@@ -1,4 +1,4 @@
-"""Eight pages in one room: each sees the pointers of the seven others end on what they point at, from 16 to 36 m away."""
+"""Eight pages in a room: each sees the pointers of the others end on what they point at, from 16 to 36 m away."""
 
 from __future__ import annotations
 
