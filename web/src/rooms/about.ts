@@ -19,13 +19,8 @@ export interface Datagrams {
 /** What the server tells; null if it does not. */
 export type Ask = () => Promise<About | null>;
 
-/** Ask the server beside a page, once, when it is first of use. */
-export function askOnce(page: string): Ask {
-  let asked: Promise<About | null> | null = null;
-  return () => (asked ??= askAbout(page));
-}
-
-async function askAbout(page: string): Promise<About | null> {
+/** Ask the server beside a page. */
+export async function askAbout(page: string): Promise<About | null> {
   try {
     const answer = await fetch(new URL('rooms', page), { cache: 'no-store' });
     return answer.ok ? readAbout(await answer.json()) : null;

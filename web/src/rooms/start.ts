@@ -7,7 +7,7 @@ import type { Viewer } from '../show/viewer';
 import { make } from '../ui/dom';
 import type { Row } from '../ui/help';
 import type { HandRay } from '../xr/hands';
-import { askOnce } from './about';
+import { type Ask, askAbout } from './about';
 import type { Activity } from './activity';
 import { type Address, inviteOf, readAddress, relayOf, shownName } from './address';
 import { createArrivals } from './arrivals';
@@ -110,7 +110,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   const arrivals = createArrivals(host.announce);
   const tickets = createTicketStore(relayOf(location.href, { ...address, token: null }));
   const isWithoutDatagrams = new URLSearchParams(location.search).get('datagrams') === 'off';
-  const ask = askOnce(location.href);
+  const ask: Ask = () => askAbout(location.href);
   const connection = connect({
     address,
     page: location.href,

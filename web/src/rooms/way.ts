@@ -10,15 +10,9 @@ export interface Ways {
   readonly openSocket: Open;
 }
 
-<<<<<<< HEAD
-/** Open sockets to a server that tells by which ways. What has failed once is not tried again. */
+/** Open sockets to a server that tells by which ways. What has failed is not tried again until it tells of something else. */
 export function createOpen(ask: Ask, isOff: boolean, ways: Ways = browserWays(ask)): Open {
-  let asked: Promise<Datagrams | null> | null = isOff ? Promise.resolve(null) : null;
-=======
-/** Open sockets beside a page. What has failed is not tried again until the server tells of something else. */
-export function createOpen(page: string, isOff: boolean, ways: Ways = browserWays(page)): Open {
   let failed = '';
->>>>>>> wt
 
   async function find(url: string, listener: Listener): Promise<Found> {
     // The server may have another certificate each time.
@@ -41,15 +35,11 @@ interface Found {
   readonly isOpen: boolean;
 }
 
-<<<<<<< HEAD
-function browserWays(ask: Ask): Ways {
-=======
 function nameOf({ port, hashes }: Datagrams): string {
   return `${port} ${hashes.join(' ')}`;
 }
 
-function browserWays(page: string): Ways {
->>>>>>> wt
+function browserWays(ask: Ask): Ways {
   return {
     async datagrams() {
       if (typeof WebTransport === 'undefined') return null;
