@@ -2,8 +2,8 @@
 
 python -m benchmarks.serve.rooms [users] [link] [attacks] [hour] [--seconds N] [--by WAY]
 
-Builds the examples `rooms_load` and `link` of rust/serve. Users and server share the machine's cores. `link` needs Linux
-and root: it makes two network namespaces and carries each packet between them with a delay and loss of its own.
+Builds the examples `rooms_load` and `link` of rust/serve. Users and server share the machine's cores. `link` needs
+Linux and root: it makes two network namespaces and carries each packet between them with a delay and loss of its own.
 """
 
 from __future__ import annotations
@@ -56,14 +56,20 @@ def load(users: int, hertz: float, seconds: float, *options: str, inside: str | 
 
 def times(figures: Figures) -> list[str]:
     """The columns of HEADER."""
-    shown = [f"{figures[name][part] or float('nan'):.2f}" for name in ("round_trip", "way") for part in ("median", "99")]
+    shown = [
+        f"{figures[name][part] or float('nan'):.2f}" for name in ("round_trip", "way") for part in ("median", "99")
+    ]
     residence = figures["residence"]
     return [*shown, f"{residence['99']:.3f}", f"{residence['share_within_1.02']:.4f}"]
 
 
 def costs(figures: Figures) -> list[str]:
     """The columns of COSTS."""
-    counts = (f"{figures['cores']:.2f}", f"{figures['microseconds_per_pose']:.0f}", f"{figures['kilobytes_per_user']:.0f}")
+    counts = (
+        f"{figures['cores']:.2f}",
+        f"{figures['microseconds_per_pose']:.0f}",
+        f"{figures['kilobytes_per_user']:.0f}",
+    )
     sides = [(f"{figures[f'bytes_{side}']:.1f}", f"{figures[f'closed_form_{side}']}") for side in ("up", "down")]
     return [*counts, *sides[0], *sides[1]]
 
@@ -71,7 +77,7 @@ def costs(figures: Figures) -> list[str]:
 @contextmanager
 def link(loss: float) -> Iterator[list[str]]:
     """Carry packets between two namespaces; the options that make the server run in one of them."""
-    command = [EXAMPLES / "link", *NEAR, *FAR, str(DELAY_MS), str(MBIT), str(loss)]
+    command = [str(EXAMPLES / "link"), *NEAR, *FAR, str(DELAY_MS), str(MBIT), str(loss)]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
         assert running.stdout
         assert running.stdin
@@ -125,6 +131,7 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("parts", nargs="*", choices=["users", "link", "attacks", "hour", []])
     parser.add_argument("--seconds", type=float, default=8.0)
+    parser.add_argument("--by", choices=["websocket", "datagrams"], default="websocket")
     arguments = parser.parse_args()
     command = ["cargo", "build", "--release", "--quiet", "-p", "nearfar-serve", "--examples"]
     subprocess.run(command, cwd=ROOT, check=True)
@@ -132,9 +139,9 @@ def main() -> None:
     parts = arguments.parts or ["users", "link", "attacks", "hour"]
     for name, measure in {"users": by_users, "link": by_loss, "attacks": by_attack}.items():
         if name in parts:
-            measure(arguments.seconds, [])
+            measure(arguments.seconds, ["--by", arguments.by])
     if "hour" in parts:
-        by_hour([])
+        by_hour(["--by", arguments.by])
 
 
 if __name__ == "__main__":

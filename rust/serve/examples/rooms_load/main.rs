@@ -5,11 +5,14 @@
 //! of a user against the closed form. Options:
 //!
 //! - `--attack NAME`: eight others misbehave meanwhile in the group of the first users.
+//! - `--by WAY`: `websocket`, the default, or `datagrams`.
 //! - `--stay SECONDS`: users leave and come again after so long.
 //! - `--serve ADDRESS`: where the server listens, 127.0.0.1:0 by default.
 //! - `--in NAMESPACE`: the server's network namespace, such as one end of the example `link`.
 
 mod attack;
+mod datagrams;
+mod line;
 mod options;
 mod server;
 mod told;
@@ -20,6 +23,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use attack::{INTRUDERS, attack};
+use line::Line;
 use options::Load;
 use server::Process;
 use tokio::sync::Barrier;
@@ -63,16 +67,16 @@ async fn run(load: &Load, process: &Process) -> Result<(Vec<Seen>, Took), Failur
     let (epoch, together) = (Instant::now(), Arc::new(Barrier::new(load.users + 1)));
     let mut users = Vec::new();
     for number in 0..load.users {
-        let socket = user::enter(load, number, process.address).await?;
-        let (together, load, address) = (Arc::clone(&together), load.clone(), process.address);
+        let line = Line::join(load, number, &process.listens).await?;
+        let (together, load, listens) = (Arc::clone(&together), load.clone(), process.listens.clone());
         users.push(tokio::spawn(async move {
             together.wait().await;
-            user::play(&load, number, address, epoch, socket).await
+            user::play(&load, number, &listens, epoch, line).await
         }));
     }
     let attacks = load.attack.map_or(0..0, |_| 0..INTRUDERS).zip(load.attack.into_iter().cycle());
     let attacks: Vec<_> =
-        attacks.map(|(number, kind)| tokio::spawn(attack(kind, process.address, number, epoch))).collect();
+        attacks.map(|(number, kind)| tokio::spawn(attack(kind, process.listens.address, number, epoch))).collect();
     together.wait().await;
     tokio::time::sleep(WARM).await;
     let (before, mut kilobytes) = (process.cpu_seconds()?, Vec::new());

@@ -1,6 +1,7 @@
 //! The load that the arguments ask for.
 
 use std::net::SocketAddr;
+use std::str::FromStr;
 use std::time::Duration;
 
 use crate::Failure;
@@ -19,6 +20,7 @@ pub struct Load {
     pub hertz: f64,
     pub seconds: f64,
     pub attack: Option<Attack>,
+    pub way: Way,
     /// Time after which a user leaves and comes again.
     pub stay: Duration,
     /// Where the server listens, and in which network namespace.
@@ -36,6 +38,7 @@ impl Load {
             hertz: hertz.parse()?,
             seconds: seconds.parse()?,
             attack: None,
+            way: Way::WebSocket,
             stay: NEVER,
             serve: ([127, 0, 0, 1], 0).into(),
             namespace: None,
@@ -44,6 +47,7 @@ impl Load {
             let [name, value] = option else { return Err(usage()) };
             match name.as_str() {
                 "--attack" => load.attack = Some(value.parse().map_err(|_| format!("--attack: one of {NAMES}"))?),
+                "--by" => load.way = value.parse()?,
                 "--stay" => load.stay = Duration::try_from_secs_f64(value.parse()?)?,
                 "--serve" => load.serve = value.parse()?,
                 "--in" => load.namespace = Some(value.clone()),
@@ -57,5 +61,24 @@ impl Load {
     pub fn place(&self, number: usize) -> (usize, u16) {
         let group = number / self.group;
         (group / (ROOM / self.group).max(1), group as u16)
+    }
+}
+
+/// By which way users connect.
+#[derive(Clone, Copy)]
+pub enum Way {
+    WebSocket,
+    Datagrams,
+}
+
+impl FromStr for Way {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "websocket" => Ok(Way::WebSocket),
+            "datagrams" => Ok(Way::Datagrams),
+            _ => Err(format!("--by: expected websocket or datagrams, got {text:?}")),
+        }
     }
 }

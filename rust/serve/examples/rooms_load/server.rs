@@ -27,7 +27,8 @@ pub fn serve(address: SocketAddr) -> Result<(), Failure> {
     let each = nearfar_serve::Limits::default();
     let limits = nearfar_serve::Limits { connections: MOST, per_client: MOST, ..each };
     let server = Server::start(Settings { address, limits, certificate: None, router: Router::new(answering) })?;
-    println!("{}", server.address());
+    let datagrams = server.datagrams().ok_or("no datagrams")?;
+    println!("{} {} {}", server.address(), datagrams.port, datagrams.hashes.concat());
     std::io::stdin().read_to_end(&mut Vec::new())?;
     Ok(())
 }
@@ -35,7 +36,15 @@ pub fn serve(address: SocketAddr) -> Result<(), Failure> {
 /// The server's process.
 pub struct Process {
     child: Child,
+    pub listens: Listens,
+}
+
+/// Where the server listens.
+#[derive(Clone)]
+pub struct Listens {
     pub address: SocketAddr,
+    /// The port where it takes datagrams, and the hash of its certificate.
+    pub datagrams: (u16, String),
 }
 
 impl Process {
@@ -54,7 +63,11 @@ impl Process {
         let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let mut line = String::new();
         BufReader::new(child.stdout.take().ok_or("no output")?).read_line(&mut line)?;
-        Ok(Process { child, address: line.trim().parse()? })
+        let [address, port, hash] = line.split_whitespace().collect::<Vec<_>>()[..] else {
+            return Err("the server does not listen".into());
+        };
+        let listens = Listens { address: address.parse()?, datagrams: (port.parse()?, hash.to_owned()) };
+        Ok(Process { child, listens })
     }
 
     pub fn stop(mut self) -> Result<(), Failure> {
@@ -81,8 +94,8 @@ impl Process {
     /// Share of poses that were in the server for at most a millisecond, and the seconds that 99 % of them have not
     /// passed.
     pub fn residence(&self) -> Result<(f64, f64), Failure> {
-        let mut stream = TcpStream::connect(self.address)?;
-        let request = format!("GET /metrics HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.address);
+        let mut stream = TcpStream::connect(self.listens.address)?;
+        let request = format!("GET /metrics HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.listens.address);
         stream.write_all(request.as_bytes())?;
         let mut text = String::new();
         stream.read_to_string(&mut text)?;

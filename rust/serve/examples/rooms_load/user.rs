@@ -1,14 +1,14 @@
 //! A user who sends poses and acknowledges those of others.
 
-use std::net::SocketAddr;
 use std::time::{Duration, Instant};
 
 use nearfar_serve::rooms::frame::{FromServer, FromUser};
 use nearfar_serve::rooms::pose::{Begin, Placed, Pose};
 use tokio::time::{Instant as Tick, MissedTickBehavior, interval_at};
 
+use crate::line::Line;
 use crate::options::Load;
-use crate::websocket::Socket;
+use crate::server::Listens;
 use crate::{Failure, WARM};
 
 /// Times in microseconds, and bytes of messages with their heads.
@@ -22,19 +22,13 @@ pub struct Seen {
     pub received: usize,
 }
 
-/// A user's first connection.
-pub async fn enter(load: &Load, number: usize, address: SocketAddr) -> Result<Socket, Failure> {
-    let (room, group) = load.place(number);
-    Socket::join(address, room, group).await
-}
-
 /// Send poses and acknowledge those of others until the time is over, also by one connection after the other.
 pub async fn play(
     load: &Load,
     number: usize,
-    address: SocketAddr,
+    listens: &Listens,
     epoch: Instant,
-    mut socket: Socket,
+    mut line: Line,
 ) -> Result<Seen, Failure> {
     let begun = Tick::now();
     let end = begun + WARM + Duration::from_secs_f64(load.seconds);
@@ -43,12 +37,12 @@ pub async fn play(
     let mut stay = load.stay.mul_f64((number + 1) as f64 / load.users as f64);
     loop {
         let until = Tick::now().checked_add(stay).map_or(end, |leaves| leaves.min(end));
-        visit.run(load, number, until, &mut socket).await?;
+        visit.run(load, number, until, &mut line).await?;
         if until == end {
             return Ok(visit.seen);
         }
-        socket.send(&[FromUser::Bye]).await?;
-        (socket, stay) = (enter(load, number, address).await?, load.stay);
+        line.leave().await?;
+        (line, stay) = (Line::join(load, number, listens).await?, load.stay);
     }
 }
 
@@ -65,37 +59,39 @@ struct Visit {
 }
 
 impl Visit {
-    async fn run(&mut self, load: &Load, number: usize, until: Tick, socket: &mut Socket) -> Result<(), Failure> {
+    async fn run(&mut self, load: &Load, number: usize, until: Tick, line: &mut Line) -> Result<(), Failure> {
         let phase = Duration::from_secs_f64(number as f64 * 0.618_034 % 1.0 / load.hertz);
         let mut ticks = interval_at(Tick::now() + phase, Duration::from_secs_f64(1.0 / load.hertz));
         ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
         (self.times, self.settled) = (Vec::new(), 0);
+        let mut before = None;
         loop {
-            let before = (socket.sent, socket.received);
+            if before.is_none() && Tick::now() >= self.warm {
+                before = Some(line.bytes());
+            }
             tokio::select! {
                 () = tokio::time::sleep_until(until) => break,
                 _ = ticks.tick() => {
                     let pose = pose(self.times.len() as u32, self.epoch);
                     self.times.push(Tick::now());
-                    socket.send(&[FromUser::Pose(pose)]).await?;
+                    line.send(&[FromUser::Pose(pose)]).await?;
                     self.seen.poses += usize::from(Tick::now() >= self.warm);
                 }
-                message = socket.receive() => {
+                message = line.receive() => {
                     let message = message?;
-                    self.heard(&message, socket).await?;
+                    self.heard(&message, line).await?;
                 }
             }
-            if Tick::now() >= self.warm {
-                self.seen.sent += socket.sent - before.0;
-                self.seen.received += socket.received - before.1;
-            }
         }
+        let (after, before) = (line.bytes(), before.unwrap_or_else(|| line.bytes()));
+        self.seen.sent += after.0 - before.0;
+        self.seen.received += after.1 - before.1;
         self.seen.unsettled += self.times.len() - self.settled;
         Ok(())
     }
 
     /// Read a message's frames, and acknowledge its poses.
-    async fn heard(&mut self, mut message: &[u8], socket: &mut Socket) -> Result<(), Failure> {
+    async fn heard(&mut self, mut message: &[u8], line: &mut Line) -> Result<(), Failure> {
         let (now, mut acknowledged) = (Tick::now(), Vec::new());
         while !message.is_empty() {
             let (frame, rest) = FromServer::read(message).map_err(|fault| format!("{fault:?}"))?;
@@ -105,7 +101,8 @@ impl Visit {
                     self.seen.ways.extend((now >= self.warm).then_some(way as u32));
                     acknowledged.push(FromUser::Ack { user, sequence: pose.sequence });
                 }
-                FromServer::Settled { sequence } => {
+                // Datagrams may overtake each other.
+                FromServer::Settled { sequence } if sequence as usize >= self.settled => {
                     let last = sequence as usize + 1;
                     let counted = self.times[self.settled..last].iter().filter(|time| **time >= self.warm);
                     self.seen.round_trips.extend(counted.map(|time| now.duration_since(*time).as_micros() as u32));
@@ -116,7 +113,7 @@ impl Visit {
             }
             message = rest;
         }
-        if acknowledged.is_empty() { Ok(()) } else { socket.send(&acknowledged).await }
+        if acknowledged.is_empty() { Ok(()) } else { line.send(&acknowledged).await }
     }
 }
 

@@ -1,0 +1,58 @@
+//! A user's connection, by either way.
+
+use nearfar_serve::rooms::frame::FromUser;
+
+use crate::Failure;
+use crate::datagrams::Session;
+use crate::options::{Load, Way};
+use crate::server::Listens;
+use crate::websocket::Socket;
+
+/// One connection.
+pub enum Line {
+    WebSocket(Socket),
+    Datagrams(Session),
+}
+
+impl Line {
+    /// Join the room and the group of a user of this number.
+    pub async fn join(load: &Load, number: usize, listens: &Listens) -> Result<Self, Failure> {
+        let (room, group) = load.place(number);
+        match load.way {
+            Way::WebSocket => Ok(Line::WebSocket(Socket::join(listens.address, room, group).await?)),
+            Way::Datagrams => Ok(Line::Datagrams(Session::join(listens, room, group).await?)),
+        }
+    }
+
+    /// Send frames that need not arrive if later ones do.
+    pub async fn send(&mut self, frames: &[FromUser<'_>]) -> Result<(), Failure> {
+        match self {
+            Line::WebSocket(socket) => socket.send(frames).await,
+            Line::Datagrams(session) => session.send(frames),
+        }
+    }
+
+    /// Say that the user goes.
+    pub async fn leave(mut self) -> Result<(), Failure> {
+        match &mut self {
+            Line::WebSocket(socket) => socket.send(&[FromUser::Bye]).await,
+            Line::Datagrams(session) => session.say(&[FromUser::Bye]).await,
+        }
+    }
+
+    /// The next frames.
+    pub async fn receive(&mut self) -> Result<Vec<u8>, Failure> {
+        match self {
+            Line::WebSocket(socket) => socket.receive().await,
+            Line::Datagrams(session) => session.receive().await,
+        }
+    }
+
+    /// Bytes that were sent and received: of WebSocket's messages with their heads, of UDP's payloads.
+    pub fn bytes(&self) -> (usize, usize) {
+        match self {
+            Line::WebSocket(socket) => (socket.sent, socket.received),
+            Line::Datagrams(session) => session.bytes(),
+        }
+    }
+}
