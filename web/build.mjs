@@ -1,5 +1,6 @@
 // Bundles the page, or unit tests for Node: node build.mjs [--tests] [FOLDER]. By default the page goes into the package.
-import { copyFile, mkdir, readdir, readFile, rm } from 'node:fs/promises';
+import { copyFile, mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { basename } from 'node:path';
 import { build } from 'esbuild';
 
 const PACKAGE = '../python/nearfar/view/dist';
@@ -21,25 +22,41 @@ const shaders = {
 async function page(folder) {
   await rm(folder, { recursive: true, force: true });
   await mkdir(folder, { recursive: true });
-  await build({
+  const { outputFiles } = await build({
     ...common,
-    // The page loads the script of rooms where one is named; what both use is one more script.
-    entryPoints: { page: 'src/page.ts', rooms: 'src/rooms/start.ts' },
+    // The page loads the scripts of rooms and of what users do in them where they are named; what they share is more.
+    entryPoints: { page: 'src/page.ts', rooms: 'src/rooms/start.ts', collect: 'src/collect/start.ts' },
     outdir: folder,
     splitting: true,
-    chunkNames: 'shared',
+    chunkNames: 'shared-[hash]',
     minify: true,
     // Names in errors that people report.
     keepNames: true,
+    write: false,
   });
+  await writeNamed(outputFiles, folder);
   const alone = { ...common, outdir: folder, minify: true, keepNames: true };
   await build({ ...alone, entryPoints: { worker: 'src/decode/worker.ts' } });
-  const styles = ['src/page.css', 'src/rooms/rooms.css'];
+  const styles = ['src/page.css', 'src/rooms/rooms.css', 'src/collect/collect.css'];
   const flat = { outdir: folder, entryNames: '[name]', bundle: true, minify: true, logLevel: 'warning' };
   await build({ ...flat, entryPoints: styles });
-  await copyFile('src/index.html', `${folder}/index.html`);
   await widget(`${folder}/widget`);
   await orthoview(`${folder}/orthoview`);
+}
+
+/** Scripts that others share get names that stay the same; the document preloads those that the page asks for. */
+async function writeNamed(outputFiles, folder) {
+  const named = outputFiles.map(({ path, text }) => ({ name: basename(path), text }));
+  const shared = named.filter(({ name }) => name.startsWith('shared-')).sort((a, b) => b.text.length - a.text.length);
+  const names = new Map(shared.map(({ name }, at) => [name, `shared${at === 0 ? '' : at + 1}.js`]));
+  const renamed = (text) => [...names].reduce((all, [from, to]) => all.replaceAll(from, to), text);
+  for (const { name, text } of named) await writeFile(`${folder}/${names.get(name) ?? name}`, renamed(text));
+  const page = renamed(named.find(({ name }) => name === 'page.js').text);
+  const preloads = [...names.values()]
+    .filter((name) => page.includes(`from"./${name}"`))
+    .map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
+  const document = await readFile('src/index.html', 'utf8');
+  await writeFile(`${folder}/index.html`, document.replace(/ *<script /, (script) => preloads.join('') + script));
 }
 
 /** The page that flies trees of orthoviews: it may lie in a store's folder. */

@@ -58,9 +58,9 @@ def started(path: str | None = None, flags: Sequence[str] = ()) -> Iterator[Any]
 
 
 @contextmanager
-def opened(program: Any, width: int, height: int) -> Iterator[Any]:
-    """A new page; what it prints is in its list `printed`, but for missing WebGPU."""
-    page = program.new_page(viewport={"width": width, "height": height})
+def opened(program: Any, width: int, height: int, **settings: Any) -> Iterator[Any]:
+    """A new page, with Playwright's settings; what it prints is in its list `printed`, but for missing WebGPU."""
+    page = program.new_page(viewport={"width": width, "height": height}, **settings)
     page.printed = []
     page.on("console", lambda message: message.text == NO_WEBGPU or page.printed.append(message.text))
     page.on("pageerror", lambda error: page.printed.append(str(error)))

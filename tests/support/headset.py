@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import base64
 import json
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +16,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
 from tests.support.browser import opened, wait_for_ring
-from tests.support.web_cases import run
+from tests.support.web_cases import bundled
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
@@ -31,23 +29,6 @@ OUTWARDS, INWARDS, DOWN, UP = 1.28, 0.87, 1.11, 0.93
 
 HEADSETS = {"quest2": 0.063, "quest3": 0.068}
 """Emulated headsets and metres between their users' eyes."""
-
-
-@cache
-def script() -> str:
-    """The emulator with its controls, bundled."""
-    with tempfile.TemporaryDirectory() as folder:
-        out = Path(folder) / "device.js"
-        run(
-            "npx",
-            "esbuild",
-            "tests/xr/device.ts",
-            "--bundle",
-            "--format=iife",
-            "--log-level=warning",
-            f"--outfile={out}",
-        )
-        return out.read_text()
 
 
 def tangents() -> dict[str, dict[str, float]]:
@@ -90,7 +71,7 @@ def worn(
     """
     with opened(program, 2 * size[0], size[1]) as page:
         wanted = {"headset": kind, "eyes": tangents(), "ipd": HEADSETS[kind], "layers": layers}
-        page.add_init_script(f"window.wanted = {json.dumps(wanted)};\n{script()}")
+        page.add_init_script(f"window.wanted = {json.dumps(wanted)};\n{bundled('tests/xr/device.ts')}")
         gate = _Gate()
         page.let_go = gate.open
         if held:

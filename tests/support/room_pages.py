@@ -22,6 +22,14 @@ SEEN = """() => {
   };
 }"""
 
+HEAR = """([user, body]) => {
+  const { presence } = window.nearfar.room;
+  presence.hear({ kind: 'joined', user, group: 0, name: '' }, 0);
+  const pose = { ...body, sequence: 1, clock: 0n, isAcknowledged: false, stops: true };
+  presence.hear({ kind: 'pose', user, pose }, performance.now() / 1000);
+}"""
+"""A user comes whose body rests."""
+
 AIMS = 60
 """Milliseconds after which a page looks again at what its pointer hits."""
 
@@ -80,3 +88,11 @@ def has_changed(mask: NDArray[np.bool_], at: ArrayLike, reach: float) -> bool:
     rows, columns = np.nonzero(mask)
     column, row = np.asarray(at)
     return bool((np.hypot(columns + 0.5 - column, rows + 0.5 - row) <= reach).any())
+
+
+def reach_beyond(mask: NDArray[np.bool_], before: ArrayLike, end: ArrayLike) -> float:
+    """Pixels by which what has changed goes on behind an end, on the way that leads there from a place before it."""
+    way = np.subtract(end, before)
+    rows, columns = np.nonzero(mask)
+    beyond = np.stack([columns + 0.5, rows + 0.5], axis=1) - np.asarray(end)
+    return float((beyond @ (way / max(float(np.linalg.norm(way)), 1e-9))).max())

@@ -79,12 +79,18 @@ COUNT = """() => {
       return drop.call(this, object);
     };
   }
+  const { linkProgram } = kinds;
+  window.linkedPrograms = 0;
+  kinds.linkProgram = function (program) {
+    window.linkedPrograms += 1;
+    linkProgram.call(this, program);
+  };
   window.liveObjects = live;
 }"""
 
 
 def count_objects(page: Any) -> None:
-    """Count what the page has of WebGL's objects; to be called before it is opened."""
+    """Count what the page has of WebGL's objects, and programs; to be called before it is opened."""
     page.add_init_script(f"({COUNT})()")
 
 
@@ -96,6 +102,11 @@ def objects(page: Any) -> dict[str, int]:
           return { ...window.liveObjects, ...memory, programs: programs.length };
         }""")
     )
+
+
+def linked(page: Any) -> int:
+    """Programs that the page has linked, whether or not it has them still."""
+    return int(page.evaluate("() => window.linkedPrograms"))
 
 
 def heap(page: Any) -> int:

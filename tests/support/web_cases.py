@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import subprocess
+import tempfile
+from functools import cache
 from pathlib import Path
 
 from tests.support.reader_cases import SECONDS
@@ -16,3 +18,12 @@ def run(*command: str, **environment: str) -> None:
     around = os.environ | environment
     done = subprocess.run(command, cwd=WEB, env=around, capture_output=True, text=True, check=False, timeout=SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+@cache
+def bundled(source: str) -> str:
+    """A script of the page's tests with all that it imports, to be put into a page before its own."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "script.js"
+        run("npx", "esbuild", source, "--bundle", "--format=iife", "--log-level=warning", f"--outfile={out}")
+        return out.read_text()

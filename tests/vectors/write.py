@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.vectors import bend, fit_4pl, lens, lookup, morph_cases, rooms
+from tests.vectors import bend, collect, fit_4pl, lens, lookup, morph_cases, rooms
 
 FOLDER = Path(__file__).parent
 
@@ -13,7 +13,7 @@ def files() -> dict[str, str]:
     """Texts of all files by name."""
     return {
         name: text
-        for oracle in (morph_cases, bend, lookup, lens, fit_4pl, rooms)
+        for oracle in (morph_cases, bend, lookup, lens, fit_4pl, rooms, collect)
         for name, text in oracle.files().items()
     }
 

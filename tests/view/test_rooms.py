@@ -16,7 +16,7 @@ from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support.browser import opened, wait_for_ring, wait_until
-from tests.support.room_pages import AIMS, RoomPage, ends, has_changed
+from tests.support.room_pages import AIMS, HEAR, RoomPage, ends, has_changed, reach_beyond
 
 pytestmark = pytest.mark.slow
 
@@ -105,12 +105,7 @@ def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
     shown = bob.pixel_of([end], CENTER, ZONES)[0]
     assert np.hypot(*(shown - np.add(pixel, 0.5))) < (0.6 if near else 1.0)
 
-    def has_come() -> bool:
-        bob.step()
-        seen = ada.step()["seen"][0]
-        return bool(seen["pointer"]) and bool(np.linalg.norm(ends(seen)[1] - end) < max(0.02, 1e-3 * rho))
-
-    wait_until(ada.page, has_come)
+    wait_until(ada.page, lambda: bob.step() and sees(ada, end, max(0.02, 1e-3 * rho)))
     seen = ada.step()["seen"][0]
     assert np.linalg.norm(ends(seen)[1] - end) < 0.1
     mask = pointer_mask(ada, seen["number"])
@@ -121,12 +116,43 @@ def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
     places = ada.pixel_of([begin + 0.9 * (end - begin), end], CENTER, ZONES)
     assert has_changed(mask, places[1], 1.5)
     # Nothing goes on behind the spot.
-    onwards = (places[1] - places[0]) / max(np.linalg.norm(places[1] - places[0]), 1e-9)
-    rows, columns = np.nonzero(mask)
-    beyond = (np.stack([columns + 0.5, rows + 0.5], axis=1) - places[1]) @ onwards
-    assert beyond.max() < 4
+    assert reach_beyond(mask, *places) < 4
     bob.page.keyboard.up("e")
     wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is None)
+
+
+def test_left_of_the_divider_pointers_are_as_the_scene_is_there(
+    pair: tuple[RoomPage, RoomPage], scene: nf.Scene
+) -> None:
+    ada, bob = pair
+    divide = "(share) => window.nearfar.viewer.setDivider(share)"
+    pixel, unmorphed = (150, 178), (1e5, 2e5)
+    morphed = ends(bob.point_at(*pixel)["own"])[1]
+    bob.page.keyboard.up("e")
+    bob.step()
+    try:
+        for each in pair:
+            each.page.evaluate(divide, 0.5)
+        end = ends(bob.point_at(*pixel)["own"])[1]
+        # Another point of the scene, which the conventional picture shows in that pixel.
+        assert np.linalg.norm(end - morphed) > 0.3
+        assert nf.nearest_points(scene, [end]).distance[0] < 0.1
+        assert np.hypot(*(bob.pixel_of([end], CENTER, unmorphed)[0] - np.add(pixel, 0.5))) < 0.6
+        wait_until(ada.page, lambda: bob.step() and sees(ada, end, 0.02))
+        place = ada.pixel_of([end], CENTER, unmorphed)[0]
+        assert place[0] < 0.5 * SIZE[0] - 4
+        assert has_changed(pointer_mask(ada, ada.step()["seen"][0]["number"]), place, 1.5)
+    finally:
+        for each in pair:
+            each.page.evaluate(divide, None)
+        bob.page.keyboard.up("e")
+        bob.step()
+
+
+def sees(viewer: RoomPage, end: Any, most: float) -> bool:
+    """Whether a viewer sees the other one's pointer end within some metres of a point."""
+    seen = viewer.step()["seen"][0]
+    return bool(seen["pointer"]) and bool(np.linalg.norm(ends(seen)[1] - end) < most)
 
 
 def test_the_middle_button_and_a_finger_on_the_page_s_own_point(pair: tuple[RoomPage, RoomPage]) -> None:
@@ -160,16 +186,6 @@ def pointer_mask(viewer: RoomPage, number: int) -> Any:
     return np.abs(found - without).max(axis=-1) > 12
 
 
-STAND = """([number, position]) => {
-  const { presence } = window.nearfar.room;
-  const head = { position, rotation: [0, 0, 0, 1] };
-  const body = { head, left: null, right: null, pointer: null };
-  const pose = { ...body, sequence: 1, clock: 0n, isAcknowledged: false, stops: true };
-  presence.hear({ kind: 'joined', user: number, group: 0, name: '' }, 0);
-  presence.hear({ kind: 'pose', user: number, pose }, performance.now() / 1000);
-}"""
-
-
 def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPage], scene: nf.Scene) -> None:
     ada, _ = pair
     ada.page.evaluate("() => window.nearfar.viewer.setGuests(window.nearfar.room.avatars)")
@@ -179,7 +195,8 @@ def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPag
         ahead = np.array([-np.sin(yaw), 0, -np.cos(yaw)])
         empty = ada.picture()
         for share, is_seen in ((0.7, True), (1.3, False)):
-            ada.page.evaluate(STAND, [999, (CENTER + share * away * ahead).tolist()])
+            head = {"position": (CENTER + share * away * ahead).tolist(), "rotation": [0, 0, 0, 1]}
+            ada.page.evaluate(HEAR, [999, {"head": head, "left": None, "right": None, "pointer": None}])
             mask = np.abs(ada.picture() - empty).max(axis=-1) > 12
             assert has_changed(mask, np.multiply(SIZE, 0.5), 3) == is_seen
     finally:
@@ -230,6 +247,8 @@ def test_the_card_tells_who_is_here(chromium: Any, url: str, size: tuple[int, in
         assert boxes[1]["y"] + boxes[1]["height"] <= boxes[2]["y"]
         other.close()
         page.get_by_role("button", name="1 here").wait_for()
+        page.keyboard.press("?")
+        page.get_by_role("dialog").get_by_text("point at the cursor").wait_for()
         assert page.printed == []
 
 

@@ -1,5 +1,6 @@
 /** Opens what the address of the page names: a bundle, or a scene whose regions a server makes on demand. */
 import { BundleError } from './bundle/error';
+import { filesOfGeometry } from './bundle/contents';
 import type { Point } from './bundle/manifest';
 import { parseJson, readManifest } from './bundle/parse';
 import { createFiles, type Files, readDocument, type Received } from './bundle/source';
@@ -20,6 +21,8 @@ export interface Opened {
   /** Triangles of the whole scene. */
   readonly triangles: number;
   readonly isStatic: boolean;
+  /** Files of what moves, which every region needs; none where regions list their own. */
+  readonly moving: readonly string[];
   /** Where the page begins, if its address names no place. */
   readonly start: Pose;
   /** Centres of all regions; null where there are places everywhere. */
@@ -57,10 +60,11 @@ function openBundle(
   if (!first) throw new BundleError('manifest.json: expected a region, got none');
   return {
     world: worldOf(manifest),
-    files: createFiles(base, (name) => whole.files[name]?.bytes, received),
+    files: createFiles(base, (name) => whole.files[name], received),
     title: null,
     triangles,
     isStatic: dynamic === null,
+    moving: dynamic ? filesOfGeometry(dynamic) : [],
     start: { position: first.center, yaw: 0, pitch: 0 },
     centers: regions.map(({ center }) => center),
     makingOf: () => null,
@@ -88,6 +92,7 @@ async function openScene(
     title: site.title,
     triangles: scene.triangles,
     isStatic: scene.isStatic,
+    moving: [],
     start: { ...scene.start, pitch: 0 },
     centers: null,
     makingOf: world.makingOf,

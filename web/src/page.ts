@@ -24,8 +24,8 @@ import type { Headset } from './xr/session';
 const ANGLE = 75;
 /** Seconds that a frame may stand for: a tab that was hidden goes on where it was. */
 const LONGEST_FRAME = 0.1;
-/** Seconds between two updates of the panel. */
-const PANEL_EVERY = 0.25;
+/** Seconds between two updates of the panel, and those in which the script of rooms is waited for. */
+const [PANEL_EVERY, ROOM_SCRIPT] = [0.25, 2] as const;
 const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 
 declare global {
@@ -42,6 +42,8 @@ async function main(): Promise<void> {
   const base = new URL(query.get('bundle') ?? '.', location.href);
   const strategy = strategyOf(query.get('strategy'));
   const wait = createWait(root);
+  // Beside the manifest, so that nothing waits for it.
+  const script = query.has('room') ? import('./rooms/start') : null;
   const opened = await openAddress(base, query, strategy, meter.receive, wait.begin).finally(wait.end);
   meter.restart();
   const { centers, files, world } = opened;
@@ -154,17 +156,25 @@ async function main(): Promise<void> {
       commands.headset = found;
     },
   );
-  viewer.open(world.places.nearest(start.position));
-  if (query.has('room')) {
+  if (script) {
     const hands = (): Headset['hands'] | null => (headset?.isPresenting ? headset.hands : null);
-    const host = { viewer, canvas, root, nearShare: world.nearShare, hands, announce: panel.announce };
-    import('./rooms/start').then(
-      ({ enter }) => (room = enter(host)),
+    const { moving } = opened;
+    const { announce, explain } = panel;
+    const nearShare = world.nearShare;
+    const host = { viewer, canvas, root, files, moving, nearShare, hands, go, announce, explain };
+    const entered = script.then(
+      async ({ enter }) => {
+        room = enter(host);
+        if (room && query.get('task') === 'collect') (await import('./collect/start')).begin(room, host);
+      },
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),
     ).catch((reason) => panel.announce(`The room cannot be entered: ${reason}`));
+    // Files may come from others of the room.
+    await Promise.race([entered, new Promise((done) => setTimeout(done, 1000 * ROOM_SCRIPT))]);
   }
+  viewer.open(world.places.nearest(start.position));
   let last = performance.now();
-  let sincePanel = PANEL_EVERY;
+  let sincePanel: number = PANEL_EVERY;
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;

@@ -71,11 +71,13 @@ function bench(): Bench {
       sockets.push(new Fake(url, listener));
       return sockets.at(-1) as Fake;
     },
-    now: () => time,
-    later(seconds, action) {
-      const timer = { at: time + seconds, action };
-      timers.push(timer);
-      return () => (timers = timers.filter((other) => other !== timer));
+    clock: {
+      now: () => time,
+      later(seconds, action) {
+        const timer = { at: time + seconds, action };
+        timers.push(timer);
+        return () => (timers = timers.filter((other) => other !== timer));
+      },
     },
   });
   return {

@@ -40,7 +40,7 @@ function bench(datagrams: () => Promise<Datagrams | null>, isTaken: () => boolea
       return socket('socket');
     },
   };
-  const [on, off] = [false, true].map((isOff) => createOpen('https://host:8/', isOff, ways));
+  const [on, off] = [false, true].map((isOff) => createOpen(() => Promise.resolve(null), isOff, ways));
   const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
   return { opened, told, open: (isOff) => (isOff ? off : on)?.(RELAY, listener) as Socket, settle };
 }

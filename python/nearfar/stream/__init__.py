@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nearfar._render.blend import blend
-from nearfar.stream import client
+from nearfar.stream import client, collect
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle, open  # noqa: A004
 from nearfar.stream._centers import snap
@@ -27,6 +27,7 @@ __all__ = [
     "bake_maps",
     "blend",
     "client",
+    "collect",
     "export",
     "footprints",
     "open",

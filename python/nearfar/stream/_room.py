@@ -96,6 +96,16 @@ class Room:
         return self._user
 
     @property
+    def group(self) -> int:
+        """The user's own group."""
+        return self._group
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether the user is in the room now; not before it has joined, and not until it has returned."""
+        return self._end is None and self._there.is_set()
+
+    @property
     def round_trips(self) -> NDArray[np.float64]:
         """Round trips of poses that others acknowledged, in seconds: the last 10,000, the newest last."""
         return self._trips.seconds

@@ -1,6 +1,6 @@
 /** Fetches the files of a bundle: one request for each, again if a transfer stalls or breaks off. */
 import { BundleError } from './error';
-import type { Manifest } from './manifest';
+import type { Described, Manifest } from './manifest';
 import { parseManifest } from './parse';
 import { createShared } from './share';
 import { createSlots } from './slots';
@@ -18,6 +18,12 @@ export const MOST_MANIFEST = 64 * 2 ** 20;
 /** Is told how many bytes came; of a broken transfer, which begins anew, how many of them count no longer (below 0). */
 export type Received = (bytes: number) => void;
 
+/** Asks the server for a file. */
+export type Serve = (name: string, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>;
+
+/** Comes by a file, from elsewhere or from the server. */
+export type Way = (...request: [...Parameters<Serve>, serve: Serve]) => Promise<ArrayBuffer>;
+
 export interface Files {
   /**
    * The content of a file, as long as the manifest says. One request serves all who ask for a file at the same time;
@@ -26,9 +32,13 @@ export interface Files {
   readonly fetch: (name: string, signal: AbortSignal, received?: Received) => Promise<ArrayBuffer>;
   /** A file was damaged: the next time it is not taken from the browser's cache. */
   readonly distrust: (name: string) => void;
+  /** A file as the manifest lists it; undefined of one that it does not list. */
+  readonly described: (name: string) => Described | undefined;
+  /** Come by files another way from now on; null for that of the server alone. */
+  readonly goBy: (way: Way | null) => void;
 }
 
-export interface Source extends Files {
+export interface Source extends Pick<Files, 'fetch' | 'distrust'> {
   readonly manifest: Manifest;
 }
 
@@ -46,32 +56,40 @@ export async function readDocument(
   return new TextDecoder().decode(content);
 }
 
-/** Files below a base URL, of known sizes; `received` is told of the bytes of all. */
+/** Files below a base URL, which a manifest lists; `received` is told of the bytes of all. */
 export function createFiles(
   base: URL,
-  sizeOf: (name: string) => number | undefined,
+  described: Files['described'],
   received: Received,
   network: Network = NETWORK,
 ): Files {
   const distrusted = new Set<string>();
   const slots = createSlots(AT_ONCE);
-  const shared = createShared((name: string, own, told) => {
-    const bytes = sizeOf(name);
+  let way: Way | null = null;
+
+  const serve: Serve = async (name, own, told) => {
+    const bytes = described(name)?.bytes;
     if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
+    return slots(own, () =>
+      withTrials(name, own, network, (again) => {
+        const isRenewed = distrusted.delete(name) || again;
+        return transfer(new URL(name, base), { name, bytes, most: bytes }, told, own, isRenewed, network);
+      }),
+    );
+  };
+
+  const shared = createShared((name, own, told) => {
     const both: Received = (more) => {
       received(more);
       told(more);
     };
-    return slots(own, () =>
-      withTrials(name, own, network, (again) => {
-        const isRenewed = distrusted.delete(name) || again;
-        return transfer(new URL(name, base), { name, bytes, most: bytes }, both, own, isRenewed, network);
-      }),
-    );
+    return way ? way(name, own, both, serve) : serve(name, own, both);
   });
   return {
     fetch: (name, own, told = () => undefined) => shared(name, own, told),
     distrust: (name) => distrusted.add(name),
+    described,
+    goBy: (next) => (way = next),
   };
 }
 
@@ -83,7 +101,7 @@ export async function openSource(
   network: Network = NETWORK,
 ): Promise<Source> {
   const manifest = parseManifest(await readDocument(base, received, signal, network));
-  return { manifest, ...createFiles(base, (name) => manifest.files[name]?.bytes, received, network) };
+  return { manifest, ...createFiles(base, (name) => manifest.files[name], received, network) };
 }
 
 export async function withTrials<T>(

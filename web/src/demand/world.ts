@@ -37,7 +37,7 @@ export function createDemandWorld({ base, site, scene, last, received, network }
     nearShare: scene.nearShare,
     marginShare: scene.nearShare,
     fade: scene.fade,
-    files: createFiles(base, (name) => listed.get(name)?.bytes, received, network),
+    files: createFiles(base, (name) => listed.get(name), received, network),
     async open(region, signal) {
       const told = (making: Making): void => {
         if (!signal.aborted) makings.set(region, making);

@@ -16,7 +16,10 @@ export interface Datagrams {
   readonly hashes: readonly Uint8Array<ArrayBuffer>[];
 }
 
-/** Ask the server beside a page; null if it does not tell. */
+/** What the server tells; null if it does not. */
+export type Ask = () => Promise<About | null>;
+
+/** Ask the server beside a page. */
 export async function askAbout(page: string): Promise<About | null> {
   try {
     const answer = await fetch(new URL('rooms', page), { cache: 'no-store' });

@@ -13,14 +13,15 @@ export const NOTHING_HIT = 100;
 const BEYOND = 2;
 
 /**
- * The point that a part of the picture shows: near geometry, whose place is found back from where the morph shows it; or
- * what the map shows, by its range from the centre.
+ * The point that a part of the picture shows: near geometry, whose place is found back from where the morph shows it,
+ * but left of the divider, where nothing is morphed; or what the map shows, by its range from the centre.
  */
 export function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: Place): Vector {
   const { shown, entry } = viewer.facts;
   const { radius, strength } = shown?.grown ?? { radius: 0, strength: 0 };
   const center: Vector = entry?.center ?? pose.position;
   const seen = viewer.pointAt(x, y);
+  if (seen && !viewer.isMorphedAt(x)) return seen;
   if (seen) {
     const morph = { user: minus(pose.position, center), inner: nearShare * radius, radius, strength };
     const found = pointShownAt(minus(seen, pose.position), morph);

@@ -1,17 +1,25 @@
 /** Avatars of all who are seen, and the user's own pointer, as guests of the picture. */
+import { type Camera, Scene, Vector4, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
 import type { Shared } from '../show/materials';
 import type { Guests } from '../show/picture';
 import { shownName } from './address';
-import { type Avatar, createAvatar, type Drawn } from './avatar';
+import { type Avatar, createAvatar } from './avatar';
+import { type Drawn, paint } from './drawn';
 import type { Body } from './pose';
 import type { Seen } from './presence';
+import { createRay } from './ray';
 import { createShapes } from './shapes';
+
+/** Avatars that are kept for users who come. */
+const SPARE = 16;
 
 export interface Avatars extends Guests {
   readonly meshes: readonly Drawn[];
   /** Those who are drawn from now on; `pixel` is the tangent of the angle that a pixel covers. */
   show(seen: readonly Seen[], own: Own | null, pixel: number): void;
+  /** Let the GPU make ready what the first user needs. */
+  prepare(renderer: WebGLRenderer, camera: Camera): void;
 }
 
 /** The user itself, of whom its own picture shows the pointer alone. */
@@ -29,12 +37,17 @@ export function createAvatars(shared: Shared): Avatars {
   const shapes = createShapes();
   const common = { ...shared, pixel: { value: 0 } };
   const kept = new Map<number, Kept>();
+  const color = new Vector4();
+  const ray = createRay(shapes, common, color);
+  let pointing: Own | null = null;
+  // three.js lets go of a program with its last material, and would compile it again for the next user.
+  const spare: Avatar[] = [createAvatar(shapes, common)];
 
   function of(number: number, name: string): Avatar {
     const found = kept.get(number);
     if (found?.name === name) return found.avatar;
-    found?.avatar.dispose();
-    const avatar = createAvatar(number, name, shapes, common);
+    const avatar = found?.avatar ?? spare.pop() ?? createAvatar(shapes, common);
+    avatar.be(number, name);
     kept.set(number, { name, avatar });
     return avatar;
   }
@@ -42,23 +55,31 @@ export function createAvatars(shared: Shared): Avatars {
   function forget(others: ReadonlySet<number>): void {
     for (const [number, { avatar }] of kept) {
       if (others.has(number)) continue;
-      avatar.dispose();
       kept.delete(number);
+      if (spare.length < SPARE) spare.push(avatar);
+      else avatar.dispose();
     }
   }
 
   return {
     get meshes() {
-      return [...kept.values()].flatMap(({ avatar }) => avatar.meshes);
+      const others = [...kept.values()].flatMap(({ avatar }) => avatar.meshes);
+      return pointing ? [...others, ray.mesh] : others;
     },
     show(seen, own, pixel) {
       common.pixel.value = pixel;
-      forget(new Set([...seen.map(({ number }) => number), ...(own ? [own.number] : [])]));
-      for (const { number, name, body } of seen) of(number, shownName(name, number)).show(body, true);
-      if (own) of(own.number, '').show(own.body, false);
+      forget(new Set(seen.map(({ number }) => number)));
+      for (const { number, name, body } of seen) of(number, shownName(name, number)).show(body);
+      pointing = own?.body.pointer ? own : null;
+      if (pointing) paint(color, pointing.number);
+    },
+    prepare(renderer, camera) {
+      const meshes = spare.flatMap((avatar) => avatar.meshes);
+      renderer.compile(new Scene().add(...meshes, ray.mesh), camera);
     },
     place(center: Point) {
       for (const { avatar } of kept.values()) avatar.place(center);
+      if (pointing) ray.place(pointing.body, center);
     },
   };
 }

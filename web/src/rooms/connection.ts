@@ -1,7 +1,8 @@
 /** A connection to a room: it joins, comes back by itself, acknowledges poses and measures round trips. */
 import { type Address, relayOf } from './address';
 import { FrameError } from './bytes';
-import { type FromServer, type FromUser, readMessage, writeFrame } from './frames';
+import { CLOCK, type Clock } from './clock';
+import { type Audience, type FromServer, type FromUser, readMessage, writeFrame } from './frames';
 import type { Body } from './pose';
 import { type End, endOf, endOfCode } from './reasons';
 import { createRoundTrips, type RoundTrips } from './round_trips';
@@ -25,33 +26,40 @@ export interface ConnectionSettings {
   readonly address: Address;
   /** The page beside which the room is. */
   readonly page: string;
+  /** A ticket that the room gave before; empty by default. */
+  readonly ticket?: Uint8Array;
   /** A frame of the server, and the time at which it came; `welcome` says that nobody else is known any more. */
   readonly heard: (frame: FromServer, now: number) => void;
   readonly changed: (state: State) => void;
   /** A WebSocket, by default. */
   readonly open?: Open;
-  /** Seconds from any begin. */
-  readonly now?: () => number;
-  /** Act after some seconds; the answer is a function that prevents it. */
-  readonly later?: (seconds: number, action: () => void) => () => void;
+  readonly clock?: Clock;
 }
 
 export interface Connection {
   readonly state: State;
   readonly roundTrips: RoundTrips;
+  /** The ticket with which the user gets its number back; empty if there is none. */
+  readonly ticket: Uint8Array;
   /** Send where the user is; false if the room does not take it now. */
   pose(body: Body, stops: boolean): boolean;
+  /** Send bytes to one other user, no more than docs/rooms.md allows; false outside of the room. */
+  signal(user: number, payload: Uint8Array): boolean;
+  /** Say something to the group or to the room; false if it cannot be said now. */
+  say(payload: Uint8Array, to: Audience): boolean;
   /** Come back after it has ended, or at once while it waits. */
   retry(): void;
+  /** Say that the user goes. */
   leave(): void;
 }
 
 export function connect(settings: ConnectionSettings): Connection {
-  const { address, page, heard, changed, open = openSocket, now = seconds, later = wait } = settings;
+  const { address, page, heard, changed, open = openSocket, clock = CLOCK } = settings;
+  const { now, later } = clock;
   const roundTrips = createRoundTrips();
   let state: State = { kind: 'joining' };
   let socket: Socket | null = null;
-  let ticket: Uint8Array = new Uint8Array();
+  let ticket = settings.ticket ?? new Uint8Array();
   let pause: number = FIRST;
   let [entered, sequence] = [0, 0];
   let stop = (): void => undefined;
@@ -153,6 +161,9 @@ export function connect(settings: ConnectionSettings): Connection {
     get state() {
       return state;
     },
+    get ticket() {
+      return ticket;
+    },
     pose(body, stops) {
       if (state.kind !== 'here' || !socket || socket.bufferedAmount > WAITING) return false;
       const time = now();
@@ -161,6 +172,16 @@ export function connect(settings: ConnectionSettings): Connection {
       const isAcknowledged = peers.size > 0 && roundTrips.send(sequence, time, stops);
       const clock = BigInt(Math.round(1e6 * time));
       send({ kind: 'pose', pose: { ...body, sequence, clock, isAcknowledged, stops } }, !stops);
+      return true;
+    },
+    signal(user, payload) {
+      if (state.kind !== 'here' || !socket) return false;
+      send({ kind: 'signal', user, payload });
+      return true;
+    },
+    say(payload, to) {
+      if (state.kind !== 'here' || !socket) return false;
+      send({ kind: 'say', to, payload });
       return true;
     },
     retry() {
@@ -172,13 +193,4 @@ export function connect(settings: ConnectionSettings): Connection {
       set({ kind: 'ended', words: 'You have left the room.' });
     },
   };
-}
-
-function seconds(): number {
-  return performance.now() / 1000;
-}
-
-function wait(seconds: number, action: () => void): () => void {
-  const timer = setTimeout(action, 1000 * seconds);
-  return () => clearTimeout(timer);
 }

@@ -8,7 +8,7 @@ const VERSION = 1;
 export const NAME = 64;
 const [SAY, SIGNAL] = [1 << 12, 1 << 14] as const;
 
-const KINDS = { hello: 1, pose: 2, ack: 3, bye: 6 } as const;
+const KINDS = { hello: 1, pose: 2, ack: 3, say: 4, signal: 5, bye: 6 } as const;
 /** Kinds of the server's frames. */
 export const SERVER = {
   welcome: 129,
@@ -21,11 +21,17 @@ export const SERVER = {
   refused: 136,
 } as const;
 
-/** A frame that a user sends; the page says nothing else. */
+/** Those who hear what a user says, in the order of their numbers. */
+const AUDIENCES = ['group', 'room'] as const;
+export type Audience = (typeof AUDIENCES)[number];
+
+/** A frame that a user sends; the page signals nobody. */
 export type FromUser =
   | { readonly kind: 'hello'; readonly group: number; readonly name: string; readonly ticket: Uint8Array }
   | { readonly kind: 'pose'; readonly pose: Pose }
   | { readonly kind: 'ack'; readonly user: number; readonly sequence: number }
+  | { readonly kind: 'signal'; readonly user: number; readonly payload: Uint8Array }
+  | { readonly kind: 'say'; readonly to: Audience; readonly payload: Uint8Array }
   | { readonly kind: 'bye' };
 
 /** A frame that the server sends. */
@@ -33,7 +39,7 @@ export type FromServer =
   | { readonly kind: 'welcome'; readonly user: number; readonly others: number; readonly ticket: Uint8Array }
   | { readonly kind: 'pose'; readonly user: number; readonly pose: Pose }
   | { readonly kind: 'settled'; readonly sequence: number }
-  | { readonly kind: 'say'; readonly user: number; readonly to: 'group' | 'room'; readonly payload: Uint8Array }
+  | { readonly kind: 'say'; readonly user: number; readonly to: Audience; readonly payload: Uint8Array }
   | { readonly kind: 'signal'; readonly user: number; readonly payload: Uint8Array }
   | { readonly kind: 'joined'; readonly user: number; readonly group: number; readonly name: string }
   | { readonly kind: 'left'; readonly user: number }
@@ -79,7 +85,7 @@ function readBody(kind: number, body: Reader): FromServer {
   }
 }
 
-/** The bytes of a frame; a `FrameError` for a hello whose name or ticket is none. */
+/** The bytes of a frame; a `FrameError` for a hello whose name or ticket is none, and for too long a payload. */
 export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   const body = new Writer();
   if (frame.kind === 'hello') {
@@ -96,6 +102,14 @@ export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   } else if (frame.kind === 'ack') {
     body.u16(frame.user);
     body.u32(frame.sequence);
+  } else if (frame.kind === 'signal') {
+    if (frame.payload.length > SIGNAL) throw new FrameError('a payload is too long');
+    body.u16(frame.user);
+    body.put(frame.payload);
+  } else if (frame.kind === 'say') {
+    if (frame.payload.length > SAY) throw new FrameError('a payload is too long');
+    body.u8(AUDIENCES.indexOf(frame.to));
+    body.put(frame.payload);
   }
   const out = new Writer();
   out.u8(KINDS[frame.kind]);
@@ -104,8 +118,8 @@ export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   return out.done();
 }
 
-function readTo(body: Reader): 'group' | 'room' {
-  const to = (['group', 'room'] as const)[body.u8()];
+function readTo(body: Reader): Audience {
+  const to = AUDIENCES[body.u8()];
   if (!to) throw new FrameError('expected the group or the room');
   return to;
 }

@@ -1,6 +1,6 @@
 /** Who is here: a card with names, whose pointers can be muted, and with what the room says of itself. */
 import { icon, make, write } from '../ui/dom';
-import { milliseconds } from '../ui/format';
+import { bytes, milliseconds } from '../ui/format';
 import { copyText } from '../ui/out';
 import { shownName } from './address';
 import { cssOf } from './color';
@@ -14,6 +14,7 @@ const POINTER = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1
 export interface HereCommands {
   mute(number: number, isMuted: boolean): void;
   retry(): void;
+  leave(): void;
   /** A link for others. */
   link(): string;
   announce(text: string): void;
@@ -26,6 +27,8 @@ export interface Room {
   readonly guests: readonly Guest[];
   /** Seconds; null for none that is known. */
   readonly roundTrip: number | null;
+  /** Bytes of files that came from others, and from the server; null where pages exchange none. */
+  readonly files: { readonly others: number; readonly server: number } | null;
 }
 
 export interface Here {
@@ -43,8 +46,13 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
   const list = make('ul', { class: 'here-list' });
   const words = make('p', { class: 'here-words', role: 'status' });
   // Without a role: readers of screens would tell each change.
-  const figure = make('p', { class: 'here-words' });
+  const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
   const [again, copy] = [action('Join again', commands.retry), action('Copy link', () => void share())];
+  const leave = action('Leave', () => {
+    commands.leave();
+    // The button goes.
+    chip.focus();
+  });
   const card = make(
     'section',
     { class: 'card here', id: 'here', 'aria-label': 'Here', hidden: true },
@@ -52,7 +60,8 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     list,
     words,
     figure,
-    make('div', { class: 'here-actions' }, copy, again),
+      source,
+      make('div', { class: 'here-actions' }, copy, leave, again),
   );
   const corner = make('div', { class: 'here-corner' }, chip, card);
   const title = 'Hold to point at the middle of the picture (E at the cursor)';
@@ -78,12 +87,14 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     commands.announce((await copyText(link)) ? 'Link to the room copied' : link);
   }
 
-  function tell(state: State, { roundTrip }: Room): void {
+  function tell(state: State, { roundTrip, files }: Room): void {
     write(words, wordsOf(state));
     const isKnown = state.kind === 'here' && roundTrip !== null;
     write(figure, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
+    write(source, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
     again.hidden = state.kind === 'here' || state.kind === 'joining';
+    leave.hidden = state.kind === 'ended';
     // Changes that come by themselves while the user looks elsewhere.
     const isNews = state !== last && 'words' in state;
     if (isNews && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
@@ -114,7 +125,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
       write(chip, 'No room');
       write(words, reason);
       chip.dataset['wrong'] = words.dataset['wrong'] = 'true';
-      for (const each of [again, copy, button]) each.hidden = true;
+      for (const each of [again, leave, copy, button]) each.hidden = true;
       commands.announce(reason);
       open(true);
     },

@@ -9,29 +9,32 @@ const MIDDLE = [0.5, 0.5] as const;
 export type Place = readonly [number, number];
 
 export interface Hold {
-  /** Where the user points; null while nothing is held. */
+  /** Whether the user points also while nothing is held. */
+  isAlways: boolean;
+  /** Where the user points; null while it does not. */
   readonly place: Place | null;
 }
 
 /** The key and the mouse point at the cursor, or at the middle where there is none; a button of the page there. */
-export function createHold(canvas: HTMLCanvasElement, button: HTMLElement, keys: EventTarget = window): Hold {
+export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold {
   const held = new Set<'key' | 'mouse' | 'button'>();
   let cursor: Place = MIDDLE;
+  let isAlways = false;
 
   type Action = (event: Event) => void;
   function listen(target: EventTarget, names: readonly string[], action: Action, capture = false): void {
     for (const name of names) target.addEventListener(name, action, { capture });
   }
 
-  listen(keys, ['keydown'], (event) => {
+  listen(window, ['keydown'], (event) => {
     const pressed = event as KeyboardEvent;
     if (pressed.code === KEY && !isElsewhere(pressed)) held.add('key');
   });
-  listen(keys, ['keyup'], (event) => {
+  listen(window, ['keyup'], (event) => {
     if ((event as KeyboardEvent).code === KEY) held.delete('key');
   });
   // A key that is let go elsewhere is not heard.
-  listen(keys, ['blur'], () => held.clear());
+  listen(window, ['blur'], () => held.clear());
   // Before the controls, which move by the same button.
   listen(window, ['pointerdown'], (event) => {
     const { target, pointerType, button: number, pointerId } = event as PointerEvent;
@@ -60,8 +63,14 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement, keys:
   listen(button, ['contextmenu'], (event) => event.preventDefault());
 
   return {
+    get isAlways() {
+      return isAlways;
+    },
+    set isAlways(next) {
+      isAlways = next;
+    },
     get place() {
-      if (held.size === 0) return null;
+      if (held.size === 0 && !isAlways) return null;
       const isLocked = document.pointerLockElement === canvas;
       return isLocked || (held.has('button') && held.size === 1) ? MIDDLE : cursor;
     },

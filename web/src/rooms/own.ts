@@ -19,13 +19,22 @@ export function atScreen(pose: Pose, target: Vector | null): Body {
   return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...way), FARTHEST) } };
 }
 
-/** In a headset: a head, the hands that are tracked, and a pointer from the one that is squeezed. */
-export function inHeadset(pose: Pose, hands: readonly HandRay[], lengthOf: (hand: HandRay) => number): Body {
+/**
+ * In a headset: a head, the hands that are tracked, and a pointer from the first one that points; from the right one, or
+ * any, where the user always points.
+ */
+export function inHeadset(
+  pose: Pose,
+  hands: readonly HandRay[],
+  isAlways: boolean,
+  lengthOf: (hand: HandRay) => number,
+): Body {
   const placed = (side: HandRay['side']): Placed | null => {
     const hand = hands.find((each) => each.side === side);
     return hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
   };
-  const pointing = hands.find(({ isSqueezed }) => isSqueezed);
+  const other = isAlways ? (hands.find(({ side }) => side === 'right') ?? hands[0]) : undefined;
+  const pointing = hands.find((each) => each.isPointing) ?? other;
   return {
     head: { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) },
     left: placed('left'),

@@ -11,7 +11,8 @@ mat3 facing(vec3 at) {
 }
 `;
 
-const HEAD = /* glsl */ `
+/** What all vertex shaders of what faces the viewer begin with. */
+export const HEAD = /* glsl */ `
 ${SHARED}
 ${SHOWN_AT}
 ${FACING}

@@ -17,22 +17,15 @@ export interface Shapes {
   readonly hand: BufferGeometry;
   readonly pointer: BufferGeometry;
   readonly name: BufferGeometry;
-  dispose(): void;
 }
 
 export function createShapes(): Shapes {
-  const shapes = {
+  return {
     head: new SphereGeometry(1, 24, 16).scale(WIDE, HIGH, LONG).translate(0, 0, BACK),
     visor: new BoxGeometry(2 * WIDE, 0.07, 0.07).translate(0, 0, BACK - LONG + 0.02),
     hand: new CapsuleGeometry(0.025, 0.1, 4, 12).rotateX(Math.PI / 2).translate(0, 0, 0.05),
     pointer: pointer(),
     name: new PlaneGeometry(1, 1).translate(0, 0.5, 0),
-  };
-  return {
-    ...shapes,
-    dispose() {
-      for (const shape of Object.values(shapes)) shape.dispose();
-    },
   };
 }
 

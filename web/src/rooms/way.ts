@@ -1,5 +1,5 @@
 /** By which way a page comes into rooms: by datagrams where both sides have them, else by WebSocket. */
-import { askAbout, type Datagrams } from './about';
+import type { Ask, Datagrams } from './about';
 import { openDatagrams } from './datagrams';
 import { type Listener, type Open, openSocket, type Socket } from './socket';
 
@@ -10,8 +10,8 @@ export interface Ways {
   readonly openSocket: Open;
 }
 
-/** Open sockets beside a page. What has failed is not tried again until the server tells of something else. */
-export function createOpen(page: string, isOff: boolean, ways: Ways = browserWays(page)): Open {
+/** Open sockets to a server that tells by which ways. What has failed is not tried again until it tells of something else. */
+export function createOpen(ask: Ask, isOff: boolean, ways: Ways = browserWays(ask)): Open {
   let failed = '';
 
   async function find(url: string, listener: Listener): Promise<Found> {
@@ -39,11 +39,11 @@ function nameOf({ port, hashes }: Datagrams): string {
   return `${port} ${hashes.join(' ')}`;
 }
 
-function browserWays(page: string): Ways {
+function browserWays(ask: Ask): Ways {
   return {
     async datagrams() {
       if (typeof WebTransport === 'undefined') return null;
-      return (await askAbout(page))?.datagrams ?? null;
+      return (await ask())?.datagrams ?? null;
     },
     openDatagrams,
     openSocket,

@@ -1,7 +1,7 @@
 /** How far a ray goes until something that is drawn stops it. */
 import { PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import type { Vector } from '../control/vector';
-import { pick } from './pick';
+import type { Picker } from './pick';
 
 /** Field of view of the one pixel, degrees; metres at which rays begin and end. */
 const [ANGLE, NEAR, FAR] = [0.5, 0.05, 30_000] as const;
@@ -9,6 +9,7 @@ const [ANGLE, NEAR, FAR] = [0.5, 0.05, 30_000] as const;
 /** Metres along a ray, in the frame that `draw` draws in for a camera; null where nothing is drawn. */
 export function along(
   renderer: WebGLRenderer,
+  picker: Picker,
   origin: Vector,
   direction: Vector,
   draw: (eye: PerspectiveCamera) => void,
@@ -21,7 +22,7 @@ export function along(
   const { enabled } = renderer.xr;
   renderer.xr.enabled = false;
   try {
-    return pick(renderer, eye, [0.5, 0.5], () => draw(eye))?.distanceTo(eye.position) ?? null;
+    return picker.pick(eye, [0.5, 0.5], () => draw(eye))?.distanceTo(eye.position) ?? null;
   } finally {
     renderer.xr.enabled = enabled;
   }

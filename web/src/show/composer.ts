@@ -13,6 +13,8 @@ export interface Composer {
   draw(leg: Leg, user: Pose | null): void;
   /** Part of the width, from the left, in which the picture is the conventional one; null for none. */
   setDivider(share: number | null): void;
+  /** Whether the picture is the continuous one at a part of its width. */
+  isMorphedAt(x: number): boolean;
   /** Let a layer of the headset show the map while nothing fades; null to draw it. */
   setMapLayer(layer: MapLayer | null): void;
 }
@@ -85,6 +87,7 @@ export function createComposer(
     setDivider(share) {
       divider = share;
     },
+    isMorphedAt: (x) => divider === null || x >= divider || renderer.xr.isPresenting,
     setMapLayer(layer) {
       mapLayer = layer;
     },

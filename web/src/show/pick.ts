@@ -36,17 +36,20 @@ void main() {
 }
 `;
 
-/**
- * The point, in the frame that `draw` draws in, of what a pixel of the camera's picture shows; x and y are parts of its
- * width and height, from the upper left. Null where nothing is drawn.
- */
-export function pick(
-  renderer: WebGLRenderer,
-  camera: PerspectiveCamera,
-  [x, y]: readonly [number, number],
-  draw: () => void,
-): Vector3 | null {
-  const target = new WebGLRenderTarget(1, 1, { depthTexture: new DepthTexture(1, 1, UnsignedIntType) });
+export interface Picker {
+  /**
+   * The point, in the frame that `draw` draws in, of what a pixel of the camera's picture shows; x and y are parts of
+   * its width and height, from the upper left. Null where nothing is drawn.
+   */
+  pick(camera: PerspectiveCamera, place: readonly [number, number], draw: () => void): Vector3 | null;
+  /** Let go of what the GPU holds; a later look makes it anew. */
+  dispose(): void;
+}
+
+/** A picker for one renderer: all its looks use one program, which would be compiled for each otherwise. */
+export function createPicker(renderer: WebGLRenderer): Picker {
+  const depth = new DepthTexture(1, 1, UnsignedIntType);
+  const target = new WebGLRenderTarget(1, 1, { depthTexture: depth });
   const result = new WebGLRenderTarget(1, 1);
   const material = new RawShaderMaterial({
     vertexShader: VERTEX,
@@ -54,32 +57,34 @@ export function pick(
     glslVersion: GLSL3,
     blending: NoBlending,
     depthTest: false,
-    uniforms: { depth: { value: target.depthTexture } },
+    uniforms: { depth: { value: depth } },
   });
   const mesh = new Mesh(covering(), material);
   mesh.frustumCulled = false;
-  const scene = new Scene();
-  scene.add(mesh);
-  const before = renderer.getRenderTarget();
-  const [width, height] = [renderer.domElement.width, renderer.domElement.height];
-  camera.setViewOffset(width, height, Math.floor(x * width), Math.floor(y * height), 1, 1);
-  try {
-    renderer.setRenderTarget(target);
-    draw();
-    renderer.setRenderTarget(result);
-    renderer.render(scene, camera);
-    const digits = new Uint8Array(4);
-    renderer.readRenderTargetPixels(result, 0, 0, 1, 1, digits);
-    if (digits[3] === 0) return null;
-    const depth = ((digits[2] ?? 0) / 65025 + (digits[1] ?? 0) / 255 + (digits[0] ?? 0)) / 255;
-    return new Vector3(0, 0, 2 * depth - 1).unproject(camera);
-  } finally {
-    camera.clearViewOffset();
-    renderer.setRenderTarget(before);
-    mesh.geometry.dispose();
-    material.dispose();
-    target.depthTexture?.dispose();
-    target.dispose();
-    result.dispose();
-  }
+  const scene = new Scene().add(mesh);
+  const digits = new Uint8Array(4);
+
+  return {
+    pick(camera, [x, y], draw) {
+      const before = renderer.getRenderTarget();
+      const [width, height] = [renderer.domElement.width, renderer.domElement.height];
+      camera.setViewOffset(width, height, Math.floor(x * width), Math.floor(y * height), 1, 1);
+      try {
+        renderer.setRenderTarget(target);
+        draw();
+        renderer.setRenderTarget(result);
+        renderer.render(scene, camera);
+        renderer.readRenderTargetPixels(result, 0, 0, 1, 1, digits);
+        if (digits[3] === 0) return null;
+        const value = ((digits[2] ?? 0) / 65025 + (digits[1] ?? 0) / 255 + (digits[0] ?? 0)) / 255;
+        return new Vector3(0, 0, 2 * value - 1).unproject(camera);
+      } finally {
+        camera.clearViewOffset();
+        renderer.setRenderTarget(before);
+      }
+    },
+    dispose() {
+      for (const held of [mesh.geometry, material, depth, target, result]) held.dispose();
+    },
+  };
 }

@@ -16,7 +16,7 @@ import { createJourney, type Journey, type Leg } from './journey';
 import type { Fetch, Loading } from './job';
 import { watchLoss } from './loss';
 import { createShared, type Shared } from './materials';
-import { pick } from './pick';
+import { createPicker } from './pick';
 import { createPainter, type Guests, type Picture } from './picture';
 import { createPrograms } from './programs';
 import { trianglesShown } from './region';
@@ -61,7 +61,7 @@ export interface Viewer {
   open(number: number): void;
   /** Go to another place by a cross-fade, as soon as its region can be shown. */
   go(target: Pose): void;
-  /** The point of near geometry that the picture shows, x and y from its upper left from 0 to 1; null for none. */
+  /** The place at which the picture shows near geometry, x and y from its upper left from 0 to 1; null for none. */
   pointAt(x: number, y: number): Vector | null;
   /** Metres along a ray of the world to near geometry where it is, unmorphed; null for none. */
   along(origin: Vector, direction: Vector): number | null;
@@ -83,6 +83,8 @@ export interface Viewer {
   still(picture: Omit<Picture, 'region'>, pose: Pose): void;
   /** Part of the width, from the left, in which the picture is the conventional one; null for none. */
   setDivider(share: number | null): void;
+  /** Whether the picture is the continuous one at a part of its width. */
+  isMorphedAt(x: number): boolean;
   /** The picture that was drawn last, as PNG. */
   photo(): Promise<Blob>;
   readonly facts: Facts;
@@ -130,6 +132,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const workers: Worked[] = [start(), start()];
   const painter = createPainter(renderer, shared, nearShare, () => blank, viewpoint.place);
   painter.prepare(camera);
+  const picker = createPicker(renderer);
   const programs = createPrograms(renderer, camera, shared, uploads);
   const warming = new Scene();
   const store = createStore();
@@ -173,6 +176,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       wasIn = journey?.region ?? null;
       close();
       blank.dispose();
+      picker.dispose();
       programs.forget();
       uploads.forget();
       settings.lost(true);
@@ -235,8 +239,9 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       if (!open?.shown || !user) return null;
       const { region, shown } = open;
       setPose(user);
-      const { radius, strength } = shown.grown;
-      const found = pick(renderer, camera, [x, y], () => {
+      const { radius } = shown.grown;
+      const strength = composer.isMorphedAt(x) ? shown.grown.strength : null;
+      const found = picker.pick(camera, [x, y], () => {
         painter.draw({ region, ring: shown.ring, radius, strength }, camera, 1, NEAR_ALONE);
       });
       const { center } = region.entry;
@@ -246,7 +251,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       const open = leg && atlas.find(leg.region);
       if (!open?.shown) return null;
       const { region, shown } = open;
-      return along(renderer, minus(origin, region.entry.center), direction, (eye) => {
+      return along(renderer, picker, minus(origin, region.entry.center), direction, (eye) => {
         painter.draw({ region, ring: shown.ring, radius: shown.grown.radius, strength: null }, eye, 1, NEAR_ALONE);
       });
     },
@@ -272,6 +277,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       painter.draw({ ...picture, region: open.region }, camera, 1);
     },
     setDivider: composer.setDivider,
+    isMorphedAt: composer.isMorphedAt,
     photo() {
       if (renderer.xr.isPresenting) return Promise.reject(new Error('Pictures are saved outside the headset'));
       if (loss.isLost || !leg || !atlas.find(leg.region)?.shown) {
@@ -307,6 +313,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       atlas.dispose();
       for (const worker of workers) worker.dispose();
       blank.dispose();
+      picker.dispose();
       loss.dispose();
       renderer.dispose();
       // Browsers keep few contexts at a time; this one is not left to the collector.

@@ -3,7 +3,8 @@ import { icon, make } from './dom';
 import { ICONS } from './icons';
 import { type Name, SHORTCUTS } from './shortcuts';
 
-type Row = readonly [keys: readonly string[], does: string];
+/** Keys, or what is held, and what they do. */
+export type Row = readonly [keys: readonly string[], does: string];
 
 const WALK: readonly Row[] = [
   [['W', 'A', 'S', 'D'], 'walk'],
@@ -39,6 +40,8 @@ const PAD: readonly Row[] = [
 
 export interface Help {
   toggle(): void;
+  /** Add a part. */
+  add(title: string, rows: readonly Row[]): void;
   dispose(): void;
 }
 
@@ -47,6 +50,7 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
   const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Close', title: 'Close (Esc)' });
   close.append(icon(ICONS.close));
   const commands = make('section', {});
+  const last = make('div', { class: 'help-touch' }, part('Touch', TOUCH), part('Gamepad', PAD));
   const dialog = make(
     'dialog',
     { class: 'help', 'aria-labelledby': 'help-title', tabindex: '-1' },
@@ -57,7 +61,7 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
       part('Walk', WALK),
       part('Orbit', ORBIT),
       commands,
-      make('div', { class: 'help-touch' }, part('Touch', TOUCH), part('Gamepad', PAD)),
+      last,
     ),
   );
   close.addEventListener('click', () => dialog.close());
@@ -84,6 +88,9 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
       commands.replaceChildren(...part('Commands', rows).childNodes);
       dialog.showModal();
       dialog.scrollTop = 0;
+    },
+    add(title, rows) {
+      last.append(part(title, rows));
     },
     dispose: () => dialog.remove(),
   };

@@ -3,7 +3,7 @@ import type { Mode } from '../control/controls';
 import { icon, make, write } from './dom';
 import { MIDDLE } from './divider';
 import { createFigures, isComplete, isHeld, madeOf, shortly } from './figures';
-import { createHelp } from './help';
+import { createHelp, type Row } from './help';
 import { ICONS } from './icons';
 import { showProblems } from './messages';
 import { copyText, saveFile } from './out';
@@ -20,6 +20,8 @@ export interface Panel {
   update(status: Status): void;
   /** Show a short note, which screen readers speak when they have finished. */
   announce(text: string): void;
+  /** Add a part to the help. */
+  explain(title: string, rows: readonly Row[]): void;
   /** The mode or the divider was changed by other means than the panel. */
   reflect(state: { readonly mode?: Mode; readonly isDivided?: boolean }): void;
   dispose(): void;
@@ -214,6 +216,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       reflect({});
     },
     announce,
+    explain: help.add,
     reflect,
     dispose() {
       stop.abort();

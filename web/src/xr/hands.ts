@@ -1,6 +1,7 @@
 /** Where the hands of a headset are in the world, and which of them point. */
 import type { Vector } from '../control/vector';
 import { type Floor, worldOf } from './floor';
+import { isPointing } from './gesture';
 import type { Input } from './inputs';
 
 export interface HandRay {
@@ -8,8 +9,8 @@ export interface HandRay {
   /** In the world; the direction is a unit vector. */
   readonly origin: Vector;
   readonly direction: Vector;
-  /** The grip is squeezed. */
-  readonly isSqueezed: boolean;
+  /** The grip is squeezed, or the index finger alone is straight. */
+  readonly isPointing: boolean;
 }
 
 export interface Hands {
@@ -21,6 +22,7 @@ export interface Hands {
 export function createHands(session: XRSession): Hands {
   const stop = new AbortController();
   const squeezed = new Set<XRInputSource>();
+  let gesturing = new Set<XRInputSource>();
   const { signal } = stop;
   session.addEventListener('squeezestart', ({ inputSource }) => squeezed.add(inputSource), { signal });
   session.addEventListener('squeezeend', ({ inputSource }) => squeezed.delete(inputSource), { signal });
@@ -28,11 +30,13 @@ export function createHands(session: XRSession): Hands {
   return {
     update(inputs, floor) {
       const turn = { position: [0, 0, 0], yaw: floor.yaw } as const;
+      const found = inputs.filter(({ source, joints }) => isPointing(joints, gesturing.has(source)));
+      gesturing = new Set(found.map(({ source }) => source));
       return inputs.flatMap(({ source, ray }) => {
         const { handedness: side } = source;
         if (!ray || side === 'none') return [];
         const [origin, direction] = [worldOf(floor, ray.origin), worldOf(turn, ray.direction)];
-        return [{ side, origin, direction, isSqueezed: squeezed.has(source) }];
+        return [{ side, origin, direction, isPointing: squeezed.has(source) || gesturing.has(source) }];
       });
     },
     dispose: () => stop.abort(),

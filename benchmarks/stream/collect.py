@@ -1,0 +1,170 @@
+"""CloVR's (2024) sphere collection by simulated users, beside what the paper prints.
+
+python -m benchmarks.stream.collect [--quick] [--pairs NUMBER] [--real] [--plots out/bench]
+
+--real lets them play on a server of this machine, too, which takes as long as the trials do.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import multiprocessing
+import os
+import statistics
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.stream import _collect_plot as plot
+from nearfar.serve._rooms import Rooms
+from nearfar.serve._server import Server
+from nearfar.serve._site import Site
+from nearfar.stream.collect import Outcome, Person, Settings, play, simulate
+
+LEVELS = ("easy", "intermediate", "hard")
+GROUPS = 2
+"""Groups at the same time."""
+
+
+@dataclass(frozen=True)
+class Figures:
+    """Figures of some trials, in the form in which the paper prints them."""
+
+    name: str
+    spheres: tuple[float, float]
+    """Mean and standard deviation of a trial's spheres."""
+    seconds: tuple[tuple[float, float], ...]
+    """The same of a sphere's seconds, by level."""
+    misses: tuple[float, ...]
+    """Means by level: of a sphere, and of a trial; the paper does not say which of them it prints."""
+    trial_misses: tuple[float, ...]
+    r: float
+    """Pearson's correlation of spheres' seconds and misses."""
+    round_trip: tuple[float, float, float] | None = None
+    """Mean, standard deviation and maximum, milliseconds."""
+
+
+PRINTED = Figures(
+    "printed",
+    (26.3, 10.9),
+    ((4.07, 1.45), (4.37, 1.38), (7.13, 5.14)),
+    (3.56, 3.73, 14.9),
+    (3.56, 3.73, 14.9),
+    0.927,
+    (58.0, 14.0, 195.0),
+)
+
+
+def figures(name: str, outcomes: Sequence[Outcome], trips: np.ndarray | None = None) -> Figures:
+    """Those of some trials, and of round trips in seconds."""
+    spheres = [sphere for outcome in outcomes for sphere in outcome.spheres]
+    levels = [[sphere for sphere in spheres if sphere.level == level] for level in LEVELS]
+    r = np.corrcoef([sphere.seconds for sphere in spheres], [sphere.misses for sphere in spheres])[0, 1]
+    return Figures(
+        name,
+        _moments([len(outcome.spheres) for outcome in outcomes]),
+        tuple(_moments([sphere.seconds for sphere in level]) for level in levels),
+        tuple(statistics.mean(sphere.misses for sphere in level) for level in levels),
+        tuple(sum(sphere.misses for sphere in level) / len(outcomes) for level in levels),
+        float(r),
+        None if trips is None else (1e3 * trips.mean(), 1e3 * trips.std(ddof=1), 1e3 * trips.max()),
+    )
+
+
+def modelled(name: str, settings: Settings, person: Person, pairs: int) -> Figures:
+    """Pairs of groups on a clock of their own; each pair has spheres and people of its own."""
+    return figures(
+        name,
+        [
+            outcome
+            for seed in range(pairs)
+            for outcome in simulate(replace(settings, seed=seed), person=person, groups=GROUPS, seed=seed)
+        ],
+    )
+
+
+def calibrated(uncalibrated: Figures) -> Person:
+    """People who search for as long as makes easy spheres take the printed time; nothing else is fitted."""
+    return Person(search=max(PRINTED.seconds[0][0] - uncalibrated.seconds[0][0], 0.0))
+
+
+async def _play(
+    url: str, group: int, seed: int, settings: Settings, person: Person
+) -> tuple[list[Outcome], np.ndarray]:
+    async with nf.stream.client.join(url, room="collect", name=f"simulated {seed}", group=group) as room:
+        return await play(room, settings, person=person, seed=seed), room.round_trips
+
+
+def play_group(url: str, group: int, settings: Settings, person: Person) -> list[tuple[list[Outcome], np.ndarray]]:
+    """A group's users in real time, in this process."""
+
+    async def all_of_them() -> list[tuple[list[Outcome], np.ndarray]]:
+        seeds = (100 * group + user for user in range(settings.users))
+        return await asyncio.gather(*(_play(url, group, seed, settings, person) for seed in seeds))
+
+    return asyncio.run(all_of_them())
+
+
+def real(settings: Settings, person: Person) -> Figures:
+    """Two groups in a room of a server, with a process for each group."""
+    site = Site({"a.txt": b"a"}, has_page=False)
+    context = multiprocessing.get_context("spawn")
+    with Server({"": site}, rooms=Rooms()) as server, ProcessPoolExecutor(GROUPS, mp_context=context) as pool:
+        playing = [pool.submit(play_group, server.url, group, settings, person) for group in range(1, GROUPS + 1)]
+        users = [each.result() for each in playing]
+    trips = np.concatenate([found for group in users for _, found in group])
+    return figures("real server", [outcome for group in users for outcome in group[0][0]], trips)
+
+
+def show(found: Sequence[Figures]) -> None:
+    """The table of the paper's figures."""
+    rows = [["spheres of a trial", *(_pair(each.spheres, 1) for each in found)]]
+    for number, level in enumerate(LEVELS):
+        rows.append([f"seconds, {level}", *(_pair(each.seconds[number], 2) for each in found)])
+    for number, level in enumerate(LEVELS):
+        both = (f"{each.misses[number]:.2f} / {each.trial_misses[number]:.1f}" for each in found[1:])
+        rows.append([f"misses, {level}: of a sphere / of a trial", f"{PRINTED.misses[number]}", *both])
+    rows.append(["r of seconds and misses", *(f"{each.r:.3f}" for each in found)])
+    trips = [
+        "" if each.round_trip is None else "{:.1f} ± {:.1f}, at most {:.0f}".format(*each.round_trip) for each in found
+    ]
+    rows.append(["round trip, ms", *trips])
+    print(table("Sphere collection", ["", *(each.name for each in found)], rows))
+
+
+def _moments(values: Sequence[float]) -> tuple[float, float]:
+    return statistics.mean(values), statistics.stdev(values)
+
+
+def _pair(moments: tuple[float, float], digits: int) -> str:
+    return f"{moments[0]:.{digits}f} ± {moments[1]:.{digits}f}"
+
+
+def main() -> None:
+    """Print the table, and draw it if a folder is named."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true", help="trials of 30 s")
+    parser.add_argument("--pairs", type=int, default=8, help="pairs of groups of the model")
+    parser.add_argument("--real", action="store_true", help="also on a server, in real time")
+    parser.add_argument("--plots", type=Path, default=os.environ.get("NEARFAR_BENCH_OUT"), help="folder of the plot")
+    chosen = parser.parse_args()
+    settings = Settings(duration=30.0, rest=1.0) if chosen.quick else Settings()
+    print(machine())
+    plain = modelled("model, literature alone", settings, Person(), chosen.pairs)
+    person = calibrated(plain)
+    found = [PRINTED, plain, modelled(f"model, {person.search:.2f} s of search", settings, person, chosen.pairs)]
+    if chosen.real:
+        found.append(real(settings, person))
+    show(found)
+    if chosen.plots is not None:
+        plot.levels(Path(chosen.plots) / "collect.png", LEVELS, found)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,49 @@
+"""What the page holds while it is used in a room for an hour, on a clock that steps.
+
+python -m benchmarks.view.rooms [--quick]
+
+Eight others send poses at 72 Hz; users join, leave and speak, pointers go on and off, users are muted, and the
+connection breaks off once a minute. One frame of 36 is drawn. Bytes are the page's own objects after a collection.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from pathlib import Path
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from nearfar.serve._rooms import Rooms
+from nearfar.serve._server import Server
+from nearfar.serve._site import Site
+from tests.support.browser import started
+from tests.support.used_room import use, used
+
+HOUR, QUICK = 3600.0, 120.0
+COUNTED = ("geometries", "textures", "programs", "Buffer", "Texture")
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--quick", action="store_true", help="two minutes instead of an hour")
+    seconds = QUICK if parser.parse_args().quick else HOUR
+    rows: list[list[str]] = []
+    with tempfile.TemporaryDirectory() as folder, started() as program:
+        bundle = Path(folder) / "bundle"
+        scene = nf.datasets.city(blocks=2, detail=1)
+        nf.stream.export(scene, bundle, center=(3.0, 1.7, -2.0), radii=(10.0,), face_size=64)
+        with Server({"": Site.of_bundle(bundle)}, rooms=Rooms()) as server:
+            url = f"{server.url}?aa=0&strategy=clovrd&room=hour"
+            with used(program, url, 1) as page:
+                for part, held in enumerate(use(page, seconds), 1):
+                    counts = [str(held.objects[name]) for name in COUNTED]
+                    minutes = f"{part * seconds / 600:.1f}"
+                    rows.append([minutes, f"{held.poses:,}", f"{held.heap / 1e6:.2f}", *counts])
+    print(machine())
+    print(table("A page in a room", ["minutes", "poses of others", "heap, MB", *COUNTED], rows))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,49 @@
+"""Figures of a group's trials."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nearfar.stream.collect._messages import LEVELS, Collected as Message
+from nearfar.stream.collect._task import Task
+
+
+@dataclass(frozen=True)
+class Collected:
+    """A sphere that a group has collected."""
+
+    level: str
+    """easy, intermediate or hard."""
+    seconds: float
+    """From its appearance until it was collected."""
+    misses: int
+    """How often one user lost the selection."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A group's trial."""
+
+    group: int
+    """The group."""
+    trial: int
+    """Number of the trial, from 1."""
+    spheres: tuple[Collected, ...]
+    """Spheres in the order in which they were collected."""
+
+
+def outcomes(task: Task) -> list[Outcome]:
+    """Those of the run that a task has heard last."""
+    if task.trial is None:
+        return []
+    run, last = task.trial.stage.run, task.trial.stage.trial
+
+    def of(trial: int) -> tuple[Collected, ...]:
+        heard = (message for message in task.collected if (message.stage.run, message.stage.trial) == (run, trial))
+        return tuple(map(_collected, heard))
+
+    return [Outcome(task.group, trial, of(trial)) for trial in range(1, last + 1)]
+
+
+def _collected(message: Message) -> Collected:
+    return Collected(LEVELS[message.level], message.seconds, message.misses)

@@ -1,0 +1,172 @@
+"""A simulated user of the task in a room of a real server."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from contextlib import suppress
+
+import numpy as np
+
+from nearfar._base import check
+from nearfar._base.errors import FormatError
+from nearfar.stream._room import Room
+from nearfar.stream._room_events import Ended, Event, Joined, Left, Pose, Posed, RoomError, Said
+from nearfar.stream.collect._messages import MARK, audience, read, write
+from nearfar.stream.collect._outcomes import Outcome, outcomes
+from nearfar.stream.collect._person import Person
+from nearfar.stream.collect._player import Player, rotated
+from nearfar.stream.collect._settings import Settings
+from nearfar.stream.collect._simulate import RATE
+from nearfar.stream.collect._spheres import Ray
+from nearfar.stream.collect._task import Task
+
+MEASURED = 0.25
+"""Seconds between poses whose round trip is measured."""
+
+
+async def play(
+    room: Room, settings: Settings | None = None, *, person: Person | None = None, seed: int = 0
+) -> list[Outcome]:
+    """Let a simulated user take part in its group's run, in real time, until the last trial has ended.
+
+    The user with the lowest number of its group conducts it: it begins as soon as `settings.users` are there. Pages in
+    the same group play along.
+
+    Parameters
+    ----------
+    room
+        The user's place in a room, which it has entered. Its events are taken meanwhile.
+    settings
+        The task, if this user conducts it; by default the published one.
+    person
+        Numbers of the user; by default those of the literature.
+    seed
+        Seed of what the user does by chance.
+
+    Returns
+    -------
+    list[Outcome]
+        The group's trials, as far as the user has heard of them.
+
+    Raises
+    ------
+    RoomError
+        If the connection ends for good before the run does.
+    ValueError, TypeError
+        For arguments of another type, and seeds outside 0 to 2³² − 1.
+    """
+    check.instance("room", room, Room)
+    chosen = Settings() if settings is None else check.instance("settings", settings, Settings)
+    people = Person() if person is None else check.instance("person", person, Person)
+    seeded = check.integer("seed", seed, 0, 2**32 - 1)
+    user = _User(room, chosen, Player(people, seeded, room.user))
+    hearing = asyncio.create_task(user.hear())
+    moving = asyncio.create_task(user.move())
+    try:
+        await asyncio.wait((hearing, moving), return_when=asyncio.FIRST_COMPLETED)
+        if moving.done():
+            moving.result()
+        else:
+            hearing.result()
+    finally:
+        for task in (hearing, moving):
+            task.cancel()
+        await asyncio.wait((hearing, moving))
+    return outcomes(user.task)
+
+
+class _User:
+    def __init__(self, room: Room, settings: Settings, player: Player) -> None:
+        self._room, self._settings, self._player = room, settings, player
+        self.task = Task(room.user, room.group)
+        self._rays: dict[int, Ray] = {}
+        self._order = asyncio.Lock()
+        self._clock = asyncio.get_running_loop().time
+        for number, other in room.users.items():
+            if other.group == room.group:
+                self.task.joined(number)
+
+    async def hear(self) -> None:
+        """Follow events until the last trial or the connection has ended."""
+        async for event in self._room:
+            self._follow(event)
+            await self._conduct()
+            if isinstance(event, Ended) and not event.returns:
+                raise RoomError(event.reason, event.sentence)
+
+    async def move(self) -> None:
+        """Tell poses until the run is over."""
+        measured = -math.inf
+        due = self._clock()
+        while not self.task.is_over:
+            now = self._clock()
+            stance = self._player.stance(self.task, now)
+            if stance is not None:
+                self._rays[self.task.user] = stance.ray
+                is_measured = now - measured >= MEASURED
+                measured = now if is_measured else measured
+                await self._room.pose(
+                    stance.eyes,
+                    stance.rotation,
+                    right=(stance.hand, stance.rotation),
+                    pointer=("right", stance.length),
+                    acknowledged=is_measured,
+                )
+            await self._conduct()
+            # A step that comes late does not put off the next one, and a pause saves none up.
+            due = max(due + 1.0 / RATE, now)
+            await asyncio.sleep(due - self._clock())
+
+    async def _conduct(self) -> None:
+        # Messages leave in the order in which the state has changed.
+        async with self._order:
+            if not self._room.is_connected:
+                return
+            now, task = self._clock(), self.task
+            messages = task.conduct(now, self._rays)
+            if task.trial is None and task.conductor == task.user and len(task.present) >= self._settings.users:
+                messages += task.start(self._settings, now)
+            # The next conductor goes on from what was heard; the end of the connection is an event, too.
+            with suppress(RoomError):
+                for message in messages:
+                    await self._room.say(write(message), to=audience(message))
+
+    def _follow(self, event: Event) -> None:
+        match event:
+            case Joined(user, _, group):
+                if group == self._room.group and user not in self.task.present:
+                    self.task.joined(user)
+            case Left(user):
+                self.task.left(user)
+                self._rays.pop(user, None)
+            case Ended():
+                self.task.alone()
+                self._rays.clear()
+            case Posed(user, pose):
+                self._see(user, pose)
+            case Said(user, data):
+                self._listen(user, data)
+
+    def _listen(self, user: int, data: bytes) -> None:
+        other = self._room.users.get(user)
+        if other is None or data[:1] != bytes([MARK]):
+            return
+        try:
+            message = read(data)
+        except FormatError:
+            # Whoever says what is none cannot stop the others.
+            return
+        if message is not None:
+            self.task.hear(message, self._clock(), group=other.group)
+
+    def _see(self, user: int, pose: Pose) -> None:
+        places = {"head": pose.head, "left": pose.left, "right": pose.right}
+        begin = None if pose.pointer is None else places[pose.pointer.begin]
+        if begin is None:
+            self._rays.pop(user, None)
+            return
+        x, y, z = begin.position.tolist()
+        # Frames hold quaternions whose length is 1 to a tenth.
+        a, b, c, d = (begin.rotation / np.linalg.norm(begin.rotation)).tolist()
+        self._rays[user] = ((x, y, z), rotated((a, b, c, d)))

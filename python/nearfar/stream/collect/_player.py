@@ -1,0 +1,68 @@
+"""A simulated user in its seat: what it sees of the task, and the ray along which it points."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from nearfar.stream.collect._messages import Vector
+from nearfar.stream.collect._person import Person, Pointing, Target
+from nearfar.stream.collect._spheres import Ray
+from nearfar.stream.collect._task import Task
+
+Rotation: TypeAlias = tuple[float, float, float, float]
+"""A unit quaternion (x, y, z, w)."""
+
+BELOW = 0.3
+"""Metres from the eyes down to the hand."""
+
+
+@dataclass(frozen=True)
+class Stance:
+    """Where a user's eyes and hand are, and where both look."""
+
+    eyes: Vector
+    hand: Vector
+    rotation: Rotation
+    length: float
+    """Of the pointer: to the sphere's distance, metres."""
+
+    @property
+    def ray(self) -> Ray:
+        """The pointer."""
+        return self.hand, rotated(self.rotation)
+
+
+class Player:
+    """A user's eyes and hand, which follow what its task has heard."""
+
+    def __init__(self, person: Person, seed: int, user: int) -> None:
+        self._pointing = Pointing(person, seed, user)
+
+    def stance(self, task: Task, now: float) -> Stance | None:
+        """Where the user is and points at a time; None without a seat."""
+        eyes = task.seat
+        if eyes is None or task.trial is None:
+            return None
+        hand = (eyes[0], eyes[1] - BELOW, eyes[2])
+        center, target, length = task.place(now), None, 1.0
+        if center is not None and task.sphere is not None:
+            away = (center[0] - hand[0], center[1] - hand[1], center[2] - hand[2])
+            length = math.hypot(*away)
+            angles = (math.atan2(-away[0], -away[2]), math.atan2(away[1], math.hypot(away[0], away[2])))
+            target = Target(task.sphere.number, angles, 2.0 * math.atan2(task.trial.radius, length))
+        return Stance(eyes, hand, turned(*self._pointing.step(now, target)), length)
+
+
+def turned(yaw: float, pitch: float) -> Rotation:
+    """The rotation of who looks along a yaw and a pitch."""
+    sy, cy = math.sin(yaw / 2), math.cos(yaw / 2)
+    sp, cp = math.sin(pitch / 2), math.cos(pitch / 2)
+    return cy * sp, sy * cp, -sy * sp, cy * cp
+
+
+def rotated(rotation: Rotation) -> Vector:
+    """Where a rotation turns −z."""
+    x, y, z, w = rotation
+    return -2.0 * (x * z + w * y), 2.0 * (w * x - y * z), 2.0 * (x * x + y * y) - 1.0

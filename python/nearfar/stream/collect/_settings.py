@@ -1,0 +1,73 @@
+"""What a trial of the sphere collection asks: sizes, times and speeds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nearfar._base import check
+from nearfar.stream.collect._messages import FARTHEST, FASTEST, LARGEST, LONGEST, MOST_TRIALS, MOST_USERS
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The task of CloVR's (2024) Experiment 2: users, trials, hold, seats and speeds are the paper's, the rest is ours.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For numbers outside what docs/collect.md allows; the message names the field.
+    """
+
+    users: int = 4
+    """Users who must aim at a sphere at the same time, at most 64."""
+    trials: int = 3
+    """Trials, one after the other."""
+    duration: float = 180.0
+    """Seconds of a trial."""
+    hold: float = 2.0
+    """Seconds for which all must aim at a sphere without a break."""
+    pause: float = 1.65
+    """Seconds from a collected sphere to the next one."""
+    rest: float = 5.0
+    """Seconds between two trials."""
+    radius: float = 0.3
+    """Radius of a sphere, metres."""
+    speeds: tuple[float, float, float] = (0.0, 0.5, 1.5)
+    """Speeds of easy, intermediate and hard spheres, metres a second."""
+    center: tuple[float, float, float] = (0.0, 1.7, 0.0)
+    """Middle of the seats at the height of the eyes, metres from the scene's origin."""
+    seats: tuple[float, float] = (5.0, 2.0)
+    """Sizes of the rectangle of seats along x and z, metres."""
+    distance: float = 8.0
+    """From the middle of the seats along −z to the middle of the box, in which spheres' middles stay, metres."""
+    rise: float = 0.5
+    """From the middle of the seats up to the middle of the box, metres."""
+    box: tuple[float, float, float] = (8.0, 4.0, 4.0)
+    """Sizes of the box along x, y and z, metres."""
+    seed: int = 0
+    """Seed of places and directions; groups and trials of one seed differ."""
+
+    def __post_init__(self) -> None:
+        for name, least, most in (
+            ("users", 1, MOST_USERS), ("trials", 1, MOST_TRIALS), ("seed", 0, 2**32 - 1),
+        ):  # fmt: skip
+            object.__setattr__(self, name, check.integer(name, getattr(self, name), least, most))
+        for name, high in (
+            ("hold", LONGEST), ("pause", LONGEST), ("rest", LONGEST), ("distance", FARTHEST), ("rise", FARTHEST),
+        ):  # fmt: skip
+            object.__setattr__(self, name, check.within(name, getattr(self, name), 0.0, high))
+        for name, high in (("duration", LONGEST), ("radius", LARGEST)):
+            check.positive(name, getattr(self, name))
+            object.__setattr__(self, name, check.within(name, getattr(self, name), 0.0, high))
+        for name, count, low, high in (
+            ("speeds", 3, 0.0, FASTEST), ("center", 3, -FARTHEST / 4, FARTHEST / 4),
+            ("seats", 2, 0.0, FARTHEST / 4), ("box", 3, 0.0, FARTHEST / 4),
+        ):  # fmt: skip
+            object.__setattr__(self, name, _numbers(name, getattr(self, name), count, low, high))
+
+
+def _numbers(name: str, value: tuple[float, ...], count: int, low: float, high: float) -> tuple[float, ...]:
+    """So many numbers within [low, high]."""
+    if not isinstance(value, tuple | list) or len(value) != count:
+        raise TypeError(f"{name}: expected {count} numbers, got {check.described(value)}")
+    return tuple(check.within(name, number, low, high) for number in value)

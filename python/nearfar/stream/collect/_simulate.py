@@ -1,0 +1,156 @@
+"""Simulated users on a clock of their own: the same task and messages, with delays in the place of a server."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Callable
+from itertools import count
+
+from nearfar._base import check
+from nearfar.stream.collect._messages import Message, read, write
+from nearfar.stream.collect._outcomes import Outcome, outcomes
+from nearfar.stream.collect._person import Chance, Person
+from nearfar.stream.collect._player import Player
+from nearfar.stream.collect._settings import Settings
+from nearfar.stream.collect._spheres import Ray
+from nearfar.stream.collect._task import Task
+
+RATE = 72.0
+"""Poses a second."""
+
+LEG = (0.0145, 0.007)
+"""Mean and standard deviation of the time from a user to the server or back, seconds: the paper's round trip of
+58 ± 14 ms has four such legs."""
+
+LEAST_LEG = 0.001
+"""Least time of a leg, seconds."""
+
+
+class _Network:
+    """What is on its way, in the order in which it comes."""
+
+    def __init__(self, leg: tuple[float, float], seed: int) -> None:
+        self._leg, self._chance, self._numbers = leg, Chance(seed, 2**32), count()
+        self._waiting: list[tuple[float, int, Callable[[float], None]]] = []
+        self._last: dict[tuple[int, int], float] = {}
+
+    def send(self, now: float, sender: int, receiver: int, arrive: Callable[[float], None]) -> None:
+        """Let something come by way of the server; nothing overtakes on a connection."""
+        mean, deviation = self._leg
+        legs = (max(mean + deviation * self._chance.normal(), min(LEAST_LEG, mean)) for _ in range(2))
+        time = max(now + sum(legs), self._last.get((sender, receiver), 0.0))
+        self._last[sender, receiver] = time
+        heapq.heappush(self._waiting, (time, next(self._numbers), arrive))
+
+    def deliver(self, now: float) -> None:
+        """Let come what is there by now."""
+        while self._waiting and self._waiting[0][0] <= now:
+            time, _, arrive = heapq.heappop(self._waiting)
+            arrive(time)
+
+
+class _User:
+    """A user with its own view of the task."""
+
+    def __init__(self, number: int, group: int, person: Person, seed: int) -> None:
+        self.task, self.player = Task(number, group), Player(person, seed, number)
+        self.rays: dict[int, Ray] = {}
+
+    def hear(self, data: bytes, group: int) -> Callable[[float], None]:
+        """What happens when a message comes."""
+
+        def arrive(now: float) -> None:
+            message = read(data)
+            if message is not None:
+                self.task.hear(message, now, group=group)
+
+        return arrive
+
+    def see(self, user: int, ray: Ray) -> Callable[[float], None]:
+        """What happens when a pose comes."""
+
+        def arrive(now: float) -> None:
+            del now
+            self.rays[user] = ray
+
+        return arrive
+
+
+def simulate(
+    settings: Settings | None = None,
+    *,
+    person: Person | None = None,
+    groups: int = 2,
+    seed: int = 0,
+    leg: tuple[float, float] = LEG,
+) -> list[Outcome]:
+    """Let simulated users collect spheres, faster than in real time and always with the same outcome.
+
+    Parameters
+    ----------
+    settings
+        The task; by default the published one.
+    person
+        Numbers of the users; by default those of the literature.
+    groups
+        Groups at the same time, with `settings.users` users each.
+    seed
+        Seed of all that users and messages do by chance; that of spheres and seats is the settings' own.
+    leg
+        Mean and standard deviation of the seconds from a user to the server or back.
+
+    Returns
+    -------
+    list[Outcome]
+        Trials in order, group by group.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For other groups than 1 to 64, times below 0 or above 10 s, and arguments of another type.
+    """
+    chosen = Settings() if settings is None else check.instance("settings", settings, Settings)
+    people = Person() if person is None else check.instance("person", person, Person)
+    number, seeded = check.integer("groups", groups, 1, 64), check.integer("seed", seed, 0, 2**32 - 1)
+    if not isinstance(leg, tuple | list) or len(leg) != 2:
+        raise TypeError(f"leg: expected a mean and a standard deviation, got {check.described(leg)}")
+    mean, deviation = (check.within("leg", value, 0.0, 10.0) for value in leg)
+    found = []
+    for group in range(1, number + 1):
+        found += _group(chosen, people, group, seeded, (mean, deviation))
+    return found
+
+
+def _group(settings: Settings, person: Person, group: int, seed: int, leg: tuple[float, float]) -> list[Outcome]:
+    """A group's trials; groups hear nothing of each other but scores, which change nothing."""
+    first = 1 + (group - 1) * settings.users
+    users = [_User(first + n, group, person, seed) for n in range(settings.users)]
+    network = _Network(leg, seed * 64 + group)
+    conductor = users[0]
+    for user in users:
+        for other in users:
+            user.task.joined(other.task.user)
+
+    def say(messages: list[Message], now: float) -> None:
+        for message in messages:
+            data = write(message)
+            for user in users[1:]:
+                network.send(now, conductor.task.user, user.task.user, user.hear(data, group))
+
+    say(conductor.task.start(settings, 0.0), 0.0)
+    steps = 0
+    while not conductor.task.is_over:
+        steps += 1
+        now = steps / RATE
+        network.deliver(now)
+        for user in users:
+            stance = user.player.stance(user.task, now)
+            if stance is None:
+                continue
+            arrive = conductor.see(user.task.user, stance.ray)
+            if user is conductor:
+                arrive(now)
+            else:
+                network.send(now, user.task.user, conductor.task.user, arrive)
+        say(conductor.task.conduct(now, conductor.rays), now)
+    return outcomes(conductor.task)

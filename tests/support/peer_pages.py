@@ -1,0 +1,96 @@
+"""A bundle of several megabytes that is drawn in no time, and pages that exchange its files."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from tests.support.browser import opened, wait_until
+
+RADII = (4.0, 7.0, 10.0, 13.0)
+PANELS = 3
+"""Panels that begin in each ring."""
+SIZE = (96, 64)
+
+TOLD = """() => {
+  const { room, viewer } = window.nearfar ?? {};
+  if (!room) return null;
+  const { refusal, open, dropped, counts } = room.peers;
+  return { user: room.connection.state.user ?? null, refusal: refusal === undefined ? 'unknown' : refusal, open,
+    dropped: Object.fromEntries(dropped), ...counts, arrived: viewer.facts.arrived };
+}"""
+
+
+def panels(texels: int = 320) -> nf.Scene:
+    """A floor and panels around the origin, each with a picture of noise, which no compression makes smaller."""
+    draw = np.random.default_rng(3)
+    builder = nf.SceneBuilder()
+    uvs = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
+    faces = [[0, 1, 2], [0, 2, 3]]
+    builder.instance(builder.mesh([[-20, 0, -20], [-20, 0, 20], [20, 0, 20], [20, 0, -20]], faces), name="floor")
+    for number in range(PANELS * len(RADII)):
+        image = np.full((texels, texels, 4), 255, np.uint8)
+        image[..., :3] = draw.integers(0, 256, (texels, texels, 3))
+        corners = np.column_stack([uvs * (1.2, 1.2) + (-0.6, 1.0), np.zeros(4)])
+        mesh = builder.mesh(corners, faces, material=builder.material(texture=image), uvs=uvs)
+        turn, away = 2.4 * number, RADII[number // PANELS] - 1.5
+        place = np.eye(4)
+        place[:3, :3] = [[np.cos(turn), 0, np.sin(turn)], [0, 1, 0], [-np.sin(turn), 0, np.cos(turn)]]
+        place[:3, 3] = -away * np.sin(turn), 0, -away * np.cos(turn)
+        builder.instance(mesh, place, name=f"panel {number}")
+    return builder.build()
+
+
+def export(folder: Path) -> nf.stream.Bundle:
+    """The bundle of the panels: its pictures are files of their own."""
+    settings: dict[str, Any] = {"quality": None, "pixels_per_degree": None, "samples": 1, "face_size": 64}
+    return nf.stream.export(panels(), folder, center=(0.0, 1.7, 0.0), radii=RADII, **settings)
+
+
+class PeerPage:
+    """A page that has opened a room, and what its files took."""
+
+    def __init__(self, page: Any) -> None:
+        self.page = page
+        self.files: list[str] = []
+        """Names of the files that the server was asked for."""
+        page.on("request", lambda request: self._count(request.url))
+
+    def _count(self, url: str) -> None:
+        found = re.search(r"/(files/[\w.]+)$", url)
+        if found:
+            self.files.append(found[1])
+
+    def open(self, url: str, room: str, more: str = "") -> None:
+        """Go to a room; nothing is waited for."""
+        self.page.goto(f"{url}?aa=0&strategy=clovrd&room={room}{more}", wait_until="commit")
+
+    def told(self) -> dict[str, Any] | None:
+        """Facts of the exchange; None before the page is in the room."""
+        found = self.page.evaluate(TOLD)
+        return None if found is None else dict(found)
+
+    def wait(self, ring: int = len(RADII)) -> dict[str, Any]:
+        """Wait until a ring is there; the facts then."""
+        wait_until(self.page, lambda: (self.told() or {"arrived": -1})["arrived"] >= ring)
+        assert self.page.evaluate("() => document.querySelector('#message').textContent") == ""
+        return self.told() or {}
+
+
+@contextmanager
+def peer_page(chromium: Any, size: tuple[int, int] = SIZE) -> Iterator[PeerPage]:
+    """A page in a context of its own, which shares no cache with others."""
+    with opened(chromium, *size) as page:
+        yield PeerPage(page)
+
+
+def bytes_of(folder: Path, pages: list[PeerPage]) -> int:
+    """Bytes of the files of a bundle in a folder that the server was asked for."""
+    return sum((folder / name).stat().st_size for page in pages for name in page.files)

@@ -1,0 +1,159 @@
+"""Pages collect a sphere together: they start, aim, miss and see both scores."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import ExitStack
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.serve._rooms import Rooms
+from nearfar.serve._server import Server
+from nearfar.serve._site import Site
+from tests.support.browser import opened, wait_for_ring, wait_until
+from tests.support.room_pages import RoomPage, has_changed
+
+pytestmark = pytest.mark.slow
+
+SIZE = (480, 320)
+DESKTOP, PHONE = (1280, 800), (390, 844)
+CENTER = (3.0, 1.7, -2.0)
+RADII = (10.0, 22.0)
+ZONES = (0.7 * RADII[-1], RADII[-1])
+START = {"position": list(CENTER), "yaw": 0.0, "pitch": 0.0}
+
+TASK = """() => {
+  const { task } = window.nearfar.room.activity;
+  const { user, conductor, needed, seat, aims, misses, count, sphere, trial } = task ?? {};
+  const place = task?.place(performance.now() / 1000) ?? null;
+  return { user, conductor, needed, seat, aims, misses, count, level: sphere?.level, place, over: trial?.over };
+}"""
+
+
+@pytest.fixture(scope="module")
+def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    folder = tmp_path_factory.mktemp("collect") / "bundle"
+    nf.stream.export(nf.datasets.city(blocks=3, detail=1), folder, center=CENTER, radii=RADII, face_size=256)
+    with Server({"": Site.of_bundle(folder)}, rooms=Rooms()) as server:
+        yield f"{server.url}?aa=0&strategy=clovrd&task=collect"
+
+
+class Player(RoomPage):
+    """A page whose user looks at the sphere, or away from it."""
+
+    def task(self) -> dict[str, Any]:
+        """Draw a frame; the state of the task."""
+        self.step()
+        return dict(self.page.evaluate(TASK))
+
+    def look(self, away: float = 0.0) -> None:
+        """Turn to the sphere, or some radians beside it."""
+        found = self.task()
+        eye = found["seat"]
+        x, y, z = np.subtract(found["place"], eye)
+        yaw, pitch = float(np.arctan2(-x, -z)) + away, float(np.arctan2(y, np.hypot(x, z)))
+        self.pose = {"position": eye, "yaw": yaw, "pitch": pitch}
+
+
+def started(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -> list[Player]:
+    """Pages of one group, the conductor first, whose first trial has begun."""
+    players = []
+    for name in names:
+        page = stack.enter_context(opened(chromium, *SIZE))
+        page.goto(f"{url}&name={name}")
+        assert wait_for_ring(page, len(RADII)) == ""
+        wait_until(page, lambda page=page: page.evaluate("() => Boolean(window.nearfar?.room?.activity)"))
+        players.append(Player(page, dict(START)))
+    first = players[0].page
+    wait_until(first, lambda: all(player.task()["user"] is not None for player in players))
+    players.sort(key=lambda player: player.task()["user"])
+    button = players[0].page.get_by_role("button", name="Start")
+    wait_until(first, lambda: players[0].step() and button.is_visible())
+    for player in players[1:]:
+        player.step()
+        assert player.page.get_by_role("button", name="Start").is_hidden()
+    button.click()
+    wait_until(first, lambda: all(player.task()["place"] for player in players))
+    return players
+
+
+def test_two_pages_collect_a_sphere(chromium: Any, url: str) -> None:
+    with ExitStack() as stack:
+        other = stack.enter_context(opened(chromium, *SIZE))
+        other.goto(f"{url}&rings=0&room=two&group=2")
+        ada, bob = started(chromium, stack, f"{url}&room=two&group=1&hold=0.2&pause=0", ("Ada", "Bob"))
+        state = ada.task()
+        assert (state["level"], state["needed"], state["aims"]) == ("easy", 2, [])
+        for player in (ada, bob):
+            assert np.all(np.abs(np.subtract(player.task()["seat"], CENTER)) <= (2.5, 1e-6, 1.0))
+        ada.look()
+        # Beside the sphere at first, whose radius is 0.3 m at some 8 m.
+        bob.look(away=0.1)
+        both = (ada, bob)
+        wait_until(ada.page, lambda: all(player.task()["aims"] == [state["user"]] for player in both))
+        mask = np.abs(ada.picture() - without_guests(ada)).max(axis=-1) > 20
+        assert has_changed(mask, ada.pixel_of(state["place"], CENTER, ZONES)[0], 1.5)
+        assert ada.task()["count"] == 0
+        ada.look(away=-0.1)
+        wait_until(ada.page, lambda: all(player.task()["misses"] == 1 for player in both))
+        for player in both:
+            player.look()
+        wait_until(ada.page, lambda: all(player.task()["count"] == 1 for player in both))
+        for player in both:
+            wait_until(player.page, lambda player=player: player.step() and figure(player.page, "Spheres") == "1")
+        wait_until(other, lambda: "Group 1: 1 spheres, 1 misses" in other.locator(".collect").inner_text())
+        assert ada.task()["level"] == "hard"
+        # The next lowest number conducts on.
+        ada.page.close()
+        wait_until(bob.page, lambda: bob.task()["conductor"] == bob.task()["user"])
+        assert bob.task()["count"] == 1
+        assert ada.page.printed + bob.page.printed + other.printed == []
+
+
+def without_guests(player: Player) -> Any:
+    player.page.evaluate("() => window.nearfar.viewer.setGuests(null)")
+    picture = player.picture()
+    player.page.evaluate("() => window.nearfar.room.begin(window.nearfar.room.activity)")
+    return picture
+
+
+def figure(page: Any, name: str) -> str:
+    """A figure of the card."""
+    return str(page.locator(f".collect-figures div:has(dt:text-is('{name}')) dd").inner_text())
+
+
+@pytest.mark.parametrize("size", [DESKTOP, PHONE])
+def test_the_card_fits_and_ends_with_the_trial_s_figures(chromium: Any, url: str, size: tuple[int, int]) -> None:
+    with opened(chromium, *size) as page:
+        page.goto(f"{url}&room=alone{size[0]}&users=1&trials=1&hold=0&radius=100&pause=0&duration=2&rings=1")
+        page.get_by_role("button", name="Start").click()
+        card = page.get_by_role("region", name="Sphere collection")
+        assert re.match(r"\d:\d\d", figure(page, "Left"))
+        is_inside(card, page, size)
+        card.get_by_role("table").wait_for()
+        is_inside(card, page, size)
+        rows = card.get_by_role("row").all_inner_texts()
+        assert [row.split()[0].lower() for row in rows] == ["level", "easy", "intermediate", "hard"]
+        assert re.search(r"[\d.]+ frames a second", card.inner_text())
+        assert card.get_by_role("button", name="Start").is_visible()
+        assert page.printed == []
+
+
+def is_inside(card: Any, page: Any, size: tuple[int, int]) -> None:
+    box, tools = card.bounding_box(), page.locator(".tools").bounding_box()
+    assert box["x"] >= 0
+    assert box["y"] >= 0
+    assert box["x"] + box["width"] <= size[0]
+    assert box["y"] + box["height"] <= tools["y"]
+
+
+def test_rules_that_there_cannot_be_are_told(chromium: Any, url: str) -> None:
+    with opened(chromium, *SIZE) as page:
+        page.goto(f"{url}&rings=0&room=wrong&users=0")
+        page.get_by_text("users: expected a whole number from 1 to 64").first.wait_for()
+        assert page.evaluate("() => window.nearfar.room.activity") is None
+        assert page.printed == []

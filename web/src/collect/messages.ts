@@ -1,0 +1,259 @@
+/** Messages of the sphere collection as bytes that users say in a room: the tables of docs/collect.md. */
+import type { Vector } from '../control/vector';
+import { FrameError, Reader, Writer } from '../rooms/bytes';
+
+/** First byte of all messages of the task, and their version. */
+const [MARK, VERSION] = [0xc5, 1] as const;
+/** Greatest coordinate, speed, radius and time: metres and seconds. */
+const [FARTHEST, FASTEST, LARGEST] = [1e6, 100, 1000] as const;
+export const LONGEST = 86400;
+/** Most users of a group who have seats. */
+export const MOST_USERS = 64;
+/** Greatest number of spheres and misses that messages can hold. */
+export const MOST_COUNTED = 0xffff;
+
+/** Levels and reasons in the order of their numbers; `told` for all other reasons. */
+export const LEVELS = ['easy', 'intermediate', 'hard'] as const;
+export type Level = (typeof LEVELS)[number];
+const EVENTS = ['told', 'selected', 'lost'] as const;
+export type Event = (typeof EVENTS)[number];
+
+/** The run and the trial that a message belongs to; a group's next run has a greater number. */
+export interface Stage {
+  readonly run: number;
+  readonly trial: number;
+}
+
+export interface Seat {
+  readonly user: number;
+  /** Of the eyes, metres from the scene's origin. */
+  readonly position: Vector;
+}
+
+/** Collected spheres of a level, and the sum of their times. */
+export interface Tally {
+  readonly spheres: number;
+  readonly misses: number;
+  readonly seconds: number;
+}
+export type Tallies = readonly [Tally, Tally, Tally];
+
+/** Least and greatest coordinates. */
+export type Box = readonly [Vector, Vector];
+
+export interface Rules {
+  readonly trials: number;
+  readonly users: number;
+  readonly seed: number;
+  readonly duration: number;
+  /** Seconds for which all must aim; from a sphere to the next one; between trials. */
+  readonly hold: number;
+  readonly pause: number;
+  readonly rest: number;
+  readonly radius: number;
+  /** By level, metres a second. */
+  readonly speeds: Vector;
+  /** Of spheres' middles, and of seats. */
+  readonly box: Box;
+  readonly area: Box;
+}
+
+export interface Trial extends Stage, Rules {
+  readonly kind: 'trial';
+  readonly over: boolean;
+  /** Seconds since its begin. */
+  readonly elapsed: number;
+  readonly tallies: Tallies;
+  readonly seats: readonly Seat[];
+}
+
+export interface Sphere extends Stage {
+  readonly kind: 'sphere';
+  readonly number: number;
+  readonly level: Level;
+  /** Seconds since it appeared, at its position. */
+  readonly age: number;
+  readonly position: Vector;
+  readonly velocity: Vector;
+}
+
+export interface Aims extends Stage {
+  readonly kind: 'aims';
+  readonly number: number;
+  readonly event: Event;
+  readonly user: number;
+  readonly misses: number;
+  /** Seconds for which all have aimed; null while not all do. */
+  readonly held: number | null;
+  readonly users: readonly number[];
+}
+
+export interface Collected extends Stage {
+  readonly kind: 'collected';
+  readonly number: number;
+  readonly level: Level;
+  readonly misses: number;
+  readonly seconds: number;
+}
+
+export interface Score extends Stage {
+  readonly kind: 'score';
+  readonly over: boolean;
+  readonly spheres: number;
+  readonly misses: number;
+}
+
+export type Message = Trial | Sphere | Aims | Collected | Score;
+
+const KINDS = { trial: 1, sphere: 2, aims: 3, collected: 4, score: 5 } as const;
+
+/** Who hears a message: scores are for the whole room. */
+export function audienceOf({ kind }: Message): 'group' | 'room' {
+  return kind === 'score' ? 'room' : 'group';
+}
+
+export function write(message: Message): Uint8Array {
+  const out = new Writer();
+  for (const value of [MARK, VERSION, KINDS[message.kind]]) out.u8(value);
+  out.u16(message.run);
+  out.u8(message.trial);
+  if (message.kind === 'trial') writeTrial(out, message);
+  else if (message.kind === 'score') {
+    out.u8(Number(message.over));
+    out.u16(message.spheres);
+    out.u16(message.misses);
+  } else {
+    out.u16(message.number);
+    writePlay(out, message);
+  }
+  return out.done();
+}
+
+function writeTrial(out: Writer, trial: Trial): void {
+  for (const value of [trial.trials, Number(trial.over), trial.users]) out.u8(value);
+  out.u32(trial.seed);
+  const { elapsed, duration, hold, pause, rest, radius } = trial;
+  floats(out, [elapsed, duration, hold, pause, rest, radius], trial.speeds, ...trial.box, ...trial.area);
+  for (const { spheres, misses, seconds } of trial.tallies) {
+    out.u16(spheres);
+    out.u16(misses);
+    out.f32(seconds);
+  }
+  out.u8(trial.seats.length);
+  for (const { user, position } of trial.seats) {
+    out.u16(user);
+    floats(out, position);
+  }
+}
+
+function writePlay(out: Writer, message: Sphere | Aims | Collected): void {
+  if (message.kind === 'sphere') {
+    out.u8(LEVELS.indexOf(message.level));
+    floats(out, [message.age], message.position, message.velocity);
+  } else if (message.kind === 'aims') {
+    out.u8(EVENTS.indexOf(message.event));
+    out.u16(message.user);
+    out.u16(message.misses);
+    out.f32(message.held ?? -1);
+    out.u8(message.users.length);
+    for (const user of message.users) out.u16(user);
+  } else {
+    out.u8(LEVELS.indexOf(message.level));
+    out.u16(message.misses);
+    out.f32(message.seconds);
+  }
+}
+
+/** The message in bytes that were said; null for what is not of the task, a `FrameError` for a damaged message. */
+export function read(bytes: Uint8Array): Message | null {
+  if (bytes[0] !== MARK) return null;
+  const body = new Reader(bytes.subarray(1));
+  if (body.u8() !== VERSION) throw new FrameError('a message of the sphere collection has another version');
+  const kind = body.u8();
+  const message = readBody(body, kind, { run: body.u16(), trial: body.u8() });
+  body.end('a message of the sphere collection is too long');
+  return message;
+}
+
+function readBody(body: Reader, kind: number, stage: Stage): Message {
+  switch (kind) {
+    case KINDS.trial:
+      return readTrial(body, stage);
+    case KINDS.sphere: {
+      const [number, level, age] = [body.u16(), readName(body, LEVELS), readWithin(body, 0, LONGEST)];
+      const [position, velocity] = [readVector(body, FARTHEST), readVector(body, FASTEST)];
+      return { kind: 'sphere', ...stage, number, level, age, position, velocity };
+    }
+    case KINDS.aims:
+      return readAims(body, stage);
+    case KINDS.collected: {
+      const [number, level, misses] = [body.u16(), readName(body, LEVELS), body.u16()];
+      return { kind: 'collected', ...stage, number, level, misses, seconds: readWithin(body, 0, LONGEST) };
+    }
+    case KINDS.score:
+      return { kind: 'score', ...stage, over: readFlag(body), spheres: body.u16(), misses: body.u16() };
+    default:
+      throw new FrameError('a message of the sphere collection is of no kind');
+  }
+}
+
+function readTrial(body: Reader, stage: Stage): Trial {
+  const [trials, over, users, seed] = [body.u8(), readFlag(body), body.u8(), body.u32()];
+  const time = (): number => readWithin(body, 0, LONGEST);
+  const [elapsed, duration, hold, pause, rest] = [time(), time(), time(), time(), time()];
+  const radius = readWithin(body, 0, LARGEST);
+  const speed = (): number => readWithin(body, 0, FASTEST);
+  const speeds = [speed(), speed(), speed()] as const;
+  const corner = (): Vector => readVector(body, FARTHEST);
+  const [box, area]: [Box, Box] = [[corner(), corner()], [corner(), corner()]];
+  const tally = (): Tally => ({ spheres: body.u16(), misses: body.u16(), seconds: time() });
+  const tallies = [tally(), tally(), tally()] as const;
+  const count = body.u8();
+  const seats = Array.from({ length: count }, (): Seat => ({ user: body.u16(), position: corner() }));
+  const isOrdered = [box, area].every(([least, most]) => least.every((low, axis) => low <= (most[axis] ?? low)));
+  const isPossible = stage.trial >= 1 && stage.trial <= trials && users >= 1 && users <= MOST_USERS;
+  if (!isPossible || count > MOST_USERS || radius === 0 || duration === 0 || !isOrdered) {
+    throw new FrameError('a trial is none that there can be');
+  }
+  const rules = { trials, users, seed, duration, hold, pause, rest, radius, speeds, box, area };
+  return { kind: 'trial', ...stage, ...rules, over, elapsed, tallies, seats };
+}
+
+function readAims(body: Reader, stage: Stage): Aims {
+  const [number, event, user, misses] = [body.u16(), readName(body, EVENTS), body.u16(), body.u16()];
+  const time = body.f32();
+  const users = Array.from({ length: body.u8() }, () => body.u16());
+  if (users.length > MOST_USERS || users.some((each, at) => at > 0 && each <= (users[at - 1] ?? 0))) {
+    throw new FrameError('who aims is not in order');
+  }
+  const held = time === -1 ? null : within(time, 0, LONGEST);
+  return { kind: 'aims', ...stage, number, event, user, misses, held, users };
+}
+
+function readName<Name>(body: Reader, names: readonly Name[]): Name {
+  const name = names[body.u8()];
+  if (name === undefined) throw new FrameError('a number stands for nothing');
+  return name;
+}
+
+function readFlag(body: Reader): boolean {
+  return readName(body, [false, true]);
+}
+
+function readVector(body: Reader, most: number): Vector {
+  return [readWithin(body, -most, most), readWithin(body, -most, most), readWithin(body, -most, most)];
+}
+
+function readWithin(body: Reader, low: number, high: number): number {
+  return within(body.f32(), low, high);
+}
+
+function within(value: number, low: number, high: number): number {
+  // Not-a-number is in no range.
+  if (!(value >= low && value <= high)) throw new FrameError('a number is out of its range');
+  return value;
+}
+
+function floats(out: Writer, ...lists: readonly (readonly number[])[]): void {
+  for (const value of lists.flat()) out.f32(value);
+}

@@ -1,0 +1,59 @@
+/** The rules of a trial: the published ones, or those that the address of the page asks for. */
+import type { Vector } from '../control/vector';
+import { type Box, LONGEST, MOST_USERS, type Rules } from './messages';
+
+/** Sizes of the seats along and across the view, and of the box across, up and along it, metres. */
+const [SEATS, BOX] = [[5, 2], [8, 4, 4]] as const;
+/** From the middle of the seats ahead and up to the middle of the box, metres. */
+const [DISTANCE, RISE] = [8, 0.5] as const;
+const SPEEDS = [0, 0.5, 1.5] as const;
+
+/** Numbers that the address may ask for: the published or chosen value, the least and the greatest. */
+const ASKED = {
+  users: [4, 1, MOST_USERS],
+  trials: [3, 1, 255],
+  seed: [0, 0, 0xffffffff],
+  duration: [180, 1, LONGEST],
+  hold: [2, 0, LONGEST],
+  pause: [1.65, 0, LONGEST],
+  rest: [5, 0, LONGEST],
+  radius: [0.3, 0.01, 1000],
+} as const;
+const WHOLE: readonly string[] = ['users', 'trials', 'seed'];
+
+export type Asked = Readonly<Record<keyof typeof ASKED, number>>;
+
+/** What `?users=…&hold=…` ask for; a sentence for numbers that there cannot be. */
+export function readRules(query: URLSearchParams): Asked | string {
+  const found: Record<string, number> = {};
+  for (const [name, [usual, least, most]] of Object.entries(ASKED)) {
+    const text = query.get(name);
+    const value = text === null ? usual : Number(text);
+    const isWhole = Number.isInteger(value) || !WHOLE.includes(name);
+    if (text?.trim() === '' || !isWhole || !(value >= least && value <= most)) {
+      return `${name}: expected a ${WHOLE.includes(name) ? 'whole ' : ''}number from ${least} to ${most}`;
+    }
+    found[name] = value;
+  }
+  return found as Asked;
+}
+
+/** Seats about a place at the height of the eyes, and spheres ahead of it, by quarters of a turn to the left. */
+export function rulesAt(asked: Asked, [x, y, z]: Vector, yaw: number): Rules {
+  const quarter = Math.round(yaw / (Math.PI / 2));
+  const isAcross = quarter % 2 !== 0;
+  const [ahead, aside] = [-Math.cos((quarter * Math.PI) / 2), -Math.sin((quarter * Math.PI) / 2)].map(Math.round);
+  const [wide, deep] = isAcross ? [SEATS[1], SEATS[0]] : SEATS;
+  const [across, high, along] = isAcross ? [BOX[2], BOX[1], BOX[0]] : BOX;
+  const middle: Vector = [x + DISTANCE * (aside ?? 0), y + RISE, z + DISTANCE * (ahead ?? 0)];
+  return {
+    ...asked,
+    speeds: SPEEDS,
+    box: around(middle, [across, high, along]),
+    area: around([x, y, z], [wide, 0, deep]),
+  };
+}
+
+function around([x, y, z]: Vector, [wide, high, deep]: Vector): Box {
+  return [[x - wide / 2, y - high / 2, z - deep / 2], [x + wide / 2, y + high / 2, z + deep / 2]];
+}

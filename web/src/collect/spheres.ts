@@ -1,0 +1,83 @@
+/** Where spheres appear, how they move, who aims at them, and where users have their seats. */
+import type { Vector } from '../control/vector';
+import { minus } from '../control/vector';
+import { uniform } from './draws';
+import { LEVELS, type Box, type Rules, type Seat, type Sphere, type Stage } from './messages';
+
+export interface Ray {
+  readonly begin: Vector;
+  /** A unit vector. */
+  readonly direction: Vector;
+}
+
+/** Levels in turn: easy, hard, intermediate. */
+const TURNS = [0, 2, 1] as const;
+/** Metres that seats are apart, unless so many draws have not found such places. */
+const [APART, TRIES] = [0.7, 32] as const;
+/** Draws of a sphere, and number of the first draw of seats. */
+const [DRAWS, SEATS] = [8, 2 ** 32] as const;
+
+/** The sphere of a number of a trial. */
+export function sphereOf(rules: Rules, stage: Stage, group: number, number: number): Sphere {
+  const draw = drawsOf(rules, stage, group, DRAWS * number);
+  const [least, most] = rules.box;
+  const place = (axis: 0 | 1 | 2): number => least[axis] + draw(axis) * (most[axis] - least[axis]);
+  const level = TURNS[number % TURNS.length] ?? 0;
+  // Directions that are uniform on the sphere have uniform heights (Archimedes).
+  const [up, turn, speed] = [2 * draw(3) - 1, 2 * Math.PI * draw(4), rules.speeds[level]];
+  const across = speed * Math.sqrt(1 - up * up);
+  return {
+    kind: 'sphere',
+    run: stage.run,
+    trial: stage.trial,
+    number,
+    level: LEVELS[level],
+    age: 0,
+    position: [place(0), place(1), place(2)],
+    velocity: [across * Math.cos(turn), speed * up, across * Math.sin(turn)],
+  };
+}
+
+/** Seats of users at random. */
+export function seatsOf(rules: Rules, stage: Stage, group: number, users: readonly number[]): Seat[] {
+  const [least, most] = rules.area;
+  let seats: Seat[] = [];
+  for (let attempt = 0; attempt < TRIES; attempt++) {
+    const draw = drawsOf(rules, stage, group, SEATS + 2 * users.length * attempt);
+    seats = users.map((user, at) => {
+      const [x, z] = [draw(2 * at), draw(2 * at + 1)];
+      return { user, position: [least[0] + x * (most[0] - least[0]), least[1], least[2] + z * (most[2] - least[2])] };
+    });
+    const isApart = seats.every(({ position }, at) =>
+      seats.slice(0, at).every((other) => Math.hypot(...minus(position, other.position)) >= APART),
+    );
+    if (isApart) break;
+  }
+  return seats;
+}
+
+/** Where the middle of a sphere is some seconds after it appeared. */
+export function placeOf({ position, velocity }: Sphere, [least, most]: Box, age: number): Vector {
+  const at = (axis: 0 | 1 | 2): number => folded(position[axis] + age * velocity[axis], least[axis], most[axis]);
+  return [at(0), at(1), at(2)];
+}
+
+/** A coordinate that turns back at both ends of a range. */
+export function folded(at: number, low: number, high: number): number {
+  const length = high - low;
+  if (length <= 0) return low;
+  const turned = (((at - low) % (2 * length)) + 2 * length) % (2 * length);
+  return low + (turned <= length ? turned : 2 * length - turned);
+}
+
+/** Whether a ray of any length meets a sphere. */
+export function isAimed({ begin, direction: [dx, dy, dz] }: Ray, center: Vector, radius: number): boolean {
+  const [x, y, z] = minus(center, begin);
+  const [along, square] = [x * dx + y * dy + z * dz, x * x + y * y + z * z];
+  return square <= radius * radius || (along > 0 && square - along * along <= radius * radius);
+}
+
+function drawsOf({ seed }: Rules, { run, trial }: Stage, group: number, first: number): (number: number) => number {
+  const cell = group * 2 ** 24 + run * 2 ** 8 + trial;
+  return (number) => uniform(seed, cell, first + number);
+}

@@ -1,0 +1,246 @@
+/** The sphere collection in the page. A script of its own, for those who play it. */
+import type { Point } from '../bundle/manifest';
+import type { Pose } from '../control/pose';
+import { minus, type Vector } from '../control/vector';
+import type { Activity } from '../rooms/activity';
+import { FrameError } from '../rooms/bytes';
+import type { FromServer } from '../rooms/frames';
+import type { Place } from '../rooms/hold';
+import type { Body } from '../rooms/pose';
+import { rotated } from '../rooms/rotation';
+import type { Host, Room } from '../rooms/start';
+import { make } from '../ui/dom';
+import { pointBeside } from './aim';
+import { createBall } from './ball';
+import { audienceOf, type Message, read, type Trial, write } from './messages';
+import { createPanel, type Told, type TrialTold } from './panel';
+import { type Asked, readRules, rulesAt } from './rules';
+import type { Ray } from './spheres';
+import { Task } from './task';
+
+/** Seconds between two updates of the card. */
+const CARD_EVERY = 0.1;
+
+export interface Collecting extends Activity {
+  /** The state of the task; null before the user is in the room. */
+  readonly task: Task | null;
+}
+
+/** Let the users of a room collect spheres, by the rules of the page's address. */
+export function begin(room: Room, host: Host): Collecting | null {
+  document.head.append(make('link', { rel: 'stylesheet', href: new URL('collect.css', import.meta.url).href }));
+  const asked = readRules(new URLSearchParams(location.search));
+  if (typeof asked === 'string') {
+    host.announce(asked);
+    return null;
+  }
+  return collect(room, host, asked);
+}
+
+function collect(room: Room, host: Host, asked: Asked): Collecting {
+  const { viewer } = host;
+  const ball = createBall(viewer.shared);
+  const rays = new Map<number, Ray>();
+  const groups = new Map<number, number>();
+  const frames = createFrames();
+  const panel = createPanel(host.root, start);
+  let task: Task | null = null;
+  let pose: Pose | null = null;
+  let seated = '';
+  let toldAt = -Infinity;
+
+  function start(): void {
+    if (!task || !pose || !canStart(task)) return;
+    const middle = viewer.facts.entry?.center ?? pose.position;
+    const now = seconds();
+    say(task.start(rulesAt(asked, middle, pose.yaw), now));
+    follow(task, now);
+  }
+
+  /** Whoever conducts may start where no trial runs or is to come. */
+  function canStart(of: Task): boolean {
+    const isEnough = of.present.size >= Math.min(asked.users, 2);
+    return of.user === of.conductor && isEnough && (of.trial === null || of.isOver);
+  }
+
+  function say(messages: readonly Message[]): void {
+    for (const message of messages) room.connection.say(write(message), audienceOf(message));
+  }
+
+  function conduct(now: number): void {
+    if (!task || room.connection.state.kind !== 'here') return;
+    say(task.conduct(now, rays));
+    follow(task, now);
+  }
+
+  /** Take the seat of a trial that has begun. */
+  function follow(of: Task, now: number): void {
+    const { trial, seat } = of;
+    const stage = trial ? `${trial.run} ${trial.trial}` : '';
+    if (stage === seated) return;
+    seated = stage;
+    frames.restart(now);
+    if (!seat || !trial) return;
+    const [x, , z] = minus(middleOf(trial), seat);
+    host.go({ position: seat, yaw: Math.atan2(-x, -z), pitch: 0 });
+    host.announce(`Trial ${trial.trial} of ${trial.trials}: all aim at the sphere at the same time`);
+  }
+
+  function listen(user: number, payload: Uint8Array, now: number): void {
+    const group = groups.get(user);
+    if (!task || group === undefined) return;
+    try {
+      const message = read(payload);
+      if (message) task.hear(message, now, group);
+    } catch (error) {
+      // Whoever says what is none cannot stop the others.
+      if (!(error instanceof FrameError)) throw error;
+    }
+    follow(task, now);
+  }
+
+  function enter(user: number): void {
+    groups.clear();
+    rays.clear();
+    // Who comes back goes on from what it heard; with another number it is somebody else.
+    if (task?.user === user) for (const other of [...task.present]) task.left(other);
+    else task = new Task(user, room.address.group);
+  }
+
+  function show(of: Task | null, now: number): void {
+    const { trial, heldSince } = of ?? { trial: null, heldSince: null };
+    if (!of || !trial) return;
+    const held = heldSince === null ? 0 : (now - heldSince) / Math.max(trial.hold, 1e-3);
+    ball.show(of.place(now), trial.radius, of.aims.length / of.needed, Math.min(held, 1));
+  }
+
+  function told(now: number): Told {
+    const isHere = room.connection.state.kind === 'here';
+    if (!task || !isHere) return { words: 'Not in the room', canStart: false, trial: null, others: '' };
+    const { group } = task;
+    const others = [...task.scores]
+      .filter(([other]) => other !== group)
+      .sort(([a], [b]) => a - b)
+      .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
+    const { roundTrips } = room.connection;
+    const trial = task.trial && trialTold(task, task.trial, now, frames.rate, roundTrips.median);
+    return { words: wordsOf(task, canStart(task)), canStart: canStart(task), trial, others: others.join(' · ') };
+  }
+
+  const collecting: Collecting = {
+    get task() {
+      return task;
+    },
+    get meshes() {
+      return ball.meshes;
+    },
+    get isPointing() {
+      return task?.trial?.over === false;
+    },
+    place: (center: Point) => ball.place(center),
+    heard(frame: FromServer, now: number) {
+      if (frame.kind === 'welcome') enter(frame.user);
+      else if (frame.kind === 'joined') {
+        groups.set(frame.user, frame.group);
+        if (frame.group === room.address.group) task?.joined(frame.user);
+      } else if (frame.kind === 'left') {
+        groups.delete(frame.user);
+        rays.delete(frame.user);
+        task?.left(frame.user);
+      } else if (frame.kind === 'pose') {
+        see(rays, frame.user, frame.pose);
+        // Frames do not come to a hidden page, but poses do.
+        conduct(now);
+      } else if (frame.kind === 'say') listen(frame.user, frame.payload, now);
+    },
+    frame(at: Pose, body: Body, now: number) {
+      pose = at;
+      if (task) see(rays, task.user, body);
+      conduct(now);
+      if (task?.trial?.over === false) frames.count(now);
+      show(task, now);
+      if (now - toldAt < CARD_EVERY) return;
+      toldAt = now;
+      panel.update(told(now));
+    },
+    targetAt(from: Pose, place: Place): Vector | null {
+      const sphere = task?.place(seconds());
+      return sphere ? pointBeside(viewer, host.nearShare, from, place, sphere) : null;
+    },
+  };
+  const { state } = room.connection;
+  if (state.kind === 'here') {
+    enter(state.user);
+    for (const { number, group } of room.presence.guests) {
+      collecting.heard({ kind: 'joined', user: number, group, name: '' }, seconds());
+    }
+  }
+  room.begin(collecting);
+  return collecting;
+}
+
+/** Keep the pointer of a user, if it points. */
+function see(rays: Map<number, Ray>, user: number, body: Body): void {
+  const from = body.pointer && body[body.pointer.begin];
+  if (!from) {
+    rays.delete(user);
+    return;
+  }
+  // Frames hold quaternions whose length is 1 to a tenth.
+  const [x, y, z] = rotated(from.rotation, [0, 0, -1]);
+  const size = Math.hypot(x, y, z) || 1;
+  rays.set(user, { begin: from.position, direction: [x / size, y / size, z / size] });
+}
+
+function middleOf({ box: [least, most] }: Trial): Vector {
+  return [(least[0] + most[0]) / 2, (least[1] + most[1]) / 2, (least[2] + most[2]) / 2];
+}
+
+function wordsOf(task: Task, canStart: boolean): string {
+  if (task.trial && !task.trial.over) return task.seat ? '' : 'You have a seat from the next trial on';
+  if (task.trial && !task.isOver) return 'The next trial begins in a moment';
+  if (canStart) return `${task.present.size} of your group are here. Look to where spheres shall be, and start.`;
+  return task.user === task.conductor ? 'Waiting for others of your group' : `#${task.conductor} starts the trials`;
+}
+
+function trialTold(task: Task, trial: Trial, now: number, frames: number | null, roundTrip: number | null): TrialTold {
+  return {
+    title: `Trial ${trial.trial} of ${trial.trials}`,
+    left: trial.duration - task.elapsed(now),
+    level: task.sphere?.level ?? '',
+    aiming: task.sphere ? `${task.aims.length}/${task.needed}` : '',
+    spheres: task.count,
+    misses: task.missed + task.misses,
+    over: trial.over,
+    tallies: trial.tallies,
+    frames,
+    roundTrip,
+  };
+}
+
+interface Frames {
+  /** Frames a second since the restart; null before the second one. */
+  readonly rate: number | null;
+  restart(now: number): void;
+  count(now: number): void;
+}
+
+function createFrames(): Frames {
+  let [counted, first, last] = [0, 0, 0];
+  return {
+    get rate() {
+      return counted > 0 && last > first ? counted / (last - first) : null;
+    },
+    restart(now) {
+      [counted, first, last] = [0, now, now];
+    },
+    count(now) {
+      counted += 1;
+      last = now;
+    },
+  };
+}
+
+function seconds(): number {
+  return performance.now() / 1000;
+}

@@ -1,0 +1,277 @@
+/** The state of the task as a user has heard it, and what its conductor says next. It knows neither room nor clock. */
+import type { Vector } from '../control/vector';
+import {
+  type Aims,
+  type Collected,
+  type Event,
+  LEVELS,
+  LONGEST,
+  type Message,
+  MOST_COUNTED,
+  MOST_USERS,
+  type Rules,
+  type Score,
+  type Sphere,
+  type Stage,
+  type Tallies,
+  type Trial,
+} from './messages';
+import { isAimed, placeOf, type Ray, seatsOf, sphereOf } from './spheres';
+
+/** Least seconds from a collected sphere to the next one, so that no rules let a conductor speak without end. */
+const LEAST_PAUSE = 0.05;
+
+/** The last pointers of users by their numbers; users who point nowhere are missing. */
+export type Rays = ReadonlyMap<number, Ray>;
+
+const NOTHING: Tallies = [0, 1, 2].map(() => ({ spheres: 0, misses: 0, seconds: 0 })) as unknown as Tallies;
+
+/** A group's task. Times are seconds on the clock of whoever calls; a message counts as said when it is heard. */
+export class Task {
+  /** Users of the group who are there. */
+  readonly present = new Set<number>();
+  /** The last scores by group. */
+  readonly scores = new Map<number, Score>();
+  trial: Trial | null = null;
+  sphere: Sphere | null = null;
+  /** Users who aim at the sphere, in ascending order, and its misses. */
+  aims: readonly number[] = [];
+  misses = 0;
+  /** When the last of all users who are needed began to aim; null while not all do. */
+  heldSince: number | null = null;
+  private began = 0;
+  private appeared = 0;
+  private nextAt = 0;
+  private isToTell = false;
+
+  constructor(
+    readonly user: number,
+    readonly group: number,
+  ) {
+    this.present.add(user);
+  }
+
+  /** The user who makes and judges spheres: the lowest number of those who play and are there, or of all. */
+  get conductor(): number {
+    const playing = this.seated();
+    return Math.min(...(playing.length > 0 ? playing : this.present));
+  }
+
+  /** Users who must aim at once: as many as the trial asks, or all who play and are there, but two of several. */
+  get needed(): number {
+    return this.trial ? Math.min(this.trial.users, Math.max(this.seated().length, 2)) : 0;
+  }
+
+  /** Whether the last trial has ended. */
+  get isOver(): boolean {
+    return this.trial !== null && this.trial.over && this.trial.trial === this.trial.trials;
+  }
+
+  /** Where the user's eyes belong. */
+  get seat(): Vector | null {
+    return this.trial?.seats.find(({ user }) => user === this.user)?.position ?? null;
+  }
+
+  /** Spheres that were collected in the trial, which is the number of the next one. */
+  get count(): number {
+    return this.trial?.tallies.reduce((sum, { spheres }) => sum + spheres, 0) ?? 0;
+  }
+
+  /** Misses of the spheres that were collected in the trial. */
+  get missed(): number {
+    return Math.min(this.trial?.tallies.reduce((sum, { misses }) => sum + misses, 0) ?? 0, MOST_COUNTED);
+  }
+
+  /** Seconds of the trial that have passed. */
+  elapsed(now: number): number {
+    return now - this.began;
+  }
+
+  /** Where the middle of the sphere is; null without one. */
+  place(now: number): Vector | null {
+    return this.trial && this.sphere && placeOf(this.sphere, this.trial.box, now - this.appeared);
+  }
+
+  /** A user of the group is there, who may have heard nothing. */
+  joined(user: number): void {
+    if (this.trial && this.conductor === this.user) this.isToTell = true;
+    this.present.add(user);
+  }
+
+  /** A user of the group is gone. */
+  left(user: number): void {
+    if (user !== this.user) this.present.delete(user);
+  }
+
+  /** Begin the first trial of a run for all who are there; what the conductor says then. */
+  start(rules: Rules, now: number): Message[] {
+    const run = this.trial ? (this.trial.run + 1) % (MOST_COUNTED + 1) : 1;
+    return this.said(this.begun(rules, { run, trial: 1 }), now);
+  }
+
+  /** What the user says as conductor, which it has heard itself then; nothing from all others. */
+  conduct(now: number, rays: Rays): Message[] {
+    const said = this.isToTell ? this.told(now) : [];
+    this.isToTell = false;
+    while (this.user === this.conductor) {
+      const message = this.decide(now, rays);
+      if (!message) break;
+      said.push(...this.said(message, now));
+    }
+    return said;
+  }
+
+  /** Follow what somebody said; messages of an earlier run, trial or sphere do nothing. */
+  hear(message: Message, now: number, group = this.group): void {
+    if (message.kind === 'score') {
+      this.scores.set(group, message);
+    } else if (group !== this.group) {
+      return;
+    } else if (message.kind === 'trial') {
+      if (!this.trial || !isEarlier(message, this.trial)) this.hearTrial(message, now);
+    } else if (this.trial && !this.trial.over && isSameStage(message, this.trial)) {
+      this.hearPlay(message, this.trial, now);
+    }
+  }
+
+  private hearTrial(trial: Trial, now: number): void {
+    if (!this.trial || !isSameStage(trial, this.trial) || trial.over) {
+      this.sphere = null;
+      this.nextAt = trial.elapsed === 0 ? now : now + Math.max(trial.pause, LEAST_PAUSE);
+      this.rest();
+    }
+    this.trial = trial;
+    this.began = now - trial.elapsed;
+  }
+
+  private hearPlay(message: Sphere | Aims | Collected, trial: Trial, now: number): void {
+    const known = this.sphere?.number ?? -1;
+    if (message.kind === 'sphere') {
+      if (message.number <= known || message.number < this.count) return;
+      this.sphere = message;
+      this.appeared = now - message.age;
+      this.rest();
+    } else if (message.kind === 'aims') {
+      if (message.number !== known) return;
+      this.aims = message.users;
+      this.misses = message.misses;
+      this.heldSince = message.held === null ? null : now - message.held;
+    } else if (message.number >= this.count && message.number < MOST_COUNTED) {
+      this.hearCollected(message, trial, now);
+    }
+  }
+
+  private hearCollected({ level, misses, seconds }: Collected, trial: Trial, now: number): void {
+    const tallies = trial.tallies.map((tally, at) => {
+      if (LEVELS[at] !== level) return tally;
+      return {
+        spheres: tally.spheres + 1,
+        misses: Math.min(tally.misses + misses, MOST_COUNTED),
+        seconds: Math.min(tally.seconds + seconds, LONGEST),
+      };
+    });
+    this.trial = { ...trial, tallies: tallies as unknown as Tallies };
+    this.sphere = null;
+    this.nextAt = now + Math.max(trial.pause, LEAST_PAUSE);
+    this.rest();
+  }
+
+  private rest(): void {
+    this.aims = [];
+    this.misses = 0;
+    this.heldSince = null;
+  }
+
+  private seated(): number[] {
+    return this.trial?.seats.map(({ user }) => user).filter((user) => this.present.has(user)) ?? [];
+  }
+
+  /** A message, heard by the user itself, and the score that follows from it. */
+  private said(message: Message, now: number): Message[] {
+    this.hear(message, now);
+    if (!this.trial || (message.kind !== 'trial' && message.kind !== 'collected')) return [message];
+    const { run, trial, over } = this.trial;
+    const score: Score = { kind: 'score', run, trial, over, spheres: this.count, misses: this.missed };
+    this.hear(score, now);
+    return [message, score];
+  }
+
+  /** All that somebody must hear who has just come. */
+  private told(now: number): Message[] {
+    if (!this.trial) return [];
+    const told: Message[] = [{ ...this.trial, elapsed: Math.min(this.elapsed(now), LONGEST) }];
+    if (this.sphere) {
+      told.push({ ...this.sphere, age: Math.min(now - this.appeared, LONGEST) });
+      told.push(this.aiming(this.sphere, 'told', 0, this.aims, now));
+    }
+    return told;
+  }
+
+  private begun(rules: Rules, stage: Stage): Trial {
+    const users = [...this.present].sort((a, b) => a - b).slice(0, MOST_USERS);
+    const seats = seatsOf(rules, stage, this.group, users);
+    return { ...rules, ...stage, kind: 'trial', over: false, elapsed: 0, tallies: NOTHING, seats };
+  }
+
+  /** The next message that the state asks for; null if there is none now. */
+  private decide(now: number, rays: Rays): Message | null {
+    const { trial, sphere } = this;
+    if (!trial) return null;
+    const elapsed = this.elapsed(now);
+    if (trial.over) {
+      const isNext = trial.trial < trial.trials && elapsed >= trial.duration + trial.rest;
+      return isNext ? this.begun(trial, { run: trial.run, trial: trial.trial + 1 }) : null;
+    }
+    if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, LONGEST) };
+    if (sphere) return this.judge(trial, sphere, now, rays);
+    return now >= this.nextAt && this.count < MOST_COUNTED ? sphereOf(trial, trial, this.group, this.count) : null;
+  }
+
+  private judge(trial: Trial, sphere: Sphere, now: number, rays: Rays): Message | null {
+    const center = placeOf(sphere, trial.box, now - this.appeared);
+    const found = this.seated().filter((user) => {
+      const ray = rays.get(user);
+      return ray !== undefined && isAimed(ray, center, trial.radius);
+    });
+    const lost = this.aims.find((user) => !found.includes(user));
+    if (lost !== undefined) {
+      const users = this.aims.filter((user) => user !== lost);
+      // Who is gone has lost nothing.
+      return this.aiming(sphere, this.present.has(lost) ? 'lost' : 'told', lost, users, now);
+    }
+    const [selected] = found.filter((user) => !this.aims.includes(user)).sort((a, b) => a - b);
+    if (selected !== undefined) {
+      const users = [...this.aims, selected].sort((a, b) => a - b);
+      return this.aiming(sphere, 'selected', selected, users, now);
+    }
+    if (this.aims.length >= this.needed !== (this.heldSince !== null)) {
+      return this.aiming(sphere, 'told', 0, this.aims, now);
+    }
+    if (this.heldSince === null || now - this.heldSince < trial.hold) return null;
+    const { run, trial: played } = trial;
+    const seconds = Math.min(now - this.appeared, LONGEST);
+    const { number, level } = sphere;
+    return { kind: 'collected', run, trial: played, number, level, misses: this.misses, seconds };
+  }
+
+  private aiming(sphere: Sphere, event: Event, user: number, users: readonly number[], now: number): Aims {
+    const { run, trial, number } = sphere;
+    const held = users.length >= this.needed ? now - (this.heldSince ?? now) : null;
+    const misses = Math.min(this.misses + Number(event === 'lost'), MOST_COUNTED);
+    return { kind: 'aims', run, trial, number, event, user, misses, held, users };
+  }
+}
+
+function isSameStage(a: Stage, b: Stage): boolean {
+  return a.run === b.run && a.trial === b.trial;
+}
+
+/** Whether a message of a trial tells less than another one. */
+function isEarlier(a: Trial, b: Trial): boolean {
+  const age = ({ run, trial, over, tallies }: Trial): number[] => [
+    run, trial, Number(over), tallies.reduce((sum, { spheres }) => sum + spheres, 0),
+  ];
+  const [own, other] = [age(a), age(b)];
+  const at = own.findIndex((value, place) => value !== other[place]);
+  return at >= 0 && (own[at] ?? 0) < (other[at] ?? 0);
+}

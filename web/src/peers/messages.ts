@@ -1,0 +1,94 @@
+/** Messages between two pages, as bytes. docs/peers.md has a table of every field. */
+import { FrameError, Reader, Writer } from '../rooms/bytes';
+
+/** Bytes of a part of a file; the last one of a file may be shorter. */
+export const PART = 16_384;
+/** Files that one message tells of, at most. */
+export const MOST_TOLD = 500;
+/** Bytes of a key: SHA-256 of a file's content. */
+const KEY = 32;
+/** Bytes of the kind and of the number of a request. */
+const HEAD = 5;
+/** Greatest size of a message, bytes. */
+export const MOST_BYTES = HEAD + PART;
+
+/** How a page comes by a file: it has it, it asks the server for it, or neither any more. */
+export type Holding = 'here' | 'coming' | 'gone';
+const HOLDINGS = ['gone', 'coming', 'here'] as const;
+const KINDS = { tell: 1, want: 2, part: 3, wait: 4, none: 5, cancel: 6 } as const;
+
+/** Keys are hexadecimal digits. Requests have numbers of who asks. */
+export type Message =
+  | { readonly kind: 'tell'; readonly holding: Holding; readonly keys: readonly string[] }
+  | { readonly kind: 'want'; readonly request: number; readonly key: string }
+  | { readonly kind: 'part'; readonly request: number; readonly data: Uint8Array }
+  /** The file is not there yet; so many bytes of it are. */
+  | { readonly kind: 'wait'; readonly request: number; readonly bytes: number }
+  /** Nothing more of the file follows. */
+  | { readonly kind: 'none'; readonly request: number }
+  | { readonly kind: 'cancel'; readonly request: number };
+
+/** The message that bytes hold; a `FrameError` if they hold none. */
+export function readMessage(bytes: Uint8Array): Message {
+  if (bytes.length > MOST_BYTES) throw new FrameError('a message is too long');
+  const reader = new Reader(bytes);
+  const message = readBody(reader.u8(), reader);
+  reader.end('a message is too long');
+  return message;
+}
+
+function readBody(kind: number, reader: Reader): Message {
+  switch (kind) {
+    case KINDS.tell: {
+      const holding = HOLDINGS[reader.u8()];
+      if (!holding) throw new FrameError('a file is held in no way that there is');
+      const keys: string[] = [];
+      while (!reader.isAtEnd && keys.length <= MOST_TOLD) keys.push(hexOf(reader.take(KEY)));
+      return { kind: 'tell', holding, keys };
+    }
+    case KINDS.want:
+      return { kind: 'want', request: reader.u32(), key: hexOf(reader.take(KEY)) };
+    case KINDS.part:
+      return { kind: 'part', request: reader.u32(), data: reader.rest(PART) };
+    case KINDS.wait:
+      return { kind: 'wait', request: reader.u32(), bytes: reader.u32() };
+    case KINDS.none:
+      return { kind: 'none', request: reader.u32() };
+    case KINDS.cancel:
+      return { kind: 'cancel', request: reader.u32() };
+    default:
+      throw new FrameError('a message is of no kind that there is');
+  }
+}
+
+export function writeMessage(message: Message): Uint8Array<ArrayBuffer> {
+  if (message.kind === 'part') return writePart(message.request, message.data);
+  const out = new Writer();
+  out.u8(KINDS[message.kind]);
+  if (message.kind === 'tell') {
+    out.u8(HOLDINGS.indexOf(message.holding));
+    for (const key of message.keys) out.put(bytesOf(key));
+    return out.done();
+  }
+  out.u32(message.request);
+  if (message.kind === 'want') out.put(bytesOf(message.key));
+  if (message.kind === 'wait') out.u32(message.bytes);
+  return out.done();
+}
+
+/** Parts are copied at once, not byte by byte. */
+function writePart(request: number, data: Uint8Array): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(HEAD + data.length);
+  bytes[0] = KINDS.part;
+  new DataView(bytes.buffer).setUint32(1, request, true);
+  bytes.set(data, HEAD);
+  return bytes;
+}
+
+export function hexOf(bytes: Uint8Array): string {
+  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+function bytesOf(key: string): Uint8Array {
+  return Uint8Array.from({ length: KEY }, (_, at) => parseInt(key.slice(2 * at, 2 * at + 2), 16));
+}

@@ -1,0 +1,178 @@
+/**
+ * Where a file comes from: this page's own store, another page that has it or is about to, or the server. Of the pages
+ * that are connected and want a file, one asks the server for it. No page waits for one that waits for it in turn: a
+ * page asks another one only if that one has the file, comes by it from the server, or comes before it by its weight.
+ */
+import type { Described } from '../bundle/manifest';
+import type { Received, Serve } from '../bundle/source';
+import { type Answer, hashOf } from './downloads';
+import type { Peer } from './peer';
+import type { Store } from './store';
+import type { Shelf } from './uploads';
+import { isBefore } from './weights';
+
+/** Seconds without a byte after which another page is given up, for the first picture and after it. */
+const [FIRST, PATIENCE] = [1, 4] as const;
+
+export interface ShareSettings {
+  readonly store: Store;
+  readonly described: (name: string) => Described | undefined;
+  /** Names of the files that the page shows, or will. */
+  readonly wanted: () => Iterable<string>;
+  /** The first picture is not there yet. */
+  readonly isFirst: () => boolean;
+  /** The user's own number; null outside of the room. */
+  readonly own: () => number | null;
+  readonly peers: () => readonly Peer[];
+  /** Resolves when all who were there at first are connected, as far as that is worth waiting for. */
+  readonly ready: Promise<void>;
+  /** Fetch a file, by whichever way, for others who ask for it first. */
+  readonly fetch: (name: string, signal: AbortSignal) => Promise<ArrayBuffer>;
+}
+
+export interface Counts {
+  /** Bytes and files that came from others, and from the server. */
+  readonly others: { bytes: number; files: number };
+  readonly server: { bytes: number; files: number };
+}
+
+export interface Share {
+  readonly counts: Counts;
+  readonly shelf: Shelf;
+  /** A file's content; `serve` asks the server for it. */
+  get(name: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer>;
+  /** What a page is told when it connects: files that are here, and that come from the server. */
+  greet(peer: Peer): void;
+}
+
+export function createShare(settings: ShareSettings): Share {
+  const { store, described, wanted, isFirst, own, peers, ready, fetch } = settings;
+  const counts: Counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
+  /** Bytes that are here of each file that comes, and files that come from the server. */
+  const coming = new Map<string, number>();
+  const asked = new Set<string>();
+
+  /** The page to ask for a file; null for the server. */
+  function chosen(key: string, tried: ReadonlySet<number>): Peer | null {
+    const number = own();
+    if (number === null) return null;
+    const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !tried.has(peer.number));
+    const byLoad = (a: Peer, b: Peer): number => a.open - b.open || (isBefore(a.number, b.number, key) ? -1 : 1);
+    const [holder] = free.filter((peer) => peer.holds(key) === 'here').sort(byLoad);
+    if (holder) return holder;
+    const [asking] = free.filter((peer) => peer.holds(key) === 'coming').sort(byLoad);
+    if (asking) return asking;
+    const before = free.filter((peer) => isBefore(peer.number, number, key));
+    return before.sort((a, b) => (isBefore(a.number, b.number, key) ? -1 : 1))[0] ?? null;
+  }
+
+  async function fromOthers(file: Described, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
+    const { sha256: key } = file;
+    if (!peers().some((peer) => peer.holds(key) !== 'gone')) await within(ready, signal);
+    const tried = new Set<number>();
+    for (let peer = chosen(key, tried); peer; peer = chosen(key, tried)) {
+      tried.add(peer.number);
+      const patience = isFirst() ? FIRST : PATIENCE;
+      const answer: Answer = await peer.ask({ ...file, patience }, signal, received);
+      if (answer instanceof ArrayBuffer) return answer;
+      // Nobody waits twice for the first picture.
+      if (answer === 'silent' && isFirst()) return null;
+    }
+    return null;
+  }
+
+  async function fromServer(name: string, key: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer> {
+    asked.add(key);
+    for (const peer of peers()) peer.tell('coming', [key]);
+    try {
+      const data = await serve(name, signal, received);
+      // The decoder tells of damage; others do not get it.
+      if ((await hashOf(data)) === key) keep(key, data);
+      return data;
+    } finally {
+      asked.delete(key);
+      if (!store.has(key)) for (const peer of peers()) peer.tell('gone', [key]);
+    }
+  }
+
+  function keep(key: string, data: ArrayBuffer): void {
+    const gone = store.add(key, data);
+    for (const peer of peers()) {
+      if (gone.length > 0) peer.tell('gone', gone);
+      if (store.has(key)) peer.tell('here', [key]);
+    }
+  }
+
+  async function come(name: string, file: Described, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer> {
+    const counted = (count: { bytes: number }): Received => (bytes) => {
+      coming.set(file.sha256, (coming.get(file.sha256) ?? 0) + bytes);
+      count.bytes += bytes;
+      received(bytes);
+    };
+    const given = await fromOthers(file, signal, counted(counts.others));
+    if (given) {
+      counts.others.files += 1;
+      keep(file.sha256, given);
+      return given;
+    }
+    const data = await fromServer(name, file.sha256, signal, counted(counts.server), serve);
+    counts.server.files += 1;
+    return data;
+  }
+
+  return {
+    counts,
+    async get(name, signal, received, serve) {
+      const file = described(name);
+      // The server's way tells of files that are not listed.
+      if (!file || file.bytes === 0) return serve(name, signal, received);
+      const { sha256: key } = file;
+      const held = await store.find(key)?.arrayBuffer().catch(() => null);
+      if (held) {
+        received(held.byteLength);
+        return held;
+      }
+      coming.set(key, 0);
+      try {
+        return await come(name, file, signal, received, serve);
+      } finally {
+        coming.delete(key);
+        for (const peer of peers()) peer.settle(key);
+      }
+    },
+    greet(peer) {
+      peer.tell('coming', [...asked]);
+      peer.tell('here', store.keys);
+    },
+    shelf: {
+      find: store.find,
+      sizeOf: (key) => Math.max(coming.get(key) ?? 0, 0),
+      obtain(key) {
+        if (coming.has(key)) return true;
+        for (const name of wanted()) {
+          if (described(name)?.sha256 !== key) continue;
+          fetch(name, new AbortController().signal).catch(() => {
+            for (const peer of peers()) peer.settle(key);
+          });
+          return true;
+        }
+        return false;
+      },
+    },
+  };
+}
+
+/** Wait for something, or until nobody wants it any more. */
+async function within(awaited: Promise<void>, signal: AbortSignal): Promise<void> {
+  signal.throwIfAborted();
+  let stop = (): void => undefined;
+  const stopped = new Promise<never>((_, failed) => {
+    stop = () => failed(signal.reason as Error);
+    signal.addEventListener('abort', stop, { once: true });
+  });
+  try {
+    await Promise.race([awaited, stopped]);
+  } finally {
+    signal.removeEventListener('abort', stop);
+  }
+}

@@ -1,0 +1,53 @@
+/** What pages tell each other by the server, to connect: payloads of `signal`. docs/peers.md has a table of every field. */
+import { FrameError, Reader, Writer } from '../rooms/bytes';
+
+const VERSION = 1;
+/** Most bytes of a description, and most addresses in it. */
+const [MOST_BYTES, MOST_ADDRESSES] = [8192, 24] as const;
+const KINDS = ['offer', 'answer', 'no'] as const;
+
+/** `attempt` is a number of the offer, which its answer repeats; `sdp` describes a connection, and is empty for a no. */
+export interface Signal {
+  readonly kind: (typeof KINDS)[number];
+  readonly attempt: number;
+  readonly sdp: string;
+}
+
+/** The signal of a payload; a `FrameError` if it is none, or describes more than one channel for data. */
+export function readSignal(payload: Uint8Array): Signal {
+  const reader = new Reader(payload);
+  if (reader.u8() !== VERSION) throw new FrameError('a signal is of another version');
+  const kind = KINDS[reader.u8()];
+  if (!kind) throw new FrameError('a signal is of no kind that there is');
+  const attempt = reader.u32();
+  const sdp = textOf(reader.rest(MOST_BYTES));
+  if (kind === 'no' ? sdp !== '' : !isDescription(sdp)) throw new FrameError('a signal describes no channel for data');
+  return { kind, attempt, sdp };
+}
+
+/** The payload of a signal; a `FrameError` for a description that others would not take. */
+export function writeSignal({ kind, attempt, sdp }: Signal): Uint8Array<ArrayBuffer> {
+  const text = new TextEncoder().encode(sdp);
+  if (text.length > MOST_BYTES) throw new FrameError('a description is too long');
+  const out = new Writer();
+  out.u8(VERSION);
+  out.u8(KINDS.indexOf(kind));
+  out.u32(attempt);
+  out.put(text);
+  return out.done();
+}
+
+function isDescription(sdp: string): boolean {
+  const lines = sdp.split(/\r?\n/);
+  const media = lines.filter((line) => line.startsWith('m='));
+  const addresses = lines.filter((line) => line.startsWith('a=candidate:'));
+  return media.length === 1 && /^m=application /.test(media[0] ?? '') && addresses.length <= MOST_ADDRESSES;
+}
+
+function textOf(bytes: Uint8Array): string {
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+  } catch {
+    throw new FrameError('a description is no text');
+  }
+}

@@ -1,0 +1,126 @@
+/** Pages of a room exchange files; the server signals, and has what no page has. */
+import type { Described } from '../bundle/manifest';
+import type { Files } from '../bundle/source';
+import type { Ask } from '../rooms/about';
+import { CLOCK } from '../rooms/clock';
+import type { FromServer } from '../rooms/frames';
+import { refusalHere, refusalThere } from './allowed';
+import { createCall } from './call';
+import { TICK } from './downloads';
+import { createMesh } from './mesh';
+import { createOutbox } from './outbox';
+import { createPeer, type Peer } from './peer';
+import { type Counts, createShare } from './share';
+import { writeSignal } from './signals';
+import { createStore } from './store';
+
+/** Ticks in a second. */
+const SECOND = Math.round(1 / TICK);
+
+export interface PeersSettings {
+  /** Of the page's address. */
+  readonly query: URLSearchParams;
+  /** Tells what the server tells of its rooms. */
+  readonly ask: Ask;
+  readonly files: Files;
+  readonly wanted: () => Iterable<string>;
+  readonly isFirst: () => boolean;
+  /** Send a signal to a user of the room. */
+  readonly signal: (user: number, payload: Uint8Array) => void;
+}
+
+export interface Peers {
+  /** Why this page takes no part; null while it does, and undefined until that is known. */
+  readonly refusal: string | null | undefined;
+  /** Numbers of the users to whom channels are open. */
+  readonly open: readonly number[];
+  /** Users who have broken the rules, and how. */
+  readonly dropped: ReadonlyMap<number, string>;
+  /** Bytes and files that came from others and from the server, and bytes that were sent to others. */
+  readonly counts: Counts & { readonly sent: number };
+  hear(frame: FromServer): void;
+  /** The user is not in the room. */
+  clear(): void;
+}
+
+/** Exchange files from now on, where all want that. */
+export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings): Peers {
+  const clock = CLOCK;
+  const peers = new Map<number, Peer>();
+  const store = createStore();
+  const outbox = createOutbox(signal, clock);
+  let refusal: string | null | undefined;
+  let sent = 0;
+
+  const mesh = createMesh({
+    clock,
+    create: (events) => createCall(events, clock.later),
+    signal: (user, said) => outbox.send(user, writeSignal(said)),
+    opened(number, line) {
+      const peer = createPeer({
+        number,
+        line,
+        shelf: share.shelf,
+        now: clock.now,
+        sent: (bytes) => (sent += bytes),
+        refuse: (sentence) => mesh.drop(number, sentence),
+      });
+      peers.set(number, peer);
+      share.greet(peer);
+    },
+    ended(number) {
+      peers.get(number)?.end();
+      peers.delete(number);
+    },
+  });
+  const share = createShare({
+    store,
+    described: (name): Described | undefined => files.described(name),
+    wanted,
+    isFirst,
+    own: () => mesh.own,
+    peers: () => [...peers.values()],
+    ready: mesh.ready,
+    fetch: files.fetch,
+  });
+
+  let ticks = 0;
+  function tick(): void {
+    ticks += 1;
+    for (const peer of peers.values()) peer.tick(ticks % SECOND === 0);
+    clock.later(TICK, tick);
+  }
+
+  function begin(reason: string | null): void {
+    refusal = reason;
+    mesh.begin(reason === null);
+    if (reason === null) tick();
+    else files.goBy(null);
+  }
+
+  const here = refusalHere(query);
+  if (here === null) {
+    files.goBy(share.get);
+    void ask().then((about) => begin(refusalThere(about)));
+  } else {
+    begin(here);
+  }
+
+  return {
+    dropped: mesh.dropped,
+    get refusal() {
+      return refusal;
+    },
+    get open() {
+      return [...peers.keys()];
+    },
+    get counts() {
+      return { ...share.counts, sent };
+    },
+    hear: mesh.hear,
+    clear() {
+      outbox.clear();
+      mesh.clear();
+    },
+  };
+}

@@ -1,0 +1,143 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import vectors from '../../tests/vectors/collect.json';
+import { LEVELS, type Message, read, type Rules, type Tally, write } from '../src/collect/messages';
+import { folded, isAimed, type Ray, seatsOf, sphereOf } from '../src/collect/spheres';
+import { Task } from '../src/collect/task';
+import type { Vector } from '../src/control/vector';
+import { FrameError } from '../src/rooms/bytes';
+
+const bytesOf = (hex: string): Uint8Array => Uint8Array.from(Buffer.from(hex, 'hex'));
+const hexOf = (bytes: Uint8Array): string => Buffer.from(bytes).toString('hex');
+
+/** A message by the names of the vectors. */
+function named(message: Message | null): unknown {
+  if (message?.kind !== 'trial') return message;
+  const tallied = ({ spheres, misses, seconds }: Tally): readonly number[] => [spheres, misses, seconds];
+  return { ...message, tallies: message.tallies.map(tallied) };
+}
+
+test('messages are those of the vectors of all languages', () => {
+  for (const { message, bytes, region } of vectors.messages) {
+    const found = read(bytesOf(bytes));
+    assert.deepEqual(named(found), message, region);
+    assert.equal(found && hexOf(write(found)), bytes, region);
+  }
+});
+
+test('bytes that are no message are refused', () => {
+  for (const { bytes, region } of vectors.refused) assert.throws(() => read(bytesOf(bytes)), FrameError, region);
+  assert.equal(read(new Uint8Array()), null);
+  assert.equal(read(new TextEncoder().encode('hello')), null);
+});
+
+test('every truncation and every changed bit is a message or refused', () => {
+  for (const { bytes } of vectors.messages) {
+    const data = bytesOf(bytes);
+    for (let length = 1; length < data.length; length++) {
+      assert.throws(() => read(data.subarray(0, length)), FrameError);
+    }
+    const task = new Task(3, 0);
+    for (let bit = 0; bit < 8 * data.length; bit++) {
+      const changed = data.slice();
+      changed[bit >> 3] = (changed[bit >> 3] ?? 0) ^ (1 << (bit & 7));
+      let message: Message | null = null;
+      try {
+        message = read(changed);
+      } catch (error) {
+        assert.ok(error instanceof FrameError, String(error));
+      }
+      if (message) task.hear(message, 1);
+      const ray: Ray = { begin: [0, 1.7, 0], direction: [0, 0, -1] };
+      for (const said of task.conduct(2, new Map([[3, ray]]))) write(said);
+    }
+  }
+});
+
+function firstTrial(): Rules {
+  const found = read(bytesOf(vectors.messages[0]?.bytes ?? ''));
+  assert.ok(found?.kind === 'trial');
+  return found;
+}
+
+test('spheres and seats are where all languages put them', () => {
+  const rules = firstTrial();
+  const isNear = (found: readonly number[], expected: readonly number[]): void =>
+    found.forEach((value, axis) => assert.ok(Math.abs(value - (expected[axis] ?? NaN)) < 1e-12));
+  for (const { group, run, trial, number, level, position, velocity, seat } of vectors.places) {
+    const sphere = sphereOf(rules, { run, trial }, group, number);
+    assert.equal(sphere.level, level);
+    isNear(sphere.position, position);
+    isNear(sphere.velocity, velocity);
+    isNear(seatsOf(rules, { run, trial }, group, [9])[0]?.position ?? [], seat);
+  }
+});
+
+/** A message as the vectors tell it. */
+function words(speaker: number, message: Message): string {
+  const told = (): string => {
+    if (message.kind === 'trial') return `${message.over ? 'over' : 'trial'} ${message.trial}`;
+    if (message.kind === 'sphere') return `sphere ${message.number} ${message.level}`;
+    if (message.kind === 'score') return `score ${message.spheres} ${message.misses}`;
+    if (message.kind === 'collected') {
+      return `collected ${message.number} ${message.level}, ${message.misses} missed, ${message.seconds} s`;
+    }
+    const { event, user, users, misses, held } = message;
+    if (event === 'told') return `told [${users.join(', ')}]${users.length > 0 ? '' : `, ${misses} missed`}`;
+    return `${event} ${user}${event === 'lost' ? `, ${misses} missed` : ''}${held === null ? '' : `, held ${held}`}`;
+  };
+  return `${speaker}: ${told()}`;
+}
+
+test('a play goes as in all languages', () => {
+  for (const { rules, group, users, steps } of vectors.plays) {
+    const tasks = new Map<number, Task>(users.map((user) => [user, new Task(user, group)]));
+    let said: string[] = [];
+    const join = (user: number): void => tasks.forEach((task) => task.joined(user));
+    const tell = (speaker: number, messages: readonly Message[], now: number): void => {
+      for (const message of messages) {
+        said.push(words(speaker, message));
+        for (const [user, task] of tasks) if (user !== speaker) task.hear(message, now, group);
+      }
+    };
+    users.forEach(join);
+    for (const { now, comes, goes, aiming, said: expected } of steps) {
+      if (comes !== null) {
+        const late = new Task(comes, group);
+        for (const user of tasks.keys()) late.present.add(user);
+        tasks.set(comes, late);
+        join(comes);
+      }
+      if (goes !== null) {
+        tasks.delete(goes);
+        tasks.forEach((task) => task.left(goes));
+      }
+      if (now === 0) tell(3, tasks.get(3)?.start({ ...firstTrial(), ...rules }, now) ?? [], now);
+      for (const [user, task] of [...tasks].sort(([a], [b]) => b - a)) {
+        const [x, y, z] = task.place(now) ?? [0, 0, 0];
+        const rayOf = (other: number): Ray => ({
+          begin: [x, y, z + 4],
+          direction: aiming.includes(other) ? [0, 0, -1] : [0, 1, 0],
+        });
+        tell(user, task.conduct(now, new Map([...tasks.keys()].map((other) => [other, rayOf(other)]))), now);
+      }
+      assert.deepEqual(said, expected, `${now}`);
+      said = [];
+    }
+    assert.ok([...tasks.values()].every((task) => task.isOver));
+  }
+});
+
+test('a pointer must meet the sphere ahead of it', () => {
+  const met = (x: number, center: Vector): boolean =>
+    isAimed({ begin: [x, 0, 0], direction: [0, 0, -1] }, center, 0.3);
+  assert.deepEqual([0, 0.299, 0.301].map((x) => met(x, [0, 0, -8])), [true, true, false]);
+  assert.equal(met(0, [0, 0, 8]), false);
+  assert.equal(met(0.1, [0, 0, 0]), true);
+});
+
+test('spheres turn back where their box ends', () => {
+  assert.deepEqual([0.5, 2.5, -1.5, 7.5].map((at) => folded(at, -1, 2)), [0.5, 1.5, -0.5, 1.5]);
+  assert.equal(folded(7, 1, 1), 1);
+  assert.equal(LEVELS.length, 3);
+});

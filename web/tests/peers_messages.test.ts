@@ -1,0 +1,130 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { createBucket } from '../src/peers/bucket';
+import { type Message, MOST_TOLD, PART, readMessage, writeMessage } from '../src/peers/messages';
+import { createOutbox } from '../src/peers/outbox';
+import { readSignal, type Signal, writeSignal } from '../src/peers/signals';
+import { createStore } from '../src/peers/store';
+import { isBefore } from '../src/peers/weights';
+import { FrameError } from '../src/rooms/bytes';
+import { made, steppedClock } from './support/peers';
+import { randomOf } from './support/random';
+
+const KEY = '00ff'.repeat(16);
+const SDP = 'v=0\r\nm=application 9 UDP/DTLS/SCTP webrtc-datachannel\r\na=candidate:1 1 udp 1 10.0.0.1 1 typ host\r\n';
+const hex = (bytes: Uint8Array): string => Buffer.from(bytes).toString('hex');
+const bytes = (text: string): Uint8Array => Uint8Array.from(Buffer.from(text, 'hex'));
+
+const MESSAGES: readonly (readonly [Message, string])[] = [
+  [{ kind: 'tell', holding: 'gone', keys: [] }, '0100'],
+  [{ kind: 'tell', holding: 'coming', keys: [KEY] }, '0101' + KEY],
+  [{ kind: 'tell', holding: 'here', keys: [KEY, KEY] }, '0102' + KEY + KEY],
+  [{ kind: 'want', request: 0x01020304, key: KEY }, '0204030201' + KEY],
+  [{ kind: 'part', request: 7, data: Uint8Array.from([1, 2]) }, '03070000000102'],
+  [{ kind: 'wait', request: 7, bytes: 256 }, '040700000000010000'],
+  [{ kind: 'none', request: 7 }, '0507000000'],
+  [{ kind: 'cancel', request: 7 }, '0607000000'],
+];
+
+test('messages are the bytes of the table, and come back', () => {
+  for (const [message, expected] of MESSAGES) {
+    assert.equal(hex(writeMessage(message)), expected);
+    assert.deepEqual(readMessage(bytes(expected)), message);
+  }
+});
+
+test('what is no message is refused, and nothing else happens', () => {
+  const wrong = ['', '00', '07', '01', '0103', '0100ff', '02', '0204030201ff', '05', '050700000000', '0407000000'];
+  for (const text of wrong) assert.throws(() => readMessage(bytes(text)), FrameError, text);
+  assert.throws(() => readMessage(new Uint8Array(6 + PART).fill(3)), FrameError);
+  assert.throws(() => readMessage(Uint8Array.from([1, 0, ...new Uint8Array(32 * (MOST_TOLD + 20))])), FrameError);
+  const random = randomOf(5);
+  for (let trial = 0; trial < 3000; trial++) {
+    const garbage = Uint8Array.from({ length: Math.floor(80 * random()) }, () => Math.floor(256 * random()));
+    if (trial % 2) garbage[0] = 1 + (trial % 6);
+    try {
+      assert.deepEqual(writeMessage(readMessage(garbage)), garbage);
+    } catch (error) {
+      assert.ok(error instanceof FrameError);
+    }
+  }
+});
+
+test('signals are bytes, and come back', () => {
+  const said: readonly Signal[] = [
+    { kind: 'offer', attempt: 0x01020304, sdp: SDP },
+    { kind: 'answer', attempt: 5, sdp: SDP },
+    { kind: 'no', attempt: 0, sdp: '' },
+  ];
+  for (const signal of said) assert.deepEqual(readSignal(writeSignal(signal)), signal);
+  assert.equal(hex(writeSignal(said[2] as Signal)), '010200000000');
+});
+
+test('a signal that describes anything but one channel for data is refused', () => {
+  const head = '01' + '00' + '00000000';
+  for (const text of ['', '02', '0103', head, '010200000000ff', head + 'ff', '010000']) {
+    assert.throws(() => readSignal(bytes(text)), FrameError, text);
+  }
+  const audio = SDP + 'm=audio 9 UDP/TLS/RTP/SAVPF 111\r\n';
+  const crowded = SDP + 'a=candidate:1 1 udp 1 10.0.0.1 1 typ host\r\n'.repeat(24);
+  for (const sdp of ['', 'v=0', audio, crowded, SDP.replace('application', 'video')]) {
+    assert.throws(() => readSignal(writeSignal({ kind: 'offer', attempt: 1, sdp })), FrameError);
+  }
+  assert.throws(() => writeSignal({ kind: 'offer', attempt: 1, sdp: 'x'.repeat(8193) }), FrameError);
+  assert.throws(() => readSignal(Uint8Array.from([1, 0, 0, 0, 0, 0, ...new Uint8Array(8193).fill(97)])), FrameError);
+});
+
+test('each user asks for its part of the files, and all find the same one', () => {
+  const users = [3, 4, 900, 65_535, 12, 13, 14, 15];
+  const counts = new Map<number, number>();
+  for (let file = 0; file < 2000; file++) {
+    const { sha256: key } = made(1 + file, 0).listed;
+    const byEach = users.map((_, turn) => [...users.slice(turn), ...users.slice(0, turn)]);
+    const firsts = byEach.map((order) => order.reduce((best, user) => (isBefore(user, best, key) ? user : best)));
+    assert.equal(new Set(firsts).size, 1);
+    counts.set(firsts[0] ?? -1, (counts.get(firsts[0] ?? -1) ?? 0) + 1);
+  }
+  for (const user of users) assert.ok(Math.abs((counts.get(user) ?? 0) - 250) < 80, `${counts.get(user)}`);
+});
+
+test('a store keeps what was asked for last, up to its size', () => {
+  const store = createStore(100);
+  const data = (size: number): ArrayBuffer => new ArrayBuffer(size);
+  assert.deepEqual(store.add('a', data(40)), []);
+  assert.deepEqual(store.add('b', data(40)), []);
+  assert.ok(store.find('a'));
+  assert.deepEqual(store.add('c', data(40)), ['b']);
+  assert.deepEqual(store.add('c', data(60)), []);
+  assert.deepEqual([...store.keys].sort(), ['a', 'c']);
+  assert.deepEqual(store.add('d', data(101)), []);
+  assert.equal(store.has('d'), false);
+  assert.equal(store.find('b'), null);
+});
+
+test('a bucket gives a rate, and a burst at first', () => {
+  let time = 0;
+  const bucket = createBucket(10, 20, () => time);
+  assert.ok(bucket.take(20));
+  assert.equal(bucket.take(1), false);
+  assert.equal(bucket.secondsTo(5), 0.5);
+  time = 0.5;
+  assert.ok(bucket.take(5));
+  time = 100;
+  assert.equal(bucket.take(21), false);
+});
+
+test('signals leave no faster than a room takes them', async () => {
+  const clock = steppedClock();
+  const sent: number[] = [];
+  const outbox = createOutbox((user) => sent.push(user), clock);
+  for (let user = 0; user < 20; user++) outbox.send(user, new Uint8Array(1000));
+  assert.equal(sent.length, 12);
+  await clock.pass(0.25);
+  assert.ok(sent.length > 12 && sent.length <= 19);
+  await clock.pass(0.5);
+  assert.deepEqual(sent, [...Array(20).keys()]);
+  for (let user = 0; user < 20; user++) outbox.send(user, new Uint8Array(8000));
+  outbox.clear();
+  await clock.pass(5);
+  assert.ok(sent.length <= 22);
+});

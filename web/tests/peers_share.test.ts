@@ -1,0 +1,160 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { isBefore } from '../src/peers/weights';
+import { createPage, join, made, type Page, settled, steppedClock, type Stepped, type World } from './support/peers';
+
+const NAMES = [...Array(40).keys()].map((number) => `files/${number}`);
+const WORLD: World = Object.fromEntries(NAMES.map((name, number) => [name, made(20_000 + 300 * number, number)]));
+const BYTES = NAMES.reduce((sum, name) => sum + (WORLD[name]?.listed.bytes ?? 0), 0);
+
+function pages(count: number, clock: Stepped): Page[] {
+  return [...Array(count).keys()].map((at) => createPage(100 + 7 * at, WORLD, clock));
+}
+
+function joinAll(all: readonly Page[], clock: Stepped): void {
+  all.forEach((one, at) => all.slice(at + 1).forEach((other) => join(one, other, clock)));
+}
+
+/** Load all files, a few at a time and in the same order, as pages do. */
+async function load(page: Page, names: readonly string[] = NAMES): Promise<void> {
+  for (let at = 0; at < names.length; at += 6) {
+    const got = await Promise.all(names.slice(at, at + 6).map((name) => page.get(name)));
+    got.forEach((data, number) => {
+      const expected = WORLD[names[at + number] ?? '']?.data ?? new ArrayBuffer(0);
+      assert.deepEqual(new Uint8Array(data), new Uint8Array(expected));
+    });
+  }
+}
+
+const asked = (all: readonly Page[]): string[] => all.flatMap((page) => page.asked);
+
+test('of eight pages that start together one asks the server for each file, and all take part', async () => {
+  const clock = steppedClock();
+  const all = pages(8, clock);
+  joinAll(all, clock);
+  await Promise.all(all.map((page) => load(page)));
+  assert.deepEqual(asked(all).sort(), [...NAMES].sort());
+  assert.ok(all.filter((page) => page.asked.length > 0).length > 5);
+  for (const page of all) {
+    assert.ok(page.asked.length < 15);
+    assert.deepEqual([page.dropped.size, page.share.counts.others.bytes + page.share.counts.server.bytes], [0, BYTES]);
+  }
+});
+
+test('pages that come one after the other ask the server for nothing that others have', async () => {
+  const clock = steppedClock();
+  const all: Page[] = [];
+  for (const page of pages(8, clock)) {
+    for (const other of all) join(page, other, clock);
+    await settled();
+    await load(page);
+    all.push(page);
+  }
+  assert.deepEqual(asked(all), NAMES);
+});
+
+test('pages that know different others never wait for each other in a circle', async () => {
+  const clock = steppedClock();
+  const all = pages(8, clock);
+  // A ring, in which each page knows two others.
+  all.forEach((page, at) => join(page, all[(at + 1) % all.length] as Page, clock));
+  await Promise.all(all.map((page) => load(page)));
+  assert.ok(asked(all).length < 4 * NAMES.length);
+  assert.ok(clock.now() === 100, 'no time passes');
+});
+
+test('pages that go in the middle cost others nothing but their files', async () => {
+  const clock = steppedClock();
+  const all = pages(4, clock);
+  joinAll(all, clock);
+  const [gone, ...left] = all as [Page, ...Page[]];
+  gone.serve = () => new Promise(() => undefined);
+  const loading = Promise.all(left.map((page) => load(page)));
+  await settled();
+  for (const page of left) {
+    page.peers.get(gone.number)?.end();
+    page.peers.delete(gone.number);
+  }
+  await loading;
+  assert.deepEqual([...new Set(asked(left))].sort(), [...NAMES].sort());
+});
+
+test('a page whose server stalls is left for another one after some seconds', async () => {
+  const clock = steppedClock();
+  const all = pages(3, clock);
+  joinAll(all, clock);
+  const [stuck, ...left] = all as [Page, ...Page[]];
+  stuck.serve = () => new Promise(() => undefined);
+  const isDone = Promise.all(left.map((page) => load(page))).then(() => true);
+  let done = false;
+  void isDone.then(() => (done = true));
+  for (let seconds = 0; !done && seconds < 120; seconds++) await clock.pass(1);
+  assert.ok(done);
+  assert.equal(left.reduce((sum, page) => sum + page.dropped.size, 0), 0);
+});
+
+test('one that tells of files that it has not costs a question', async () => {
+  const clock = steppedClock();
+  const [liar, page] = pages(2, clock) as [Page, Page];
+  liar.wanted = [];
+  join(liar, page, clock);
+  liar.peers.get(page.number)?.tell('here', NAMES.map((name) => WORLD[name]?.listed.sha256 ?? ''));
+  await settled();
+  await load(page, NAMES.slice(0, 3));
+  assert.deepEqual([page.asked, liar.asked], [NAMES.slice(0, 3), []]);
+});
+
+test('before the first picture nobody is waited for longer than a second, and once', async () => {
+  const clock = steppedClock();
+  const all = pages(3, clock);
+  joinAll(all, clock);
+  const name = NAMES.find((each) => {
+    const key = WORLD[each]?.listed.sha256 ?? '';
+    return isBefore(all[1]?.number ?? 0, all[0]?.number ?? 0, key) && isBefore(all[2]?.number ?? 0, all[0]?.number ?? 0, key);
+  });
+  const [page, ...others] = all as [Page, ...Page[]];
+  page.isFirst = true;
+  for (const other of others) other.serve = () => new Promise(() => undefined);
+  const coming = page.get(name ?? '');
+  await settled();
+  await clock.pass(1);
+  assert.deepEqual(page.asked, []);
+  await clock.pass(0.25);
+  await coming;
+  assert.deepEqual(page.asked, [name]);
+});
+
+test('files wait at first until others are connected, but not if somebody has them', async () => {
+  const clock = steppedClock();
+  let go = (): void => undefined;
+  const page = createPage(1, WORLD, clock, new Promise((done) => (go = done)));
+  const other = createPage(2, WORLD, clock);
+  const [waiting = '', held = ''] = NAMES;
+  await other.get(held);
+  const coming = page.get(waiting);
+  await settled();
+  assert.deepEqual(page.asked, []);
+  join(page, other, clock);
+  await settled();
+  await page.get(held);
+  assert.deepEqual(page.asked, []);
+  const stop = new AbortController();
+  const dropped = page.get(NAMES[2] ?? '', stop.signal);
+  stop.abort(new Error('enough'));
+  await assert.rejects(dropped, /enough/);
+  go();
+  await coming;
+});
+
+test('a file of the server that is damaged is given on to the decoder, and to nobody else', async () => {
+  const clock = steppedClock();
+  const [one, other] = pages(2, clock) as [Page, Page];
+  const [name = ''] = NAMES;
+  one.serve = () => Promise.resolve(new Uint8Array(20_000).fill(99).buffer);
+  await one.get(name);
+  assert.deepEqual(one.store.keys, []);
+  join(one, other, clock);
+  one.wanted = [];
+  assert.deepEqual(new Uint8Array(await other.get(name)), new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0)));
+  assert.deepEqual([other.asked, other.dropped.size], [[name], 0]);
+});

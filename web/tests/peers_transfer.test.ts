@@ -1,0 +1,247 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
+import { createPage, join, made, type Page, plug, settled, steppedClock, type Stepped, type Wire, wired, type World } from './support/peers';
+
+const WORLD: World = { a: made(3 * PART + 5, 1), b: made(PART, 2), c: made(7, 3) };
+const KEYS = Object.values(WORLD).map(({ listed }) => listed.sha256);
+const [A = '', B = '', C = ''] = KEYS;
+const same = (one: ArrayBuffer, name: string): void => assert.deepEqual(new Uint8Array(one), new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0)));
+
+interface Bench {
+  readonly clock: Stepped;
+  readonly page: Page;
+  /** The end of the user 2, of which the test plays the page. */
+  readonly line: Wire;
+  /** All that has come to it. */
+  readonly heard: Message[];
+  say(...messages: readonly Message[]): Promise<void>;
+}
+
+/** A page that is connected to a user whose messages the test makes. */
+function bench(number = 1): Bench {
+  const clock = steppedClock();
+  const page = createPage(number, WORLD, clock);
+  const [own, line] = wired();
+  const heard: Message[] = [];
+  line.onmessage = ({ data }) => heard.push(readMessage(new Uint8Array(data as ArrayBuffer).slice()));
+  plug(page, 2, own, clock);
+  return {
+    clock,
+    page,
+    line,
+    heard,
+    async say(...messages) {
+      for (const message of messages) line.send(writeMessage(message));
+      await settled();
+    },
+  };
+}
+
+const wants = (heard: readonly Message[]): number[] =>
+  heard.flatMap((message) => (message.kind === 'want' ? [message.request] : []));
+const ends = (heard: readonly Message[], kind: Message['kind']): number => heard.filter((each) => each.kind === kind).length;
+
+/** The parts of a file. */
+function partsOf(name: string, request: number, begin = 0): Message[] {
+  const data = new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0));
+  const count = Math.ceil(data.length / PART);
+  return [...Array(count).keys()].slice(begin).map((at) => ({ kind: 'part', request, data: data.subarray(PART * at, PART * (at + 1)) }));
+}
+
+test('a file comes from who has it, whole and checked, and is offered on', async () => {
+  const clock = steppedClock();
+  const [one, other] = [createPage(1, WORLD, clock), createPage(2, WORLD, clock)];
+  await one.get('a');
+  join(one, other, clock);
+  await settled();
+  same(await other.get('a'), 'a');
+  assert.deepEqual([one.asked, other.asked], [['a'], []]);
+  assert.deepEqual(other.store.keys, [A]);
+  assert.deepEqual(other.share.counts, { others: { bytes: 3 * PART + 5, files: 1 }, server: { bytes: 0, files: 0 } });
+});
+
+test('a wrong file is not used: its sender is dropped, and the file comes from the server', async () => {
+  const { page, heard, say, line } = bench();
+  await say({ kind: 'tell', holding: 'here', keys: [A] });
+  const coming = page.get('a');
+  await settled();
+  const [request = 0] = wants(heard);
+  const parts = partsOf('a', request);
+  (parts.at(-1) as { data: Uint8Array }).data = new Uint8Array(5).fill(9);
+  await say(...parts);
+  same(await coming, 'a');
+  assert.match(page.dropped.get(2) ?? '', /another one than was asked for/);
+  assert.deepEqual(page.asked, ['a']);
+  assert.ok(line.other?.isClosed);
+  assert.equal(page.share.counts.others.bytes, 0);
+});
+
+test('bytes that nobody asked for, and parts of a wrong length, drop their sender', async () => {
+  const wrong: readonly [RegExp, (request: number) => Message[]][] = [
+    [/answers nothing/, () => [{ kind: 'part', request: 77, data: new Uint8Array(5) }]],
+    [/answers nothing/, () => [{ kind: 'none', request: 77 }]],
+    [/wrong length/, (request) => [{ kind: 'part', request, data: new Uint8Array() }]],
+    [/wrong length/, (request) => [{ kind: 'part', request, data: new Uint8Array(PART - 1) }]],
+    [/wrong length/, (request) => [...partsOf('a', request).slice(0, 3), { kind: 'part', request, data: new Uint8Array(6) }]],
+    [/answers nothing/, (request) => [...partsOf('a', request), { kind: 'part', request, data: new Uint8Array(1) }]],
+    [/more of a file/, (request) => [{ kind: 'wait', request, bytes: 3 * PART + 6 }]],
+  ];
+  for (const [reason, messages] of wrong) {
+    const { page, heard, say } = bench();
+    await say({ kind: 'tell', holding: 'here', keys: [A] });
+    const coming = page.get('a');
+    await settled();
+    await say(...messages(wants(heard)[0] ?? 0));
+    same(await coming, 'a');
+    assert.match(page.dropped.get(2) ?? '', reason);
+  }
+});
+
+test('messages that are none, texts and floods drop their sender', async () => {
+  const garbage: readonly unknown[] = ['text', new ArrayBuffer(0), Uint8Array.from([9, 1, 2]).buffer, new ArrayBuffer(1 << 20)];
+  for (const data of garbage) {
+    const { page, line } = bench();
+    line.other?.comes(data);
+    assert.equal(page.dropped.size, 1);
+  }
+  const { page, line } = bench();
+  for (let each = 0; each < 2100; each++) line.other?.comes(writeMessage({ kind: 'cancel', request: 1 }).buffer);
+  assert.match(page.dropped.get(2) ?? '', /more than it may/);
+});
+
+test('who becomes silent in the middle of a file loses the request, and is asked again once it has ended it', async () => {
+  const { page, heard, say, clock } = bench();
+  await say({ kind: 'tell', holding: 'here', keys: KEYS });
+  const coming = page.get('a');
+  await settled();
+  const [request = 0] = wants(heard);
+  await say(...partsOf('a', request).slice(0, 2));
+  await clock.pass(3.75);
+  assert.equal(ends(heard, 'cancel'), 0);
+  await clock.pass(0.75);
+  same(await coming, 'a');
+  assert.deepEqual([page.asked, ends(heard, 'cancel'), page.dropped.size], [['a'], 1, 0]);
+  await page.get('b');
+  assert.deepEqual(page.asked, ['a', 'b']);
+  // What was on its way is no fault.
+  await say(...partsOf('a', request).slice(2, 3), { kind: 'none', request });
+  const later = page.get('c');
+  await settled();
+  await say(...partsOf('c', wants(heard)[1] ?? 0));
+  same(await later, 'c');
+  assert.deepEqual([page.asked, page.dropped.size], [['a', 'b'], 0]);
+});
+
+test('a page waits for one that has to fetch the file itself, while it comes', async () => {
+  const { page, heard, say, clock } = bench();
+  await say({ kind: 'tell', holding: 'coming', keys: [A] });
+  const coming = page.get('a');
+  await settled();
+  const [request = 0] = wants(heard);
+  for (let bytes = 0; bytes < 3; bytes++) {
+    await say({ kind: 'wait', request, bytes });
+    await clock.pass(3);
+  }
+  assert.deepEqual(page.asked, []);
+  // The same number is no progress.
+  await say({ kind: 'wait', request, bytes: 2 });
+  await clock.pass(1.5);
+  same(await coming, 'a');
+  assert.deepEqual(page.asked, ['a']);
+});
+
+test('a file that trickles is given up in the end', async () => {
+  const { page, heard, say, clock } = bench();
+  await say({ kind: 'tell', holding: 'here', keys: [A] });
+  const coming = page.get('a');
+  await settled();
+  const [request = 0] = wants(heard);
+  const parts = partsOf('a', request);
+  for (const part of parts.slice(0, 3)) {
+    await say(part);
+    await clock.pass(3.75);
+  }
+  same(await coming, 'a');
+  assert.deepEqual(page.asked, ['a']);
+});
+
+test('a user who leaves in the middle of a file is replaced by the server', async () => {
+  const { page, heard, say } = bench();
+  await say({ kind: 'tell', holding: 'here', keys: [A] });
+  const coming = page.get('a');
+  await settled();
+  await say(...partsOf('a', wants(heard)[0] ?? 0).slice(0, 1));
+  page.peers.get(2)?.end();
+  page.peers.delete(2);
+  same(await coming, 'a');
+  assert.deepEqual(page.asked, ['a']);
+});
+
+test('who is not interested any more cancels, and nothing is kept', async () => {
+  const { page, heard, say } = bench();
+  await say({ kind: 'tell', holding: 'here', keys: [A] });
+  const stop = new AbortController();
+  const coming = page.get('a', stop.signal);
+  await settled();
+  const [request = 0] = wants(heard);
+  await say(...partsOf('a', request).slice(0, 1));
+  stop.abort(new Error('enough'));
+  await assert.rejects(coming, /enough/);
+  await say(...partsOf('a', request, 1));
+  assert.deepEqual([ends(heard, 'cancel'), page.store.keys, page.dropped.size, page.asked], [1, [], 0, []]);
+});
+
+test('files are sent no faster than the browser takes them, one after the other', async () => {
+  const { page, say, line } = bench();
+  const big: World = { big: made(40 * PART, 4) };
+  page.store.add(big['big']?.listed.sha256 ?? '', big['big']?.data ?? new ArrayBuffer(0));
+  page.store.add(C, WORLD['c']?.data ?? new ArrayBuffer(0));
+  const own = line.other as Wire;
+  own.isHeld = true;
+  await say({ kind: 'want', request: 1, key: big['big']?.listed.sha256 ?? '' }, { kind: 'want', request: 2, key: C });
+  const held = own.bufferedAmount;
+  assert.ok(held > 1 << 18 && held < (1 << 18) + 5 * PART, `${held}`);
+  own.drain();
+  await settled();
+  const sent = own.sent.map((bytes) => readMessage(bytes)).flatMap((each) => (each.kind === 'part' ? [each.request] : []));
+  assert.deepEqual(sent, [...Array(40).fill(1), 2]);
+  assert.equal(page.dropped.size, 0);
+});
+
+test('only listed files are given, to as many requests as there may be', async () => {
+  const { page, heard, say } = bench();
+  await say({ kind: 'want', request: 1, key: 'ab'.repeat(32) });
+  assert.deepEqual(heard.at(-1), { kind: 'none', request: 1 });
+  page.wanted = [];
+  await say({ kind: 'want', request: 2, key: A });
+  assert.deepEqual([heard.at(-1), page.asked], [{ kind: 'none', request: 2 }, []]);
+  await say({ kind: 'want', request: 2, key: A });
+  assert.match(page.dropped.get(2) ?? '', /number that was used/);
+});
+
+test('too many requests at once drop, and too many a second get nothing', async () => {
+  const crowd = bench();
+  crowd.page.serve = () => new Promise(() => undefined);
+  await crowd.say(...[...Array(65).keys()].map((at) => ({ kind: 'want', request: at + 1, key: A }) as const));
+  assert.match(crowd.page.dropped.get(2) ?? '', /too much is asked for/);
+  assert.deepEqual(crowd.page.asked, ['a']);
+  const hurry = bench();
+  hurry.page.store.add(C, WORLD['c']?.data ?? new ArrayBuffer(0));
+  for (let request = 1; request <= 500; request++) {
+    hurry.line.send(writeMessage({ kind: 'want', request, key: C }));
+    if (request % 20 === 0) await settled();
+  }
+  await settled();
+  assert.deepEqual([ends(hurry.heard, 'part'), ends(hurry.heard, 'none'), hurry.page.dropped.size], [400, 100, 0]);
+});
+
+test('a page fetches for others only what it shows itself, once', async () => {
+  const { page, heard, say } = bench();
+  await say({ kind: 'want', request: 1, key: B }, { kind: 'want', request: 2, key: B });
+  assert.deepEqual(page.asked, ['b']);
+  assert.equal(ends(heard, 'part'), 2);
+  page.serve = () => Promise.reject(new Error('gone'));
+  await say({ kind: 'want', request: 3, key: A });
+  assert.deepEqual(heard.at(-1), { kind: 'none', request: 3 });
+});

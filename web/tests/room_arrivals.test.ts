@@ -1,0 +1,56 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { createArrivals } from '../src/rooms/arrivals';
+import { createSeldom } from '../src/rooms/seldom';
+
+test('who comes alone is named, and many who come together are one sentence', () => {
+  const said: string[] = [];
+  const arrivals = createArrivals((sentence) => said.push(sentence));
+  arrivals.begin(2);
+  for (const number of [1, 2]) arrivals.come(number, 'there before');
+  arrivals.tell(0);
+  arrivals.tell(10);
+  assert.deepEqual(said, []);
+  arrivals.come(3, 'Ada #3');
+  for (let now = 10; now < 12; now += 0.1) arrivals.tell(now);
+  assert.deepEqual(said, ['Ada #3 is here']);
+  for (let number = 10; number < 60; number++) arrivals.come(number, `User #${number}`);
+  // Some of them are gone before anybody was told of them.
+  for (let number = 10; number < 15; number++) arrivals.left(number);
+  for (let now = 12; now < 30; now += 0.1) arrivals.tell(now);
+  assert.deepEqual(said.slice(1), ['45 more are here']);
+});
+
+test('many who enter at once are one sentence, not one of the first and one of the others', () => {
+  const said: string[] = [];
+  const arrivals = createArrivals((sentence) => said.push(sentence));
+  for (let number = 0; number < 50; number++) {
+    arrivals.come(number, 'User');
+    arrivals.tell(number / 100);
+  }
+  for (let now = 0.5; now < 10; now += 0.1) arrivals.tell(now);
+  assert.deepEqual(said, ['50 more are here']);
+});
+
+test('nobody is told of those who are there when the connection comes back, or who left while nobody looked', () => {
+  const said: string[] = [];
+  const arrivals = createArrivals((sentence) => said.push(sentence));
+  arrivals.come(7, 'Grace #7');
+  arrivals.begin(1);
+  arrivals.come(7, 'Grace #7');
+  arrivals.come(8, 'Alan #8');
+  arrivals.left(8);
+  for (let now = 0; now < 10; now += 0.1) arrivals.tell(now);
+  assert.deepEqual(said, []);
+});
+
+test('what costs time is looked at less often than it is asked for', () => {
+  const seldom = createSeldom<number | null>(0.1);
+  let looks = 0;
+  const ask = (now: number): number | null => seldom.at(now, () => (looks++ === 0 ? null : looks));
+  assert.equal(ask(1), null);
+  assert.equal(ask(1.09), null);
+  assert.equal(ask(1.11), 2);
+  seldom.forget();
+  assert.equal(ask(1.12), 3);
+});

@@ -1,0 +1,66 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { followPage } from '../src/rooms/away';
+import type { Connection } from '../src/rooms/connection';
+import { createTicketStore } from '../src/rooms/ticket';
+
+/** Storage of a tab, as far as it is used. */
+function fakeStorage(): Storage & { readonly held: Map<string, string> } {
+  const held = new Map<string, string>();
+  const storage = {
+    held,
+    getItem: (key: string) => held.get(key) ?? null,
+    setItem: (key: string, text: string) => void held.set(key, text),
+    removeItem: (key: string) => void held.delete(key),
+  };
+  return storage as unknown as Storage & { readonly held: Map<string, string> };
+}
+
+test('a ticket lies in the storage until it is taken, for its room alone', () => {
+  const storage = fakeStorage();
+  const [hall, other] = ['ws://h/rooms/hall', 'ws://h/rooms/other'].map((at) => createTicketStore(at, () => storage));
+  assert.deepEqual(hall?.take(), new Uint8Array());
+  hall?.put(new Uint8Array([0, 1, 254]));
+  assert.deepEqual(other?.take(), new Uint8Array());
+  assert.deepEqual(hall?.take(), new Uint8Array([0, 1, 254]));
+  assert.deepEqual(hall?.take(), new Uint8Array());
+  assert.equal(storage.held.size, 0);
+  // None that could be none is sent.
+  for (const text of ['x', '1', '00'.repeat(256), 'zz']) {
+    hall?.put(new Uint8Array([1]));
+    for (const key of storage.held.keys()) storage.held.set(key, text);
+    assert.equal(hall?.take().length, 0);
+  }
+});
+
+test('without a storage there is no ticket, and no error', () => {
+  const tickets = createTicketStore('ws://h/rooms/hall', () => {
+    throw new Error('forbidden');
+  });
+  tickets.put(new Uint8Array([1]));
+  assert.equal(tickets.take().length, 0);
+});
+
+test('a page that goes says bye and leaves its ticket, and joins again when it comes back', () => {
+  const [page, storage, calls]: [EventTarget, ReturnType<typeof fakeStorage>, string[]] = [
+    new EventTarget(), fakeStorage(), [],
+  ];
+  const connection = {
+    state: { kind: 'here' },
+    ticket: new Uint8Array([5]),
+    leave: () => calls.push('leave'),
+    retry: () => calls.push('retry'),
+  };
+  followPage(connection as unknown as Connection, createTicketStore('ws://h/rooms/x', () => storage), page);
+  page.dispatchEvent(new Event('pageshow'));
+  assert.deepEqual(calls, []);
+  page.dispatchEvent(new Event('pagehide'));
+  assert.deepEqual([calls, [...storage.held.values()]], [['leave'], ['05']]);
+  page.dispatchEvent(new Event('pageshow'));
+  assert.deepEqual([calls, storage.held.size], [['leave', 'retry'], 0]);
+  // Who has left before stays away, and leaves nothing.
+  connection.state.kind = 'ended';
+  page.dispatchEvent(new Event('pagehide'));
+  page.dispatchEvent(new Event('pageshow'));
+  assert.deepEqual([calls.length, storage.held.size], [2, 0]);
+});

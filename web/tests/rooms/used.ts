@@ -1,0 +1,208 @@
+/** A room that a page uses for hours in minutes: a server in the page, on a clock that steps. It is no part of the page. */
+import type { Pose as Place } from '../../src/control/pose';
+import type { FromServer } from '../../src/rooms/frames';
+import type { Body, Pose } from '../../src/rooms/pose';
+import { rotationAlong, rotationOf } from '../../src/rooms/rotation';
+import { randomOf } from '../support/random';
+import { served } from '../support/room_frames';
+
+declare global {
+  interface Window {
+    used: {
+      /** Take the clock and the frames; the page is loaded. */
+      take(): void;
+      /** So many seconds of use; poses of others that have come until now. */
+      run(seconds: number): number;
+    };
+  }
+}
+
+/** Others, frames a second, and frames of which one is drawn: drawing in software takes most of the time. */
+const [OTHERS, RATE, DRAWN] = [8, 72, 36] as const;
+/** Seconds between two of each kind, on average. */
+const EVERY = { change: 10, say: 2, point: 3, mute: 7, press: 10, breaks: 60 } as const;
+/** Seconds for which the user presses the key to point. */
+const PRESSED = 0.5;
+const SAID = new Uint8Array(1024);
+
+let time: number | null = null;
+let timers: { readonly number: number; readonly at: number; readonly action: () => void }[] = [];
+let timer = 1 << 30;
+const real = {
+  now: performance.now.bind(performance),
+  set: window.setTimeout.bind(window),
+  clear: window.clearTimeout.bind(window),
+};
+performance.now = () => time ?? real.now();
+window.setTimeout = ((action: () => void, wait = 0): number => {
+  if (time === null) return real.set(action, wait);
+  timers.push({ number: ++timer, at: time + wait, action });
+  return timer;
+}) as typeof window.setTimeout;
+window.clearTimeout = (number) => {
+  timers = timers.filter((each) => each.number !== number);
+  real.clear(number);
+};
+
+interface Guest {
+  readonly number: number;
+  readonly begin: number;
+  isPointing: boolean;
+  sequence: number;
+}
+
+const random = randomOf(1);
+let socket: Fake | null = null;
+let guests: Guest[] = [];
+let newest = 1;
+let settles: number | null = null;
+
+/** The server's end of the page's connection. */
+class Fake {
+  binaryType = 'blob';
+  bufferedAmount = 0;
+  onopen: (() => void) | null = null;
+  onmessage: ((event: { data: ArrayBuffer }) => void) | null = null;
+  onclose: ((event: { code: number }) => void) | null = null;
+
+  constructor() {
+    window.setTimeout(() => this.onopen?.(), 10);
+  }
+
+  send(data: Uint8Array): void {
+    if (data[0] === 1) this.welcome();
+    const isAcknowledged = data[0] === 2 && ((data[15] ?? 0) & 1) === 1;
+    if (isAcknowledged) settles = new DataView(data.buffer, data.byteOffset).getUint32(3, true);
+  }
+
+  close(): void {
+    if (socket === this) socket = null;
+  }
+
+  comes(frames: readonly FromServer[]): void {
+    const parts = frames.map(served);
+    const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+    let at = 0;
+    for (const part of parts) {
+      whole.set(part, at);
+      at += part.length;
+    }
+    this.onmessage?.({ data: whole.buffer });
+  }
+
+  private welcome(): void {
+    socket = this;
+    const others = guests.map(joined);
+    this.comes([{ kind: 'welcome', user: 60_001, others: others.length, ticket: new Uint8Array(26) }, ...others]);
+  }
+}
+window.WebSocket = Fake as unknown as typeof WebSocket;
+
+function joined({ number }: Guest): FromServer {
+  return { kind: 'joined', user: number, group: 0, name: `User ${number}` };
+}
+
+/** Where a user is after some seconds: on a circle, with both hands. */
+function bodyOf({ begin, isPointing }: Guest, seconds: number): Body {
+  const angle = 0.3 * seconds + begin;
+  const [x, z] = [3 + 2 * Math.sin(angle), -2 - 2 * Math.cos(angle)];
+  const hand = (side: number): Body['left'] => ({
+    position: [x + 0.2 * side, 1.3, z - 0.3],
+    rotation: rotationAlong([Math.sin(angle), -0.1, -1]),
+  });
+  return {
+    head: { position: [x, 1.7, z], rotation: rotationOf(angle, 0.1) },
+    left: hand(-1),
+    right: hand(1),
+    pointer: isPointing ? { begin: 'right', length: 12 } : null,
+  };
+}
+
+function poseOf(guest: Guest, seconds: number): Pose {
+  guest.sequence += 1;
+  const isAcknowledged = guest.sequence % 18 === 0;
+  const clock = BigInt(Math.round(1e6 * (seconds + guest.begin)));
+  return { ...bodyOf(guest, seconds), sequence: guest.sequence, clock, isAcknowledged, stops: false };
+}
+
+function enter(): Guest {
+  newest = (newest % 60_000) + 1;
+  return { number: newest, begin: newest, isPointing: false, sequence: 0 };
+}
+
+/** Whether something that happens every so many seconds happens in this frame. */
+function happens(every: number): boolean {
+  return random() < 1 / (every * RATE);
+}
+
+function key(name: 'keydown' | 'keyup'): void {
+  window.dispatchEvent(new KeyboardEvent(name, { code: 'KeyE', key: 'e', bubbles: true }));
+}
+
+function oneOf<Item>(items: readonly Item[]): Item | undefined {
+  return items[Math.floor(random() * items.length)];
+}
+
+/** Frames of the server that come together. */
+function news(seconds: number): FromServer[] {
+  const frames: FromServer[] = guests.map((guest) => ({ kind: 'pose', user: guest.number, pose: poseOf(guest, seconds) }));
+  if (settles !== null) frames.push({ kind: 'settled', sequence: settles });
+  settles = null;
+  if (happens(EVERY.change)) {
+    const [gone, ...stay] = guests;
+    const one = enter();
+    guests = [...stay, one];
+    if (gone) frames.push({ kind: 'left', user: gone.number });
+    frames.push(joined(one));
+  }
+  const who = oneOf(guests);
+  if (who && happens(EVERY.say)) frames.push({ kind: 'say', user: who.number, to: 'room', payload: SAID });
+  if (who && happens(EVERY.point / OTHERS)) who.isPointing = !who.isPointing;
+  return frames;
+}
+
+let poses = 0;
+let released = Infinity;
+
+function step(number: number): void {
+  const { room, viewer } = window.nearfar ?? {};
+  if (!room || !viewer || time === null) throw new Error('the page is in no room');
+  time += 1000 / RATE;
+  const due = timers.filter(({ at }) => at <= (time ?? 0));
+  timers = timers.filter((each) => !due.includes(each));
+  for (const { action } of due) action();
+  const seconds = time / 1000;
+  socket?.comes(news(seconds));
+  if (socket) poses += guests.length;
+  if (socket && happens(EVERY.breaks)) {
+    const gone = socket;
+    socket = null;
+    gone.onclose?.({ code: 1006 });
+  }
+  const muted = oneOf(room.presence.guests);
+  if (muted && happens(EVERY.mute)) room.presence.mute(muted.number, !muted.isMuted);
+  if (happens(EVERY.press)) {
+    key('keydown');
+    released = seconds + PRESSED;
+  }
+  if (seconds > released) {
+    key('keyup');
+    released = Infinity;
+  }
+  const place: Place = { position: [3, 1.7, 1 + Math.sin(0.2 * seconds)], yaw: 0.2 * Math.sin(seconds), pitch: 0 };
+  room.frame(place);
+  if (number % DRAWN === 0) viewer.frame(place, 1 / RATE);
+}
+
+window.used = {
+  take() {
+    window.nearfar?.viewer.renderer.setAnimationLoop(null);
+    guests = Array.from({ length: OTHERS }, enter);
+    time = real.now();
+    socket?.comes(guests.map(joined));
+  },
+  run(seconds) {
+    for (let number = 0; number < seconds * RATE; number++) step(number);
+    return poses;
+  },
+};

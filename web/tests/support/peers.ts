@@ -1,0 +1,185 @@
+/** Pages that exchange files over channels in memory, on a clock that the test moves. */
+import { createHash } from 'node:crypto';
+import type { Described } from '../../src/bundle/manifest';
+import { TICK } from '../../src/peers/downloads';
+import { createPeer, type Line, type Peer } from '../../src/peers/peer';
+import { createShare, type Share } from '../../src/peers/share';
+import { createStore, type Store } from '../../src/peers/store';
+import type { Clock } from '../../src/rooms/clock';
+
+export interface Stepped extends Clock {
+  /** Let some seconds pass, by ticks. */
+  pass(seconds: number): Promise<void>;
+  /** Act at each tick. */
+  each(action: () => void): void;
+}
+
+export function steppedClock(): Stepped {
+  let time = 100;
+  let timers: { at: number; action: () => void }[] = [];
+  const actions: (() => void)[] = [];
+  return {
+    now: () => time,
+    later(seconds, action) {
+      const timer = { at: time + seconds, action };
+      timers.push(timer);
+      return () => (timers = timers.filter((other) => other !== timer));
+    },
+    each: (action) => void actions.push(action),
+    async pass(seconds) {
+      for (let left = seconds; left > 1e-9; left -= TICK) {
+        time += Math.min(TICK, left);
+        const due = timers.filter(({ at }) => at <= time + 1e-9);
+        timers = timers.filter((timer) => !due.includes(timer));
+        for (const { action } of due) action();
+        for (const action of actions) action();
+        await settled();
+      }
+    },
+  };
+}
+
+/** Wait until all that can happen without the clock has: hashes and blobs take turns of the loop. */
+export async function settled(turns = 60): Promise<void> {
+  for (let turn = 0; turn < turns; turn++) await new Promise((done) => setImmediate(done));
+}
+
+/** One end of a channel. What it sends comes to the other end in order, later. */
+export class Wire implements Line {
+  binaryType: BinaryType = 'blob';
+  bufferedAmount = 0;
+  bufferedAmountLowThreshold = 0;
+  onmessage: Line['onmessage'] = null;
+  onbufferedamountlow: Line['onbufferedamountlow'] = null;
+  other: Wire | null = null;
+  isClosed = false;
+  /** Nothing that is sent leaves. */
+  isHeld = false;
+  readonly sent: Uint8Array[] = [];
+
+  send(data: unknown): void {
+    if (this.isClosed) throw new Error('the channel is closed');
+    const bytes = (data as Uint8Array).slice();
+    this.sent.push(bytes);
+    if (this.isHeld) this.bufferedAmount += bytes.length;
+    else setImmediate(() => this.other?.comes(bytes.buffer));
+  }
+
+  comes(data: unknown): void {
+    if (!this.isClosed) this.onmessage?.call(this as unknown as RTCDataChannel, { data } as MessageEvent);
+  }
+
+  /** All that is held has left. */
+  drain(): void {
+    this.isHeld = false;
+    this.bufferedAmount = 0;
+    this.onbufferedamountlow?.call(this as unknown as RTCDataChannel, {} as Event);
+  }
+
+  close(): void {
+    this.isClosed = true;
+  }
+}
+
+export function wired(): [Wire, Wire] {
+  const [one, other] = [new Wire(), new Wire()];
+  [one.other, other.other] = [other, one];
+  return [one, other];
+}
+
+/** Content of some size, and how a manifest lists it. */
+export function made(size: number, fill: number): { readonly data: ArrayBuffer; readonly listed: Described } {
+  const data = new Uint8Array(size).fill(fill);
+  return { data: data.buffer, listed: { bytes: size, sha256: createHash('sha256').update(data).digest('hex') } };
+}
+
+export type World = Readonly<Record<string, ReturnType<typeof made>>>;
+
+export interface Page {
+  readonly number: number;
+  readonly share: Share;
+  readonly store: Store;
+  readonly peers: Map<number, Peer>;
+  readonly dropped: Map<number, string>;
+  /** Names of files that the server was asked for. */
+  readonly asked: string[];
+  /** What the server answers. */
+  serve: (name: string) => Promise<ArrayBuffer>;
+  wanted: readonly string[];
+  isFirst: boolean;
+  get(name: string, signal?: AbortSignal): Promise<ArrayBuffer>;
+}
+
+/** A page of a world; whoever it is joined with comes later. */
+export function createPage(number: number, world: World, clock: Stepped, ready = Promise.resolve()): Page {
+  const [peers, dropped] = [new Map<number, Peer>(), new Map<number, string>()];
+  const [store, asked]: [Store, string[]] = [createStore(), []];
+  const open = new Map<string, Promise<ArrayBuffer>>();
+  const page: Page = {
+    number,
+    store,
+    peers,
+    dropped,
+    asked,
+    wanted: Object.keys(world),
+    isFirst: false,
+    serve: (name) => Promise.resolve(world[name]?.data.slice(0) ?? new ArrayBuffer(0)),
+    get(name, signal = new AbortController().signal) {
+      const asking = open.get(name) ?? page.share.get(name, signal, () => undefined, async (wanted, own, told) => {
+        asked.push(wanted);
+        const data = await page.serve(wanted);
+        own.throwIfAborted();
+        told(data.byteLength);
+        return data;
+      });
+      open.set(name, asking);
+      const forget = (): unknown => open.delete(name);
+      asking.then(forget, forget);
+      return asking;
+    },
+    share: createShare({
+      store,
+      described: (name) => world[name]?.listed,
+      wanted: () => page.wanted,
+      isFirst: () => page.isFirst,
+      own: () => number,
+      peers: () => [...peers.values()],
+      ready,
+      fetch: (name) => page.get(name),
+    }),
+  };
+  let ticks = 0;
+  clock.each(() => {
+    ticks += 1;
+    for (const peer of peers.values()) peer.tick(ticks % 4 === 0);
+  });
+  return page;
+}
+
+/** Give a page an end of a channel to a user. */
+export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer {
+  const peer = createPeer({
+    number,
+    line,
+    shelf: page.share.shelf,
+    now: clock.now,
+    sent: () => undefined,
+    refuse(sentence) {
+      page.dropped.set(number, sentence);
+      line.close();
+      peer.end();
+      page.peers.delete(number);
+    },
+  });
+  page.peers.set(number, peer);
+  page.share.greet(peer);
+  return peer;
+}
+
+/** Join two pages; both ends of their channel. */
+export function join(one: Page, other: Page, clock: Clock): [Wire, Wire] {
+  const [mine, theirs] = wired();
+  plug(one, other.number, mine, clock);
+  plug(other, one.number, theirs, clock);
+  return [mine, theirs];
+}
