@@ -236,5 +236,5 @@ def test_the_card_tells_where_files_came_from(pages: Any, url: str) -> None:
     page = pages()
     page.open(url, "card")
     page.wait(len(RADII))
-    words, card = "0 B from others, 3.72 MB from the server", page.page.locator(".here")
+    words, card = "0 B from others, 3.7 MB from the server", page.page.locator(".here")
     wait_until(page.page, lambda: words in card.text_content().replace("\xa0", " "))
