@@ -133,6 +133,23 @@ test('who becomes silent in the middle of a file loses the request, and is asked
   assert.deepEqual([page.asked, page.dropped.size], [['a', 'b'], 0]);
 });
 
+test('who leaves requests without an answer again and again is asked no more', async () => {
+  const { page, heard, say, clock } = bench();
+  const names = ['a', 'b', 'c', 'a'];
+  for (const [turn, name] of names.entries()) {
+    await say({ kind: 'tell', holding: 'here', keys: KEYS });
+    // Nothing of it is kept from the time before.
+    if (turn === 3) page.store.add('x', new ArrayBuffer(64 * 2 ** 20));
+    const coming = page.get(name);
+    await settled();
+    const request = wants(heard).at(-1) ?? 0;
+    await clock.pass(4.5);
+    await coming;
+    if (turn < 3) await say({ kind: 'none', request });
+  }
+  assert.deepEqual([wants(heard).length, page.asked, page.dropped.size], [3, names, 0]);
+});
+
 test('a page waits for one that has to fetch the file itself, while it comes', async () => {
   const { page, heard, say, clock } = bench();
   await say({ kind: 'tell', holding: 'coming', keys: [A] });

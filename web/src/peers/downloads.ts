@@ -7,8 +7,8 @@ import { hexOf, type Message, PART } from './messages';
 export const TICK = 0.25;
 /** Requests to one page at the same time. */
 const MOST_OPEN = 32;
-/** Seconds that a request may take, and bytes a second that come beyond them. */
-const [LONGEST, SLOWEST] = [10, 65_536] as const;
+/** Bytes a second that come at least, after the time that a request may take. */
+const SLOWEST = 65_536;
 
 /** The content of a file, or why there is none: the page has it not, stops sending, is gone, or has sent another one. */
 export type Answer = ArrayBuffer | 'none' | 'silent' | 'wrong';
@@ -16,6 +16,8 @@ export type Answer = ArrayBuffer | 'none' | 'silent' | 'wrong';
 export interface Wanted extends Described {
   /** Seconds without a byte after which the request is given up. */
   readonly patience: number;
+  /** Seconds that it may take, beside those for its bytes. */
+  readonly longest: number;
 }
 
 export interface Downloads {
@@ -134,8 +136,8 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
         if (download.isOver) continue;
         download.quiet += 1;
         download.age += 1;
-        const { patience, bytes } = download.file;
-        const isLate = TICK * download.age > LONGEST + bytes / SLOWEST;
+        const { patience, longest, bytes } = download.file;
+        const isLate = TICK * download.age > longest + bytes / SLOWEST;
         if (isLate || TICK * download.quiet > patience) giveUp(request, download, 'silent');
       }
     },

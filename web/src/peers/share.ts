@@ -11,8 +11,9 @@ import type { Store } from './store';
 import type { Shelf } from './uploads';
 import { isBefore } from './weights';
 
-/** Seconds without a byte after which another page is given up, for the first picture and after it. */
-const [FIRST, PATIENCE] = [1, 4] as const;
+/** Seconds without a byte, and in all, after which another page is given up: for the first picture, and after it. */
+const FIRST = { patience: 1, longest: 2 } as const;
+const LATER = { patience: 4, longest: 10 } as const;
 
 export interface ShareSettings {
   readonly store: Store;
@@ -72,8 +73,7 @@ export function createShare(settings: ShareSettings): Share {
     const tried = new Set<number>();
     for (let peer = chosen(key, tried); peer; peer = chosen(key, tried)) {
       tried.add(peer.number);
-      const patience = isFirst() ? FIRST : PATIENCE;
-      const answer: Answer = await peer.ask({ ...file, patience }, signal, received);
+      const answer: Answer = await peer.ask({ ...file, ...(isFirst() ? FIRST : LATER) }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
       // Nobody waits twice for the first picture.
       if (answer === 'silent' && isFirst()) return null;
