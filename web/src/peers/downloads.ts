@@ -1,4 +1,4 @@
-/** Files that a page asks one other page for. Time is counted in ticks: a page that stood still blames nobody for it. */
+/** Files that a page asks another one for. Time is counted in ticks: a page that stood still blames nobody for it. */
 import type { Described } from '../bundle/manifest';
 import type { Received } from '../bundle/source';
 import { hexOf, type Message, PART } from './messages';
@@ -10,7 +10,7 @@ const MOST_OPEN = 32;
 /** Bytes a second that come at least, after the time that a request may take. */
 const SLOWEST = 65_536;
 
-/** The content of a file, or why there is none: the page has it not, stops sending, is gone, or has sent another one. */
+/** The content of a file, or why there is none: the page has it not, sends nothing more, or has sent another one. */
 export type Answer = ArrayBuffer | 'none' | 'silent' | 'wrong';
 
 export interface Wanted extends Described {
@@ -70,7 +70,8 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
 
   function part(request: number, download: Download, bytes: Uint8Array): string | null {
     const { file } = download;
-    if (bytes.length === 0 || bytes.length !== Math.min(PART, file.bytes - download.size)) return 'a part has a wrong length';
+    const expected = Math.min(PART, file.bytes - download.size);
+    if (bytes.length === 0 || bytes.length !== expected) return 'a part has a wrong length';
     for (const each of downloads.values()) each.quiet = 0;
     if (!download.isOver) {
       download.data ??= new Uint8Array(file.bytes);

@@ -7,7 +7,7 @@ import { type Answer, createDownloads, type Wanted } from './downloads';
 import { type Holding, type Message, MOST_TOLD, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
 
-/** Messages a second besides parts of files, and as many at once; so many files that a message tells of count as one. */
+/** Messages a second besides parts, and as many at once; so many files that a message tells of count as one. */
 const [RATE, BURST, TOLD] = [512, 2048, 50] as const;
 /** Requests that a page may leave without an answer before it is asked no more. */
 const MOST_SILENT = 3;
@@ -21,7 +21,7 @@ const LOW = 1 << 17;
 /** The part of the browser's channel for data that is used. */
 export type Line = Pick<
   RTCDataChannel,
-  'binaryType' | 'bufferedAmount' | 'bufferedAmountLowThreshold' | 'close' | 'onbufferedamountlow' | 'onmessage' | 'send'
+  'binaryType' | 'bufferedAmount' | 'bufferedAmountLowThreshold' | 'onbufferedamountlow' | 'onmessage' | 'send'
 >;
 
 export interface PeerSettings {
@@ -127,7 +127,9 @@ export function createPeer({ number, line, shelf, now, sent, refuse }: PeerSetti
     },
     holds: (key) => known.get(key) ?? 'gone',
     tell(holding, keys) {
-      for (let at = 0; at < keys.length; at += MOST_TOLD) send({ kind: 'tell', holding, keys: keys.slice(at, at + MOST_TOLD) });
+      for (let at = 0; at < keys.length; at += MOST_TOLD) {
+        send({ kind: 'tell', holding, keys: keys.slice(at, at + MOST_TOLD) });
+      }
     },
     async ask(file, signal, received) {
       asked.take(1);

@@ -51,7 +51,7 @@ crypto.subtle.digest = async (...given) => {
   }
 };
 
-/** Wait until all that can happen without the clock has: no hash is computed, and so many turns of the loop are over. */
+/** Wait until all that can happen without the clock has: no hash is computed, and so many turns are over. */
 export async function settled(turns = 60): Promise<void> {
   for (let turn = 0; turn < turns; turn = hashes > 0 ? 0 : turn + 1) await new Promise((done) => setImmediate(done));
 }
