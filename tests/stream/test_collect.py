@@ -40,22 +40,18 @@ def message_of(fields: dict[str, Any]) -> Message:
     level = LEVELS.index(fields.get("level", "easy"))
     match fields["kind"]:
         case "trial":
-            corners = {name: tuple(map(tuple, fields[name])) for name in ("box", "area")}
             named = ("trials", "users", "seed", "elapsed", "duration", "hold", "pause", "rest", "radius")
-            return Trial(
-                stage,
-                is_over=fields["over"],
-                speeds=tuple(fields["speeds"]),
-                tallies=tuple(Tally(*tally) for tally in fields["tallies"]),
-                seats=tuple(Seat(seat["user"], tuple(seat["position"])) for seat in fields["seats"]),
-                **{name: fields[name] for name in named},
-                **corners,
-            )
+            rules: dict[str, Any] = {name: fields[name] for name in named}
+            rules |= {name: tuple(map(tuple, fields[name])) for name in ("box", "area")}
+            rules["speeds"], rules["is_over"] = tuple(fields["speeds"]), fields["over"]
+            rules["tallies"] = tuple(Tally(*tally) for tally in fields["tallies"])
+            rules["seats"] = tuple(Seat(seat["user"], tuple(seat["position"])) for seat in fields["seats"])
+            return Trial(stage, **rules)
         case "sphere":
             return Sphere(stage, number, level, fields["age"], tuple(fields["position"]), tuple(fields["velocity"]))
         case "aims":
-            told = (fields[name] for name in ("event", "user", "misses", "held"))
-            return Aims(stage, number, *told, tuple(fields["users"]))
+            told = {name: fields[name] for name in ("event", "user", "misses", "held")}
+            return Aims(stage, number, users=tuple(fields["users"]), **told)
         case "collected":
             return Collected(stage, number, level, fields["misses"], fields["seconds"])
         case _:

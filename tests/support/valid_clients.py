@@ -1,4 +1,4 @@
-"""Valid calls of every public callable of `nf.stream.client`."""
+"""Valid calls of every public callable of `nf.stream.client` and `nf.stream.collect`."""
 
 from __future__ import annotations
 
@@ -6,14 +6,17 @@ from typing import Any
 
 import numpy as np
 
-from nearfar.stream import client
+from nearfar.stream import client, collect
 from nearfar.stream._room_connection import Address, Connection
 from tests.support.valid_fields import fields
 from tests.support.valid_objects import Valid
 
 URL = "http://127.0.0.1:1/"
 
-ROOM_CALLS = tuple(f"nearfar.stream.client.{name}" for name in ("join", "Room", "Room.pose", "Room.say", "Room.signal"))
+ROOM_CALLS = (
+    *(f"nearfar.stream.client.{name}" for name in ("join", "Room", "Room.pose", "Room.say", "Room.signal")),
+    "nearfar.stream.collect.play",
+)
 """Callables that need aiohttp."""
 
 
@@ -24,11 +27,19 @@ class _Nowhere(Connection):
         del data
 
 
-def room() -> client.Room:
+class _Told(client.Room):
+    """A room of which all has been told."""
+
+    async def __anext__(self) -> Any:
+        raise StopAsyncIteration
+
+
+def room(kind: type[client.Room] = client.Room) -> client.Room:
     """A user who is in a room."""
-    made = client.join(URL, room="hall")
+    made = kind(URL, room="hall")
     made._connection = _Nowhere(Address.of(URL, "hall", None, None))
     made._was_entered = True
+    made._user = 1
     made._there.set()
     return made
 
@@ -61,4 +72,15 @@ def clients(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.stream.client.Signalled": {"user": 1, "data": b"offer"},
         "nearfar.stream.client.User": {"number": 1, "name": "Ada", "group": 0},
         "nearfar.stream.client.join": joining,
+        "nearfar.stream.collect.Collected": {"level": "easy", "seconds": 4.0, "misses": 0},
+        "nearfar.stream.collect.Outcome": {"group": 1, "trial": 1, "spheres": ()},
+        "nearfar.stream.collect.Person": fields(collect.Person()),
+        "nearfar.stream.collect.Settings": fields(collect.Settings()),
+        "nearfar.stream.collect.play": {
+            "room": room(_Told), "settings": collect.Settings(), "person": collect.Person(),
+        },
+        "nearfar.stream.collect.simulate": {
+            "settings": collect.Settings(users=1, trials=1, duration=0.1), "person": collect.Person(), "groups": 1,
+            "leg": (0.01, 0.001),
+        },
     }  # fmt: skip

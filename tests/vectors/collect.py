@@ -10,7 +10,7 @@ from tests.vectors.exact import document, single
 from tests.vectors.rooms import little
 
 STAGE = {"run": 2, "trial": 1}
-RULES = {
+RULES: dict[str, Any] = {
     "trials": 3, "over": False, "users": 4, "seed": 7, "elapsed": 1.5, "duration": 180.0, "hold": 2.0,
     "pause": single(1.65), "rest": 5.0, "radius": single(0.3), "speeds": [0.0, 0.5, 1.5],
     "box": [[-4.0, 0.25, -10.0], [4.0, 4.25, -6.0]], "area": [[-2.5, 1.75, -1.0], [2.5, 1.75, 1.0]],
@@ -156,7 +156,7 @@ def places() -> list[dict[str, Any]]:
         speed, up, turn = RULES["speeds"][level], 2 * draws[3] - 1, 2 * math.pi * draws[4]
         across = math.sqrt(1 - up * up)
         seat = [drawn(RULES["seed"], cell, 2**32 + n) for n in range(2)]
-        (west, height, north), (east, _, south) = RULES["area"]
+        west, height, north, east, _, south = (value for corner in RULES["area"] for value in corner)
         found.append({
             "region": f"sphere {number} of trial {number_of_trial} of run {run} of group {group}",
             "group": group, "run": run, "trial": number_of_trial, "number": number, "level": LEVELS[level],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from typing import Any
 
@@ -19,7 +19,7 @@ from tests.support.room_pages import RoomPage, has_changed
 
 pytestmark = pytest.mark.slow
 
-SIZE = (480, 320)
+SIZE = (240, 160)
 DESKTOP, PHONE = (1280, 800), (390, 844)
 CENTER = (3.0, 1.7, -2.0)
 RADII = (10.0, 22.0)
@@ -37,7 +37,7 @@ TASK = """() => {
 @pytest.fixture(scope="module")
 def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     folder = tmp_path_factory.mktemp("collect") / "bundle"
-    nf.stream.export(nf.datasets.city(blocks=3, detail=1), folder, center=CENTER, radii=RADII, face_size=256)
+    nf.stream.export(nf.datasets.city(blocks=2, detail=0), folder, center=CENTER, radii=RADII, face_size=64)
     with Server({"": Site.of_bundle(folder)}, rooms=Rooms()) as server:
         yield f"{server.url}?aa=0&strategy=clovrd&task=collect"
 
@@ -59,17 +59,25 @@ class Player(RoomPage):
         self.pose = {"position": eye, "yaw": yaw, "pitch": pitch}
 
 
+def told(players: Sequence[Player], name: str) -> list[Any]:
+    """What each page knows, after a frame of each: who judges needs the others' poses."""
+    return [player.task()[name] for player in players]
+
+
+def joined(chromium: Any, stack: ExitStack, url: str, name: str) -> Player:
+    """A page that is in a room, all of its rings loaded."""
+    page = stack.enter_context(opened(chromium, *SIZE))
+    page.goto(f"{url}&name={name}")
+    assert wait_for_ring(page, len(RADII)) == ""
+    wait_until(page, lambda: page.evaluate("() => Boolean(window.nearfar?.room?.activity)"))
+    return Player(page, dict(START))
+
+
 def started(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -> list[Player]:
     """Pages of one group, the conductor first, whose first trial has begun."""
-    players = []
-    for name in names:
-        page = stack.enter_context(opened(chromium, *SIZE))
-        page.goto(f"{url}&name={name}")
-        assert wait_for_ring(page, len(RADII)) == ""
-        wait_until(page, lambda page=page: page.evaluate("() => Boolean(window.nearfar?.room?.activity)"))
-        players.append(Player(page, dict(START)))
+    players = [joined(chromium, stack, url, name) for name in names]
     first = players[0].page
-    wait_until(first, lambda: all(player.task()["user"] is not None for player in players))
+    wait_until(first, lambda: None not in told(players, "user"))
     players.sort(key=lambda player: player.task()["user"])
     button = players[0].page.get_by_role("button", name="Start")
     wait_until(first, lambda: players[0].step() and button.is_visible())
@@ -77,15 +85,14 @@ def started(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -
         player.step()
         assert player.page.get_by_role("button", name="Start").is_hidden()
     button.click()
-    wait_until(first, lambda: all(player.task()["place"] for player in players))
+    wait_until(first, lambda: None not in told(players, "place"))
     return players
 
 
 def test_two_pages_collect_a_sphere(chromium: Any, url: str) -> None:
     with ExitStack() as stack:
-        other = stack.enter_context(opened(chromium, *SIZE))
-        other.goto(f"{url}&rings=0&room=two&group=2")
-        ada, bob = started(chromium, stack, f"{url}&room=two&group=1&hold=0.2&pause=0", ("Ada", "Bob"))
+        other = joined(chromium, stack, f"{url}&room=two&group=2", "Eve")
+        ada, bob = started(chromium, stack, f"{url}&room=two&group=1&hold=0.2&pause=0&duration=3000", ("Ada", "Bob"))
         state = ada.task()
         assert (state["level"], state["needed"], state["aims"]) == ("easy", 2, [])
         for player in (ada, bob):
@@ -94,24 +101,25 @@ def test_two_pages_collect_a_sphere(chromium: Any, url: str) -> None:
         # Beside the sphere at first, whose radius is 0.3 m at some 8 m.
         bob.look(away=0.1)
         both = (ada, bob)
-        wait_until(ada.page, lambda: all(player.task()["aims"] == [state["user"]] for player in both))
+        wait_until(ada.page, lambda: told(both, "aims") == 2 * [[state["user"]]])
         mask = np.abs(ada.picture() - without_guests(ada)).max(axis=-1) > 20
         assert has_changed(mask, ada.pixel_of(state["place"], CENTER, ZONES)[0], 1.5)
         assert ada.task()["count"] == 0
         ada.look(away=-0.1)
-        wait_until(ada.page, lambda: all(player.task()["misses"] == 1 for player in both))
+        wait_until(ada.page, lambda: told(both, "misses") == [1, 1])
         for player in both:
             player.look()
-        wait_until(ada.page, lambda: all(player.task()["count"] == 1 for player in both))
-        for player in both:
-            wait_until(player.page, lambda player=player: player.step() and figure(player.page, "Spheres") == "1")
-        wait_until(other, lambda: "Group 1: 1 spheres, 1 misses" in other.locator(".collect").inner_text())
+        wait_until(ada.page, lambda: told(both, "count") == [1, 1])
+        pages = [player.page for player in both]
+        wait_until(ada.page, lambda: told(both, "count") and {figure(page, "Spheres") for page in pages} == {"1"})
+        card = other.page.locator(".collect")
+        wait_until(other.page, lambda: other.step() and "Group 1: 1 spheres, 1 misses" in card.inner_text())
         assert ada.task()["level"] == "hard"
         # The next lowest number conducts on.
         ada.page.close()
         wait_until(bob.page, lambda: bob.task()["conductor"] == bob.task()["user"])
         assert bob.task()["count"] == 1
-        assert ada.page.printed + bob.page.printed + other.printed == []
+        assert ada.page.printed + bob.page.printed + other.page.printed == []
 
 
 def without_guests(player: Player) -> Any:
@@ -129,11 +137,15 @@ def figure(page: Any, name: str) -> str:
 @pytest.mark.parametrize("size", [DESKTOP, PHONE])
 def test_the_card_fits_and_ends_with_the_trial_s_figures(chromium: Any, url: str, size: tuple[int, int]) -> None:
     with opened(chromium, *size) as page:
-        page.goto(f"{url}&room=alone{size[0]}&users=1&trials=1&hold=0&radius=100&pause=0&duration=2&rings=1")
+        alone = f"{url}&users=1&trials=1&hold=0&radius=100&pause=0&rings=1"
+        page.goto(f"{alone}&room=long{size[0]}&duration=3000")
         page.get_by_role("button", name="Start").click()
         card = page.get_by_role("region", name="Sphere collection")
-        assert re.match(r"\d:\d\d", figure(page, "Left"))
+        card.get_by_text("Left").wait_for()
+        assert re.match(r"\d\d:\d\d", figure(page, "Left"))
         is_inside(card, page, size)
+        page.goto(f"{alone}&room=short{size[0]}&duration=1")
+        page.get_by_role("button", name="Start").click()
         card.get_by_role("table").wait_for()
         is_inside(card, page, size)
         rows = card.get_by_role("row").all_inner_texts()

@@ -124,7 +124,7 @@ def test_a_page_over_tls_joins_over_tls(chromium: Any, bundle: Path, tmp_path: P
         for page in pages:
             page.goto(f"{server.url}?rings=0&room=safe")
         for page in pages:
-            page.wait_for_function(f"({GUESTS})() === 1")
+            page.wait_for_function("() => window.nearfar?.room?.presence.guests.length === 1")
             assert page.printed == []
         assert [url.split("://")[0] for url in sockets] == ["wss"]
 

@@ -22,8 +22,8 @@ pytestmark = pytest.mark.slow
 
 CENTER = (3.0, 1.7, -2.0)
 SECONDS = 300.0
-MOST_GROWTH = 300_000
-"""Bytes by which the heap may grow, of some 10 MB: what the browser compiles and keeps of code lies there, too."""
+WARM, MOST_GROWTH = 4, 300_000
+"""Tenths of the time in which the browser still compiles, as code lies in the heap; bytes by which it may grow then."""
 
 
 @pytest.fixture(scope="module")
@@ -44,16 +44,15 @@ def test_what_a_page_holds_does_not_grow_with_time(chromium: Any, url: str) -> N
     with used(chromium, f"{url}&room=long&name=Ada", 1) as page:
         parts = list(use(page, SECONDS))
         assert page.printed == []
-    print([(each.heap, each.objects, each.poses) for each in parts])
     assert parts[-1].poses > 0.9 * 8 * 72 * SECONDS
+    assert max(each.heap for each in parts[WARM:]) < parts[WARM].heap + MOST_GROWTH
     first = parts[0]
     for each in parts[1:]:
-        assert each.heap < first.heap + MOST_GROWTH
-        # As many users as at first, and spare ones.
         assert each.objects["Program"] == each.objects["programs"] == first.objects["programs"]
         for kind in ("geometries", "Buffer", "VertexArray", "Framebuffer"):
             assert each.objects[kind] == first.objects[kind], kind
-        assert abs(each.objects["textures"] - first.objects["textures"]) <= 16
+        # Names of users, of whom one may just be coming.
+        assert abs(each.objects["textures"] - first.objects["textures"]) <= 2
 
 
 BODY = {

@@ -31,6 +31,16 @@ DISTANCES = {"near": (16.0, 20.5), "morph": (21.5, 28.0), "map": (30.5, 36.0)}
 """From the centre, metres: within 21 m nothing is morphed, beyond 30 m the map shows it."""
 
 PIXEL = 2 * np.tan(np.radians(37.5)) / SIZE[1]
+POINTERS_ALONE = """() => {
+  const { viewer, room } = window.nearfar;
+  const isPointer = ({ material }) => 'end' in material.uniforms;
+  viewer.setGuests({
+    get meshes() { return room.avatars.meshes.filter(isPointer); },
+    place: room.avatars.place,
+  });
+}"""
+"""Heads and names hide what is behind them."""
+
 MOST = 0.1
 """Metres from the surface within which pointers end, beside a pixel."""
 
@@ -64,6 +74,8 @@ def pages(chromium: Any, scene: nf.Scene, tmp_path_factory: pytest.TempPathFacto
             shown.goto(f"{server.url}?aa=0&strategy=clovrd&room=many&name=User{number}&rings={rings}")
             assert wait_for_ring(shown, rings) == ""
             shown.evaluate("() => document.querySelector('#ui').style.setProperty('display', 'none')")
+            shown.wait_for_function("() => window.nearfar.room")
+            shown.evaluate(POINTERS_ALONE)
             made.append(RoomPage(shown, {"position": position_of(number).tolist(), "yaw": 0.0, "pitch": 0.0}))
         wait_until(made[0].page, lambda: all(len(each.step()["seen"]) == len(RINGS) - 1 for each in made))
         yield made

@@ -108,6 +108,7 @@ test('files wait until all who were there are connected, or do not connect, or s
   assert.ok(among.isReady);
   const slow = bench();
   slow.mesh.begin(true);
+  await slow.clock.pass(1.25);
   slow.enter(1, 2, 3);
   await settled(2);
   open(slow.calls[0]);
@@ -115,6 +116,9 @@ test('files wait until all who were there are connected, or do not connect, or s
   assert.equal(slow.isReady, false);
   await slow.clock.pass(0.25);
   assert.ok(slow.isReady);
+  const outside = bench();
+  await outside.clock.pass(1.5);
+  assert.ok(outside.isReady);
   const refused = bench();
   refused.mesh.begin(true);
   refused.enter(1, 2);

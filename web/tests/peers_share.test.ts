@@ -110,7 +110,7 @@ test('before the first picture nobody is waited for longer than a second, and on
   joinAll(all, clock);
   const name = NAMES.find((each) => {
     const key = WORLD[each]?.listed.sha256 ?? '';
-    return isBefore(all[1]?.number ?? 0, all[0]?.number ?? 0, key) && isBefore(all[2]?.number ?? 0, all[0]?.number ?? 0, key);
+    return all.slice(1).every(({ number }) => isBefore(number, all[0]?.number ?? 0, key));
   });
   const [page, ...others] = all as [Page, ...Page[]];
   page.isFirst = true;

@@ -1,12 +1,25 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
-import { createPage, join, made, type Page, plug, settled, steppedClock, type Stepped, type Wire, wired, type World } from './support/peers';
+import {
+  createPage,
+  join,
+  made,
+  type Page,
+  plug,
+  settled,
+  steppedClock,
+  type Stepped,
+  type Wire,
+  wired,
+  type World,
+} from './support/peers';
 
 const WORLD: World = { a: made(3 * PART + 5, 1), b: made(PART, 2), c: made(7, 3) };
 const KEYS = Object.values(WORLD).map(({ listed }) => listed.sha256);
 const [A = '', B = '', C = ''] = KEYS;
-const same = (one: ArrayBuffer, name: string): void => assert.deepEqual(new Uint8Array(one), new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0)));
+const contentOf = (name: string): Uint8Array => new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0));
+const same = (one: ArrayBuffer, name: string): void => assert.deepEqual(new Uint8Array(one), contentOf(name));
 
 interface Bench {
   readonly clock: Stepped;
@@ -40,13 +53,14 @@ function bench(number = 1): Bench {
 
 const wants = (heard: readonly Message[]): number[] =>
   heard.flatMap((message) => (message.kind === 'want' ? [message.request] : []));
-const ends = (heard: readonly Message[], kind: Message['kind']): number => heard.filter((each) => each.kind === kind).length;
+const ends = (heard: readonly Message[], kind: Message['kind']): number =>
+  heard.filter((each) => each.kind === kind).length;
 
 /** The parts of a file. */
 function partsOf(name: string, request: number, begin = 0): Message[] {
-  const data = new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0));
-  const count = Math.ceil(data.length / PART);
-  return [...Array(count).keys()].slice(begin).map((at) => ({ kind: 'part', request, data: data.subarray(PART * at, PART * (at + 1)) }));
+  const data = contentOf(name);
+  const places = [...Array(Math.ceil(data.length / PART)).keys()].slice(begin);
+  return places.map((at) => ({ kind: 'part', request, data: data.subarray(PART * at, PART * (at + 1)) }));
 }
 
 test('a file comes from who has it, whole and checked, and is offered on', async () => {
@@ -83,7 +97,7 @@ test('bytes that nobody asked for, and parts of a wrong length, drop their sende
     [/answers nothing/, () => [{ kind: 'none', request: 77 }]],
     [/wrong length/, (request) => [{ kind: 'part', request, data: new Uint8Array() }]],
     [/wrong length/, (request) => [{ kind: 'part', request, data: new Uint8Array(PART - 1) }]],
-    [/wrong length/, (request) => [...partsOf('a', request).slice(0, 3), { kind: 'part', request, data: new Uint8Array(6) }]],
+    [/wrong length/, (request) => [...partsOf('b', request), ...partsOf('a', request, 3)]],
     [/answers nothing/, (request) => [...partsOf('a', request), { kind: 'part', request, data: new Uint8Array(1) }]],
     [/more of a file/, (request) => [{ kind: 'wait', request, bytes: 3 * PART + 6 }]],
   ];
@@ -99,8 +113,8 @@ test('bytes that nobody asked for, and parts of a wrong length, drop their sende
 });
 
 test('messages that are none, texts and floods drop their sender', async () => {
-  const garbage: readonly unknown[] = ['text', new ArrayBuffer(0), Uint8Array.from([9, 1, 2]).buffer, new ArrayBuffer(1 << 20)];
-  for (const data of garbage) {
+  const unknown = Uint8Array.from([9, 1, 2]).buffer;
+  for (const data of ['text', new ArrayBuffer(0), unknown, new ArrayBuffer(1 << 20)]) {
     const { page, line } = bench();
     line.other?.comes(data);
     assert.equal(page.dropped.size, 1);
@@ -110,7 +124,7 @@ test('messages that are none, texts and floods drop their sender', async () => {
   assert.match(page.dropped.get(2) ?? '', /more than it may/);
 });
 
-test('who becomes silent in the middle of a file loses the request, and is asked again once it has ended it', async () => {
+test('who becomes silent in a file loses the request, and is asked again when it has ended it', async () => {
   const { page, heard, say, clock } = bench();
   await say({ kind: 'tell', holding: 'here', keys: KEYS });
   const coming = page.get('a');
@@ -124,13 +138,30 @@ test('who becomes silent in the middle of a file loses the request, and is asked
   assert.deepEqual([page.asked, ends(heard, 'cancel'), page.dropped.size], [['a'], 1, 0]);
   await page.get('b');
   assert.deepEqual(page.asked, ['a', 'b']);
-  // What was on its way is no fault.
+  // Parts that were on their way are no fault.
   await say(...partsOf('a', request).slice(2, 3), { kind: 'none', request });
   const later = page.get('c');
   await settled();
   await say(...partsOf('c', wants(heard)[1] ?? 0));
   same(await later, 'c');
   assert.deepEqual([page.asked, page.dropped.size], [['a', 'b'], 0]);
+});
+
+test('who leaves requests without an answer again and again is asked no more', async () => {
+  const { page, heard, say, clock } = bench();
+  const names = ['a', 'b', 'c', 'a'];
+  for (const [turn, name] of names.entries()) {
+    await say({ kind: 'tell', holding: 'here', keys: KEYS });
+    // Nothing of it is kept from the time before.
+    if (turn === 3) page.store.add('x', new ArrayBuffer(64 * 2 ** 20));
+    const coming = page.get(name);
+    await settled();
+    const request = wants(heard).at(-1) ?? 0;
+    await clock.pass(4.5);
+    await coming;
+    if (turn < 3) await say({ kind: 'none', request });
+  }
+  assert.deepEqual([wants(heard).length, page.asked, page.dropped.size], [3, names, 0]);
 });
 
 test('a page waits for one that has to fetch the file itself, while it comes', async () => {
@@ -204,7 +235,7 @@ test('files are sent no faster than the browser takes them, one after the other'
   assert.ok(held > 1 << 18 && held < (1 << 18) + 5 * PART, `${held}`);
   own.drain();
   await settled();
-  const sent = own.sent.map((bytes) => readMessage(bytes)).flatMap((each) => (each.kind === 'part' ? [each.request] : []));
+  const sent = own.sent.map(readMessage).flatMap((each) => (each.kind === 'part' ? [each.request] : []));
   assert.deepEqual(sent, [...Array(40).fill(1), 2]);
   assert.equal(page.dropped.size, 0);
 });

@@ -1,5 +1,4 @@
-/** Whether the pages of a room exchange files: the server and the user must want it, and the browser must be able to. */
-
+/** Whether the pages of a room exchange files: server and user must want it, and the browser must be able to. */
 import type { About } from '../rooms/about';
 
 /** The parameter by which a user does not. */

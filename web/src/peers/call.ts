@@ -1,12 +1,11 @@
 /** A connection of WebRTC to one other page, with one channel for data, which both pages make. */
+import type { Clock } from '../rooms/clock';
 import type { Line } from './peer';
 
 /** Seconds in which the browser must know its own addresses. */
 const ADDRESSES = 1;
 /** The channel of both pages. Files come in order and whole. */
 const CHANNEL = { negotiated: true, id: 0, ordered: true } as const;
-/** No server tells addresses: pages reach each other in one network, or where they have public ones. */
-const CONFIGURATION = { iceServers: [] } as const;
 
 export interface CallEvents {
   /** The channel can be used. */
@@ -27,13 +26,10 @@ export interface Call {
   close(): void;
 }
 
-/** Seconds until an action, which can be prevented. */
-type Later = (seconds: number, action: () => void) => () => void;
-
-export function createCall({ opened, ended, refuse }: CallEvents, later: Later): Call {
-  const connection = new RTCPeerConnection({ ...CONFIGURATION, iceServers: [] });
+export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['later']): Call {
+  // No server tells addresses: pages reach each other in one network, or where they have public ones.
+  const connection = new RTCPeerConnection({ iceServers: [] });
   const channel = connection.createDataChannel('files', CHANNEL);
-  channel.binaryType = 'arraybuffer';
   channel.onopen = () => opened(channel);
   channel.onclose = ended;
   connection.ondatachannel = () => refuse('it opens another channel');

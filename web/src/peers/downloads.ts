@@ -1,4 +1,4 @@
-/** Files that a page asks one other page for. Time is counted in ticks: a page that stood still blames nobody for it. */
+/** Files that a page asks another one for. Time is counted in ticks: a page that stood still blames nobody for it. */
 import type { Described } from '../bundle/manifest';
 import type { Received } from '../bundle/source';
 import { hexOf, type Message, PART } from './messages';
@@ -7,15 +7,17 @@ import { hexOf, type Message, PART } from './messages';
 export const TICK = 0.25;
 /** Requests to one page at the same time. */
 const MOST_OPEN = 32;
-/** Seconds that a request may take, and bytes a second that come beyond them. */
-const [LONGEST, SLOWEST] = [10, 65_536] as const;
+/** Bytes a second that come at least, after the time that a request may take. */
+const SLOWEST = 65_536;
 
-/** The content of a file, or why there is none: the page has it not, stops sending, is gone, or has sent another one. */
+/** The content of a file, or why there is none: the page has it not, sends nothing more, or has sent another one. */
 export type Answer = ArrayBuffer | 'none' | 'silent' | 'wrong';
 
 export interface Wanted extends Described {
   /** Seconds without a byte after which the request is given up. */
   readonly patience: number;
+  /** Seconds that it may take, beside those for its bytes. */
+  readonly longest: number;
 }
 
 export interface Downloads {
@@ -68,7 +70,8 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
 
   function part(request: number, download: Download, bytes: Uint8Array): string | null {
     const { file } = download;
-    if (bytes.length === 0 || bytes.length !== Math.min(PART, file.bytes - download.size)) return 'a part has a wrong length';
+    const expected = Math.min(PART, file.bytes - download.size);
+    if (bytes.length === 0 || bytes.length !== expected) return 'a part has a wrong length';
     for (const each of downloads.values()) each.quiet = 0;
     if (!download.isOver) {
       download.data ??= new Uint8Array(file.bytes);
@@ -134,8 +137,8 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
         if (download.isOver) continue;
         download.quiet += 1;
         download.age += 1;
-        const { patience, bytes } = download.file;
-        const isLate = TICK * download.age > LONGEST + bytes / SLOWEST;
+        const { patience, longest, bytes } = download.file;
+        const isLate = TICK * download.age > longest + bytes / SLOWEST;
         if (isLate || TICK * download.quiet > patience) giveUp(request, download, 'silent');
       }
     },

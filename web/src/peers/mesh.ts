@@ -3,6 +3,7 @@ import { FrameError } from '../rooms/bytes';
 import type { Clock } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
 import type { Call, CallEvents } from './call';
+import { TICK } from './downloads';
 import type { Line } from './peer';
 import { readSignal, type Signal } from './signals';
 
@@ -10,8 +11,10 @@ import { readSignal, type Signal } from './signals';
 const [REACH, MOST_CALLS] = [6, 16] as const;
 /** Offers of a user that are answered. */
 const MOST_OFFERS = 8;
-/** Seconds in which a connection must come about, and those in which files may wait for all of them at first. */
-const [CONNECT, FIRST] = [10, 1.5] as const;
+/** Seconds in which a connection must come about. */
+const CONNECT = 10;
+/** Ticks for which files wait at first: to enter the room, and then for all connections. */
+const FIRST = Math.round(1.5 / TICK);
 
 export interface MeshSettings {
   readonly clock: Clock;
@@ -61,7 +64,14 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   let untold: number | null = null;
   let settle = (): void => undefined;
   const ready = new Promise<void>((done) => (settle = done));
-  clock.later(FIRST, settle);
+  let [hasEntered, ticks] = [false, FIRST];
+
+  function wait(): void {
+    ticks -= 1;
+    if (ticks <= 0) settle();
+    else clock.later(TICK, wait);
+  }
+  clock.later(TICK, wait);
 
   /** Whether nobody is left of whom files wait. */
   function look(): void {
@@ -215,6 +225,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       if (frame.kind === 'welcome') {
         forget();
         own = frame.user;
+        if (!hasEntered) [hasEntered, ticks] = [true, FIRST];
         untold = frame.others;
       } else if (frame.kind === 'joined') {
         // Who comes back has another page.

@@ -7,8 +7,10 @@ import { type Answer, createDownloads, type Wanted } from './downloads';
 import { type Holding, type Message, MOST_TOLD, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
 
-/** Messages a second besides parts of files, and as many at once. */
-const [RATE, BURST] = [512, 2048] as const;
+/** Messages a second besides parts, and as many at once; so many files that a message tells of count as one. */
+const [RATE, BURST, TOLD] = [512, 2048, 50] as const;
+/** Requests that a page may leave without an answer before it is asked no more. */
+const MOST_SILENT = 3;
 /** Requests a second that a page makes, and at once: fewer than others answer. */
 const [ASKED_RATE, ASKED_BURST] = [80, 300] as const;
 /** Files of which a page may tell; of more it tells in vain. */
@@ -19,7 +21,7 @@ const LOW = 1 << 17;
 /** The part of the browser's channel for data that is used. */
 export type Line = Pick<
   RTCDataChannel,
-  'binaryType' | 'bufferedAmount' | 'bufferedAmountLowThreshold' | 'close' | 'onbufferedamountlow' | 'onmessage' | 'send'
+  'binaryType' | 'bufferedAmount' | 'bufferedAmountLowThreshold' | 'onbufferedamountlow' | 'onmessage' | 'send'
 >;
 
 export interface PeerSettings {
@@ -55,7 +57,7 @@ export function createPeer({ number, line, shelf, now, sent, refuse }: PeerSetti
   const known = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
   const asked = createBucket(ASKED_RATE, ASKED_BURST, now);
-  let isOver = false;
+  let [isOver, silent] = [false, 0];
 
   function send(message: Message): void {
     if (isOver) return;
@@ -72,7 +74,6 @@ export function createPeer({ number, line, shelf, now, sent, refuse }: PeerSetti
     },
     send,
     sent,
-    failed: () => refuse('a file cannot be sent to it'),
   };
   const downloads = createDownloads(send, refuse);
   const uploads = createUploads(outlet, shelf, now);
@@ -85,7 +86,8 @@ export function createPeer({ number, line, shelf, now, sent, refuse }: PeerSetti
   }
 
   function follow(message: Message): string | null {
-    if (message.kind !== 'part' && !messages.take(1)) return 'it sends more than it may';
+    const cost = message.kind === 'part' ? 0 : message.kind === 'tell' ? 1 + message.keys.length / TOLD : 1;
+    if (!messages.take(cost)) return 'it sends more than it may';
     switch (message.kind) {
       case 'tell':
         learn(message.holding, message.keys);
@@ -121,15 +123,18 @@ export function createPeer({ number, line, shelf, now, sent, refuse }: PeerSetti
       return downloads.open;
     },
     get isFree() {
-      return !isOver && downloads.isFree && asked.secondsTo(1) === 0;
+      return !isOver && silent < MOST_SILENT && downloads.isFree && asked.secondsTo(1) === 0;
     },
     holds: (key) => known.get(key) ?? 'gone',
     tell(holding, keys) {
-      for (let at = 0; at < keys.length; at += MOST_TOLD) send({ kind: 'tell', holding, keys: keys.slice(at, at + MOST_TOLD) });
+      for (let at = 0; at < keys.length; at += MOST_TOLD) {
+        send({ kind: 'tell', holding, keys: keys.slice(at, at + MOST_TOLD) });
+      }
     },
     async ask(file, signal, received) {
       asked.take(1);
       const answer = await downloads.ask(file, signal, received);
+      if (answer === 'silent') silent += 1;
       if (answer === 'none') known.delete(file.sha256);
       return answer;
     },

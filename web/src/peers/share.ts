@@ -11,8 +11,9 @@ import type { Store } from './store';
 import type { Shelf } from './uploads';
 import { isBefore } from './weights';
 
-/** Seconds without a byte after which another page is given up, for the first picture and after it. */
-const [FIRST, PATIENCE] = [1, 4] as const;
+/** Seconds without a byte, and in all, after which another page is given up: for the first picture, and after it. */
+const FIRST = { patience: 1, longest: 2 } as const;
+const LATER = { patience: 4, longest: 10 } as const;
 
 export interface ShareSettings {
   readonly store: Store;
@@ -41,7 +42,7 @@ export interface Share {
   readonly shelf: Shelf;
   /** A file's content; `serve` asks the server for it. */
   get(name: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer>;
-  /** What a page is told when it connects: files that are here, and that come from the server. */
+  /** Tell a page that connects of the files that are here, and of those that come from the server. */
   greet(peer: Peer): void;
 }
 
@@ -72,8 +73,7 @@ export function createShare(settings: ShareSettings): Share {
     const tried = new Set<number>();
     for (let peer = chosen(key, tried); peer; peer = chosen(key, tried)) {
       tried.add(peer.number);
-      const patience = isFirst() ? FIRST : PATIENCE;
-      const answer: Answer = await peer.ask({ ...file, patience }, signal, received);
+      const answer: Answer = await peer.ask({ ...file, ...(isFirst() ? FIRST : LATER) }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
       // Nobody waits twice for the first picture.
       if (answer === 'silent' && isFirst()) return null;
@@ -81,11 +81,11 @@ export function createShare(settings: ShareSettings): Share {
     return null;
   }
 
-  async function fromServer(name: string, key: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer> {
+  async function fromServer(key: string, serve: () => Promise<ArrayBuffer>): Promise<ArrayBuffer> {
     asked.add(key);
     for (const peer of peers()) peer.tell('coming', [key]);
     try {
-      const data = await serve(name, signal, received);
+      const data = await serve();
       // The decoder tells of damage; others do not get it.
       if ((await hashOf(data)) === key) keep(key, data);
       return data;
@@ -103,7 +103,12 @@ export function createShare(settings: ShareSettings): Share {
     }
   }
 
-  async function come(name: string, file: Described, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer> {
+  async function come(
+    file: Described,
+    signal: AbortSignal,
+    received: Received,
+    serve: (received: Received) => Promise<ArrayBuffer>,
+  ): Promise<ArrayBuffer> {
     const counted = (count: { bytes: number }): Received => (bytes) => {
       coming.set(file.sha256, (coming.get(file.sha256) ?? 0) + bytes);
       count.bytes += bytes;
@@ -115,7 +120,7 @@ export function createShare(settings: ShareSettings): Share {
       keep(file.sha256, given);
       return given;
     }
-    const data = await fromServer(name, file.sha256, signal, counted(counts.server), serve);
+    const data = await fromServer(file.sha256, () => serve(counted(counts.server)));
     counts.server.files += 1;
     return data;
   }
@@ -134,7 +139,7 @@ export function createShare(settings: ShareSettings): Share {
       }
       coming.set(key, 0);
       try {
-        return await come(name, file, signal, received, serve);
+        return await come(file, signal, received, (told) => serve(name, signal, told));
       } finally {
         coming.delete(key);
         for (const peer of peers()) peer.settle(key);

@@ -1,4 +1,4 @@
-/** What pages tell each other by the server, to connect: payloads of `signal`. docs/peers.md has a table of every field. */
+/** Payloads of `signal`, by which pages connect. docs/peers.md has a table of every field. */
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
 const VERSION = 1;
@@ -6,7 +6,7 @@ const VERSION = 1;
 const [MOST_BYTES, MOST_ADDRESSES] = [8192, 24] as const;
 const KINDS = ['offer', 'answer', 'no'] as const;
 
-/** `attempt` is a number of the offer, which its answer repeats; `sdp` describes a connection, and is empty for a no. */
+/** `attempt` is a number of the offer, which its answer repeats; `sdp` describes a connection, and is empty for no. */
 export interface Signal {
   readonly kind: (typeof KINDS)[number];
   readonly attempt: number;

@@ -40,8 +40,6 @@ export interface Outlet {
   send(message: Message): void;
   /** Bytes of files that were sent. */
   sent(bytes: number): void;
-  /** The browser does not read a file any more, or does not send. */
-  failed(): void;
 }
 
 export function createUploads(outlet: Outlet, shelf: Shelf, now: Clock['now']): Uploads {
@@ -54,7 +52,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, now: Clock['now']): 
   let resume = (): void => undefined;
 
   /** Send a file; stops where the request does. */
-  async function sendFile(request: number, file: Blob): Promise<void> {
+  async function sendParts(request: number, file: Blob): Promise<void> {
     for (let begin = 0; begin < file.size; begin += READ) {
       const data = new Uint8Array(await file.slice(begin, begin + READ).arrayBuffer());
       while (outlet.bufferedAmount > WAITING) await new Promise<void>((done) => (resume = done));
@@ -65,19 +63,23 @@ export function createUploads(outlet: Outlet, shelf: Shelf, now: Clock['now']): 
         outlet.sent(part.length);
       }
     }
+  }
+
+  async function sendFile(request: number, file: Blob): Promise<void> {
+    try {
+      await sendParts(request, file);
+    } catch {
+      // The browser does not read it any more.
+      if (ready.has(request)) outlet.send({ kind: 'none', request });
+    }
     ready.delete(request);
   }
 
   async function sendAll(): Promise<void> {
     if (isSending) return;
     isSending = true;
-    try {
-      for (let next = first(ready); next; next = first(ready)) await sendFile(...next);
-    } catch {
-      outlet.failed();
-    } finally {
-      isSending = false;
-    }
+    for (let next = first(ready); next; next = first(ready)) await sendFile(...next);
+    isSending = false;
   }
 
   return {

@@ -303,6 +303,8 @@ impl Told {
         }
         if self.link.end(end.reason.close_code(), end.reason.name()).await.is_ok() {
             poll_fn(|context| self.link.poll_ended(context)).await;
+            // A browser forgets the code if the connection is closed before it has done so itself.
+            self.link.connection.closed().await;
         }
     }
 }

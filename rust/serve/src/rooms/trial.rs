@@ -113,7 +113,7 @@ impl Trial {
     }
 
     fn hello(&mut self, who: usize, group: u16, choice: usize) {
-        let ticket = if choice % 2 == 0 { Vec::new() } else { self.users[choice / 2 % USERS].ticket.clone() };
+        let ticket = if choice.is_multiple_of(2) { Vec::new() } else { self.users[choice / 2 % USERS].ticket.clone() };
         if self.users[who].seen.number.is_none() {
             self.users[who].seen.group = group;
         }
