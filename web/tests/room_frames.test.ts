@@ -179,6 +179,15 @@ test('frames of the server are those of the vectors of all languages', () => {
   }
 });
 
+test('what users say is that of the vectors of all languages', () => {
+  for (const { frame, bytes, region } of vectors.users.filter((vector) => vector.frame.kind === 'say')) {
+    const to = frame.to === 'room' ? 'room' : 'group';
+    const payload = Uint8Array.from(Buffer.from(frame.data ?? '', 'hex'));
+    assert.equal(hex(writeFrame({ kind: 'say', to, payload })), bytes, region);
+  }
+  assert.throws(() => writeFrame({ kind: 'say', to: 'room', payload: new Uint8Array(4097) }), /too long/);
+});
+
 test('poses of users are those of the vectors of all languages', () => {
   const head = (bytes: string): string => bytes.slice(6);
   for (const { frame, bytes, region } of vectors.servers.filter((vector) => vector.frame.kind === 'pose')) {

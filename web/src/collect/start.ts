@@ -199,7 +199,7 @@ function middleOf({ box: [least, most] }: Trial): Vector {
 function wordsOf(task: Task, canStart: boolean): string {
   if (task.trial && !task.trial.over) return task.seat ? '' : 'You have a seat from the next trial on';
   if (task.trial && !task.isOver) return 'The next trial begins in a moment';
-  if (canStart) return `${task.present.size} of your group are here. Look to where spheres shall be, and start.`;
+  if (canStart) return `Here of your group: ${task.present.size}. Look to where spheres shall be, and start.`;
   return task.user === task.conductor ? 'Waiting for others of your group' : `#${task.conductor} starts the trials`;
 }
 
