@@ -78,7 +78,9 @@ def costs(figures: Figures) -> list[str]:
 def link(loss: float) -> Iterator[list[str]]:
     """Carry packets between two namespaces; the options that make the server run in one of them."""
     command = [str(EXAMPLES / "link"), *NEAR, *FAR, str(DELAY_MS), str(MBIT), str(loss)]
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
+    with ahead_of_others():
+        running = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    with running:
         assert running.stdout
         assert running.stdin
         if running.stdout.readline().strip() != "ready":
