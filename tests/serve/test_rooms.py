@@ -90,6 +90,7 @@ def test_a_site_does_not_hide_rooms() -> None:
         ({"users": 65535}, "users: expected"),
         ({"message_bytes": 10}, "message_bytes: expected"),
         ({"bytes_per_second": float("inf")}, "bytes_per_second: expected"),
+        ({"poses_per_second": 0.0}, "poses_per_second: expected"),
         ({"hello_seconds": 0.0}, "hello_seconds: expected"),
         ({"key": bytes(15)}, "key: expected 16 bytes or more, got 15"),
         ({"key": "secret" * 5}, "key: expected bytes, got str"),

@@ -44,6 +44,8 @@ async function main(): Promise<void> {
   const wait = createWait(root);
   // Beside the manifest, so that nothing waits for it.
   const script = query.has('room') ? import('./rooms/start') : null;
+  // A failure is told once there is a panel to tell it by.
+  script?.catch(() => {});
   const opened = await openAddress(base, query, strategy, meter.receive, wait.begin).finally(wait.end);
   meter.restart();
   const { centers, files, world } = opened;

@@ -1,30 +1,32 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { type Datagrams, readAbout } from '../src/rooms/about';
-import { addressOf, gatherer, splitter } from '../src/rooms/datagrams';
+import { askAbout, type Datagrams, readAbout } from '../src/rooms/about';
+import { addressOf, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/datagrams';
 import type { Listener, Socket } from '../src/rooms/socket';
 import { createOpen } from '../src/rooms/way';
 
 const TO: Datagrams = { port: 8443, hashes: [] };
 const RELAY = 'wss://host:8/rooms/a';
 
-/** What was opened, in order, and what the page was told. */
+/** A record of what was opened, in order, and of what the page was told. */
 interface Bench {
   readonly opened: string[];
   readonly told: string[];
   readonly open: (isOff?: boolean) => Socket;
+  /** Seconds by the clock. */
+  now: number;
   /** Let what was begun go on. */
   readonly settle: () => Promise<void>;
 }
 
-function bench(datagrams: () => Promise<Datagrams | null>, isTaken: () => boolean): Bench {
+function bench(datagrams: () => Promise<Datagrams | null>, isTaken: () => boolean, hasSockets = true): Bench {
   const [opened, told]: [string[], string[]] = [[], []];
   const socket = (name: string): Socket => ({
     bufferedAmount: 7,
     send: (data, isPassing) => told.push(`${name} ${data.length} ${isPassing}`),
     close: () => told.push(`${name} closes`),
   });
-  const listener: Listener = { opened: () => told.push('opened'), came: () => {}, closed: () => {} };
+  const listener: Listener = { opened: () => told.push('opened'), came: () => {}, closed: (code) => told.push(`closed ${code}`) };
   const ways = {
     datagrams: () => {
       opened.push('asks');
@@ -37,12 +39,16 @@ function bench(datagrams: () => Promise<Datagrams | null>, isTaken: () => boolea
     },
     openSocket: () => {
       opened.push('socket');
+      if (!hasSockets) throw new Error('blocked');
       return socket('socket');
     },
   };
-  const [on, off] = [false, true].map((isOff) => createOpen(() => Promise.resolve(null), isOff, ways));
+  const clock = { now: () => made.now, later: () => () => {} };
+  const [on, off] = [false, true].map((isOff) => createOpen(() => Promise.resolve(null), isOff, ways, clock));
   const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
-  return { opened, told, open: (isOff) => (isOff ? off : on)?.(RELAY, listener) as Socket, settle };
+  const open = (isOff = false): Socket => (isOff ? off : on)?.(RELAY, listener) as Socket;
+  const made: Bench = { opened, told, open, now: 0, settle };
+  return made;
 }
 
 test('datagrams are used where the server tells of them', async () => {
@@ -70,6 +76,74 @@ test('what has failed is tried again when the server has another certificate', a
   }
   assert.deepEqual(opened, ['asks', 'datagrams', 'socket', 'asks', 'socket', 'asks', 'datagrams']);
   assert.deepEqual(told, ['opened']);
+});
+
+test('what has failed is tried again after a minute', async () => {
+  const made = bench(async () => TO, () => made.now > 0);
+  for (const now of [0, 59, 60]) {
+    made.now = now;
+    made.open();
+    await made.settle();
+  }
+  assert.deepEqual(made.opened, ['asks', 'datagrams', 'socket', 'asks', 'socket', 'asks', 'datagrams']);
+});
+
+test('a WebSocket that cannot be made is told as closed', async () => {
+  const { told, open, settle } = bench(async () => null, () => true, false);
+  open();
+  await settle();
+  assert.deepEqual(told, ['closed 1006']);
+});
+
+test('a server that does not answer is not waited for', async () => {
+  const { fetch } = globalThis;
+  const ends = new AbortController();
+  let isEnded = false;
+  globalThis.fetch = (_, init) =>
+    new Promise((_, reject) => init?.signal?.addEventListener('abort', () => reject((isEnded = true))));
+  try {
+    const told = askAbout('http://host:8/', ends.signal);
+    ends.abort();
+    assert.equal(await told, null);
+    assert.ok(isEnded);
+  } finally {
+    globalThis.fetch = fetch;
+  }
+});
+
+test('an error of who hears a frame ends nothing', async () => {
+  const reported: unknown[] = [];
+  Object.assign(globalThis, { reportError: (error: unknown) => reported.push(error) });
+  const taken: number[] = [];
+  const { readable, writable } = new TransformStream<Uint8Array, Uint8Array>();
+  const writer = writable.getWriter();
+  void Promise.all([...[1, 2, 3].map((byte) => writer.write(Uint8Array.of(byte))), writer.close()]);
+  await readAll(readable, (bytes) => {
+    if (bytes[0] === 2) throw new Error('two');
+    taken.push(bytes[0] ?? 0);
+  });
+  assert.deepEqual([taken, reported.length], [[1, 3], 1]);
+});
+
+test('the end of a session that is of no use is not told', async () => {
+  let end = (_: object): void => {};
+  class Useless {
+    readonly ready = Promise.resolve();
+    readonly closed = new Promise((resolve) => (end = resolve));
+    readonly datagrams = { readable: new ReadableStream() };
+    createBidirectionalStream(): Promise<object> {
+      return Promise.resolve({ readable: new ReadableStream(), writable: new WritableStream() });
+    }
+    close(): void {
+      end({ closeCode: 0 });
+    }
+  }
+  Object.assign(globalThis, { WebTransport: Useless });
+  const told: string[] = [];
+  const listener: Listener = { opened: () => {}, came: () => {}, closed: (code) => told.push(`closed ${code}`) };
+  await assert.rejects(openDatagrams(RELAY, TO, listener));
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.deepEqual(told, []);
 });
 
 test('without datagrams it is a WebSocket', async () => {

@@ -37,8 +37,10 @@ class Rooms:
         Sockets of one client, and rooms that it has begun, at the same time. Programs on this machine may have all.
     messages_per_second, bytes_per_second, said_bytes_per_second
         Rates that a user may send at, and say and signal to others; who sends more is closed.
+    poses_per_second
+        Poses a second that are passed on to others; those beyond are dropped. As many may say besides that none follows.
     burst_seconds
-        So much time's worth of messages and of bytes may come at once.
+        So much time's worth of messages, of bytes and of poses may come at once.
     hello_seconds
         Time from the beginning of a connection until its user is in the room.
     ping_seconds, silent_seconds
@@ -72,6 +74,7 @@ class Rooms:
     messages_per_second: float = 5000.0
     bytes_per_second: float = 131_072.0
     said_bytes_per_second: float = 32_768.0
+    poses_per_second: float = 144.0
     burst_seconds: float = 2.0
     hello_seconds: float = 10.0
     ping_seconds: float = 10.0
@@ -91,7 +94,7 @@ class Rooms:
         # Less would not hold the largest signal.
         check.integer("message_bytes", self.message_bytes, 1 << 15, 1 << 24)
         check.integer("queue_bytes", self.queue_bytes, 1 << 15, 1 << 24)
-        for name in ("messages_per_second", "bytes_per_second", "said_bytes_per_second"):
+        for name in ("messages_per_second", "bytes_per_second", "said_bytes_per_second", "poses_per_second"):
             check.within(name, getattr(self, name), 1.0, _MOST_RATE)
         for name in ("burst_seconds", "hello_seconds", "ping_seconds", "silent_seconds", "linger_seconds"):
             check.within(name, getattr(self, name), 0.01, _MOST_SECONDS)

@@ -136,7 +136,7 @@ mod tests {
         }
         let held: Vec<_> = packed.state().copies.keys().cloned().collect();
         assert!(held.contains(&"e".to_owned()) && !held.contains(&"a".to_owned()), "{held:?}");
-        // What is not worth having takes room, too.
+        // A file that is not worth having takes room, too.
         for tag in ["short", "shorter", "shortest"] {
             assert_eq!(get(&packed, tag, b"unlike").await, None);
         }

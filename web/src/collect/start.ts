@@ -4,6 +4,7 @@ import type { Pose } from '../control/pose';
 import { minus, type Vector } from '../control/vector';
 import type { Activity } from '../rooms/activity';
 import { FrameError } from '../rooms/bytes';
+import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
 import type { Place } from '../rooms/hold';
 import type { Body } from '../rooms/pose';
@@ -52,7 +53,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
   function start(): void {
     if (!task || !pose || !canStart(task)) return;
     const middle = viewer.facts.entry?.center ?? pose.position;
-    const now = seconds();
+    const now = CLOCK.now();
     say(task.start(rulesAt(asked, middle, pose.yaw), now));
     follow(task, now);
   }
@@ -164,7 +165,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
       panel.update(told(now));
     },
     targetAt(from: Pose, place: Place): Vector | null {
-      const sphere = task?.place(seconds());
+      const sphere = task?.place(CLOCK.now());
       return sphere ? pointBeside(viewer, host.nearShare, from, place, sphere) : null;
     },
   };
@@ -172,7 +173,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
   if (state.kind === 'here') {
     enter(state.user);
     for (const { number, group } of room.presence.guests) {
-      collecting.heard({ kind: 'joined', user: number, group, name: '' }, seconds());
+      collecting.heard({ kind: 'joined', user: number, group, name: '' }, CLOCK.now());
     }
   }
   room.begin(collecting);
@@ -239,8 +240,4 @@ function createFrames(): Frames {
       last = now;
     },
   };
-}
-
-function seconds(): number {
-  return performance.now() / 1000;
 }

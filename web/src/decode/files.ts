@@ -1,4 +1,5 @@
 /** Checks and decompression of a bundle's files. */
+import { sha256 as hashOf } from '../hex';
 import type { FileData } from './messages';
 
 /** The content of a file, if it is the one that the manifest lists. */
@@ -8,17 +9,11 @@ export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>
     throw new Error(`${name}: expected ${bytes} bytes, as the manifest lists it, got ${data.byteLength}`);
   }
   // Browsers offer hashes on https and on this machine only; elsewhere the size must do.
-  if (globalThis.crypto?.subtle) {
-    const found = hex(new Uint8Array(await crypto.subtle.digest('SHA-256', data)));
-    if (found !== sha256) {
-      throw new Error(`${name}: expected SHA-256 ${sha256.slice(0, 16)}…, got ${found.slice(0, 16)}…`);
-    }
+  const found = await hashOf(data);
+  if (found !== null && found !== sha256) {
+    throw new Error(`${name}: expected SHA-256 ${sha256.slice(0, 16)}…, got ${found.slice(0, 16)}…`);
   }
   return new Uint8Array(data);
-}
-
-function hex(bytes: Uint8Array): string {
-  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
 /** The sentence of an error. */

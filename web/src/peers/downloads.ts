@@ -1,7 +1,8 @@
 /** Files that a page asks another one for. Time is counted in ticks: a page that stood still blames nobody for it. */
 import type { Described } from '../bundle/manifest';
 import type { Received } from '../bundle/source';
-import { hexOf, type Message, PART } from './messages';
+import { sha256 } from '../hex';
+import { type Message, PART } from './messages';
 
 /** Seconds of a tick. */
 export const TICK = 0.25;
@@ -86,7 +87,7 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
   }
 
   async function check(download: Download, data: ArrayBuffer): Promise<void> {
-    const isRight = (await hashOf(data)) === download.file.sha256;
+    const isRight = (await sha256(data)) === download.file.sha256;
     give(download, isRight ? data : 'wrong');
     if (!isRight) refuse('a file is another one than was asked for');
   }
@@ -148,9 +149,4 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
       for (const download of all) give(download, 'silent');
     },
   };
-}
-
-/** SHA-256 in hexadecimal digits. */
-export async function hashOf(data: ArrayBuffer): Promise<string> {
-  return hexOf(new Uint8Array(await crypto.subtle.digest('SHA-256', data)));
 }

@@ -1,4 +1,5 @@
 /** Messages between two pages, as bytes. docs/peers.md has a table of every field. */
+import { bytesOf, hexOf } from '../hex';
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
 /** Bytes of a part of a file; the last one of a file may be shorter. */
@@ -83,12 +84,4 @@ function writePart(request: number, data: Uint8Array): Uint8Array<ArrayBuffer> {
   new DataView(bytes.buffer).setUint32(1, request, true);
   bytes.set(data, HEAD);
   return bytes;
-}
-
-export function hexOf(bytes: Uint8Array): string {
-  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
-}
-
-function bytesOf(key: string): Uint8Array {
-  return Uint8Array.from({ length: KEY }, (_, at) => parseInt(key.slice(2 * at, 2 * at + 2), 16));
 }

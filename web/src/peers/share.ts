@@ -5,7 +5,8 @@
  */
 import type { Described } from '../bundle/manifest';
 import type { Received, Serve } from '../bundle/source';
-import { type Answer, hashOf } from './downloads';
+import { sha256 } from '../hex';
+import type { Answer } from './downloads';
 import type { Peer } from './peer';
 import type { Store } from './store';
 import type { Shelf } from './uploads';
@@ -87,7 +88,7 @@ export function createShare(settings: ShareSettings): Share {
     try {
       const data = await serve();
       // The decoder tells of damage; others do not get it.
-      if ((await hashOf(data)) === key) keep(key, data);
+      if ((await sha256(data)) === key) keep(key, data);
       return data;
     } finally {
       asked.delete(key);

@@ -1,7 +1,11 @@
-/** What the server tells of its rooms. */
+/** The server's answer to who asks for its rooms. */
+
+import { bytesOf } from '../hex';
 
 /** Digits of a hash. */
 const HASH = /^[0-9a-f]{64}$/;
+/** Milliseconds in which the server must answer; a page does not wait longer for the room. */
+const ANSWERS = 3000;
 
 export interface About {
   /** Pages may exchange files among themselves. */
@@ -16,20 +20,20 @@ export interface Datagrams {
   readonly hashes: readonly Uint8Array<ArrayBuffer>[];
 }
 
-/** What the server tells; null if it does not. */
+/** Ask what the server tells; null if it tells nothing. */
 export type Ask = () => Promise<About | null>;
 
-/** Ask the server beside a page. */
-export async function askAbout(page: string): Promise<About | null> {
+/** Ask the server beside a page, by a signal that ends the wait for it. */
+export async function askAbout(page: string, signal = AbortSignal.timeout(ANSWERS)): Promise<About | null> {
   try {
-    const answer = await fetch(new URL('rooms', page), { cache: 'no-store' });
+    const answer = await fetch(new URL('rooms', page), { cache: 'no-store', signal });
     return answer.ok ? readAbout(await answer.json()) : null;
   } catch {
     return null;
   }
 }
 
-/** What a server has told; null if it is of another form. */
+/** Read what a server has told; null if it is of another form. */
 export function readAbout(told: unknown): About | null {
   if (!isRecord(told) || typeof told['peers'] !== 'boolean') return null;
   const { peers, datagrams } = told;
@@ -41,10 +45,6 @@ function readDatagrams({ port, hashes }: Readonly<Record<string, unknown>>): Dat
   const areHashes = Array.isArray(hashes) && hashes.every((hash) => typeof hash === 'string' && HASH.test(hash));
   if (!isPort || !areHashes) return null;
   return { port: Number(port), hashes: hashes.map(bytesOf) };
-}
-
-function bytesOf(digits: string): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(digits.match(/../g) ?? [], (pair) => parseInt(pair, 16));
 }
 
 function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {

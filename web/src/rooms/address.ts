@@ -33,10 +33,13 @@ export function relayOf(page: string, { room, token }: Address): string {
   return address.href;
 }
 
-/** A link to the room for others, with neither this user's name nor its token, which nobody else can use meanwhile. */
+/** Parts of a page's address for its own user: a token is of use to one at a time, and others choose for themselves. */
+const OWN = ['name', 'token', 'peers', 'datagrams'] as const;
+
+/** A link to the room for others. */
 export function inviteOf(page: string): string {
   const address = new URL(page);
-  for (const own of ['name', 'token']) address.searchParams.delete(own);
+  for (const own of OWN) address.searchParams.delete(own);
   return address.href;
 }
 

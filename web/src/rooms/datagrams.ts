@@ -23,10 +23,12 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
   );
   try {
     const stream = await within(READY, openStream(transport));
+    // Nothing is told of a session that turns out to be of no use, as in browsers of other versions of WebTransport.
+    const socket = sending(transport, stream.writable);
     void closed.then((code) => listener.closed(code));
     void readAll(stream.readable, splitter((frames) => listener.came(frames)));
     void readAll(transport.datagrams.readable, (datagram) => listener.came(datagram.slice().buffer));
-    return sending(transport, stream.writable);
+    return socket;
   } catch (error) {
     transport.close();
     throw error;
@@ -116,17 +118,17 @@ function join(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuf
   return all;
 }
 
-/** Read until the end, of which the session's own end tells. */
-async function readAll(readable: ReadableStream, take: (bytes: Uint8Array) => void): Promise<void> {
+/** Read until the end, of which the session's own end tells. An error of who takes is reported and ends nothing. */
+export async function readAll(readable: ReadableStream, take: (bytes: Uint8Array) => void): Promise<void> {
   const reader = readable.getReader();
-  try {
-    for (;;) {
-      const { done, value } = await reader.read();
-      if (done) return;
+  for (;;) {
+    const { done, value } = await reader.read().catch(() => ({ done: true, value: undefined }));
+    if (done) return;
+    try {
       take(value);
+    } catch (error) {
+      reportError(error);
     }
-  } catch {
-    return;
   }
 }
 

@@ -1,7 +1,7 @@
 /** Looks at something less often than frames are drawn. */
 
 export interface Seldom<Found> {
-  /** What was found last or, if that is long ago or was forgotten, what `look` finds. */
+  /** The thing that was found last or, if that is long ago or was forgotten, what `look` finds. */
   at(now: number, look: () => Found): Found;
   /** The next answer is looked for. */
   forget(): void;

@@ -11,7 +11,7 @@ mat3 facing(vec3 at) {
 }
 `;
 
-/** What all vertex shaders of what faces the viewer begin with. */
+/** The begin of all vertex shaders of what faces the viewer. */
 export const HEAD = /* glsl */ `
 ${SHARED}
 ${SHOWN_AT}

@@ -13,6 +13,7 @@ import { type Address, inviteOf, readAddress, relayOf, shownName } from './addre
 import { createArrivals } from './arrivals';
 import { type Avatars, createAvatars } from './avatars';
 import { followPage } from './away';
+import { CLOCK } from './clock';
 import { connect, type Connection } from './connection';
 import type { FromServer } from './frames';
 import { createHere, type HereCommands } from './here';
@@ -67,7 +68,7 @@ export interface Room {
   readonly body: Body | null;
   /** Before each frame: where the user is. */
   frame(pose: Pose): void;
-  /** What users do together; null for nothing. */
+  /** The task that users do together; null for nothing. */
   readonly activity: Activity | null;
   /** Let users do something together from now on. */
   begin(activity: Activity): void;
@@ -169,7 +170,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
       return body;
     },
     frame(pose) {
-      const now = performance.now() / 1000;
+      const now = CLOCK.now();
       body = bodyOf(pose, now);
       sender.update(body, now);
       activity?.frame(pose, body, now);

@@ -3,6 +3,8 @@
  * begin of the next one alone: browsers copy the storage into a tab that the user doubles, which is another user.
  */
 
+import { bytesOf, hexOf } from '../hex';
+
 export interface TicketStore {
   /** Take out the ticket that the page before has left; empty if it has left none. */
   take(): Uint8Array;
@@ -27,14 +29,11 @@ export function createTicketStore(relay: string, storage: () => Storage = () => 
     take() {
       const text = attempt((found) => found.getItem(key)) ?? '';
       attempt((found) => found.removeItem(key));
-      return /^(?:[\da-f]{2}){1,255}$/.test(text)
-        ? Uint8Array.from(text.match(/../g) ?? [], (digits) => Number.parseInt(digits, 16))
-        : new Uint8Array();
+      return /^(?:[\da-f]{2}){1,255}$/.test(text) ? bytesOf(text) : new Uint8Array();
     },
     put(ticket) {
       if (ticket.length === 0) return;
-      const text = Array.from(ticket, (byte) => byte.toString(16).padStart(2, '0')).join('');
-      attempt((found) => found.setItem(key, text));
+      attempt((found) => found.setItem(key, hexOf(ticket)));
     },
   };
 }

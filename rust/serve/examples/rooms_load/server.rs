@@ -20,8 +20,15 @@ const TICKS: f64 = 100.0;
 pub fn serve(address: SocketAddr) -> Result<(), Failure> {
     let each = rooms::Limits::default();
     // All users may come from one address.
-    let limits =
-        rooms::Limits { rooms: MOST, users: 1 << 10, sockets_per_client: MOST, rooms_per_client: MOST, ..each };
+    let limits = rooms::Limits {
+        rooms: MOST,
+        users: 1 << 10,
+        sockets_per_client: MOST,
+        rooms_per_client: MOST,
+        // Users may be told to send as much as their connections take.
+        poses_per_second: each.messages_per_second,
+        ..each
+    };
     let rooms = Some(Arc::new(Rooms::new(limits, None)?));
     let answering = Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms };
     let each = nearfar_serve::Limits::default();

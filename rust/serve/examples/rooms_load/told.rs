@@ -1,4 +1,4 @@
-//! What was measured, as JSON.
+//! The measured figures, as JSON.
 
 use std::time::Instant;
 

@@ -1,6 +1,7 @@
 //! Listens for sessions of WebTransport, over QUIC, and keeps them within the limits of connections.
 
 mod fields;
+mod greeters;
 mod pinned;
 pub mod session;
 mod wire;
@@ -20,25 +21,19 @@ use quinn::{Connection, Endpoint, EndpointConfig, IdleTimeout, Incoming, ServerC
 use rustls::crypto::ring;
 use rustls::server::ResolvesServerCert;
 use time::OffsetDateTime;
-use tokio::sync::Semaphore;
 use tokio::time::{Instant, timeout_at};
 
-use crate::clients::{Clients, counted};
 use crate::connection::{Ends, Shared, watched};
 use crate::rooms::{self, Datagrams, Limits, Session};
 use crate::router;
 use crate::server::Gate;
 use crate::tls::Current;
+use greeters::{Found, GREETINGS, Greeters};
 use pinned::Pinned;
 use session::{Asking, Broken, Link};
 
 /// Ports that are tried after that of TCP; then any that is free.
 const PORTS: u16 = 16;
-/// Connections that have no session yet, of all clients and of one.
-const GREETINGS: usize = 64;
-const GREETINGS_PER_CLIENT: usize = 16;
-/// So many of them may be of clients that have not shown that their address is theirs.
-const UNPROVEN: usize = 16;
 /// Bytes of a stream that wait until they are read, and those that are written and have not arrived.
 const WINDOW: u32 = 1 << 15;
 /// Streams that a client opens in one direction: settings, and two of tables for headers.
@@ -67,7 +62,7 @@ pub struct Offer {
 }
 
 impl Offer {
-    /// What pages need now.
+    /// Tell pages of it.
     pub fn told(&self) -> Datagrams {
         Datagrams { port: self.port, hashes: self.pinned.iter().map(|pinned| pinned.hash()).collect() }
     }
@@ -99,23 +94,24 @@ impl Listener {
 
     /// Take connections until the server ends.
     pub async fn listen(self: Arc<Self>, shared: Arc<Shared>, gate: Gate, mut ends: Ends) {
-        let greetings = Arc::new(Semaphore::new(GREETINGS));
-        let greeters = Arc::new(Clients::default());
+        let greeters = Greeters::new();
         loop {
             let incoming = tokio::select! {
                 incoming = self.endpoint.accept() => incoming,
                 _ = ends.changed() => break,
             };
             let Some(incoming) = incoming else { break };
-            if GREETINGS - greetings.available_permits() >= UNPROVEN && !incoming.remote_address_validated() {
-                // One that has been asked already is not asked again.
-                let _ = incoming.retry();
-                continue;
-            }
             let client = incoming.remote_address().ip().to_canonical();
-            let greeting = Arc::clone(&greetings).try_acquire_owned().ok();
-            let greeter = Clients::enter(&greeters, counted(client), GREETINGS_PER_CLIENT);
-            let (Some(place), Some(greeting), Some(greeter)) = (gate.enter(client), greeting, greeter) else {
+            let greeter = match greeters.find(client, incoming.remote_address_validated()) {
+                Found::Place(greeter) => Some(greeter),
+                Found::Unproven => {
+                    // One that has been asked already is not asked again.
+                    let _ = incoming.retry();
+                    continue;
+                }
+                Found::Full => None,
+            };
+            let (Some(greeter), Some(place)) = (greeter, gate.enter(client)) else {
                 shared.router.metrics.lost("connections");
                 incoming.refuse();
                 continue;
@@ -124,7 +120,7 @@ impl Listener {
             tokio::spawn(async move {
                 shared.router.metrics.connections.inc();
                 let greeted = this.greet(&shared, incoming, client).await;
-                drop((greeting, greeter));
+                drop(greeter);
                 match greeted {
                     Ok((session, link)) => follow(session, link, shared.limits.silence, client, ends).await,
                     Err(reason) => shared.router.metrics.lost(reason),

@@ -11,6 +11,7 @@ use tokio::time::timeout;
 
 use super::fields::{self, Fields};
 use super::wire::{self, frame};
+use crate::rooms::{READ, ROW};
 
 /// Most bytes of a request's head.
 const HEAD: u64 = 1 << 12;
@@ -22,6 +23,8 @@ const PROTOCOL_ERROR: VarInt = VarInt::from_u32(0x101);
 const DATAGRAM: usize = 256;
 /// The session's number, that of its stream, as it stands before streams and datagrams of the session.
 const NUMBER: u64 = 0;
+/// Frames that may come before a request's head.
+const BEFORE: usize = 16;
 
 /// A request for a session that waits for its answer.
 pub struct Asking {
@@ -92,9 +95,14 @@ impl Link {
 
     /// Wait until the client has ended the session; what else it tells of the session is of no meaning here.
     pub fn poll_ended(&mut self, context: &mut Context<'_>) -> Poll<()> {
-        let mut rest = [0; 64];
-        while matches!(ready!(self.receive.poll_read(context, &mut rest)), Ok(1..)) {}
-        Poll::Ready(())
+        let mut rest = [0; READ];
+        for _ in 0..ROW {
+            if !matches!(ready!(self.receive.poll_read(context, &mut rest)), Ok(1..)) {
+                return Poll::Ready(());
+            }
+        }
+        context.waker().wake_by_ref();
+        Poll::Pending
     }
 
     /// Most bytes of a datagram's payload that the connection takes, none if it takes no datagrams.
@@ -147,7 +155,7 @@ async fn read(connection: &Connection) -> Result<Asking, Broken> {
 
 /// The body of the first frame that is a head; others before it are of no meaning.
 async fn head(receive: &mut RecvStream) -> Result<Vec<u8>, Broken> {
-    loop {
+    for _ in 0..BEFORE {
         let (kind, length) = (number(receive).await?, number(receive).await?);
         if length > HEAD {
             return Err(Broken);
@@ -160,6 +168,7 @@ async fn head(receive: &mut RecvStream) -> Result<Vec<u8>, Broken> {
             _ => {}
         }
     }
+    Err(Broken)
 }
 
 async fn number(receive: &mut RecvStream) -> Result<u64, Broken> {

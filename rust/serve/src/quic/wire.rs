@@ -34,7 +34,7 @@ pub mod frame {
     pub const DATA: u64 = 0;
     /// The head of a request or of an answer.
     pub const HEADERS: u64 = 1;
-    /// What a side can do.
+    /// The abilities of a side.
     pub const SETTINGS: u64 = 4;
     /// The rest of the stream is one of WebTransport; the number of its session follows.
     pub const STREAM: u64 = 0x41;

@@ -9,20 +9,18 @@ use std::time::Duration;
 use bytes::{Buf, Bytes, BytesMut};
 use futures_util::{Stream, stream};
 use quinn::{Connection, ConnectionError, ReadError, RecvStream, SendDatagramError, SendStream, WriteError};
-use tokio::time::{Instant, Sleep, sleep_until, timeout, timeout_at};
+use tokio::time::{Instant, Sleep, interval, sleep_until, timeout, timeout_at};
 
 use super::frame::{FromServer, HEAD};
 use super::outbox::{Part, Taken};
-use super::reason::{End, Reason};
-use super::session::Session;
+use super::reason::{End, Reason, gone};
+use super::session::{READ, ROW, Session};
 use crate::quic::session::{Link, datagram, payload};
 
-/// Bytes that are read at once.
-const READ: usize = 1 << 12;
-/// Datagrams, and pieces of the stream, that are read in a row; then other connections have their turn.
-const ROW: usize = 16;
 /// Most bytes of a datagram's frames; few networks take larger packets.
 pub const DATAGRAM: usize = 1200;
+/// Time after which the bytes of a user without a stream are counted again.
+const COUNTED: Duration = Duration::from_millis(100);
 
 type Incoming = Pin<Box<dyn Stream<Item = Result<Bytes, ConnectionError>> + Send>>;
 type Sending = Pin<Box<dyn Future<Output = Result<(), SendDatagramError>> + Send>>;
@@ -52,13 +50,14 @@ struct Way {
 }
 
 /// Serve a user whose session of WebTransport has begun. Why it ended.
-pub async fn serve(session: Session, link: Link, silence: Duration) -> Reason {
+pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reason {
     let rooms = Arc::clone(&session.rooms);
     rooms.figures.datagrams.inc();
     let begun = Instant::now();
-    let opened = opened(&session, &link, begun + rooms.limits.hello).await;
+    let mut heard = 0;
+    let opened = opened(&mut session, &link, begun + rooms.limits.hello, &mut heard).await;
     let (end, mut told) = match opened {
-        Ok(streams) => follow(session, link, streams, begun, silence).await,
+        Ok(streams) => follow(session, link, streams, begun, silence, heard).await,
         Err(end) => (end, Told { link, stream: None }),
     };
     rooms.figures.closed(end.reason);
@@ -69,9 +68,19 @@ pub async fn serve(session: Session, link: Link, silence: Duration) -> Reason {
 }
 
 /// Wait until the user has opened its stream, or until the end.
-async fn opened(session: &Session, link: &Link, until: Instant) -> Result<(SendStream, RecvStream), End> {
+async fn opened(
+    session: &mut Session,
+    link: &Link,
+    until: Instant,
+    heard: &mut u64,
+) -> Result<(SendStream, RecvStream), End> {
     let mut streams = pin!(timeout_at(until, link.stream()));
+    // Nothing wakes this connection when datagrams come, which nobody reads yet.
+    let mut clock = interval(COUNTED);
     poll_fn(|context| {
+        while clock.poll_tick(context).is_ready() {
+            count(session, &link.connection, heard)?;
+        }
         session.outbox.register(context.waker());
         if let Some(end) = session.outbox.ended() {
             return Poll::Ready(Err(end));
@@ -92,12 +101,12 @@ async fn follow(
     (send, receive): (SendStream, RecvStream),
     begun: Instant,
     silence: Duration,
+    heard: u64,
 ) -> (End, Told) {
     let connection = link.connection.clone();
     let incoming: Incoming = Box::pin(stream::unfold(connection, |connection| async move {
         Some((connection.read_datagram().await, connection))
     }));
-    let heard = link.connection.stats().udp_rx.bytes;
     let (came, written, read, waiting) = (BytesMut::new(), BytesMut::new(), Vec::new(), None);
     let clock = Box::pin(sleep_until(begun));
     let moved = begun;
@@ -136,7 +145,7 @@ impl Way {
 
     /// All that there is to do now; ready when the user has ended the session.
     fn poll_end(&mut self, context: &mut Context<'_>) -> Result<Poll<()>, End> {
-        self.count()?;
+        count(&mut self.session, &self.link.connection, &mut self.heard)?;
         // Those that came before a hello are dropped.
         self.read_datagrams(context)?;
         self.read_stream(context)?;
@@ -147,13 +156,6 @@ impl Way {
         self.write_stream(context)?;
         self.write_datagrams(context)?;
         Ok(Poll::Pending)
-    }
-
-    /// Count what came by the network, heads of packets included.
-    fn count(&mut self) -> Result<(), End> {
-        let heard = self.link.connection.stats().udp_rx.bytes;
-        let came = heard - std::mem::replace(&mut self.heard, heard);
-        self.session.took(usize::try_from(came).unwrap_or(usize::MAX), std::time::Instant::now())
     }
 
     fn read_stream(&mut self, context: &mut Context<'_>) -> Result<(), End> {
@@ -278,7 +280,14 @@ impl Way {
     }
 }
 
-/// What is left of a connection to tell its end by.
+/// Count the bytes that came by the network beyond those heard before, heads of packets included.
+fn count(session: &mut Session, connection: &Connection, heard: &mut u64) -> Result<(), End> {
+    let all = connection.stats().udp_rx.bytes;
+    let came = all - std::mem::replace(heard, all);
+    session.took(usize::try_from(came).unwrap_or(usize::MAX), std::time::Instant::now())
+}
+
+/// The part of a connection by which its end is told.
 struct Told {
     link: Link,
     /// The stream, and the rest of a frame that it has a part of.
@@ -287,7 +296,7 @@ struct Told {
 
 impl Told {
     /// Tell a user why its connection ends, and wait until it has ended the session, so that what was written arrives.
-    /// What the user sends meanwhile is not read.
+    /// Nothing that the user sends meanwhile is read.
     async fn farewell(&mut self, end: &End) {
         if end.reason == Reason::Gone || self.link.connection.close_reason().is_some() {
             return;
@@ -325,8 +334,4 @@ fn lost(error: ConnectionError) -> End {
         ConnectionError::TransportError(error) => End::new(Reason::Frame, error.to_string()),
         _ => gone(),
     }
-}
-
-fn gone() -> End {
-    End::new(Reason::Gone, "the connection broke off")
 }

@@ -19,7 +19,7 @@ pub struct Figures {
     pub rooms: Gauge,
     /// Connections of WebTransport.
     pub datagrams: Gauge,
-    /// Poses that were older than one that was sent, or that a newer one has overwritten.
+    /// Poses that were older than one that was sent, beyond a user's rate, or overwritten by a newer one.
     pub dropped: Counter,
     forwarded: Counter,
     poses: Family<Outcome, Counter>,

@@ -31,7 +31,9 @@ pub struct Limits {
     pub bytes_per_second: f64,
     /// Bytes a second that a user says and signals to others.
     pub said_bytes_per_second: f64,
-    /// So much time's worth of messages and of bytes may come at once; who sends more is closed.
+    /// Poses a second that are passed on; those beyond are dropped. As many may say besides that none follows.
+    pub poses_per_second: f64,
+    /// So much time's worth of messages, of bytes and of poses may come at once; who sends more is closed.
     pub burst: Duration,
     /// Time from the beginning of a connection until its user is in the room.
     pub hello: Duration,
@@ -65,8 +67,9 @@ impl Limits {
         if self.ping >= self.silence {
             return Err(format!("ping: expected less than the silence of {:?}, got {:?}", self.silence, self.ping));
         }
-        let rates = [self.messages_per_second, self.bytes_per_second, self.said_bytes_per_second];
-        let names = ["messages_per_second", "bytes_per_second", "said_bytes_per_second"];
+        let Limits { messages_per_second, bytes_per_second, said_bytes_per_second, poses_per_second, .. } = *self;
+        let rates = [messages_per_second, bytes_per_second, said_bytes_per_second, poses_per_second];
+        let names = ["messages_per_second", "bytes_per_second", "said_bytes_per_second", "poses_per_second"];
         for (name, rate) in names.into_iter().zip(rates) {
             if !(rate.is_finite() && rate > 0.0) {
                 return Err(format!("{name}: expected a number greater than 0, got {rate}"));
@@ -89,6 +92,7 @@ impl Default for Limits {
             messages_per_second: 5000.0,
             bytes_per_second: 131_072.0,
             said_bytes_per_second: 32_768.0,
+            poses_per_second: 144.0,
             burst: seconds(2),
             hello: seconds(10),
             ping: seconds(10),

@@ -61,7 +61,7 @@ struct Waiting {
 pub enum Part {
     /// All of it.
     All,
-    /// What must arrive, without poses and settled numbers that a later one will replace.
+    /// All that must arrive, without poses and settled numbers that a later one will replace.
     Lasting,
 }
 
@@ -191,7 +191,7 @@ impl Outbox {
     }
 
     /// Take what waits, or a part of it, as one message: frames in order, then poses, whose times of reading come with them.
-    /// What was taken before has been written.
+    /// All that was taken before has been written.
     pub fn take(&self, part: Part, message: &mut BytesMut, read: &mut Vec<Instant>) -> Taken {
         let mut pending = self.pending();
         if let Some(end) = &pending.end {

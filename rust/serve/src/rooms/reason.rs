@@ -91,3 +91,8 @@ impl End {
         End { reason, sentence: sentence.into() }
     }
 }
+
+/// The end of a connection that broke off.
+pub fn gone() -> End {
+    End::new(Reason::Gone, "the connection broke off")
+}

@@ -9,6 +9,7 @@ use super::hub::{Rooms, Seat, random};
 use super::limits::Limits;
 use super::outbox::Outbox;
 use super::places::Place;
+use super::pose::Pose;
 use super::reason::{End, Reason};
 use super::room::Joining;
 
@@ -18,6 +19,10 @@ const BURST: usize = 4;
 const AROUND: usize = HEAD + 2 + 1;
 /// Bytes for which a shorter frame counts.
 const LEAST: usize = 64;
+/// Bytes that are read at once.
+pub const READ: usize = 1 << 12;
+/// Messages, and pieces of a stream, that are read in a row; then other connections have their turn.
+pub const ROW: usize = 16;
 
 /// A connection to a room: without a place in it until the first frame has come.
 pub struct Session {
@@ -29,6 +34,9 @@ pub struct Session {
     messages: Bucket,
     bytes: Bucket,
     said: Bucket,
+    poses: Bucket,
+    /// Poses that no other follows for a time.
+    rests: Bucket,
 }
 
 /// Where a connection leads, as its address says.
@@ -54,7 +62,8 @@ impl Session {
         let bucket = |rate| Bucket::new(rate, rate * limits.burst.as_secs_f64(), now);
         let (messages, bytes) = (bucket(limits.messages_per_second), bucket(limits.bytes_per_second));
         let said = Bucket::new(limits.said_bytes_per_second, (limits.queue_bytes / BURST) as f64, now);
-        Session { rooms, entering, outbox, seat: None, messages, bytes, said }
+        let [poses, rests] = [(); 2].map(|()| bucket(limits.poses_per_second));
+        Session { rooms, entering, outbox, seat: None, messages, bytes, said, poses, rests }
     }
 
     /// Whether the user is in the room.
@@ -104,6 +113,12 @@ impl Session {
         if let FromUser::Say { payload, .. } | FromUser::Signal { payload, .. } = frame {
             self.says(payload, now)?;
         }
+        if let FromUser::Pose(pose) = &frame
+            && !self.moves(pose, now)?
+        {
+            self.rooms.figures.dropped.inc();
+            return Ok(());
+        }
         let Some(seat) = &self.seat else { return self.enter(frame) };
         match frame {
             FromUser::Hello { .. } => return Err(End::new(Reason::Frame, "expected one hello")),
@@ -114,6 +129,16 @@ impl Session {
             FromUser::Bye => return Err(End::new(Reason::Bye, "the user left")),
         }
         Ok(())
+    }
+
+    /// Each pose wakes all others of the group, so that there are so many a second. Those beyond are dropped, as a later
+    /// one replaces them: false for such a one. One that no other follows must arrive, so that too many of them are an end.
+    fn moves(&mut self, pose: &Pose, now: Instant) -> Result<bool, End> {
+        if !pose.stops {
+            return Ok(self.poses.take_if(1.0, now));
+        }
+        let sentence = || format!("expected at most {} rests a second", self.rooms.limits.poses_per_second);
+        if self.rests.take(1.0, now) { Ok(true) } else { Err(End::new(Reason::Flood, sentence())) }
     }
 
     /// Others have to take what a user says, so that it has a lower rate than poses.

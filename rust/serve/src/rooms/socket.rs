@@ -16,14 +16,9 @@ use tokio_tungstenite::tungstenite::protocol::{CloseFrame, Message, Role, WebSoc
 use super::frame::{FromServer, HEAD};
 use super::outbox::{Part, Taken};
 use super::pose;
-use super::reason::{End, Reason};
-use super::session::Session;
+use super::reason::{End, Reason, gone};
+use super::session::{READ, ROW, Session};
 use super::tap::Tap;
-
-/// Bytes that are read at once.
-const READ: usize = 1 << 12;
-/// Messages that are read in a row; then other connections have their turn.
-const ROW: usize = 16;
 
 /// One connection.
 struct Socket<S> {
@@ -174,7 +169,7 @@ fn ready_or(polled: Poll<Option<Result<Message, Error>>>) -> Result<Option<Messa
         Poll::Pending => Ok(None),
         Poll::Ready(Some(Ok(message))) => Ok(Some(message)),
         Poll::Ready(Some(Err(error))) => Err(lost(error)),
-        Poll::Ready(None) => Err(End::new(Reason::Gone, "the connection broke off")),
+        Poll::Ready(None) => Err(gone()),
     }
 }
 
@@ -186,10 +181,8 @@ fn lost(error: Error) -> End {
             End::new(Reason::Slow, "expected a user who reads")
         }
         Error::WriteBufferFull(_) => End::new(Reason::Slow, "expected a user who reads the answers to its pings"),
-        Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) | Error::Io(_) => {
-            End::new(Reason::Gone, "the connection broke off")
-        }
-        Error::ConnectionClosed | Error::AlreadyClosed => End::new(Reason::Gone, "the connection broke off"),
+        Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) | Error::Io(_) => gone(),
+        Error::ConnectionClosed | Error::AlreadyClosed => gone(),
         other => End::new(Reason::Frame, other.to_string()),
     }
 }

@@ -1,5 +1,5 @@
 //! Users of a server's rooms who do what some bytes tell them, in one thread and without a network. A user who sees what
-//! no user may see panics: for tests and for fuzzing.
+//! no user may see, or whose last pose of a movement gets lost, panics: for tests and for fuzzing.
 
 use std::collections::HashMap;
 use std::net::IpAddr;
@@ -23,8 +23,9 @@ const SOCKETS: usize = 4;
 const DATAGRAM: usize = 2 * (HEAD + 2 + pose::MOST);
 /// Kinds of the frames that users send by them: poses and acknowledgements.
 const PASSING: [u8; 2] = [2, 3];
-/// Longest time that passes at once.
+/// Longest time that passes at once, and one in which all rates recover.
 const PAUSE: Duration = Duration::from_millis(2);
+const LONG: Duration = Duration::from_secs(3600);
 
 /// Let users do what these bytes tell them.
 pub fn run(mut script: &[u8]) {
@@ -36,9 +37,7 @@ pub fn run(mut script: &[u8]) {
     while let Ok(step) = script.try_get_u8() {
         trial.step(usize::from(step) % USERS, usize::from(step) / USERS, &mut script);
     }
-    for who in 0..USERS {
-        trial.look(who);
-    }
+    trial.rest();
     trial.users = Default::default();
     let place = trial.rooms.place([10, 0, 0, 1].into(), 1);
     assert!(place.is_some(), "a place was not given back");
@@ -59,9 +58,18 @@ struct User {
     /// Of the last pose that it sent, and the greatest of all.
     sequence: u32,
     most: Option<u32>,
+    /// The greatest of all, if it is that of a pose that no other follows, and the others to whom it must come by how many times
+    /// they had connected.
+    rest: Option<(u32, Vec<(usize, usize)>)>,
+    /// Its datagrams get lost.
+    loses: bool,
+    /// It has sent bytes that may be any frames.
+    is_strange: bool,
+    /// How many times it has connected.
+    times: usize,
 }
 
-/// What a user knows of its room.
+/// A user's knowledge of its room.
 #[derive(Default)]
 struct Seen {
     number: Option<u16>,
@@ -93,12 +101,14 @@ impl Trial {
                 let length = usize::from(byte());
                 let (raw, rest) = script.split_at(length.min(script.len()));
                 *script = rest;
-                self.give(who, raw);
+                self.users[who].is_strange = true;
+                self.give(who, raw, raw.first().is_some_and(|kind| PASSING.contains(kind)));
             }
             19 | 20 => self.now += PAUSE * u32::from(byte()),
             // As if the connection broke off.
             21 => self.users[who].session = None,
             22 if byte() == 0 => self.rooms.close(),
+            23 | 24 => self.users[who].loses = !self.users[who].loses,
             _ => self.look(who),
         }
     }
@@ -109,7 +119,8 @@ impl Trial {
         let Some(place) = self.rooms.place(client, USERS) else { return };
         let session = Session::new(Arc::clone(&self.rooms), Entering::new("hall", None, place), self.now);
         let user = &mut self.users[who];
-        (user.session, user.seen, user.most) = (Some(session), Seen::default(), None);
+        (user.session, user.seen, user.most, user.rest) = (Some(session), Seen::default(), None, None);
+        (user.is_strange, user.times) = (false, user.times + 1);
     }
 
     fn hello(&mut self, who: usize, group: u16, choice: usize) {
@@ -123,6 +134,7 @@ impl Trial {
     fn pose(&mut self, who: usize, step: i8, flags: u8) {
         let user = &mut self.users[who];
         user.sequence = user.sequence.wrapping_add_signed(i32::from(step));
+        let is_newest = Some(user.sequence) > user.most;
         user.most = user.most.max(Some(user.sequence));
         let head = Placed { position: [0.0; 3], rotation: [0, 0, 0, 32767] };
         let (is_acknowledged, stops) = (flags & 1 == 0, flags & 2 != 0);
@@ -137,6 +149,51 @@ impl Trial {
             pointer: None,
         };
         self.send(who, &[FromUser::Pose(pose)]);
+        if is_newest {
+            let to = self.others(who).map(|other| (other, self.users[other].times)).collect();
+            self.users[who].rest = (stops && self.is_in(who)).then_some((pose.sequence, to));
+        }
+    }
+
+    /// Whether a user is in the room, by steps that tell of what group.
+    fn is_in(&self, who: usize) -> bool {
+        let is_open = |open: &Session| open.is_in() && open.outbox.ended().is_none();
+        !self.users[who].is_strange && self.users[who].session.as_ref().is_some_and(is_open)
+    }
+
+    /// The others of a user's group who are in the room.
+    fn others(&self, who: usize) -> impl Iterator<Item = usize> {
+        let is_other = move |other: &usize| {
+            *other != who && self.is_in(*other) && self.users[*other].seen.group == self.users[who].seen.group
+        };
+        (0..USERS).filter(is_other)
+    }
+
+    /// Let all users take and acknowledge what waits, without loss. The last pose of each who rests has come to all who
+    /// were there, and is settled unless others have joined since.
+    fn rest(&mut self) {
+        self.now += LONG;
+        self.users.iter_mut().for_each(|user| user.loses = false);
+        for who in 0..USERS {
+            self.look(who);
+            let seen: Vec<_> = self.users[who].seen.others.iter().map(|(user, (_, last))| (*user, *last)).collect();
+            for (user, last) in seen {
+                last.into_iter().for_each(|sequence| self.send(who, &[FromUser::Ack { user, sequence }]));
+            }
+        }
+        (0..USERS).for_each(|who| self.look(who));
+        let has_strangers = self.users.iter().any(|user| user.is_strange && user.session.is_some());
+        for who in (0..USERS).filter(|who| self.is_in(*who)) {
+            let User { rest: Some((sequence, to)), seen, .. } = &self.users[who] else { continue };
+            let others: Vec<_> = self.others(who).map(|other| (other, self.users[other].times)).collect();
+            for (other, _) in others.iter().filter(|other| to.contains(other)) {
+                let last = self.users[*other].seen.others.get(&self.number(who)).and_then(|(_, last)| *last);
+                assert_eq!(last, Some(*sequence), "the last pose of a movement is lost");
+            }
+            if !has_strangers && !others.is_empty() && others.iter().all(|other| to.contains(other)) {
+                assert_eq!(seen.settled, Some(*sequence), "the last pose of a movement is not settled");
+            }
+        }
     }
 
     fn acknowledge(&mut self, who: usize, whom: usize, choice: u8) {
@@ -153,13 +210,21 @@ impl Trial {
     fn send(&mut self, who: usize, frames: &[FromUser<'_>]) {
         let mut message = Vec::new();
         frames.iter().for_each(|frame| frame.write(&mut message));
-        self.give(who, &message);
+        let is_passing = |frame: &FromUser<'_>| match frame {
+            FromUser::Pose(pose) => !pose.stops,
+            other => matches!(other, FromUser::Ack { .. }),
+        };
+        self.give(who, &message, frames.iter().all(is_passing));
     }
 
-    fn give(&mut self, who: usize, message: &[u8]) {
+    /// `is_passing` for what goes by a datagram, if the user is by datagrams.
+    fn give(&mut self, who: usize, message: &[u8], is_passing: bool) {
         let user = &mut self.users[who];
+        let is_passing = is_passing && has_datagrams(who);
         let Some(session) = &mut user.session else { return };
-        let is_passing = has_datagrams(who) && message.first().is_some_and(|kind| PASSING.contains(kind));
+        if is_passing && user.loses {
+            return;
+        }
         let given = session.took(message.len(), self.now).and_then(|()| match is_passing {
             true => session.datagram(message, self.now),
             false => session.message(message, self.now),
@@ -173,14 +238,14 @@ impl Trial {
     /// Take all that waits for a user.
     fn look(&mut self, who: usize) {
         let (mut message, mut read) = (BytesMut::new(), Vec::new());
-        let User { session, seen, ticket, most, .. } = &mut self.users[who];
+        let User { session, seen, ticket, most, loses, .. } = &mut self.users[who];
         let Some(open) = session else { return };
         let part = if has_datagrams(who) { Part::Lasting } else { Part::All };
         match open.outbox.take(part, &mut message, &mut read) {
             Taken::End(_) => *session = None,
             Taken::Nothing | Taken::Message => {
                 if has_datagrams(who) {
-                    take_datagrams(&open.outbox, &mut message);
+                    take_datagrams(&open.outbox, *loses, &mut message);
                 }
                 let bound = open.rooms.limits.queue_bytes + ROOM * (HEAD + 2 + pose::MOST) + HEAD + 4;
                 assert!(message.len() <= bound, "{} bytes waited", message.len());
@@ -234,15 +299,17 @@ fn has_datagrams(who: usize) -> bool {
     who % 2 == 1
 }
 
-/// Take all datagrams that wait, behind what must arrive.
-fn take_datagrams(outbox: &Outbox, message: &mut BytesMut) {
+/// Take all datagrams that wait, behind what must arrive, or lose them.
+fn take_datagrams(outbox: &Outbox, loses: bool, message: &mut BytesMut) {
     loop {
         let passing = outbox.passing(DATAGRAM);
         assert!(passing.bytes.len() <= DATAGRAM, "too large a datagram");
         if passing.bytes.is_empty() {
             return;
         }
-        message.extend_from_slice(&passing.bytes);
+        if !loses {
+            message.extend_from_slice(&passing.bytes);
+        }
         let _ = outbox.sent(&passing).len();
     }
 }

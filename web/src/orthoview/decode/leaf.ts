@@ -4,11 +4,11 @@ import { pictureOf } from '../../decode/images';
 import type { Material } from '../../decode/messages';
 import { placementsOf } from '../../decode/placements';
 import { FOLDER, primitiveOf } from '../../decode/surfaces';
+import { sha256 } from '../../hex';
 import { damaged, StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 import type { Triple } from '../store/layout';
 import type { Shard } from '../store/records';
-import { sha256 } from '../store/unpack';
 
 /** Triangles of one material, and where they are. */
 export interface Piece {

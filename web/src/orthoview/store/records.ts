@@ -1,4 +1,5 @@
 /** The documents of a store: its layout, its generations, and which cells of a subtree show something. */
+import { sha256 } from '../../hex';
 import { damaged, StoreError } from './error';
 import type { Bytes, Files } from './files';
 import {
@@ -11,7 +12,7 @@ import {
   subtreeOf as ownerOf,
   type Triple,
 } from './layout';
-import { checked, documentOf, numbersOf, rowsOf, sha256 } from './unpack';
+import { checked, documentOf, numbersOf, rowsOf } from './unpack';
 import { nameOf, shapesOf } from '../cut/cells';
 
 /** Stands for a cell that is as in the generations before. */

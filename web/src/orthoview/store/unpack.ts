@@ -6,13 +6,6 @@ import type { Bytes } from './files';
 /** Bytes to which a text of guests unpacks at most. */
 const MOST_BYTES = 2 ** 26;
 
-/** Hexadecimal SHA-256; null where the browser offers none: on pages without https, but for this machine's. */
-export async function sha256(bytes: Bytes): Promise<string | null> {
-  if (!globalThis.crypto?.subtle) return null;
-  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
-  return Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('');
-}
-
 /** Little-endian uint32 numbers of base64 of zlib; `length` of them are expected. */
 export async function numbersOf(text: unknown, length: number, file: string): Promise<Uint32Array> {
   const found = await unpacked(text, 4 * length, 'views', file);

@@ -1,4 +1,4 @@
-//! What pages are told of the rooms.
+//! The answer to pages that ask for the rooms.
 
 use std::sync::Arc;
 

@@ -15,6 +15,7 @@ use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use super::support::{User, join, limits, pose, server, start, start_within};
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::places::Place;
+use crate::rooms::pose::Pose;
 use crate::rooms::reason::{End, Reason};
 use crate::rooms::{Entering, Key, Limits, Rooms, Session, upgrade};
 use crate::{Answering, HeaderValue, Server, tls};
@@ -147,19 +148,43 @@ fn one_client_has_so_many_sockets_and_begins_so_many_rooms() {
     assert!(enter("second", &two).is_ok());
 }
 
+/// A user by itself in a room, whose frames come so many seconds after a begin.
+fn alone(limits: Limits) -> (Arc<Rooms>, impl FnMut(u64, FromUser<'_>) -> Result<(), End>) {
+    let (rooms, begin) = (Arc::new(Rooms::new(limits, None).expect("they fit")), Instant::now());
+    let place = rooms.place([10, 0, 0, 1].into(), 100).expect("there is place");
+    let mut session = Session::new(Arc::clone(&rooms), Entering::new("hall", None, place), begin);
+    let mut send = move |after, frame: FromUser<'_>| {
+        let mut message = Vec::new();
+        frame.write(&mut message);
+        session.message(&message, begin + Duration::from_secs(after))
+    };
+    assert_eq!(send(0, FromUser::Hello { group: 0, name: "", ticket: &[] }), Ok(()));
+    (rooms, send)
+}
+
+#[test]
+fn poses_beyond_the_rate_are_dropped_but_those_that_end_a_movement_are_not() {
+    let (rooms, mut send) = alone(Limits { poses_per_second: 10.0, ..limits() });
+    let mut sequence = 0;
+    let mut poses = |after, count, stops| {
+        let dropped = rooms.figures.dropped.get();
+        for _ in 0..count {
+            sequence += 1;
+            send(after, FromUser::Pose(Pose { stops, ..pose(sequence) }))?;
+        }
+        Ok::<_, End>(rooms.figures.dropped.get() - dropped)
+    };
+    assert_eq!(poses(0, 120, false), Ok(100), "those of two seconds are passed on");
+    assert_eq!(poses(0, 20, true), Ok(0));
+    assert_eq!(poses(1, 120, false), Ok(110), "those that were dropped are not owed");
+    assert_eq!(poses(1, 10, true), Ok(0));
+    assert_eq!(poses(1, 1, true).map_err(|end| end.reason), Err(Reason::Flood));
+}
+
 #[test]
 fn who_says_more_than_others_should_take_is_ended() {
-    let rooms = Arc::new(Rooms::new(Limits { said_bytes_per_second: 1000.0, ..limits() }, None).expect("they fit"));
-    let begin = Instant::now();
     for (payload, most) in [(4096, 7), (0, 512)] {
-        let place = rooms.place([10, 0, 0, 1].into(), 100).expect("there is place");
-        let mut session = Session::new(Arc::clone(&rooms), Entering::new("hall", None, place), begin);
-        let mut say = |after, frame: FromUser<'_>| {
-            let mut message = Vec::new();
-            frame.write(&mut message);
-            session.message(&message, begin + Duration::from_secs(after))
-        };
-        assert_eq!(say(0, FromUser::Hello { group: 0, name: "", ticket: &[] }), Ok(()));
+        let (_rooms, mut say) = alone(Limits { said_bytes_per_second: 1000.0, ..limits() });
         let payload = vec![1; payload];
         for count in 0..most {
             let to_one = FromUser::Signal { user: 1, payload: &payload };
@@ -193,6 +218,7 @@ fn limits_fit_together() {
         (Limits { bytes_per_second: 0.0, ..base }, "bytes_per_second: "),
         (Limits { messages_per_second: f64::NAN, ..base }, "messages_per_second: "),
         (Limits { said_bytes_per_second: f64::INFINITY, ..base }, "said_bytes_per_second: "),
+        (Limits { poses_per_second: -1.0, ..base }, "poses_per_second: "),
     ] {
         let sentence = refused(limits);
         assert!(sentence.starts_with(begin), "{sentence}");

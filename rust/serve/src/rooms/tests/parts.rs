@@ -59,6 +59,25 @@ fn newer_poses_overwrite_and_all_else_stays_in_order() {
 }
 
 #[test]
+fn poses_of_a_large_group_wait_for_several_full_datagrams() {
+    let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
+    for user in 0..100 {
+        outbox.add_pose(user, pose(1), now);
+    }
+    let each = bytes(&[FromServer::Pose { user: 0, pose: pose(1) }])[0].len();
+    let mut frames = Vec::new();
+    for full in [true, true, true, false] {
+        let passing = outbox.passing(30 * each + each / 2);
+        assert_eq!(passing.bytes.len(), if full { 30 } else { 10 } * each);
+        frames.extend(split(&passing.bytes));
+        assert_eq!(outbox.sent(&passing).len(), passing.bytes.len() / each);
+    }
+    let expected: Vec<_> = (0..100).map(|user| FromServer::Pose { user, pose: pose(1) }).collect();
+    assert_eq!(frames, bytes(&expected));
+    assert!(outbox.passing(1000).bytes.is_empty());
+}
+
+#[test]
 fn what_a_later_one_replaces_is_sent_apart_from_what_must_arrive() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
     let part = || {

@@ -100,7 +100,7 @@ impl Guest {
         while self.frames.is_empty() {
             let came = async {
                 tokio::select! {
-                    // What came before the end is read before it.
+                    // Frames that came before the end are read before it.
                     biased;
                     read = self.receive.read(&mut piece) => read.ok().flatten().map(|length| (By::Stream, length)),
                     datagram = self.connection.receive_datagram() => {

@@ -26,7 +26,13 @@ pub const HOURS: Duration = Duration::from_secs(10_000);
 
 /// Limits that no test meets but by intent.
 pub fn limits() -> Limits {
-    Limits { messages_per_second: 1e9, bytes_per_second: 1e12, said_bytes_per_second: 1e12, ..Limits::default() }
+    Limits {
+        messages_per_second: 1e9,
+        bytes_per_second: 1e12,
+        said_bytes_per_second: 1e12,
+        poses_per_second: 1e9,
+        ..Limits::default()
+    }
 }
 
 /// A server with rooms alone.
