@@ -57,7 +57,7 @@ function play({ least, jitter, loss, begin, speed = 1 }: Way, seconds: number, s
     const pose: Pose = { ...REST, ...movement(sent), sequence: number + 1, clock };
     return { pose, comes: sent + least + jitter * chance() };
   }).filter(() => chance() >= loss);
-  // What is on its way for longer is overtaken.
+  // Later poses overtake those that are on their way for longer.
   poses.sort((a, b) => a.comes - b.comes);
   const frames: Frame[] = [];
   for (let frame = 0; frame < 60 * seconds; frame++) {
