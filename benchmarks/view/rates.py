@@ -99,7 +99,7 @@ def eye(place: Place) -> list[float]:
 
 
 class Run:
-    """What is measured, and how."""
+    """Scenes, sizes and times of a measurement."""
 
     def __init__(self, files: Files, pictures: Path | None, seconds: float, *, quick: bool) -> None:
         self.files, self._pictures, self._seconds = files, pictures, seconds

@@ -1,4 +1,4 @@
-"""What the page holds while it is used in a room for an hour, on a clock that steps.
+"""Memory and resources that the page holds while it is used in a room for an hour, on a clock that steps.
 
 python -m benchmarks.view.rooms [--quick]
 

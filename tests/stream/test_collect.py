@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Iterable
 from contextlib import suppress
 from typing import Any
 
@@ -29,6 +30,7 @@ from nearfar.stream.collect._messages import (
 )
 from nearfar.stream.collect._person import Pointing, Target
 from nearfar.stream.collect._player import rotated, turned
+from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
 from tests.support.vectors import cases
 
@@ -142,7 +144,7 @@ def test_a_play_goes_as_in_all_languages(case: dict[str, Any]) -> None:
             said.append(words(speaker, message))
             for user, task in tasks.items():
                 if user != speaker:
-                    task.hear(message, now, group=case["group"])
+                    task.hear(message, now, sender=speaker, group=case["group"])
 
     for user in case["users"]:
         join(user)
@@ -170,6 +172,85 @@ def test_a_play_goes_as_in_all_languages(case: dict[str, Any]) -> None:
         assert said == step["said"], now
         said.clear()
     assert all(task.is_over for task in tasks.values())
+
+
+def aimed(task: Task, users: Iterable[int], now: float) -> dict[int, Ray]:
+    """Rays of users who aim at the middle of the sphere."""
+    x, y, z = task.place(now) or (0.0, 0.0, 0.0)
+    return dict.fromkeys(users, ((x, y, z + 4.0), (0.0, 0.0, -1.0)))
+
+
+@pytest.mark.parametrize("case", cases("collect", "hearings"))
+def test_a_user_believes_as_in_all_languages(case: dict[str, Any]) -> None:
+    task = Task(case["user"], case["group"])
+    for step in ({"returns": True}, *case["steps"]):
+        if step["returns"]:
+            task.alone()
+            for other in case["others"]:
+                task.joined(other)
+        if "message" in step:
+            taken = task.hear(message_of(step["message"]), step["now"], sender=step["sender"], group=case["group"])
+            assert taken == step["taken"], step
+    said = task.conduct(case["now"], aimed(task, task.present, case["now"]))
+    assert [words(case["user"], message) for message in said] == case["said"]
+
+
+def begun(users: int) -> Task:
+    """The task of a conductor whose trial has begun, with a still sphere."""
+    task = Task(0, 0)
+    for user in range(1, users):
+        task.joined(user)
+    task.start(Settings(speeds=(0.0, 0.0, 0.0), duration=1000.0, hold=1000.0, users=users), 0.0)
+    assert isinstance(task.conduct(0.0, {})[0], Sphere)
+    return task
+
+
+def test_pointers_that_flicker_do_not_make_the_conductor_say_too_much() -> None:
+    task, seconds = begun(64), 8
+    size = 0
+    for moment in range(1, 512 * seconds + 1):
+        now = moment / 512.0
+        found = aimed(task, range(64), now) if moment % 2 else {}
+        size += sum(max(len(write(message)) + 5, 64) for message in task.conduct(now, found))
+    assert 8000 * seconds < size <= 16_384 * seconds + 8192
+    # The last state is told as soon as there is room for it.
+    for moment in range(80):
+        task.conduct(seconds + 1.0 + moment / 80.0, aimed(task, range(64), now))
+    assert task.aims == tuple(range(64))
+
+
+def test_the_conductor_judges_no_more_often_than_poses_of_a_user_come() -> None:
+    task = begun(1)
+    said = []
+    for moment in range(1, 1001):
+        now = moment / 1000.0
+        said += task.conduct(now, aimed(task, [0], now) if moment % 2 else {})
+    assert 0 < len(said) <= 80
+
+
+def test_who_has_conducted_until_a_user_joins_is_heard_to_the_end() -> None:
+    task = Task(9, 0)
+    task.joined(7)
+    trial = begun(1).trial
+    assert trial is not None
+    seats = tuple(Seat(user, (0.0, 1.7, 0.0)) for user in (3, 7, 9))
+    assert task.hear(dataclasses.replace(trial, seats=seats), 0.0, sender=7)
+    first = spheres.sphere(trial, trial.stage, 0, 0)
+    task.joined(3)
+    assert task.hear(first, 6.0, sender=7)
+    assert task.hear(Collected(trial.stage, 0, 0, 0, 1.0), 6.0, sender=3)
+    task.left(7)
+    assert not task.hear(spheres.sphere(trial, trial.stage, 0, 1), 6.0, sender=7)
+
+
+def test_scores_of_groups_that_are_gone_are_forgotten() -> None:
+    task = Task(0, 2)
+    for group in range(6):
+        task.hear(Score(Stage(1, 1), False, group, 0), 0.0, sender=9, group=group)
+    task.forget_scores({2, 4})
+    assert sorted(task.scores) == [2, 4]
+    task.alone()
+    assert sorted(task.scores) == [2]
 
 
 def test_a_pointer_must_meet_the_sphere_ahead_of_it() -> None:

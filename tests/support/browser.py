@@ -36,7 +36,7 @@ FRAMES = "window.requestAnimationFrame = (frame) => setTimeout(() => frame(perfo
 """Asks for frames in its place."""
 
 NO_WEBGPU = "No available adapters."
-"""What Chromium prints when a page asks for WebGPU where there is none."""
+"""Chromium prints it when a page asks for WebGPU where there is none."""
 
 LOOKS = 6000
 """Looks at a page before it counts as hung: five minutes of pauses, and however long a busy machine takes to answer."""

@@ -169,7 +169,7 @@ def places() -> list[dict[str, Any]]:
 
 # a play -----------------------------------------------------------------------------------------------------------
 def plays() -> list[dict[str, Any]]:
-    """What users say who hear each other at once. In each step some come or go, and some aim at the sphere."""
+    """Messages of users who hear each other at once. In each step some come or go, and some aim at the sphere."""
 
     def step(now: float, aiming: list[int], *said: str, comes: int | None = None, goes: int | None = None) -> Any:
         return {"now": now, "comes": comes, "goes": goes, "aiming": aiming, "said": list(said)}
@@ -208,16 +208,83 @@ def plays() -> list[dict[str, Any]]:
     ]
 
 
+# what a user believes ---------------------------------------------------------------------------------------------
+def hearings() -> list[dict[str, Any]]:
+    """Messages that a user hears, whether each changes anything, and what the user says at the end."""
+    seats = [{"user": user, "position": [0.0, 1.75, 0.0]} for user in (3, 7, 9)]
+    nothing = [[0, 0, 0.0]] * 3
+    rules = {**RULES, "elapsed": 0.0, "users": 1, "hold": 0.0, "radius": 1000.0, "tallies": nothing}
+
+    def playing(**changed: Any) -> dict[str, Any]:
+        return {"kind": "trial", **STAGE, **rules, "seats": seats, **changed}
+
+    def appears(number: int) -> dict[str, Any]:
+        return {"kind": "sphere", **STAGE, "number": number, "level": "easy", **MOVING, "age": 0.0}
+
+    def step(now: float, sender: int, message: dict[str, Any], *, taken: bool, returns: bool = False) -> Any:
+        return {"now": now, "returns": returns, "sender": sender, "message": message, "taken": taken}
+
+    def case(region: str, user: int, others: list[int], end: float, said: list[str], *steps: Any) -> dict[str, Any]:
+        return {"region": region, "group": 5, "user": user, "others": others, "steps": steps, "now": end, "said": said}
+
+    own = {"seats": seats[:1]}
+    aiming = {"kind": "aims", **STAGE, "number": 0, "event": "lost", "user": 3, "misses": 9, "held": None, "users": []}
+    found = {"kind": "collected", **STAGE, "number": 0, "level": "easy", "misses": 0, "seconds": 0.5}
+    counted = [[4, 0, 8.0], *nothing[1:]]
+    return [
+        case(
+            "a sphere that could not be collected", 3, [7], 0.5,
+            ["3: sphere 0 easy", "3: selected 3, held 0", "3: collected 0 easy, 0 missed, 0 s", "3: score 1 0"],
+            step(0.0, 7, playing(**own), taken=True),
+            step(0.0, 7, appears(65535), taken=False),
+            step(0.0, 7, appears(1), taken=False),
+        ),
+        case(
+            "as many spheres as can be counted", 3, [7], 0.5, [],
+            step(0.0, 7, playing(**own), taken=True),
+            step(0.0, 7, appears(0), taken=True),
+            step(0.0, 7, playing(**own, tallies=[[65535, 0, 1.0], *nothing[1:]]), taken=True),
+            step(0.0, 7, appears(65535), taken=False),
+        ),
+        case(
+            "a user who does not conduct speaks as if it did", 7, [3, 9], 8.0, [],
+            step(0.0, 3, playing(), taken=True),
+            step(6.0, 9, appears(0), taken=False),
+            step(6.0, 3, appears(0), taken=True),
+            step(6.0, 9, aiming, taken=False),
+            step(6.0, 9, found, taken=False),
+            step(6.0, 9, playing(run=3), taken=False),
+            step(6.0, 3, found, taken=True),
+            step(6.0, 3, playing(run=3), taken=True),
+        ),
+        case(
+            "the conductor returns in the pause after its sphere", 3, [7, 9], 24.0,
+            ["3: trial 1", "3: sphere 4 hard"],
+            step(0.0, 7, playing(radius=RULES["radius"], tallies=[[3, 0, 6.0], *nothing[1:]]), taken=True),
+            step(0.0, 7, appears(3), taken=True),
+            step(20.0, 7, playing(radius=RULES["radius"], elapsed=20.0, tallies=counted), taken=True, returns=True),
+        ),
+        case(
+            "after the greatest number of a run comes 0", 7, [3], 8.0, [],
+            step(0.0, 3, playing(run=65535), taken=True),
+            step(0.0, 3, playing(run=65534), taken=False),
+            step(0.0, 3, playing(run=0), taken=True),
+            step(0.0, 3, playing(run=65535), taken=False),
+        ),
+    ]  # fmt: skip
+
+
 def files() -> dict[str, str]:
     """The file's text by its name."""
     text = document(
-        holds="The sphere collection, version 1: messages, places of spheres and seats, and what a conductor says.",
+        holds="The sphere collection, version 1: messages, places, what a conductor says and what a user believes.",
         units="metres, seconds; bytes hexadecimal. Places follow from the rules of the first message.",
         source="docs/collect.md.",
         tolerance={
             "messages": "None: what is read has these fields, and what is written has these bytes.",
             "places": "1e-12, which sines and cosines may be off by.",
             "plays": "None; times are sums of powers of two.",
+            "hearings": "None.",
         },
         messages=[
             {"region": name, "message": fields, "bytes": WRITE[fields["kind"]](fields).hex()}
@@ -226,5 +293,6 @@ def files() -> dict[str, str]:
         refused=[{"region": name, "bytes": data.hex()} for name, data in refused().items()],
         places=places(),
         plays=plays(),
+        hearings=hearings(),
     )
     return {"collect.json": text}

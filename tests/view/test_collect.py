@@ -60,7 +60,7 @@ class Player(RoomPage):
 
 
 def told(players: Sequence[Player], name: str) -> list[Any]:
-    """What each page knows, after a frame of each: who judges needs the others' poses."""
+    """The state of each page's task, after a frame of each: who judges needs the others' poses."""
     return [player.task()[name] for player in players]
 
 

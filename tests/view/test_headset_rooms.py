@@ -104,7 +104,7 @@ def test_each_eye_sees_the_pointer_of_another_user_end_where_it_should(page: Any
 
 
 def body(page: Any) -> dict[str, Any]:
-    """What the user shows of itself."""
+    """The body that the user shows of itself."""
     frames(page, 4)
     return dict(page.evaluate("() => window.nearfar.room.body"))
 

@@ -285,7 +285,7 @@ def test_users_by_datagrams_and_by_sockets_see_each_other(chromium: Any, bundle:
         assert "nearfar_room_datagram_connections 1\n" in counts
         assert "nearfar_room_users 2\n" in counts
         for page in (one, other):
-            # What waits for each is settled, though nobody moves.
+            # Poses that wait for each are settled, though nobody moves.
             wait_until(page, lambda page=page: page.evaluate(measured))
             assert page.printed == []
 

@@ -54,6 +54,8 @@ test('every truncation and every changed bit is a message or refused', () => {
   }
 });
 
+type Hearing = (typeof vectors.hearings)[number];
+
 function firstTrial(): Rules {
   const found = read(bytesOf(vectors.messages[0]?.bytes ?? ''));
   assert.ok(found?.kind === 'trial');
@@ -97,7 +99,7 @@ test('a play goes as in all languages', () => {
     const tell = (speaker: number, messages: readonly Message[], now: number): void => {
       for (const message of messages) {
         said.push(words(speaker, message));
-        for (const [user, task] of tasks) if (user !== speaker) task.hear(message, now, group);
+        for (const [user, task] of tasks) if (user !== speaker) task.hear(message, now, speaker, group);
       }
     };
     users.forEach(join);
@@ -126,6 +128,86 @@ test('a play goes as in all languages', () => {
     }
     assert.ok([...tasks.values()].every((task) => task.isOver));
   }
+});
+
+/** A message of the vectors by its own names. */
+function messageOf(fields: Hearing['steps'][number]['message']): Message {
+  const tallied = ([spheres, misses, seconds]: readonly number[]): Tally =>
+    ({ spheres: spheres ?? 0, misses: misses ?? 0, seconds: seconds ?? 0 });
+  const tallies = 'tallies' in fields && { tallies: fields.tallies?.map(tallied) };
+  return { ...fields, ...tallies } as unknown as Message;
+}
+
+/** Rays of users who aim at the middle of the sphere. */
+function aimed(task: Task, users: Iterable<number>, now: number): Map<number, Ray> {
+  const [x, y, z] = task.place(now) ?? [0, 0, 0];
+  const ray: Ray = { begin: [x, y, z + 4], direction: [0, 0, -1] };
+  return new Map([...users].map((user) => [user, ray]));
+}
+
+test('a user believes as in all languages', () => {
+  for (const { region, user, group, others, steps, now: end, said } of vectors.hearings) {
+    const task = new Task(user, group);
+    const enter = (): void => {
+      task.alone();
+      others.forEach((other) => task.joined(other));
+    };
+    enter();
+    for (const { now, returns, sender, message, taken } of steps) {
+      if (returns) enter();
+      assert.equal(task.hear(messageOf(message), now, sender, group), taken, `${region}: ${message.kind}`);
+    }
+    const told = task.conduct(end, aimed(task, task.present, end));
+    assert.deepEqual(told.map((message) => words(user, message)), said, region);
+  }
+});
+
+/** The task of a conductor whose trial has begun, with a still sphere. */
+function begun(users: number): Task {
+  const task = new Task(0, 0);
+  for (let user = 1; user < users; user++) task.joined(user);
+  task.start({ ...firstTrial(), speeds: [0, 0, 0], duration: 1000, hold: 1000, users }, 0);
+  assert.equal(task.conduct(0, new Map())[0]?.kind, 'sphere');
+  return task;
+}
+
+test('pointers that flicker do not make the conductor say too much', () => {
+  const [task, seconds] = [begun(64), 8];
+  const users = Array.from({ length: 64 }, (_, user) => user);
+  let size = 0;
+  for (let moment = 1; moment <= 512 * seconds; moment++) {
+    const now = moment / 512;
+    const said = task.conduct(now, moment % 2 === 1 ? aimed(task, users, now) : new Map());
+    for (const message of said) size += Math.max(write(message).length + 5, 64);
+  }
+  assert.ok(size > 8000 * seconds && size <= 16384 * seconds + 8192, `${size}`);
+  // The last state is told as soon as there is room for it.
+  for (let moment = 0; moment < 80; moment++) {
+    const now = seconds + 1 + moment / 80;
+    task.conduct(now, aimed(task, users, now));
+  }
+  assert.deepEqual(task.aims, users);
+});
+
+test('the conductor judges no more often than poses of a user come', () => {
+  const task = begun(1);
+  let told = 0;
+  for (let moment = 1; moment <= 1000; moment++) {
+    const now = moment / 1000;
+    told += task.conduct(now, moment % 2 === 1 ? aimed(task, [0], now) : new Map()).length;
+  }
+  assert.ok(told > 0 && told <= 80, `${told}`);
+});
+
+test('scores of groups that are gone are forgotten', () => {
+  const task = new Task(0, 2);
+  for (const group of [0, 1, 2, 3, 4]) {
+    task.hear({ kind: 'score', run: 1, trial: 1, over: false, spheres: group, misses: 0 }, 0, 9, group);
+  }
+  task.forgetScores((group) => group === 2 || group === 4);
+  assert.deepEqual([...task.scores.keys()], [2, 4]);
+  task.alone();
+  assert.deepEqual([...task.scores.keys()], [2]);
 });
 
 test('a pointer must meet the sphere ahead of it', () => {

@@ -1,4 +1,4 @@
-/** What Node lacks of a browser, as far as controls use it. */
+/** Parts of a browser that Node lacks, as far as controls use it. */
 
 /** An element of 800 × 600 pixels that hears pointers, and remembers which it holds. */
 export interface FakeElement extends HTMLElement {

@@ -26,7 +26,7 @@ function ranges(...planes: number[][]): FileData {
   return fileOf('files/00000000000000ee.range', Uint8Array.from(data));
 }
 
-/** What Node lacks of a browser. */
+/** A canvas, which Node lacks. */
 class Canvas {
   private readonly context = { value: 0 };
   constructor(

@@ -20,7 +20,7 @@ test('a direction is that of the picture', () => {
 test('the ground is stood on, and other things are stood before', () => {
   near(placeFor(EYE, [0, -0.5, -Math.sqrt(0.75)], [1, 0.1, -3]), [1, 1.7, -3]);
   near(placeFor(EYE, [0, 0, -1], [1, 1.7, -6]), [1, 1.7, -5]);
-  // What is nearer than that moves nobody.
+  // Things nearer than that move nobody.
   near(placeFor(EYE, [0, 0, -1], [1, 1.7, 1.5]), EYE);
 });
 

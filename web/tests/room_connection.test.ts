@@ -117,6 +117,21 @@ test('it joins the room beside the page, by name and token', () => {
   assert.deepEqual(heard.map(({ kind }) => kind), ['welcome', 'joined']);
 });
 
+test('a pose that comes after a later one is not passed on, nor one of a user who is not there', () => {
+  const { socket, heard } = entered();
+  const pose = (sequence: number, stops = false): FromServer =>
+    ({ kind: 'pose', user: 6, pose: { ...REST, sequence, clock: 0n, isAcknowledged: false, stops } });
+  const passed = (): readonly number[] =>
+    heard.splice(0).flatMap((frame) => (frame.kind === 'pose' ? [frame.pose.sequence] : []));
+  socket().comes(pose(5, true), pose(4), pose(5), pose(6));
+  assert.deepEqual(passed(), [5, 6]);
+  socket().comes({ kind: 'left', user: 6 }, pose(7));
+  assert.deepEqual(passed(), []);
+  // Whoever comes anew counts from 1.
+  socket().comes(PEER, pose(1));
+  assert.deepEqual(passed(), [1]);
+});
+
 test('it comes back with its ticket, after pauses that double to half a minute', () => {
   const { socket, sockets, states, pass } = entered();
   socket().breaks();

@@ -5,7 +5,7 @@ import { LEVELS, type Tallies } from './messages';
 
 /** Figures of a trial that runs or is over. */
 export interface Told {
-  /** What the user can or must do. */
+  /** A sentence about what the user can or must do. */
   readonly words: string;
   readonly canStart: boolean;
   /** Null before the first trial. */

@@ -23,7 +23,7 @@ const WHOLE: readonly string[] = ['users', 'trials', 'seed'];
 
 export type Asked = Readonly<Record<keyof typeof ASKED, number>>;
 
-/** What `?users=…&hold=…` ask for; a sentence for numbers that there cannot be. */
+/** The rules that `?users=…&hold=…` ask for; a sentence for numbers that there cannot be. */
 export function readRules(query: URLSearchParams): Asked | string {
   const found: Record<string, number> = {};
   for (const [name, [usual, least, most]] of Object.entries(ASKED)) {

@@ -13,7 +13,7 @@ import type { Host, Room } from '../rooms/start';
 import { make } from '../ui/dom';
 import { pointBeside } from './aim';
 import { createBall } from './ball';
-import { audienceOf, type Message, read, type Trial, write } from './messages';
+import { audienceOf, type Box, type Message, read, type Trial, write } from './messages';
 import { createPanel, type Told, type TrialTold } from './panel';
 import { type Asked, readRules, rulesAt } from './rules';
 import type { Ray } from './spheres';
@@ -21,6 +21,10 @@ import { Task } from './task';
 
 /** Seconds between two updates of the card. */
 const CARD_EVERY = 0.1;
+/** Most other groups whose scores the card shows. */
+const MOST_GROUPS = 8;
+/** Least seconds between two seats that the user is put at, and metres that a seat may lie outside of the rectangle. */
+const [SEAT_EVERY, ASIDE] = [3, 2] as const;
 
 export interface Collecting extends Activity {
   /** The state of the task; null before the user is in the room. */
@@ -48,7 +52,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
   let task: Task | null = null;
   let pose: Pose | null = null;
   let seated = '';
-  let toldAt = -Infinity;
+  let [toldAt, seatedAt] = [-Infinity, -Infinity];
 
   function start(): void {
     if (!task || !pose || !canStart(task)) return;
@@ -78,10 +82,11 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
   function follow(of: Task, now: number): void {
     const { trial, seat } = of;
     const stage = trial ? `${trial.run} ${trial.trial}` : '';
-    if (stage === seated) return;
+    if (stage === seated || now - seatedAt < SEAT_EVERY) return;
     seated = stage;
     frames.restart(now);
-    if (!seat || !trial) return;
+    if (!seat || !trial || !isAbout(trial.area, seat)) return;
+    seatedAt = now;
     const [x, , z] = minus(middleOf(trial), seat);
     host.go({ position: seat, yaw: Math.atan2(-x, -z), pitch: 0 });
     host.announce(`Trial ${trial.trial} of ${trial.trials}: all aim at the sphere at the same time`);
@@ -92,7 +97,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
     if (!task || group === undefined) return;
     try {
       const message = read(payload);
-      if (message) task.hear(message, now, group);
+      if (message) task.hear(message, now, user, group);
     } catch (error) {
       // Whoever says what is none cannot stop the others.
       if (!(error instanceof FrameError)) throw error;
@@ -104,13 +109,16 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
     groups.clear();
     rays.clear();
     // Who comes back goes on from what it heard; with another number it is somebody else.
-    if (task?.user === user) for (const other of [...task.present]) task.left(other);
+    if (task?.user === user) task.alone();
     else task = new Task(user, room.address.group);
   }
 
   function show(of: Task | null, now: number): void {
     const { trial, heldSince } = of ?? { trial: null, heldSince: null };
-    if (!of || !trial) return;
+    if (!of || !trial || room.connection.state.kind !== 'here') {
+      ball.show(null, 0, 0, 0);
+      return;
+    }
     const held = heldSince === null ? 0 : (now - heldSince) / Math.max(trial.hold, 1e-3);
     ball.show(of.place(now), trial.radius, of.aims.length / of.needed, Math.min(held, 1));
   }
@@ -122,6 +130,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
     const others = [...task.scores]
       .filter(([other]) => other !== group)
       .sort(([a], [b]) => a - b)
+      .slice(0, MOST_GROUPS)
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
     const { roundTrips } = room.connection;
     const trial = task.trial && trialTold(task, task.trial, now, frames.rate, roundTrips.median);
@@ -148,6 +157,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
         groups.delete(frame.user);
         rays.delete(frame.user);
         task?.left(frame.user);
+        task?.forgetScores((group) => group === room.address.group || [...groups.values()].includes(group));
       } else if (frame.kind === 'pose') {
         see(rays, frame.user, frame.pose);
         // Frames do not come to a hidden page, but poses do.
@@ -195,6 +205,11 @@ function see(rays: Map<number, Ray>, user: number, body: Body): void {
 
 function middleOf({ box: [least, most] }: Trial): Vector {
   return [(least[0] + most[0]) / 2, (least[1] + most[1]) / 2, (least[2] + most[2]) / 2];
+}
+
+/** Whether a place is in a box, or some metres beside it. */
+function isAbout([least, most]: Box, place: Vector): boolean {
+  return place.every((at, axis) => at >= (least[axis] ?? at) - ASIDE && at <= (most[axis] ?? at) + ASIDE);
 }
 
 function wordsOf(task: Task, canStart: boolean): string {

@@ -1,5 +1,6 @@
 /** The state of the task as a user has heard it, and what its conductor says next. It knows neither room nor clock. */
 import type { Vector } from '../control/vector';
+import { createBucket } from '../peers/bucket';
 import {
   type Aims,
   type Collected,
@@ -20,6 +21,14 @@ import { isAimed, placeOf, type Ray, seatsOf, sphereOf } from './spheres';
 
 /** Least seconds from a collected sphere to the next one, so that no rules let a conductor speak without end. */
 const LEAST_PAUSE = 0.05;
+/** Least seconds between two judgements, less than those between two poses: each pose may ask for one. */
+const LEAST_JUDGED = 1 / 80;
+/** Bytes of `aims` a second, half of those that a room lets a user say, and bytes that may be said at once. */
+const [AIMS_RATE, AIMS_AT_ONCE] = [1 << 14, 1 << 13] as const;
+/** Bytes of `aims` that names nobody, no fewer than a room counts for it, and of each user in it. */
+const [AIMS_BYTES, USER_BYTES] = [64, 2] as const;
+/** Seconds after an entry in which anybody is believed: the user does not know yet who conducts. */
+const ENTERING = 5;
 
 /** The last pointers of users by their numbers; users who point nowhere are missing. */
 export type Rays = ReadonlyMap<number, Ray>;
@@ -43,6 +52,12 @@ export class Task {
   private appeared = 0;
   private nextAt = 0;
   private isToTell = false;
+  private judgedAt = -Infinity;
+  private readonly spoken = createBucket(AIMS_RATE, AIMS_AT_ONCE, () => this.judgedAt);
+  /** Who conducted before the last user joined: its last words may come after that. */
+  private former: number | null = null;
+  /** Until when anybody is believed; null until the first moment after the entry. */
+  private enteredUntil: number | null = null;
 
   constructor(
     readonly user: number,
@@ -74,7 +89,7 @@ export class Task {
 
   /** Spheres that were collected in the trial, which is the number of the next one. */
   get count(): number {
-    return this.trial?.tallies.reduce((sum, { spheres }) => sum + spheres, 0) ?? 0;
+    return this.trial ? countOf(this.trial) : 0;
   }
 
   /** Misses of the spheres that were collected in the trial. */
@@ -94,13 +109,29 @@ export class Task {
 
   /** A user of the group is there, who may have heard nothing. */
   joined(user: number): void {
-    if (this.trial && this.conductor === this.user) this.isToTell = true;
+    const before = this.conductor;
+    if (this.trial && before === this.user) this.isToTell = true;
     this.present.add(user);
+    if (this.conductor !== before) this.former = before;
   }
 
   /** A user of the group is gone. */
   left(user: number): void {
     if (user !== this.user) this.present.delete(user);
+    if (user === this.former) this.former = null;
+  }
+
+  /** The connection is gone; who is there is told anew, and the task goes on from what was heard. */
+  alone(): void {
+    this.present.clear();
+    this.present.add(this.user);
+    this.forgetScores((group) => group === this.group);
+    [this.former, this.enteredUntil] = [null, null];
+  }
+
+  /** Forget the scores of groups of which nobody is there. */
+  forgetScores(isThere: (group: number) => boolean): void {
+    for (const group of [...this.scores.keys()]) if (!isThere(group)) this.scores.delete(group);
   }
 
   /** Begin the first trial of a run for all who are there; what the conductor says then. */
@@ -109,33 +140,60 @@ export class Task {
     return this.said(this.begun(rules, { run, trial: 1 }), now);
   }
 
-  /** What the user says as conductor, which it has heard itself then; nothing from all others. */
+  /** Messages of the user as conductor, which it has heard itself then; none from all others. */
   conduct(now: number, rays: Rays): Message[] {
+    this.enteredUntil ??= now + ENTERING;
     const said = this.isToTell ? this.told(now) : [];
     this.isToTell = false;
+    const isDue = now - this.judgedAt >= LEAST_JUDGED;
+    if (isDue) this.judgedAt = now;
     while (this.user === this.conductor) {
-      const message = this.decide(now, rays);
-      if (!message) break;
-      said.push(...this.said(message, now));
+      const message = this.decide(now, isDue ? rays : null);
+      if (!message || (message.kind === 'aims' && !this.maySay(message))) break;
+      const heard = this.said(message, now);
+      // A message that changes nothing would be decided on again and again.
+      if (heard.length === 0) break;
+      said.push(...heard);
     }
     return said;
   }
 
-  /** Follow what somebody said; messages of an earlier run, trial or sphere do nothing. */
-  hear(message: Message, now: number, group = this.group): void {
+  /** The server closes the connection of who says too much. A change that waits is judged anew when it may be said. */
+  private maySay({ users }: Aims): boolean {
+    return this.spoken.take(AIMS_BYTES + USER_BYTES * users.length);
+  }
+
+  /**
+   * Follow what a user of a group said, and tell whether it changed anything. Messages of an earlier run, trial or
+   * sphere do nothing, nor do those about a trial from whoever does not conduct it.
+   */
+  hear(message: Message, now: number, sender = this.user, group = this.group): boolean {
     if (message.kind === 'score') {
       this.scores.set(group, message);
-    } else if (group !== this.group) {
-      return;
-    } else if (message.kind === 'trial') {
-      if (!this.trial || !isEarlier(message, this.trial)) this.hearTrial(message, now);
-    } else if (this.trial && !this.trial.over && isSameStage(message, this.trial)) {
-      this.hearPlay(message, this.trial, now);
+      return true;
     }
+    this.enteredUntil ??= now + ENTERING;
+    if (group !== this.group || !this.believes(sender, now)) return false;
+    if (message.kind === 'trial') {
+      if (this.trial && isEarlier(message, this.trial)) return false;
+      this.hearTrial(message, now);
+      return true;
+    }
+    if (!this.trial || this.trial.over || !isSameStage(message, this.trial)) return false;
+    return this.hearPlay(message, this.trial, now);
+  }
+
+  /** Where nobody who plays is there, anybody may begin. Two who begin at once follow the lower number. */
+  private believes(sender: number, now: number): boolean {
+    if (sender === this.user || this.enteredUntil === null || now < this.enteredUntil) return true;
+    return this.seated().length === 0 || sender <= this.conductor || sender === this.former;
   }
 
   private hearTrial(trial: Trial, now: number): void {
-    if (!this.trial || !isSameStage(trial, this.trial) || trial.over) {
+    const isOther = !this.trial || !isSameStage(trial, this.trial) || trial.over;
+    // Who returns in a pause may know a sphere that was collected meanwhile.
+    const isCollected = this.sphere !== null && this.sphere.number < countOf(trial);
+    if (isOther || isCollected) {
       this.sphere = null;
       this.nextAt = trial.elapsed === 0 ? now : now + Math.max(trial.pause, LEAST_PAUSE);
       this.rest();
@@ -144,21 +202,24 @@ export class Task {
     this.began = now - trial.elapsed;
   }
 
-  private hearPlay(message: Sphere | Aims | Collected, trial: Trial, now: number): void {
+  private hearPlay(message: Sphere | Aims | Collected, trial: Trial, now: number): boolean {
     const known = this.sphere?.number ?? -1;
     if (message.kind === 'sphere') {
-      if (message.number <= known || message.number < this.count) return;
+      // `collected` must be able to follow it.
+      if (message.number === known || message.number !== this.count || message.number >= MOST_COUNTED) return false;
       this.sphere = message;
       this.appeared = now - message.age;
       this.rest();
     } else if (message.kind === 'aims') {
-      if (message.number !== known) return;
+      if (message.number !== known) return false;
       this.aims = message.users;
       this.misses = message.misses;
       this.heldSince = message.held === null ? null : now - message.held;
-    } else if (message.number >= this.count && message.number < MOST_COUNTED) {
+    } else {
+      if (message.number !== this.count || message.number >= MOST_COUNTED) return false;
       this.hearCollected(message, trial, now);
     }
+    return true;
   }
 
   private hearCollected({ level, misses, seconds }: Collected, trial: Trial, now: number): void {
@@ -186,12 +247,12 @@ export class Task {
     return this.trial?.seats.map(({ user }) => user).filter((user) => this.present.has(user)) ?? [];
   }
 
-  /** A message, heard by the user itself, and the score that follows from it. */
+  /** A message, heard by the user itself, and the score that follows from it; nothing if it changes nothing. */
   private said(message: Message, now: number): Message[] {
-    this.hear(message, now);
+    if (!this.hear(message, now)) return [];
     if (!this.trial || (message.kind !== 'trial' && message.kind !== 'collected')) return [message];
     const { run, trial, over } = this.trial;
-    const score: Score = { kind: 'score', run, trial, over, spheres: this.count, misses: this.missed };
+    const score: Score = { kind: 'score', run, trial, over, spheres: Math.min(this.count, MOST_COUNTED), misses: this.missed };
     this.hear(score, now);
     return [message, score];
   }
@@ -213,8 +274,8 @@ export class Task {
     return { ...rules, ...stage, kind: 'trial', over: false, elapsed: 0, tallies: NOTHING, seats };
   }
 
-  /** The next message that the state asks for; null if there is none now. */
-  private decide(now: number, rays: Rays): Message | null {
+  /** The next message that the state asks for; null if there is none now. Nobody is judged without rays. */
+  private decide(now: number, rays: Rays | null): Message | null {
     const { trial, sphere } = this;
     if (!trial) return null;
     const elapsed = this.elapsed(now);
@@ -223,7 +284,7 @@ export class Task {
       return isNext ? this.begun(trial, { run: trial.run, trial: trial.trial + 1 }) : null;
     }
     if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, LONGEST) };
-    if (sphere) return this.judge(trial, sphere, now, rays);
+    if (sphere) return rays && this.judge(trial, sphere, now, rays);
     return now >= this.nextAt && this.count < MOST_COUNTED ? sphereOf(trial, trial, this.group, this.count) : null;
   }
 
@@ -256,7 +317,7 @@ export class Task {
 
   private aiming(sphere: Sphere, event: Event, user: number, users: readonly number[], now: number): Aims {
     const { run, trial, number } = sphere;
-    const held = users.length >= this.needed ? now - (this.heldSince ?? now) : null;
+    const held = users.length >= this.needed ? Math.min(now - (this.heldSince ?? now), LONGEST) : null;
     const misses = Math.min(this.misses + Number(event === 'lost'), MOST_COUNTED);
     return { kind: 'aims', run, trial, number, event, user, misses, held, users };
   }
@@ -266,11 +327,16 @@ function isSameStage(a: Stage, b: Stage): boolean {
   return a.run === b.run && a.trial === b.trial;
 }
 
+function countOf({ tallies }: Trial): number {
+  return tallies.reduce((sum, { spheres }) => sum + spheres, 0);
+}
+
 /** Whether a message of a trial tells less than another one. */
 function isEarlier(a: Trial, b: Trial): boolean {
-  const age = ({ run, trial, over, tallies }: Trial): number[] => [
-    run, trial, Number(over), tallies.reduce((sum, { spheres }) => sum + spheres, 0),
-  ];
+  // Numbers of runs count in a circle, so that no number is the last one.
+  const ahead = (a.run - b.run) & MOST_COUNTED;
+  if (ahead !== 0) return ahead > MOST_COUNTED / 2;
+  const age = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
   const [own, other] = [age(a), age(b)];
   const at = own.findIndex((value, place) => value !== other[place]);
   return at >= 0 && (own[at] ?? 0) < (other[at] ?? 0);

@@ -65,6 +65,8 @@ export function connect(settings: ConnectionSettings): Connection {
   let stop = (): void => undefined;
   /** Others who get this user's poses. */
   const peers = new Set<number>();
+  /** The greatest sequence of each user who is there. */
+  const newest = new Map<number, number>();
 
   function set(next: State): void {
     state = next;
@@ -113,12 +115,15 @@ export function connect(settings: ConnectionSettings): Connection {
       ticket = frame.ticket;
       entered = time;
       peers.clear();
+      newest.clear();
       roundTrips.forget();
       set({ kind: 'here', user: frame.user });
-    } else if (frame.kind === 'joined' && frame.group === address.group) {
-      peers.add(frame.user);
+    } else if (frame.kind === 'joined') {
+      newest.set(frame.user, -1);
+      if (frame.group === address.group) peers.add(frame.user);
     } else if (frame.kind === 'left') {
       peers.delete(frame.user);
+      newest.delete(frame.user);
       // Nothing is settled for who is alone, and what waits would be settled by the next one.
       if (peers.size === 0) roundTrips.forget();
     } else if (frame.kind === 'settled') {
@@ -126,7 +131,15 @@ export function connect(settings: ConnectionSettings): Connection {
     } else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
       send({ kind: 'ack', user: frame.user, sequence: frame.pose.sequence }, !frame.pose.stops);
     }
-    heard(frame, time);
+    if (frame.kind !== 'pose' || isNews(frame.user, frame.pose.sequence)) heard(frame, time);
+  }
+
+  /** Whether a pose is later than all others of a user who is there: datagrams overtake each other and the stream. */
+  function isNews(user: number, sequence: number): boolean {
+    const known = newest.get(user);
+    if (known === undefined || sequence <= known) return false;
+    newest.set(user, sequence);
+    return true;
   }
 
   /** `isPassing` if a later frame replaces it, so that it may get lost. */

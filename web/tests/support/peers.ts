@@ -115,7 +115,7 @@ export interface Page {
   readonly dropped: Map<number, string>;
   /** Names of files that the server was asked for. */
   readonly asked: string[];
-  /** What the server answers. */
+  /** Answers of the server. */
   serve: (name: string) => Promise<ArrayBuffer>;
   wanted: readonly string[];
   isFirst: boolean;

@@ -96,7 +96,7 @@ class Chance:
 
 @dataclass(frozen=True)
 class Target:
-    """What the user sees at a moment."""
+    """A target as the user sees it at a moment."""
 
     number: int
     angles: Angles

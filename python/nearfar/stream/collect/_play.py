@@ -60,7 +60,7 @@ async def play(
     chosen = Settings() if settings is None else check.instance("settings", settings, Settings)
     people = Person() if person is None else check.instance("person", person, Person)
     seeded = check.integer("seed", seed, 0, 2**32 - 1)
-    user = _User(room, chosen, Player(people, seeded, room.user))
+    user = _User(room, chosen, people, seeded)
     hearing = asyncio.create_task(user.hear())
     moving = asyncio.create_task(user.move())
     try:
@@ -77,12 +77,20 @@ async def play(
 
 
 class _User:
-    def __init__(self, room: Room, settings: Settings, player: Player) -> None:
-        self._room, self._settings, self._player = room, settings, player
-        self.task = Task(room.user, room.group)
-        self._rays: dict[int, Ray] = {}
+    def __init__(self, room: Room, settings: Settings, person: Person, seed: int) -> None:
+        self._room, self._settings, self._person, self._seed = room, settings, person, seed
         self._order = asyncio.Lock()
         self._clock = asyncio.get_running_loop().time
+        self._begin()
+
+    def _begin(self) -> None:
+        """Begin with nothing heard, beside all who are there."""
+        room = self._room
+        self.task = Task(room.user, room.group)
+        self._player = Player(self._person, self._seed, room.user)
+        self._rays: dict[int, Ray] = {}
+        # The greatest sequence of each user: datagrams overtake each other and the stream.
+        self._newest: dict[int, int] = {}
         for number, other in room.users.items():
             if other.group == room.group:
                 self.task.joined(number)
@@ -90,6 +98,9 @@ class _User:
     async def hear(self) -> None:
         """Follow events until the last trial or the connection has ended."""
         async for event in self._room:
+            if self._room.user != self.task.user:
+                # Whoever returns with another number is somebody else.
+                self._begin()
             self._follow(event)
             await self._conduct()
             if isinstance(event, Ended) and not event.returns:
@@ -135,16 +146,22 @@ class _User:
     def _follow(self, event: Event) -> None:
         match event:
             case Joined(user, _, group):
+                self._newest.pop(user, None)
                 if group == self._room.group and user not in self.task.present:
                     self.task.joined(user)
             case Left(user):
                 self.task.left(user)
+                self.task.forget_scores({self.task.group, *(other.group for other in self._room.users.values())})
                 self._rays.pop(user, None)
+                self._newest.pop(user, None)
             case Ended():
                 self.task.alone()
                 self._rays.clear()
+                self._newest.clear()
             case Posed(user, pose):
-                self._see(user, pose)
+                if user in self.task.present and pose.sequence > self._newest.get(user, -1):
+                    self._newest[user] = pose.sequence
+                    self._see(user, pose)
             case Said(user, data):
                 self._listen(user, data)
 
@@ -158,7 +175,7 @@ class _User:
             # Whoever says what is none cannot stop the others.
             return
         if message is not None:
-            self.task.hear(message, self._clock(), group=other.group)
+            self.task.hear(message, self._clock(), sender=user, group=other.group)
 
     def _see(self, user: int, pose: Pose) -> None:
         places = {"head": pose.head, "left": pose.left, "right": pose.right}

@@ -1,4 +1,4 @@
-"""What a trial of the sphere collection asks: sizes, times and speeds."""
+"""Sizes, times and speeds that a trial of the sphere collection asks for."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ LEAST_LEG = 0.001
 
 
 class _Network:
-    """What is on its way, in the order in which it comes."""
+    """Messages on their way, in the order in which they come."""
 
     def __init__(self, leg: tuple[float, float], seed: int) -> None:
         self._leg, self._chance, self._numbers = leg, Chance(seed, 2**32), count()
@@ -56,18 +56,18 @@ class _User:
         self.task, self.player = Task(number, group), Player(person, seed, number)
         self.rays: dict[int, Ray] = {}
 
-    def hear(self, data: bytes, group: int) -> Callable[[float], None]:
-        """What happens when a message comes."""
+    def hear(self, data: bytes, sender: int, group: int) -> Callable[[float], None]:
+        """An action for the time at which a message comes."""
 
         def arrive(now: float) -> None:
             message = read(data)
             if message is not None:
-                self.task.hear(message, now, group=group)
+                self.task.hear(message, now, sender=sender, group=group)
 
         return arrive
 
     def see(self, user: int, ray: Ray) -> Callable[[float], None]:
-        """What happens when a pose comes."""
+        """An action for the time at which a pose comes."""
 
         def arrive(now: float) -> None:
             del now
@@ -134,8 +134,9 @@ def _group(settings: Settings, person: Person, group: int, seed: int, leg: tuple
     def say(messages: list[Message], now: float) -> None:
         for message in messages:
             data = write(message)
+            sender = conductor.task.user
             for user in users[1:]:
-                network.send(now, conductor.task.user, user.task.user, user.hear(data, group))
+                network.send(now, sender, user.task.user, user.hear(data, sender, group))
 
     say(conductor.task.start(settings, 0.0), 0.0)
     steps = 0

@@ -1,0 +1,91 @@
+"""A simulated user's place in a room whose events a test chooses: late poses, users who leave, another number."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Callable
+from typing import Any, cast
+
+import numpy as np
+
+from nearfar.stream._room import Room
+from nearfar.stream._room_events import Ended, Event, Joined, Left, Placed, Pointer, Pose, Posed, Said, User
+from nearfar.stream.collect import Person, Settings
+from nearfar.stream.collect._messages import Score, Stage, write
+from nearfar.stream.collect._play import _User
+from nearfar.stream.collect._player import turned
+
+
+class Told:
+    """A room that tells events one after the other; an action among them changes the room."""
+
+    group, is_connected = 1, True
+
+    def __init__(self, *events: Event | Callable[[Told], None]) -> None:
+        self.user = 2
+        self.users: dict[int, User] = {}
+        self._events = events
+
+    async def __aiter__(self) -> AsyncIterator[Event]:
+        for event in self._events:
+            if isinstance(event, Joined):
+                self.users[event.user] = User(event.user, event.name, event.group)
+            elif isinstance(event, Left):
+                self.users.pop(event.user)
+            if callable(event):
+                event(self)
+            else:
+                yield event
+
+    async def say(self, data: bytes, *, to: str) -> None:
+        """Nobody hears it."""
+
+
+def heard(*events: Event | Callable[[Told], None]) -> Any:
+    """A simulated user who has heard all events."""
+
+    async def script() -> _User:
+        user = _User(cast("Room", Told(*events)), Settings(users=64), Person(), 0)
+        await user.hear()
+        return user
+
+    return asyncio.run(script())
+
+
+def posed(user: int, sequence: int, yaw: float, *, stops: bool = False) -> Posed:
+    """A user points along a yaw."""
+    head = Placed(np.zeros(3, np.float32), np.array(turned(yaw, 0.0)))
+    return Posed(user, Pose(sequence, 0, False, stops, head, pointer=Pointer("head", 1.0)))
+
+
+JOINED = Joined(7, "", 1)
+
+
+def test_a_pose_that_comes_after_a_later_one_moves_no_pointer() -> None:
+    user = heard(JOINED, posed(7, 5, 0.0, stops=True), posed(7, 4, 1.0))
+    np.testing.assert_allclose(user._rays[7][1], (0.0, 0.0, -1.0), atol=1e-6)
+    # Whoever comes anew counts from 1.
+    user = heard(JOINED, posed(7, 5, 1.0), Left(7), JOINED, posed(7, 1, 0.0))
+    np.testing.assert_allclose(user._rays[7][1], (0.0, 0.0, -1.0), atol=1e-6)
+
+
+def test_a_pose_of_a_user_who_is_gone_makes_no_pointer() -> None:
+    assert heard(JOINED, posed(7, 1, 0.0), Left(7), posed(7, 2, 0.0))._rays == {}
+
+
+def test_whoever_returns_with_another_number_begins_anew() -> None:
+    def renamed(room: Told) -> None:
+        room.user, room.users = 9, {}
+
+    ended = Ended("gone", "the connection broke off", returns=True)
+    before = heard(JOINED, ended, JOINED)
+    assert (before.task.user, before.task.present) == (2, {2, 7})
+    after = heard(JOINED, ended, renamed, JOINED)
+    assert (after.task.user, after.task.present, after.task.conductor) == (9, {7, 9}, 7)
+
+
+def test_a_group_s_score_goes_with_its_last_user() -> None:
+    said = Said(8, write(Score(Stage(1, 1), False, 3, 1)), "room")
+    others = (Joined(8, "", 4), Joined(9, "", 4))
+    assert sorted(heard(*others, said, Left(8)).task.scores) == [4]
+    assert sorted(heard(*others, said, Left(8), Left(9)).task.scores) == []
