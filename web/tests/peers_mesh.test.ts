@@ -76,6 +76,7 @@ function bench(): Bench {
 const offer = (attempt = 1, sdp = SDP): Signal => ({ kind: 'offer', attempt, sdp });
 const open = (call: Made | undefined): void => call?.events.opened(wired()[0]);
 
+
 test('the user with the smaller number offers, and the other one answers', async () => {
   const { mesh, enter, calls, sent, say, opened } = bench();
   mesh.begin(true);
@@ -90,7 +91,7 @@ test('the user with the smaller number offers, and the other one answers', async
   assert.deepEqual(opened, [9, 3]);
 });
 
-test('files wait until all who were there are connected, or do not connect, or some time', async () => {
+test('files wait until all who were there have told what they have, or do not connect, or some time', async () => {
   const alone = bench();
   alone.mesh.begin(true);
   alone.enter(5);
@@ -102,8 +103,11 @@ test('files wait until all who were there are connected, or do not connect, or s
   await among.say(3, offer());
   open(among.calls[0]);
   await settled(2);
-  assert.equal(among.isReady, false);
+  among.mesh.greeted(9);
   open(among.calls[1]);
+  await settled(2);
+  assert.equal(among.isReady, false);
+  among.mesh.greeted(3);
   await settled(2);
   assert.ok(among.isReady);
   const slow = bench();

@@ -136,6 +136,8 @@ test('files wait at first until others are connected, but not if somebody has th
   assert.deepEqual(page.asked, []);
   join(page, other, clock);
   await settled();
+  // Who has nothing says so.
+  assert.deepEqual([page.greeted, other.greeted], [[2], [1]]);
   await page.get(held);
   assert.deepEqual(page.asked, []);
   const stop = new AbortController();

@@ -35,9 +35,11 @@ export interface Mesh {
   clear(): void;
   /** Connect from now on; or tell all others that this page does not. */
   begin(isOn: boolean): void;
+  /** A user has told what its page has: nobody waits for it any more. */
+  greeted(user: number): void;
   /** A user has broken the rules. */
   drop(user: number, sentence: string): void;
-  /** Resolves when all who were there at first are connected or do not connect, or some time has passed. */
+  /** Resolves when all who were there at first have told what they have or do not connect, or some time has passed. */
   readonly ready: Promise<void>;
 }
 
@@ -46,6 +48,7 @@ interface Place {
   readonly call: Call;
   stop: () => void;
   isOpen: boolean;
+  hasGreeted: boolean;
 }
 
 export function createMesh({ clock, create, signal, opened, ended }: MeshSettings): Mesh {
@@ -77,7 +80,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   function look(): void {
     if (isOn === false) settle();
     if (isOn === null || own === null || untold === null || untold > 0) return;
-    const isPending = (user: number): boolean => !failed.has(user) && !dropped.has(user) && !places.get(user)?.isOpen;
+    const isPending = (user: number): boolean => !failed.has(user) && !dropped.has(user) && !places.get(user)?.hasGreeted;
     if (!neighbours().some(isPending)) settle();
   }
 
@@ -113,7 +116,6 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         place.stop();
         place.isOpen = true;
         opened(user, line);
-        look();
       },
       ended() {
         if (isCurrent()) fail(user);
@@ -123,7 +125,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       },
     });
     const stop = clock.later(CONNECT, () => fail(user));
-    const place: Place = { attempt, call, stop, isOpen: false };
+    const place: Place = { attempt, call, stop, isOpen: false, hasGreeted: false };
     places.set(user, place);
     return place;
   }
@@ -217,6 +219,11 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       return own;
     },
     drop,
+    greeted(user) {
+      const place = places.get(user);
+      if (place) place.hasGreeted = true;
+      look();
+    },
     clear() {
       forget();
       settle();

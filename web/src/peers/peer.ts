@@ -31,6 +31,8 @@ export interface PeerSettings {
   readonly now: Clock['now'];
   /** Bytes of files that were sent. */
   readonly sent: (bytes: number) => void;
+  /** The page has told for the first time of files that it has, or that it has none. */
+  readonly greeted: () => void;
   /** The page has broken the rules. */
   readonly refuse: (sentence: string) => void;
 }
@@ -44,6 +46,7 @@ export interface Peer {
   holds(key: string): Holding;
   /** It waits for a file from this page. */
   awaits(key: string): boolean;
+  /** Tell it of files; of none, too. */
   tell(holding: Holding, keys: readonly string[]): void;
   ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer>;
   /** A file has come to this page, or does not come. */
@@ -53,11 +56,11 @@ export interface Peer {
   end(): void;
 }
 
-export function createPeer({ number, line, shelf, now, sent, refuse }: PeerSettings): Peer {
+export function createPeer({ number, line, shelf, now, sent, greeted, refuse }: PeerSettings): Peer {
   const known = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
   const asked = createBucket(ASKED_RATE, ASKED_BURST, now);
-  let [isOver, silent] = [false, 0];
+  let [isOver, hasGreeted, silent] = [false, false, 0];
 
   function send(message: Message): void {
     if (isOver) return;
@@ -91,6 +94,10 @@ export function createPeer({ number, line, shelf, now, sent, refuse }: PeerSetti
     switch (message.kind) {
       case 'tell':
         learn(message.holding, message.keys);
+        if (!hasGreeted && message.holding === 'here') {
+          hasGreeted = true;
+          greeted();
+        }
         return null;
       case 'want':
         return uploads.want(message.request, message.key);
@@ -127,9 +134,11 @@ export function createPeer({ number, line, shelf, now, sent, refuse }: PeerSetti
     },
     holds: (key) => known.get(key) ?? 'gone',
     tell(holding, keys) {
-      for (let at = 0; at < keys.length; at += MOST_TOLD) {
+      let at = 0;
+      do {
         send({ kind: 'tell', holding, keys: keys.slice(at, at + MOST_TOLD) });
-      }
+        at += MOST_TOLD;
+      } while (at < keys.length);
     },
     async ask(file, signal, received) {
       asked.take(1);

@@ -26,7 +26,7 @@ export interface ShareSettings {
   /** The user's own number; null outside of the room. */
   readonly own: () => number | null;
   readonly peers: () => readonly Peer[];
-  /** Resolves when all who were there at first are connected, as far as that is worth waiting for. */
+  /** Resolves when all who were there at first have told what they have, as far as that is worth waiting for. */
   readonly ready: Promise<void>;
   /** Fetch a file, by whichever way, for others who ask for it first. */
   readonly fetch: (name: string, signal: AbortSignal) => Promise<ArrayBuffer>;

@@ -63,6 +63,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
         shelf: share.shelf,
         now: clock.now,
         sent: (bytes) => (sent += bytes),
+        greeted: () => mesh.greeted(number),
         refuse: (sentence) => mesh.drop(number, sentence),
       });
       peers.set(number, peer);

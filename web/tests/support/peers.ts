@@ -113,6 +113,8 @@ export interface Page {
   readonly store: Store;
   readonly peers: Map<number, Peer>;
   readonly dropped: Map<number, string>;
+  /** Users who have told what they have. */
+  readonly greeted: number[];
   /** Names of files that the server was asked for. */
   readonly asked: string[];
   /** Answers of the server. */
@@ -132,6 +134,7 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
     store,
     peers,
     dropped,
+    greeted: [],
     asked,
     wanted: Object.keys(world),
     isFirst: false,
@@ -176,6 +179,7 @@ export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer
     shelf: page.share.shelf,
     now: clock.now,
     sent: () => undefined,
+    greeted: () => page.greeted.push(number),
     refuse(sentence) {
       page.dropped.set(number, sentence);
       line.close();
