@@ -38,7 +38,7 @@ class Rooms:
     messages_per_second, bytes_per_second, said_bytes_per_second
         Rates that a user may send at, and say and signal to others; who sends more is closed.
     poses_per_second
-        Poses a second that are passed on to others; those beyond are dropped. As many may say besides that none follows.
+        Poses a second that others get; those beyond are dropped. As many besides may say that none follows.
     burst_seconds
         So much time's worth of messages, of bytes and of poses may come at once.
     hello_seconds

@@ -23,5 +23,7 @@ pub mod site;
 pub mod tls;
 
 pub use axum::http::{HeaderName, HeaderValue};
+#[cfg(fuzzing)]
+pub use quic::trial as session_trial;
 pub use router::{Answering, Router};
 pub use server::{Limits, Server, Settings};

@@ -4,6 +4,8 @@ mod fields;
 mod greeters;
 mod pinned;
 pub mod session;
+#[cfg(any(test, fuzzing))]
+pub mod trial;
 mod wire;
 
 #[cfg(test)]

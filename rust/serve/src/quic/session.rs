@@ -7,6 +7,7 @@ use axum::http::header::{self, HeaderValue};
 use axum::http::{Request, StatusCode, Uri};
 use bytes::{Bytes, BytesMut};
 use quinn::{Connection, RecvStream, SendStream, VarInt};
+use tokio::io::{AsyncRead, AsyncReadExt};
 use tokio::time::timeout;
 
 use super::fields::{self, Fields};
@@ -145,17 +146,22 @@ async fn read(connection: &Connection) -> Result<Asking, Broken> {
     control.write_all(&wire::settings()).await.map_err(|_| Broken)?;
     // The client's own settings are not read: with no table for headers, they would change nothing.
     let (send, mut receive) = connection.accept_bi().await.map_err(|_| Broken)?;
-    let fields = fields::read(&head(&mut receive).await?).ok_or(Broken)?;
-    let request = request(fields).ok_or(Broken)?;
+    let request = asked(&mut receive).await?;
     if connection.max_datagram_size().is_none_or(|most| most < DATAGRAM) {
         return Err(Broken);
     }
     Ok(Asking { connection: connection.clone(), send, receive, control, request })
 }
 
+/// The request for a session with which a connection's first stream begins.
+pub async fn asked(receive: &mut (impl AsyncRead + Unpin)) -> Result<Request<()>, Broken> {
+    let fields = fields::read(&head(receive).await?).ok_or(Broken)?;
+    request(fields).ok_or(Broken)
+}
+
 /// The body of the first frame that is a head; others before it are of no meaning.
-async fn head(receive: &mut RecvStream) -> Result<Vec<u8>, Broken> {
-    for _ in 0..BEFORE {
+async fn head(receive: &mut (impl AsyncRead + Unpin)) -> Result<Vec<u8>, Broken> {
+    for _ in 0..=BEFORE {
         let (kind, length) = (number(receive).await?, number(receive).await?);
         if length > HEAD {
             return Err(Broken);
@@ -171,7 +177,7 @@ async fn head(receive: &mut RecvStream) -> Result<Vec<u8>, Broken> {
     Err(Broken)
 }
 
-async fn number(receive: &mut RecvStream) -> Result<u64, Broken> {
+async fn number(receive: &mut (impl AsyncRead + Unpin)) -> Result<u64, Broken> {
     let mut bytes = [0; 8];
     receive.read_exact(&mut bytes[..1]).await.map_err(|_| Broken)?;
     let length = wire::length_of(bytes[0]);

@@ -13,6 +13,7 @@ use rustls::pki_types::CertificateDer;
 use tokio::time::timeout;
 
 use super::greeters::GREETINGS;
+use super::{session, trial};
 use crate::Server;
 use crate::rooms::Limits;
 use crate::rooms::tests::support::{HANGS, HOURS, Numbers, answering, limits, start_within};
@@ -159,6 +160,27 @@ async fn what_asks_for_no_session_is_closed() {
         connection.close(0u32.into(), b"");
     }
     assert_eq!(bench.status("/rooms/hall", "").await.0, "200");
+}
+
+#[tokio::test]
+async fn few_frames_come_before_a_head() {
+    for (count, is_read) in [(0, true), (16, true), (17, false)] {
+        let bytes = [[0x21, 0].repeat(count), request("/rooms/hall", "")].concat();
+        assert_eq!(session::asked(&mut &bytes[..]).await.is_ok(), is_read, "{count}");
+    }
+}
+
+#[test]
+fn whatever_comes_on_the_first_stream_is_a_request_or_none() {
+    let mut numbers = Numbers(5);
+    for _ in 0..20_000 {
+        let mut bytes = request("/rooms/hall", "https://localhost");
+        for _ in 0..1 + numbers.below(4) {
+            let at = numbers.below(bytes.len() as u64) as usize;
+            bytes[at] = numbers.below(256) as u8;
+        }
+        trial::run(&bytes);
+    }
 }
 
 #[tokio::test]

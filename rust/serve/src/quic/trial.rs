@@ -1,0 +1,23 @@
+//! Any bytes as the first stream of a connection and as a datagram: for tests and for fuzzing.
+
+use axum::http::header;
+use futures_util::FutureExt;
+
+use super::{session, wire};
+
+/// Read bytes as a request for a session: one that has a path and a host, or none. Numbers among them are those that are
+/// written in as few bytes as they need.
+pub fn run(bytes: &[u8]) {
+    let asked = session::asked(&mut &bytes[..]).now_or_never();
+    if let Ok(request) = asked.expect("all bytes are there") {
+        assert!(request.uri().path().starts_with('/'), "a request without a path");
+        assert!(request.headers().contains_key(header::HOST), "a request without a host");
+    }
+    let mut rest = bytes;
+    while let Some(number) = wire::number(&mut rest) {
+        let mut written = Vec::new();
+        wire::put_number(&mut written, number);
+        assert_eq!(wire::number(&mut &written[..]), Some(number), "another number");
+    }
+    assert!(session::payload(bytes).is_none_or(|payload| payload.len() < bytes.len()), "a datagram without a session");
+}
