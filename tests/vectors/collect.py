@@ -228,7 +228,9 @@ def hearings() -> list[dict[str, Any]]:
         return {"region": region, "group": 5, "user": user, "others": others, "steps": steps, "now": end, "said": said}
 
     own = {"seats": seats[:1]}
-    aiming = {"kind": "aims", **STAGE, "number": 0, "event": "lost", "user": 3, "misses": 9, "held": None, "users": []}
+    aiming: dict[str, Any] = {
+        "kind": "aims", **STAGE, "number": 0, "event": "lost", "user": 3, "misses": 9, "held": None, "users": [],
+    }  # fmt: skip
     found = {"kind": "collected", **STAGE, "number": 0, "level": "easy", "misses": 0, "seconds": 0.5}
     counted = [[4, 0, 8.0], *nothing[1:]]
     return [
