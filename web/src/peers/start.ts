@@ -13,6 +13,7 @@ import { createPeer, type Peer } from './peer';
 import { type Counts, createShare } from './share';
 import { writeSignal } from './signals';
 import { createStore } from './store';
+import { createBudget } from './uploads';
 
 /** Ticks in a second. */
 const SECOND = Math.round(1 / TICK);
@@ -49,6 +50,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   const peers = new Map<number, Peer>();
   const store = createStore();
   const outbox = createOutbox(signal, clock);
+  const budget = createBudget(clock.now);
   let refusal: string | null | undefined;
   let sent = 0;
 
@@ -61,6 +63,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
         number,
         line,
         shelf: share.shelf,
+        budget,
         now: clock.now,
         sent: (bytes) => (sent += bytes),
         refuse: (sentence) => mesh.drop(number, sentence),
