@@ -142,6 +142,21 @@ test('a page that takes no part tells others, and answers no offer', async () =>
   assert.deepEqual(sent.map(([user, { kind }]) => [user, kind]), [[3, 'no'], [9, 'no'], [12, 'no'], [3, 'no']]);
 });
 
+test('a page that ends the exchange ends all connections, and tells others', async () => {
+  const { mesh, enter, calls, sent, say, ended } = bench();
+  mesh.begin(true);
+  enter(5, 3, 9);
+  await say(3, offer());
+  calls.forEach(open);
+  sent.length = 0;
+  mesh.begin(false);
+  assert.deepEqual([ended, calls.map(({ log }) => log.at(-1))], [[9, 3], ['close', 'close']]);
+  assert.deepEqual(sent.map(([user, { kind }]) => [user, kind]), [[3, 'no'], [9, 'no']]);
+  await say(3, offer(2));
+  mesh.hear({ kind: 'joined', user: 11, group: 0, name: '' });
+  assert.equal(calls.length, 2);
+});
+
 test('offers that come before the server has told whether pages may are answered when it has', async () => {
   const { mesh, enter, sent, say } = bench();
   enter(5, 3);

@@ -36,7 +36,7 @@ export interface Mesh {
   hear(frame: FromServer): void;
   /** The user is not in the room. */
   clear(): void;
-  /** Connect from now on; or tell all others that this page does not. */
+  /** Connect from now on; or end all connections, and tell all others that this page does not connect. */
   begin(isOn: boolean): void;
   /** A user has broken the rules. */
   drop(user: number, sentence: string): void;
@@ -280,7 +280,10 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     },
     begin(on) {
       isOn = on;
-      if (!on) for (const user of users) refuse(user);
+      if (!on) {
+        for (const [user, place] of [...places]) remove(user, place);
+        for (const user of users) refuse(user);
+      }
       offer();
       if (on) for (const [user, said] of early) takeSignal(user, said);
       early.clear();
