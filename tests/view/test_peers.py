@@ -46,6 +46,12 @@ CHANNELS_ARE_KEPT = """() => {
   };
 }"""
 
+TICKS_ARE_LONG = """() => {
+  const later = window.setTimeout;
+  window.setTimeout = (action, delay, ...given) => later(action, delay === 250 ? 5000 : delay, ...given);
+}"""
+"""Pages wait twenty times as long for each other: on a busy machine one that is slow is no silent one."""
+
 CONNECTIONS_ARE_COUNTED = """() => {
   window.connections = 0;
   const Connection = RTCPeerConnection;
@@ -95,7 +101,7 @@ def pages(chromium: Any) -> Iterator[Any]:
 def test_eight_pages_that_start_together_take_little_more_than_one(
     pages: Any, url: str, folder: Path, size: int
 ) -> None:
-    all_pages = [pages() for _ in range(CLIENTS)]
+    all_pages = [pages(TICKS_ARE_LONG) for _ in range(CLIENTS)]
     for page in all_pages:
         page.open(url, "together")
     found = [page.wait() for page in all_pages]
@@ -109,7 +115,7 @@ def test_eight_pages_one_after_the_other_take_little_more_than_one(
 ) -> None:
     all_pages = []
     for _ in range(CLIENTS):
-        all_pages.append(pages())
+        all_pages.append(pages(TICKS_ARE_LONG))
         all_pages[-1].open(url, "turns")
         all_pages[-1].wait()
     assert bytes_of(folder, all_pages[:1]) == size
@@ -238,3 +244,23 @@ def test_the_card_tells_where_files_came_from(pages: Any, url: str) -> None:
     page.wait(len(RADII))
     words, card = "0 B from others, 3.7 MB from the server", page.page.locator(".here")
     wait_until(page.page, lambda: words in card.text_content().replace("\xa0", " "))
+
+
+def test_the_switch_on_the_card_ends_the_exchange_and_is_kept(pages: Any, url: str) -> None:
+    page, other = pages(), pages()
+    for each in (page, other):
+        each.open(url, "switch", "&rings=0")
+    wait_until(other.page, lambda: len((other.told() or {"open": []})["open"]) == 1)
+    page.page.get_by_role("button", name="2 here").click()
+    box = page.page.get_by_role("checkbox", name="Exchange files with others here")
+    assert box.is_checked()
+    box.uncheck()
+    wait_until(other.page, lambda: other.told()["open"] == [])
+    assert page.told()["refusal"] == "the user does not want it"
+    page.open(url, "switch", "&rings=0")
+    wait_until(page.page, lambda: (page.told() or {"user": None})["user"] is not None)
+    assert (page.told()["refusal"], page.told()["open"]) == ("the user does not want it", [])
+    page.page.locator(".here-chip").click()
+    box.check()
+    page.open(url, "switch", "&rings=0")
+    wait_until(page.page, lambda: len((page.told() or {"open": []})["open"]) == 1)

@@ -24,14 +24,18 @@ interface Bench {
   /** Enter the room as a user, with others in it. */
   enter(own: number, ...others: readonly number[]): void;
   say(user: number, signal: Signal | Uint8Array): Promise<void>;
+  /** The browser makes no connections. */
+  refuseCalls(): void;
 }
 
 function bench(): Bench {
   const clock = steppedClock();
   const [calls, sent, opened, ended]: [Made[], Bench['sent'], number[], number[]] = [[], [], [], []];
+  let isFull = false;
   const mesh = createMesh({
     clock,
     create(events) {
+      if (isFull) throw new Error('too many connections');
       const log: string[] = [];
       const told = (word: string): Promise<string> => {
         log.push(word);
@@ -68,6 +72,7 @@ function bench(): Bench {
       mesh.hear({ kind: 'signal', user, payload: signal instanceof Uint8Array ? signal : writeSignal(signal) });
       await settled(2);
     },
+    refuseCalls: () => void (isFull = true),
   };
   void mesh.ready.then(() => (made.isReady = true));
   return made;
@@ -139,6 +144,21 @@ test('a page that takes no part tells others, and answers no offer', async () =>
   await say(3, offer());
   assert.deepEqual(calls, []);
   assert.deepEqual(sent.map(([user, { kind }]) => [user, kind]), [[3, 'no'], [9, 'no'], [12, 'no'], [3, 'no']]);
+});
+
+test('a page that ends the exchange ends all connections, and tells others', async () => {
+  const { mesh, enter, calls, sent, say, ended } = bench();
+  mesh.begin(true);
+  enter(5, 3, 9);
+  await say(3, offer());
+  calls.forEach(open);
+  sent.length = 0;
+  mesh.begin(false);
+  assert.deepEqual([ended, calls.map(({ log }) => log.at(-1))], [[9, 3], ['close', 'close']]);
+  assert.deepEqual(sent.map(([user, { kind }]) => [user, kind]), [[3, 'no'], [9, 'no']]);
+  await say(3, offer(2));
+  mesh.hear({ kind: 'joined', user: 11, group: 0, name: '' });
+  assert.equal(calls.length, 2);
 });
 
 test('offers that come before the server has told whether pages may are answered when it has', async () => {
@@ -236,9 +256,55 @@ test('in a large room each page connects to the nearest numbers, and both ends f
     for (const user of offered) pairs.add(`${own} ${user}`);
   }
   assert.equal(pairs.size, 40 * 6);
-  const { enter, mesh, calls, say } = bench();
+});
+
+test('who is no neighbour gets no answer', async () => {
+  const { enter, mesh, calls, sent, say } = bench();
   mesh.begin(true);
   enter(1000, ...[...Array(30).keys()]);
   for (let user = 0; user < 30; user++) await say(user, offer());
+  assert.equal(calls.length, 12);
+  const refused = sent.filter(([, { kind }]) => kind === 'no').map(([user]) => user);
+  assert.deepEqual(refused, [...Array(18).keys()].map((at) => at + 6));
+});
+
+test('a page offers to nobody before it knows who is there', async () => {
+  const { mesh, calls } = bench();
+  mesh.begin(true);
+  mesh.hear({ kind: 'welcome', user: 1, others: 2, ticket: new Uint8Array() });
+  mesh.hear({ kind: 'joined', user: 2, group: 0, name: '' });
+  assert.equal(calls.length, 0);
+  mesh.hear({ kind: 'joined', user: 3, group: 0, name: '' });
+  assert.equal(calls.length, 2);
+});
+
+test('who comes back again and again gets no more connections than a second makes', async () => {
+  const { enter, mesh, calls, clock, say } = bench();
+  mesh.begin(true);
+  enter(5, 3);
+  const come = async (): Promise<void> => {
+    mesh.hear({ kind: 'left', user: 3 });
+    mesh.hear({ kind: 'joined', user: 3, group: 0, name: '' });
+    await say(3, offer());
+  };
+  for (let turn = 0; turn < 40; turn++) await come();
   assert.equal(calls.length, 16);
+  await clock.pass(2);
+  for (let turn = 0; turn < 10; turn++) await come();
+  assert.equal(calls.length, 18);
+  // An own offer waits for its turn.
+  mesh.hear({ kind: 'joined', user: 9, group: 0, name: '' });
+  assert.equal(calls.length, 18);
+  await clock.pass(1);
+  assert.deepEqual([calls.length, calls.at(-1)?.log], [19, ['offer']]);
+});
+
+test('a browser that makes no connection costs the connection alone', async () => {
+  const { enter, mesh, sent, say, refuseCalls } = bench();
+  refuseCalls();
+  mesh.begin(true);
+  enter(5, 3, 9);
+  await say(3, offer());
+  assert.deepEqual([sent, mesh.dropped.size], [[], 0]);
+  await mesh.ready;
 });

@@ -32,9 +32,9 @@ interface Bench {
 }
 
 /** A page that is connected to a user whose messages the test makes. */
-function bench(number = 1): Bench {
+function bench(world = WORLD): Bench {
   const clock = steppedClock();
-  const page = createPage(number, WORLD, clock);
+  const page = createPage(1, world, clock);
   const [own, line] = wired();
   const heard: Message[] = [];
   line.onmessage = ({ data }) => heard.push(readMessage(new Uint8Array(data as ArrayBuffer).slice()));
@@ -258,9 +258,10 @@ test('too many requests at once drop, and too many a second get nothing', async 
   assert.match(crowd.page.dropped.get(2) ?? '', /too much is asked for/);
   assert.deepEqual(crowd.page.asked, ['a']);
   const hurry = bench();
-  hurry.page.store.add(C, WORLD['c']?.data ?? new ArrayBuffer(0));
   for (let request = 1; request <= 500; request++) {
-    hurry.line.send(writeMessage({ kind: 'want', request, key: C }));
+    const { data, listed } = made(request, 4);
+    hurry.page.store.add(listed.sha256, data);
+    hurry.line.send(writeMessage({ kind: 'want', request, key: listed.sha256 }));
     if (request % 20 === 0) await settled();
   }
   await settled();
@@ -275,4 +276,67 @@ test('a page fetches for others only what it shows itself, once', async () => {
   page.serve = () => Promise.reject(new Error('gone'));
   await say({ kind: 'want', request: 3, key: A });
   assert.deepEqual(heard.at(-1), { kind: 'none', request: 3 });
+});
+
+test('a page gets a file twice at most, from the store and from the server', async () => {
+  const { page, heard, say } = bench();
+  page.store.add(C, contentOf('c').slice().buffer);
+  for (let request = 1; request <= 4; request++) await say({ kind: 'want', request, key: C });
+  assert.deepEqual([ends(heard, 'part'), ends(heard, 'none')], [2, 2]);
+  await say(...[5, 6, 7].map((request) => ({ kind: 'want', request, key: B }) as const));
+  assert.deepEqual([ends(heard, 'part'), ends(heard, 'none'), page.asked], [4, 3, ['b']]);
+});
+
+test('all pages together get no more bytes than a page gives', async () => {
+  const clock = steppedClock();
+  const page = createPage(1, WORLD, clock);
+  page.store.add(A, contentOf('a').slice().buffer);
+  page.budget.take(64 * 2 ** 20 - (WORLD['a']?.listed.bytes ?? 0));
+  const others = [2, 3].map((number) => createPage(number, WORLD, clock));
+  for (const other of others) {
+    join(page, other, clock);
+    await settled();
+    same(await other.get('a'), 'a');
+  }
+  assert.deepEqual(others.map(({ asked }) => asked), [[], ['a']]);
+  await clock.pass(1);
+  const third = createPage(4, WORLD, clock);
+  join(page, third, clock);
+  await settled();
+  same(await third.get('a'), 'a');
+  assert.deepEqual(third.asked, []);
+});
+
+test('pages that drip hold back the first picture for little more than two seconds each, and two of them', async () => {
+  const clock = steppedClock();
+  const page = createPage(1, WORLD, clock);
+  page.isFirst = true;
+  const [asked, drips]: [number[], (() => void)[]] = [[], []];
+  for (const user of [2, 3, 4]) {
+    const [own, line] = wired();
+    plug(page, user, own, clock);
+    let [request, bytes] = [0, 0];
+    line.onmessage = ({ data }) => {
+      const message = readMessage(new Uint8Array(data as ArrayBuffer).slice());
+      if (message.kind !== 'want') return;
+      asked.push(user);
+      [request, bytes] = [message.request, 0];
+    };
+    drips.push(() => request && line.send(writeMessage({ kind: 'wait', request, bytes: bytes++ })));
+    line.send(writeMessage({ kind: 'tell', holding: 'here', keys: KEYS }));
+  }
+  await settled();
+  for (const name of ['a', 'b', 'c']) {
+    let isThere = false;
+    const coming = page.get(name).then(() => (isThere = true));
+    for (let ticks = 0; !isThere && ticks < 10; ticks++) {
+      await settled();
+      drips.forEach((drip) => drip());
+      await clock.pass(0.25);
+    }
+    assert.ok(isThere, name);
+    await coming;
+  }
+  assert.equal(new Set(asked).size, 2);
+  assert.deepEqual([asked.length, page.asked, page.dropped.size], [2, ['a', 'b', 'c'], 0]);
 });

@@ -8,8 +8,6 @@ import { type Message, PART } from './messages';
 export const TICK = 0.25;
 /** Requests to one page at the same time. */
 const MOST_OPEN = 32;
-/** Bytes a second that come at least, after the time that a request may take. */
-const SLOWEST = 65_536;
 
 /** The content of a file, or why there is none: the page has it not, sends nothing more, or has sent another one. */
 export type Answer = ArrayBuffer | 'none' | 'silent' | 'wrong';
@@ -19,6 +17,8 @@ export interface Wanted extends Described {
   readonly patience: number;
   /** Seconds that it may take, beside those for its bytes. */
   readonly longest: number;
+  /** Bytes a second that come at least, after these seconds. */
+  readonly slowest: number;
 }
 
 export interface Downloads {
@@ -138,8 +138,8 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
         if (download.isOver) continue;
         download.quiet += 1;
         download.age += 1;
-        const { patience, longest, bytes } = download.file;
-        const isLate = TICK * download.age > longest + bytes / SLOWEST;
+        const { patience, longest, slowest, bytes } = download.file;
+        const isLate = TICK * download.age > longest + bytes / slowest;
         if (isLate || TICK * download.quiet > patience) giveUp(request, download, 'silent');
       }
     },

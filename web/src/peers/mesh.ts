@@ -2,6 +2,7 @@
 import { FrameError } from '../rooms/bytes';
 import type { Clock } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
+import { createBucket } from './bucket';
 import type { Call, CallEvents } from './call';
 import { TICK } from './downloads';
 import type { Line } from './peer';
@@ -11,6 +12,8 @@ import { readSignal, type Signal } from './signals';
 const [REACH, MOST_CALLS] = [6, 16] as const;
 /** Offers of a user that are answered. */
 const MOST_OFFERS = 8;
+/** Connections that are made a second, and at once, whoever they are to. */
+const [RATE, BURST] = [1, 16] as const;
 /** Seconds in which a connection must come about. */
 const CONNECT = 10;
 /** Ticks for which files wait at first: to enter the room, and then for all connections. */
@@ -33,7 +36,7 @@ export interface Mesh {
   hear(frame: FromServer): void;
   /** The user is not in the room. */
   clear(): void;
-  /** Connect from now on; or tell all others that this page does not. */
+  /** Connect from now on; or end all connections, and tell all others that this page does not connect. */
   begin(isOn: boolean): void;
   /** A user has told what its page has: nobody waits for it any more. */
   greeted(user: number): void;
@@ -55,6 +58,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   const users = new Set<number>();
   const places = new Map<number, Place>();
   const dropped = new Map<number, string>();
+  const calls = createBucket(RATE, BURST, clock.now);
   /** Users with whom no connection has come about. */
   const failed = new Set<number>();
   /** Offers that have come from each user. */
@@ -67,7 +71,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   let untold: number | null = null;
   let settle = (): void => undefined;
   const ready = new Promise<void>((done) => (settle = done));
-  let [hasEntered, ticks] = [false, FIRST];
+  let [hasEntered, ticks, isLate] = [false, FIRST, false];
 
   function wait(): void {
     ticks -= 1;
@@ -108,7 +112,18 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     if (isOpen) ended(user);
   }
 
-  function open(user: number, attempt: number): Place {
+  /** Begin a connection; null if the browser makes none. */
+  function open(user: number, attempt: number): Place | null {
+    try {
+      return begun(user, attempt);
+    } catch {
+      // Browsers allow some hundreds for each page.
+      fail(user);
+      return null;
+    }
+  }
+
+  function begun(user: number, attempt: number): Place {
     const isCurrent = (): boolean => places.get(user) === place;
     const call = create({
       opened(line) {
@@ -140,13 +155,33 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   /** Offer to those who are to be offered to. */
   function offer(): void {
-    if (!isOn || own === null) return;
+    // Before all are known, others may be neighbours than later, who would not answer.
+    if (!isOn || own === null || untold === null || untold > 0) return;
     for (const user of neighbours()) {
       const isOther = user > own && !places.has(user) && !failed.has(user) && !dropped.has(user);
       if (!isOther || places.size >= MOST_CALLS) continue;
+      if (!calls.take(1)) {
+        offerLater();
+        return;
+      }
       const place = open(user, crypto.getRandomValues(new Uint32Array(1))[0] ?? 0);
-      describe(user, place, 'offer', place.call.offer());
+      if (place) describe(user, place, 'offer', place.call.offer());
     }
+  }
+
+  function offerLater(): void {
+    if (isLate) return;
+    isLate = true;
+    clock.later(calls.secondsTo(1), () => {
+      isLate = false;
+      offer();
+    });
+  }
+
+  /** Whether an offer is answered: users who are no neighbours get neither this page's address nor its places. */
+  function isAnswered(user: number): boolean {
+    const hasPlace = places.has(user) || places.size < MOST_CALLS;
+    return isOn === true && user < (own ?? 0) && hasPlace && neighbours().includes(user);
   }
 
   function takeSignal(user: number, said: Signal): void {
@@ -158,7 +193,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       place.call.take(said.sdp).catch(() => places.get(user) === place && drop(user, 'its answer is none'));
     } else if (isOn === null) {
       early.set(user, said);
-    } else if (isOn && user < (own ?? 0) && (place || places.size < MOST_CALLS)) {
+    } else if (isAnswered(user) && calls.take(1)) {
       answer(user, said, place);
     } else {
       refuse(user);
@@ -175,7 +210,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     if (before) remove(user, before);
     failed.delete(user);
     const place = open(user, said.attempt);
-    describe(user, place, 'answer', place.call.answer(said.sdp));
+    if (place) describe(user, place, 'answer', place.call.answer(said.sdp));
   }
 
   function refuse(user: number): void {
@@ -252,7 +287,10 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     },
     begin(on) {
       isOn = on;
-      if (!on) for (const user of users) refuse(user);
+      if (!on) {
+        for (const [user, place] of [...places]) remove(user, place);
+        for (const user of users) refuse(user);
+      }
       offer();
       if (on) for (const [user, said] of early) takeSignal(user, said);
       early.clear();

@@ -2,7 +2,7 @@
 import type { Received } from '../bundle/source';
 import { FrameError } from '../rooms/bytes';
 import type { Clock } from '../rooms/clock';
-import { createBucket } from './bucket';
+import { type Bucket, createBucket } from './bucket';
 import { type Answer, createDownloads, type Wanted } from './downloads';
 import { type Holding, type Message, MOST_TOLD, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
@@ -28,6 +28,8 @@ export interface PeerSettings {
   readonly number: number;
   readonly line: Line;
   readonly shelf: Shelf;
+  /** Bytes that this page gives to all others. */
+  readonly budget: Bucket;
   readonly now: Clock['now'];
   /** Bytes of files that were sent. */
   readonly sent: (bytes: number) => void;
@@ -56,7 +58,7 @@ export interface Peer {
   end(): void;
 }
 
-export function createPeer({ number, line, shelf, now, sent, greeted, refuse }: PeerSettings): Peer {
+export function createPeer({ number, line, shelf, budget, now, sent, greeted, refuse }: PeerSettings): Peer {
   const known = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
   const asked = createBucket(ASKED_RATE, ASKED_BURST, now);
@@ -79,7 +81,7 @@ export function createPeer({ number, line, shelf, now, sent, greeted, refuse }: 
     sent,
   };
   const downloads = createDownloads(send, refuse);
-  const uploads = createUploads(outlet, shelf, now);
+  const uploads = createUploads(outlet, shelf, budget, now);
 
   function learn(holding: Holding, keys: readonly string[]): void {
     for (const key of keys) {

@@ -12,9 +12,11 @@ import type { Store } from './store';
 import type { Shelf } from './uploads';
 import { isBefore } from './weights';
 
-/** Seconds without a byte, and in all, after which another page is given up: for the first picture, and after it. */
-const FIRST = { patience: 1, longest: 2 } as const;
-const LATER = { patience: 4, longest: 10 } as const;
+/** After how long another page is given up: for the first picture, and after it. */
+const FIRST = { patience: 1, longest: 2, slowest: 1e6 } as const;
+const LATER = { patience: 4, longest: 10, slowest: 65_536 } as const;
+/** Users given up for the first picture, after whom it comes from the server alone. */
+const MOST_LATE = 2;
 
 export interface ShareSettings {
   readonly store: Store;
@@ -53,12 +55,16 @@ export function createShare(settings: ShareSettings): Share {
   /** Bytes that are here of each file that comes, and files that come from the server. */
   const coming = new Map<string, number>();
   const asked = new Set<string>();
+  /** Users who were given up for the first picture. */
+  const late = new Set<number>();
 
   /** The page to ask for a file; null for the server. */
   function chosen(key: string, tried: ReadonlySet<number>): Peer | null {
     const number = own();
-    if (number === null) return null;
-    const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !tried.has(peer.number));
+    const isHasty = isFirst();
+    if (number === null || (isHasty && late.size >= MOST_LATE)) return null;
+    const isPassed = (user: number): boolean => tried.has(user) || (isHasty && late.has(user));
+    const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isPassed(peer.number));
     const byLoad = (a: Peer, b: Peer): number => a.open - b.open || (isBefore(a.number, b.number, key) ? -1 : 1);
     const [holder] = free.filter((peer) => peer.holds(key) === 'here').sort(byLoad);
     if (holder) return holder;
@@ -76,8 +82,11 @@ export function createShare(settings: ShareSettings): Share {
       tried.add(peer.number);
       const answer: Answer = await peer.ask({ ...file, ...(isFirst() ? FIRST : LATER) }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
-      // Nobody waits twice for the first picture.
-      if (answer === 'silent' && isFirst()) return null;
+      // No file of the first picture waits twice.
+      if (answer === 'silent' && isFirst()) {
+        late.add(peer.number);
+        return null;
+      }
     }
     return null;
   }

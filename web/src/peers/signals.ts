@@ -2,8 +2,11 @@
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
 const VERSION = 1;
-/** Most bytes of a description, and most addresses in it. */
-const [MOST_BYTES, MOST_ADDRESSES] = [8192, 24] as const;
+/** Most bytes of a description, and addresses of it that are used. */
+const [MOST_BYTES, MOST_ADDRESSES] = [8192, 8] as const;
+/** Lines with addresses; and those of UDP that a device has itself, since pages ask no server for others. */
+const ADDRESS = /^\s*a=candidate:/i;
+const OWN = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
 const KINDS = ['offer', 'answer', 'no'] as const;
 
 /** `attempt` is a number of the offer, which its answer repeats; `sdp` describes a connection, and is empty for no. */
@@ -22,7 +25,7 @@ export function readSignal(payload: Uint8Array): Signal {
   const attempt = reader.u32();
   const sdp = textOf(reader.rest(MOST_BYTES));
   if (kind === 'no' ? sdp !== '' : !isDescription(sdp)) throw new FrameError('a signal describes no channel for data');
-  return { kind, attempt, sdp };
+  return { kind, attempt, sdp: withFewAddresses(sdp) };
 }
 
 /** The payload of a signal; a `FrameError` for a description that others would not take. */
@@ -40,8 +43,17 @@ export function writeSignal({ kind, attempt, sdp }: Signal): Uint8Array<ArrayBuf
 function isDescription(sdp: string): boolean {
   const lines = sdp.split(/\r?\n/);
   const media = lines.filter((line) => line.startsWith('m='));
-  const addresses = lines.filter((line) => line.startsWith('a=candidate:'));
-  return media.length === 1 && /^m=application /.test(media[0] ?? '') && addresses.length <= MOST_ADDRESSES;
+  return media.length === 1 && /^m=application /.test(media[0] ?? '');
+}
+
+/** A description without all other addresses: the browser sends packets to each, whoever has it. */
+function withFewAddresses(sdp: string): string {
+  let count = 0;
+  const lines = sdp.split('\n').filter((line) => {
+    if (!ADDRESS.test(line)) return true;
+    return OWN.test(line) && ++count <= MOST_ADDRESSES;
+  });
+  return lines.join('\n');
 }
 
 function textOf(bytes: Uint8Array): string {

@@ -4,8 +4,9 @@ import type { Files } from '../bundle/source';
 import type { Ask } from '../rooms/about';
 import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
-import { refusalHere, refusalThere } from './allowed';
+import { refusalHere, refusalThere, UNWANTED } from './allowed';
 import { createCall } from './call';
+import { createChoice } from './choice';
 import { TICK } from './downloads';
 import { createMesh } from './mesh';
 import { createOutbox } from './outbox';
@@ -13,6 +14,7 @@ import { createPeer, type Peer } from './peer';
 import { type Counts, createShare } from './share';
 import { writeSignal } from './signals';
 import { createStore } from './store';
+import { createBudget } from './uploads';
 
 /** Ticks in a second. */
 const SECOND = Math.round(1 / TICK);
@@ -29,6 +31,13 @@ export interface PeersSettings {
   readonly signal: (user: number, payload: Uint8Array) => void;
 }
 
+/** The user's switch, where nothing else is known to forbid the exchange. */
+export interface Switch {
+  readonly isOn: boolean;
+  /** Off ends the exchange; on begins it when the page is loaded again. */
+  set(isOn: boolean): void;
+}
+
 export interface Peers {
   /** Why this page takes no part; null while it does, and undefined until that is known. */
   readonly refusal: string | null | undefined;
@@ -38,6 +47,8 @@ export interface Peers {
   readonly dropped: ReadonlyMap<number, string>;
   /** Bytes and files that came from others and from the server, and bytes that were sent to others. */
   readonly counts: Counts & { readonly sent: number };
+  /** Null where the user has nothing to choose. */
+  readonly switch: Switch | null;
   hear(frame: FromServer): void;
   /** The user is not in the room. */
   clear(): void;
@@ -49,6 +60,8 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   const peers = new Map<number, Peer>();
   const store = createStore();
   const outbox = createOutbox(signal, clock);
+  const budget = createBudget(clock.now);
+  const choice = createChoice();
   let refusal: string | null | undefined;
   let sent = 0;
 
@@ -61,6 +74,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
         number,
         line,
         shelf: share.shelf,
+        budget,
         now: clock.now,
         sent: (bytes) => (sent += bytes),
         greeted: () => mesh.greeted(number),
@@ -88,6 +102,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   let ticks = 0;
   function tick(): void {
     ticks += 1;
+    if (refusal !== null) return;
     for (const peer of peers.values()) peer.tick(ticks % SECOND === 0);
     clock.later(TICK, tick);
   }
@@ -99,7 +114,17 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
     else files.goBy(null);
   }
 
-  const here = refusalHere(query);
+  const ownSwitch: Switch = {
+    get isOn() {
+      return choice.isOn;
+    },
+    set(isOn) {
+      choice.set(isOn);
+      if (!isOn && refusal === null) begin(UNWANTED);
+    },
+  };
+
+  const here = refusalHere(query, choice);
   if (here === null) {
     files.goBy(share.get);
     void ask().then((about) => begin(refusalThere(about)));
@@ -117,6 +142,9 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
     },
     get counts() {
       return { ...share.counts, sent };
+    },
+    get switch() {
+      return refusal === null || refusal === UNWANTED ? ownSwitch : null;
     },
     hear: mesh.hear,
     clear() {

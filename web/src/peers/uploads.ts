@@ -1,6 +1,6 @@
 /** Files that one other page asks for: sent one after the other, no faster than they go. */
 import type { Clock } from '../rooms/clock';
-import { createBucket } from './bucket';
+import { type Bucket, createBucket } from './bucket';
 import { type Message, PART } from './messages';
 
 /** Bytes that wait in the browser, from which on no more are sent, and of a file that are read at once. */
@@ -9,6 +9,10 @@ const [WAITING, READ] = [1 << 18, 4 * PART] as const;
 const MOST_OPEN = 64;
 /** Requests a second that are answered with a file, and as many at once. */
 const [RATE, BURST] = [100, 400] as const;
+/** Times that one page gets a file: once, and again if it broke off. */
+const MOST_TIMES = 2;
+/** Bytes a second that all other pages get together, and at once: as much as a page keeps. */
+const [BYTES_RATE, BYTES_BURST] = [4 * 2 ** 20, 64 * 2 ** 20] as const;
 
 /** Where files are. */
 export interface Shelf {
@@ -42,14 +46,36 @@ export interface Outlet {
   sent(bytes: number): void;
 }
 
-export function createUploads(outlet: Outlet, shelf: Shelf, now: Clock['now']): Uploads {
+/** The bytes that a page gives to all others. */
+export function createBudget(now: Clock['now']): Bucket {
+  return createBucket(BYTES_RATE, BYTES_BURST, now);
+}
+
+export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now: Clock['now']): Uploads {
   const rate = createBucket(RATE, BURST, now);
+  /** How often the page got each file; keys are those of files that this page had. */
+  const times = new Map<string, number>();
   /** Requests for files that are here, in their order, and for those that come, by key. */
   const ready = new Map<number, Blob>();
   const waiting = new Map<number, string>();
   let last = 0;
   let isSending = false;
   let resume = (): void => undefined;
+
+  /** A file to send; null if the page gets it no more, or all pages have got too much. */
+  function granted(key: string, found: Blob | null): Blob | null {
+    const count = (times.get(key) ?? 0) + 1;
+    if (!found || count > MOST_TIMES || !budget.take(found.size)) return null;
+    times.set(key, count);
+    return found;
+  }
+
+  /** Put a file in the queue, or answer that there is none. */
+  function queue(request: number, file: Blob | null): void {
+    if (file) ready.set(request, file);
+    else outlet.send({ kind: 'none', request });
+    void sendAll();
+  }
 
   /** Send a file; stops where the request does. */
   async function sendParts(request: number, file: Blob): Promise<void> {
@@ -90,8 +116,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, now: Clock['now']): 
       const isFast = !rate.take(1);
       const found = isFast ? null : shelf.find(key);
       if (found) {
-        ready.set(request, found);
-        void sendAll();
+        queue(request, granted(key, found));
         return null;
       }
       // Before it is obtained: who waits for a file is not asked for it.
@@ -114,10 +139,8 @@ export function createUploads(outlet: Outlet, shelf: Shelf, now: Clock['now']): 
       for (const [request, wanted] of waiting) {
         if (wanted !== key) continue;
         waiting.delete(request);
-        if (found) ready.set(request, found);
-        else outlet.send({ kind: 'none', request });
+        queue(request, granted(key, found));
       }
-      void sendAll();
     },
     tick() {
       for (const [request, key] of waiting) outlet.send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });

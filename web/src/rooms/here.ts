@@ -18,6 +18,8 @@ export interface HereCommands {
   /** A link for others. */
   link(): string;
   announce(text: string): void;
+  /** Exchange files with others, or not. */
+  exchange(isOn: boolean): void;
 }
 
 /** The user itself, and all others. */
@@ -29,6 +31,8 @@ export interface Room {
   readonly roundTrip: number | null;
   /** Bytes of files that came from others, and from the server; null where pages exchange none. */
   readonly files: { readonly others: number; readonly server: number } | null;
+  /** Whether the user wants to exchange files; null where there is nothing to choose. */
+  readonly exchanges: boolean | null;
 }
 
 export interface Here {
@@ -47,6 +51,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
   const words = make('p', { class: 'here-words', role: 'status' });
   // Without a role: readers of screens would tell each change.
   const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
+  const exchange = createExchange(commands.exchange);
   const [again, copy] = [action('Join again', commands.retry), action('Copy link', () => void share())];
   const leave = action('Leave', () => {
     commands.leave();
@@ -60,8 +65,9 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     list,
     words,
     figure,
-      source,
-      make('div', { class: 'here-actions' }, copy, leave, again),
+    source,
+    exchange.element,
+    make('div', { class: 'here-actions' }, copy, leave, again),
   );
   const corner = make('div', { class: 'here-corner' }, chip, card);
   const title = 'Hold to point at the middle of the picture (E at the cursor)';
@@ -87,11 +93,12 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     commands.announce((await copyText(link)) ? 'Link to the room copied' : link);
   }
 
-  function tell(state: State, { roundTrip, files }: Room): void {
+  function tell(state: State, { roundTrip, files, exchanges }: Room): void {
     write(words, wordsOf(state));
     const isKnown = state.kind === 'here' && roundTrip !== null;
     write(figure, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
     write(source, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
+    exchange.show(exchanges);
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
     again.hidden = state.kind === 'here' || state.kind === 'joining';
     leave.hidden = state.kind === 'ended';
@@ -153,6 +160,34 @@ function row(mute?: (isMuted: boolean) => void): Row {
       button.setAttribute('aria-pressed', String(isMuted));
       button.setAttribute('aria-label', title);
       button.title = title;
+    },
+  };
+}
+
+interface Exchange {
+  readonly element: HTMLElement;
+  /** Null hides it. */
+  show(isOn: boolean | null): void;
+}
+
+/** A line on the exchange of files, with its switch. */
+function createExchange(set: (isOn: boolean) => void): Exchange {
+  const box = make('input', { type: 'checkbox' });
+  const text = make('span', {});
+  const element = make('label', { class: 'here-words here-exchange', hidden: true }, box, text);
+  let isAfterwards = false;
+  box.addEventListener('change', () => {
+    isAfterwards = box.checked;
+    set(box.checked);
+  });
+  return {
+    element,
+    show(isOn) {
+      element.hidden = isOn === null;
+      if (isOn === null) return;
+      box.checked = isOn;
+      const when = isOn && isAfterwards ? ', when the page is loaded again' : '';
+      write(text, `Exchange files with others here, who see the address of this device${when}`);
     },
   };
 }

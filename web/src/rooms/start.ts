@@ -84,6 +84,7 @@ export function enter(host: Host): Room | null {
     leave: () => room?.connection.leave(),
     link: () => inviteOf(location.href),
     announce: host.announce,
+    exchange: (isOn) => room?.peers.switch?.set(isOn),
   };
   const here = createHere(host.root, commands);
   if (typeof address === 'string') {
@@ -98,7 +99,8 @@ export function enter(host: Host): Room | null {
     const { others, server } = peers.counts;
     const files = peers.refusal === null ? { others: others.bytes, server: server.bytes } : null;
     const roundTrip = connection.roundTrips.median;
-    here.update(connection.state, { name, group, guests: presence.guests, roundTrip, files });
+    const exchanges = peers.switch?.isOn ?? null;
+    here.update(connection.state, { name, group, guests: presence.guests, roundTrip, files, exchanges });
   });
   return room;
 }

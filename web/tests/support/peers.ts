@@ -1,10 +1,12 @@
 /** Pages that exchange files over channels in memory, on a clock that the test moves. */
 import { createHash } from 'node:crypto';
 import type { Described } from '../../src/bundle/manifest';
+import type { Bucket } from '../../src/peers/bucket';
 import { TICK } from '../../src/peers/downloads';
 import { createPeer, type Line, type Peer } from '../../src/peers/peer';
 import { createShare, type Share } from '../../src/peers/share';
 import { createStore, type Store } from '../../src/peers/store';
+import { createBudget } from '../../src/peers/uploads';
 import type { Clock } from '../../src/rooms/clock';
 
 export interface Stepped extends Clock {
@@ -111,6 +113,8 @@ export interface Page {
   readonly number: number;
   readonly share: Share;
   readonly store: Store;
+  /** Bytes that it gives to all others. */
+  readonly budget: Bucket;
   readonly peers: Map<number, Peer>;
   readonly dropped: Map<number, string>;
   /** Users who have told what they have. */
@@ -132,6 +136,7 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
   const page: Page = {
     number,
     store,
+    budget: createBudget(clock.now),
     peers,
     dropped,
     greeted: [],
@@ -177,6 +182,7 @@ export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer
     number,
     line,
     shelf: page.share.shelf,
+    budget: page.budget,
     now: clock.now,
     sent: () => undefined,
     greeted: () => page.greeted.push(number),

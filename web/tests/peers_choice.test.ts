@@ -1,0 +1,36 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { refusalHere, UNWANTED } from '../src/peers/allowed';
+import { createChoice } from '../src/peers/choice';
+
+function storage(): Storage {
+  const kept = new Map<string, string>();
+  return {
+    getItem: (key: string) => kept.get(key) ?? null,
+    setItem: (key: string, value: string) => void kept.set(key, value),
+    removeItem: (key: string) => void kept.delete(key),
+  } as unknown as Storage;
+}
+
+test('the choice of a user holds for the pages that follow', () => {
+  const kept = storage();
+  const choice = createChoice(() => kept);
+  assert.ok(choice.isOn);
+  choice.set(false);
+  assert.equal(choice.isOn, false);
+  const next = createChoice(() => kept);
+  assert.equal(next.isOn, false);
+  assert.equal(refusalHere(new URLSearchParams(), next), UNWANTED);
+  next.set(true);
+  assert.ok(createChoice(() => kept).isOn);
+  assert.notEqual(refusalHere(new URLSearchParams(), next), UNWANTED);
+});
+
+test('where the browser forbids the storage the choice holds for the page', () => {
+  const choice = createChoice(() => {
+    throw new Error('forbidden');
+  });
+  assert.ok(choice.isOn);
+  choice.set(false);
+  assert.equal(choice.isOn, false);
+});
