@@ -58,7 +58,7 @@ lint-web: .venv/web
 # A workspace of its own, which takes half a minute and seldom changes: `make test` leaves it out.
 lint-fuzz:
 	cargo fmt --all --check --manifest-path fuzz/Cargo.toml
-	cargo clippy --quiet --all-targets --manifest-path fuzz/Cargo.toml -- -D warnings
+	RUSTFLAGS='--cfg fuzzing' cargo clippy --quiet --all-targets --manifest-path fuzz/Cargo.toml -- -D warnings
 
 # Of the core and the server, in the linters' profile and after them: building the package leaves a core free for most of its time.
 # Without optimization, because compiling takes longer than all tests do.

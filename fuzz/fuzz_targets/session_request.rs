@@ -1,4 +1,4 @@
-//! Any bytes as the first stream of a connection of WebTransport and as a datagram: a request that can be used, or none.
+//! Any bytes as the first stream of a connection of WebTransport and as a datagram: a usable request, or none.
 
 #![no_main]
 

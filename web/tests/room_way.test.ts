@@ -19,7 +19,7 @@ interface Bench {
   readonly settle: () => Promise<void>;
 }
 
-function bench(datagrams: () => Promise<Datagrams | null>, isTaken: () => boolean, hasSockets = true): Bench {
+function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, hasSockets = true): Bench {
   const [opened, told]: [string[], string[]] = [[], []];
   const socket = (name: string): Socket => ({
     bufferedAmount: 7,
@@ -30,7 +30,7 @@ function bench(datagrams: () => Promise<Datagrams | null>, isTaken: () => boolea
   const ways = {
     datagrams: () => {
       opened.push('asks');
-      return datagrams();
+      return ask();
     },
     openDatagrams: async () => {
       opened.push('datagrams');

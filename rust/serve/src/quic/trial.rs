@@ -5,8 +5,8 @@ use futures_util::FutureExt;
 
 use super::{session, wire};
 
-/// Read bytes as a request for a session: one that has a path and a host, or none. Numbers among them are those that are
-/// written in as few bytes as they need.
+/// Read bytes as a request for a session: one that has a path and a host, or none. Numbers among them stay the same when
+/// they are written in as few bytes as they need.
 pub fn run(bytes: &[u8]) {
     let asked = session::asked(&mut &bytes[..]).now_or_never();
     if let Ok(request) = asked.expect("all bytes are there") {

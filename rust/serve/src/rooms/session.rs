@@ -131,8 +131,8 @@ impl Session {
         Ok(())
     }
 
-    /// Each pose wakes all others of the group, so that there are so many a second. Those beyond are dropped, as a later
-    /// one replaces them: false for such a one. One that no other follows must arrive, so that too many of them are an end.
+    /// Whether a pose is passed on. Each wakes all others of the group, so that those beyond a rate are dropped: a later
+    /// one replaces them. One that no other follows must arrive, so that too many of them are an end.
     fn moves(&mut self, pose: &Pose, now: Instant) -> Result<bool, End> {
         if !pose.stops {
             return Ok(self.poses.take_if(1.0, now));

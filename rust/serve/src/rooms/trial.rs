@@ -58,8 +58,8 @@ struct User {
     /// Of the last pose that it sent, and the greatest of all.
     sequence: u32,
     most: Option<u32>,
-    /// The greatest of all, if it is that of a pose that no other follows, and the others to whom it must come by how many times
-    /// they had connected.
+    /// The greatest of all, if it is that of a pose that no other follows; and the others to whom it must come, each with
+    /// how many times it had connected.
     rest: Option<(u32, Vec<(usize, usize)>)>,
     /// Its datagrams get lost.
     loses: bool,
