@@ -244,23 +244,3 @@ def test_the_card_tells_where_files_came_from(pages: Any, url: str) -> None:
     page.wait(len(RADII))
     words, card = "0 B from others, 3.7 MB from the server", page.page.locator(".here")
     wait_until(page.page, lambda: words in card.text_content().replace("\xa0", " "))
-
-
-def test_the_switch_on_the_card_ends_the_exchange_and_is_kept(pages: Any, url: str) -> None:
-    page, other = pages(), pages()
-    for each in (page, other):
-        each.open(url, "switch", "&rings=0")
-    wait_until(other.page, lambda: len((other.told() or {"open": []})["open"]) == 1)
-    page.page.get_by_role("button", name="2 here").click()
-    box = page.page.get_by_role("checkbox", name="Exchange files with others here")
-    assert box.is_checked()
-    box.uncheck()
-    wait_until(other.page, lambda: other.told()["open"] == [])
-    assert page.told()["refusal"] == "the user does not want it"
-    page.open(url, "switch", "&rings=0")
-    wait_until(page.page, lambda: (page.told() or {"user": None})["user"] is not None)
-    assert (page.told()["refusal"], page.told()["open"]) == ("the user does not want it", [])
-    page.page.locator(".here-chip").click()
-    box.check()
-    page.open(url, "switch", "&rings=0")
-    wait_until(page.page, lambda: len((page.told() or {"open": []})["open"]) == 1)
