@@ -35,7 +35,7 @@ def main() -> None:
         scene = nf.datasets.city(blocks=2, detail=1)
         nf.stream.export(scene, bundle, center=(3.0, 1.7, -2.0), radii=(10.0,), face_size=64)
         with Server({"": Site.of_bundle(bundle)}, rooms=Rooms()) as server:
-            url = f"{server.url}?aa=0&strategy=clovrd&room=hour"
+            url = f"{server.url}?aa=0&strategy=clovrd&room=hour&datagrams=off"
             with used(program, url, 1) as page:
                 for part, held in enumerate(use(page, seconds), 1):
                     counts = [str(held.objects[name]) for name in COUNTED]

@@ -57,7 +57,7 @@ def closes(server: Server, reason: str) -> int:
 def test_who_loads_again_with_a_token_is_back_at_once(chromium: Any, bundle: Path) -> None:
     rooms = Rooms(key=KEY, needs_token=True)
     with Server({"": Site.of_bundle(bundle)}, rooms=rooms) as server, lost_link(server.port) as link:
-        url = f"http://127.0.0.1:{link.port}/?rings=0&room=hall&token={token('hall', KEY)}"
+        url = f"http://127.0.0.1:{link.port}/?rings=0&room=hall&datagrams=off&token={token('hall', KEY)}"
         with opened(chromium, *SIZE) as page, opened(chromium, *SIZE) as other:
             page.goto(url)
             wait_until(page, lambda: is_here(page))
@@ -122,7 +122,7 @@ def test_a_page_over_tls_joins_over_tls(chromium: Any, bundle: Path, tmp_path: P
         sockets: list[str] = []
         pages[0].on("websocket", lambda socket: sockets.append(socket.url))
         for page in pages:
-            page.goto(f"{server.url}?rings=0&room=safe")
+            page.goto(f"{server.url}?rings=0&room=safe&datagrams=off")
         for page in pages:
             page.wait_for_function("() => window.nearfar?.room?.presence.guests.length === 1")
             assert page.printed == []
