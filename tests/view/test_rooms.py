@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -286,7 +287,7 @@ def test_users_by_datagrams_and_by_sockets_see_each_other(chromium: Any, bundle:
         assert "nearfar_room_users 2\n" in counts
         for page in (one, other):
             # Poses that wait for each are settled, though nobody moves.
-            wait_until(page, lambda page=page: page.evaluate(measured))
+            wait_until(page, partial(page.evaluate, measured))
             assert page.printed == []
 
 
