@@ -5,6 +5,7 @@ mod greeters;
 mod pinned;
 pub mod session;
 #[cfg(any(test, fuzzing))]
+#[path = "tests/trial.rs"]
 pub mod trial;
 mod wire;
 

@@ -22,6 +22,7 @@ mod socket;
 mod tap;
 mod token;
 #[cfg(any(test, fuzzing))]
+#[path = "tests/trial.rs"]
 pub mod trial;
 pub(crate) mod upgrade;
 
