@@ -186,7 +186,10 @@ impl Demand {
 
     /// Take no more requests, stop the work and wait until it has stopped.
     pub fn close(&self) {
+        // With the lock: a thread that has looked and not yet waits would never hear of it.
+        let state = self.shared.state();
         self.shared.is_closing.store(true, Ordering::Release);
+        drop(state);
         self.shared.wake.notify_all();
         let threads = std::mem::take(&mut *self.threads.lock().unwrap_or_else(PoisonError::into_inner));
         for thread in threads {

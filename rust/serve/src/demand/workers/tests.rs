@@ -246,3 +246,11 @@ async fn a_server_that_ends_stops_the_work_and_tells() {
     assert!(matches!(all(ticket).await.1, Outcome::Failed(_)));
     assert_eq!(kitchen.demand.ask(ANN, Place([0.0; 3])).err(), Some(Refusal::Closing));
 }
+
+/// Threads may be about to wait when the server ends: they must hear of it all the same.
+#[test]
+fn a_server_that_ends_at_once_ends() {
+    for _ in 0..5_000 {
+        kitchen(None, Limits::default()).demand.close();
+    }
+}
