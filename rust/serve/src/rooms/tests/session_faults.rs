@@ -6,7 +6,7 @@ use tokio::time::timeout;
 use wtransport::VarInt;
 
 use super::session_support::{ask, bytes, connect, join};
-use super::support::{self, HANGS, HOURS, Numbers, User, limits, pose, server};
+use super::support::{self, HANGS, HOURS, Numbers, User, limits, pose, say_until_left, server};
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
 
@@ -155,22 +155,7 @@ async fn who_does_not_read_is_ended_and_others_get_all() {
     let mut slow = join(&server, "hall", 1, "").await;
     let mut sender = support::join(&server, "hall", 1, "").await;
     let mut friend = support::join(&server, "hall", 1, "").await;
-    let (mut round, mut has_left) = (0u32, false);
-    while !has_left {
-        let payload = [&round.to_le_bytes()[..], &[0; 4000]].concat();
-        sender.send(&[FromUser::Say { to: To::Group, payload: &payload }]).await;
-        has_left = friend
-            .until(|frame| match frame {
-                FromServer::Say { payload, .. } => {
-                    assert_eq!(payload[..4], round.to_le_bytes());
-                    Some(false)
-                }
-                FromServer::Left { user } => (user == slow.number).then_some(true),
-                _ => None,
-            })
-            .await;
-        round += u32::from(!has_left);
-    }
+    say_until_left(&mut sender, &mut friend, slow.number).await;
     // It reads on to the reason.
     let sentence = slow.is_refused(Reason::Slow).await;
     assert!(sentence.ends_with("before 131072 bytes wait for it"), "{sentence}");

@@ -6,7 +6,7 @@ use futures_util::SinkExt;
 use tokio::net::TcpSocket;
 use tokio_tungstenite::tungstenite::Message;
 
-use super::support::{HOURS, User, join, limits, over, pose, server};
+use super::support::{HOURS, User, join, limits, over, pose, say_until_left, server};
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
@@ -55,23 +55,7 @@ async fn who_lets_too_much_wait_is_ended_and_others_get_all() {
     let server = server(Limits { ping: HOURS, silence: 2 * HOURS, linger: HOURS, burst: MOMENT, ..limits() }, None);
     let mut slow = slow(&server, 1).await;
     let (mut sender, mut friend) = (join(&server, "hall", 1, "").await, join(&server, "hall", 1, "").await);
-    let number = slow.number;
-    let (mut round, mut has_left) = (0u32, false);
-    while !has_left {
-        let payload = [&round.to_le_bytes()[..], &[0; 4000]].concat();
-        sender.send(&[FromUser::Say { to: To::Group, payload: &payload }]).await;
-        has_left = friend
-            .until(|frame| match frame {
-                FromServer::Say { payload, .. } => {
-                    assert_eq!(payload[..4], round.to_le_bytes());
-                    Some(false)
-                }
-                FromServer::Left { user } => (user == number).then_some(true),
-                _ => None,
-            })
-            .await;
-        round += u32::from(!has_left);
-    }
+    say_until_left(&mut sender, &mut friend, slow.number).await;
     // All that waited for it is gone; it reads on to the reason.
     let sentence = slow.is_refused(Reason::Slow).await;
     assert!(sentence.ends_with("before 131072 bytes wait for it"), "{sentence}");

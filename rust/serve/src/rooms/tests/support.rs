@@ -13,7 +13,7 @@ use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{WebSocketStream, client_async};
 
-use crate::rooms::frame::{FromServer, FromUser};
+use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::pose::{Placed, Pose};
 use crate::rooms::{Key, Limits, Reason, Rooms};
 use crate::{Answering, Router, Server, Settings};
@@ -183,6 +183,26 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
             _ => None,
         })
         .await
+    }
+}
+
+/// Says message after message to a group until a user has left who does not read; a friend gets all of them in order.
+pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
+    let (mut round, mut has_left) = (0u32, false);
+    while !has_left {
+        let payload = [&round.to_le_bytes()[..], &[0; 4000]].concat();
+        sender.send(&[FromUser::Say { to: To::Group, payload: &payload }]).await;
+        has_left = friend
+            .until(|frame| match frame {
+                FromServer::Say { payload, .. } => {
+                    assert_eq!(payload[..4], round.to_le_bytes());
+                    Some(false)
+                }
+                FromServer::Left { user } => (user == number).then_some(true),
+                _ => None,
+            })
+            .await;
+        round += u32::from(!has_left);
     }
 }
 
