@@ -6,6 +6,7 @@
 
 mod exact;
 mod inverse;
+mod magnify;
 mod mesh;
 mod points;
 mod polynomial;
@@ -20,6 +21,7 @@ mod tests;
 mod warp;
 
 pub use inverse::InverseMethod;
+pub use magnify::Magnification;
 pub use mesh::{WarpMesh, warp_mesh};
 pub use radial::RadialLens;
 pub use size::{Sizes, corrected_solid_angles};

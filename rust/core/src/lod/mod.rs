@@ -10,6 +10,7 @@ mod simplify;
 
 pub use fit::{LogisticCurve, Status, Unfit, fit_4pl};
 pub use select::{
-    Acuity, COLUMNS, Eye, EyeLens, Frustum, Model, Objects, Parameters, Rules, SelectionCounts, ThresholdLine, select,
+    Acuity, Apparent, COLUMNS, Eye, EyeLens, Frustum, Model, Objects, Parameters, Rules, SelectionCounts, SizeLimit,
+    ThresholdLine, select,
 };
 pub use simplify::{Allowance, Charts, SurfacePlace, Vertices, collapse, first_alike, pieces};

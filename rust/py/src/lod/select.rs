@@ -2,7 +2,9 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use nearfar_core::camera::Fov;
-use nearfar_core::lod::{self, Acuity, Eye, EyeLens, Frustum, Model, Objects, Rules, SelectionCounts, ThresholdLine};
+use nearfar_core::lod::{
+    self, Acuity, Apparent, Eye, EyeLens, Frustum, Model, Objects, Rules, SelectionCounts, SizeLimit, ThresholdLine,
+};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -10,28 +12,42 @@ use crate::convert::run;
 use crate::lens::RadialLens;
 
 /// Curves of all models (N, 4); index of the first curve of each model and the number of all curves (M + 1,); least and
-/// greatest sizes (M, 2).
+/// greatest sizes, and the tangent of a pixel, NaN for none (M, 3).
 type Models<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>, PyReadonlyArray2<'py, f64>);
 
-fn models<'a>((curves, firsts, ranges): &'a Models<'_>) -> PyResult<Vec<Model<'a>>> {
+fn models<'a>((curves, firsts, measured): &'a Models<'_>) -> PyResult<Vec<Model<'a>>> {
     let curves = curves.as_slice()?.as_chunks::<4>().0;
-    let pairs = firsts.as_slice()?.windows(2).zip(ranges.as_slice()?.as_chunks::<2>().0);
-    let model = |(ends, range): (&[i64], &[f64; 2])| Model {
+    let pairs = firsts.as_slice()?.windows(2).zip(measured.as_slice()?.as_chunks::<3>().0);
+    let model = |(ends, &[least, greatest, pixel]): (&[i64], &[f64; 3])| Model {
         curves: curves.get(ends[0] as usize..ends[1] as usize).unwrap_or_default(),
-        range: *range,
+        range: [least, greatest],
+        pixel,
     };
     Ok(pairs.map(model).collect())
 }
 
-/// Position, orientation, tangents of the view, gaze, and size of a pixel in degrees.
-type EyeParts = ([f64; 3], [f64; 4], [f64; 4], Option<[f64; 3]>, f64);
+/// Position, orientation, tangents of the view, gaze, degrees of a pixel, and its tangent in the picture's middle.
+type EyeParts = ([f64; 3], [f64; 4], [f64; 4], Option<[f64; 3]>, f64, f64);
 
-fn eye((position, orientation, [left, right, down, up], gaze, pixel): EyeParts, acuity: Option<(f64, f64)>) -> Eye {
+fn eye(
+    (position, orientation, [left, right, down, up], gaze, degrees, pixel): EyeParts,
+    acuity: Option<(f64, f64)>,
+) -> Eye {
     let axes = DMat3::from_quat(DQuat::from_array(orientation).normalize());
     let view = Frustum::new(position.into(), axes, &Fov { left, right, down, up });
     let gaze = gaze.map_or(view.forward(), |gaze| direction(gaze.into()));
-    let acuity = acuity.map(|(slope, limit)| Acuity { gaze, slope, limit, best: pixel.max(limit) });
-    Eye { view, acuity }
+    let acuity = acuity.map(|(slope, limit)| Acuity { gaze, slope, limit, best: degrees.max(limit) });
+    Eye { view, acuity, corner: left.abs().max(right.abs()).hypot(down.abs().max(up.abs())), pixel }
+}
+
+/// How sizes appear, by its name.
+fn apparent<'a>(kind: &str, lens: Option<EyeLens<'a>>) -> Apparent<'a> {
+    match (kind, lens) {
+        ("panel", lens) => Apparent::Panel(lens),
+        ("axis", Some(lens)) => Apparent::Axis(lens),
+        ("area", Some(lens)) => Apparent::Area(lens),
+        _ => Apparent::Own,
+    }
 }
 
 /// The unit vector of a direction, computed without overflow.
@@ -49,8 +65,8 @@ type Selected<'py> = (Bound<'py, PyArray1<i32>>, Vec<Bound<'py, PyArray1<f64>>>,
 
 /// The level of each object: the finest level that any eye needs.
 #[pyfunction]
-#[pyo3(signature = (models, model_index, centers, radii, *, previous, eyes, line, reference, off, cull, lens, tan_omega,
-    exact, acuity, hysteresis, fade, full))]
+#[pyo3(signature = (models, model_index, centers, radii, *, previous, eyes, line, reference, limits_seen, off, cull, apparent,
+    lens, tan_omega, exact, acuity, hysteresis, fade, full))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
 pub(crate) fn select_levels<'py>(
     py: Python<'py>,
@@ -62,8 +78,10 @@ pub(crate) fn select_levels<'py>(
     eyes: Vec<EyeParts>,
     line: (f64, f64),
     reference: f64,
+    limits_seen: bool,
     off: bool,
     cull: bool,
+    apparent: &str,
     lens: Option<PyRef<'py, RadialLens>>,
     tan_omega: f64,
     exact: bool,
@@ -81,7 +99,9 @@ pub(crate) fn select_levels<'py>(
     };
     let eyes: Vec<Eye> = if off { Vec::new() } else { eyes.into_iter().map(|parts| eye(parts, acuity)).collect() };
     let glass = lens.as_ref().map(|lens| EyeLens { lens: lens.inner(), tan_omega, exact });
-    let rules = Rules { line: ThresholdLine { level: line.0, rise: line.1 }, reference, cull, hysteresis, fade };
+    let apparent = self::apparent(apparent, glass);
+    let limit = if limits_seen { SizeLimit::Seen } else { SizeLimit::Own };
+    let rules = Rules { line: ThresholdLine { level: line.0, rise: line.1 }, reference, limit, cull, hysteresis, fade };
 
     let count = radii.len();
     let level = PyArray1::<i32>::zeros(py, count, false);
@@ -95,7 +115,7 @@ pub(crate) fn select_levels<'py>(
     }
     let (to, beside) = (write.as_slice_mut()?, slices.try_into().ok());
     let counts =
-        run::long(py, None, |progress| lod::select(&models, &objects, &eyes, glass, &rules, to, beside, progress))?;
+        run::long(py, None, |progress| lod::select(&models, &objects, &eyes, apparent, &rules, to, beside, progress))?;
     drop(writes);
     Ok((level, columns, listed(&counts)))
 }

@@ -4,7 +4,8 @@ use rayon::prelude::*;
 
 use super::curves::Model;
 use super::objects::{COLUMNS, Objects, SelectionCounts, TILE};
-use super::rules::{EyeLens, Rules};
+use super::rules::{Apparent, Rules};
+use super::sizes::EyeSizes;
 use super::table::{OBJECTS_PER_TABLE, Tables};
 use super::tile::{ObjectTile, Selection, TileScratch};
 use super::view::Eye;
@@ -17,17 +18,18 @@ pub fn select(
     models: &[Model<'_>],
     objects: &Objects<'_>,
     eyes: &[Eye],
-    lens: Option<EyeLens<'_>>,
+    apparent: Apparent<'_>,
     rules: &Rules,
     to: &mut [i32],
     columns: Option<[&mut [f64]; COLUMNS]>,
     progress: &Progress,
 ) -> Result<SelectionCounts> {
     models.iter().enumerate().try_for_each(|(number, model)| model.check(number))?;
-    let limits = models.iter().map(|model| model.limit(rules.reference)).collect();
+    let limits = models.iter().map(|model| model.limit(rules)).collect();
     let are_many = models.len() * OBJECTS_PER_TABLE <= to.len() && !eyes.is_empty();
+    let sight = EyeSizes::new(models, eyes, apparent);
     let tables = if are_many { Tables::new(models, rules) } else { None };
-    let selection = Selection { models, limits, tables, eyes, lens, rules: *rules };
+    let selection = Selection { models, limits, tables, sight, rules: *rules };
     let tiles = tiles(objects, to, columns);
     let one = |room: &mut TileScratch, tile: ObjectTile<'_>| progress.check().and_then(|()| selection.tile(room, tile));
     let add = |mut one: SelectionCounts, other: SelectionCounts| {

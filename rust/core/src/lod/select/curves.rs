@@ -1,6 +1,6 @@
 //! The curves of a model at one size: scores, the coarsest sufficient level, and fading between levels.
 
-use super::rules::Rules;
+use super::rules::{Rules, SizeLimit};
 use crate::base::{Error, Result};
 
 /// Difference of score assumed below the coarsest level: the difference between levels in measurements.
@@ -8,6 +8,10 @@ const STEP: f64 = 0.05;
 /// Range of sizes below the greatest size over which the level falls to 0, as a share of the greatest size, for a fade
 /// of 1; it is proportional to the fade.
 const FADE_RANGE: f64 = 0.25;
+/// Solid angle of all directions, slightly reduced: a sphere around the eye exceeds it.
+const ALL_AROUND: f64 = 4.0 * std::f64::consts::PI * (1.0 - 1e-12);
+/// Relative widening of the size from which no level is good enough, more than rounding moves it.
+const WIDENING: f64 = 1e-9;
 
 /// a, b, c and d of y = d + (a−d)/(1+(x/c)^b).
 pub type Parameters = [f64; 4];
@@ -19,13 +23,19 @@ pub struct Model<'a> {
     pub curves: &'a [Parameters],
     /// Least and greatest measured solid angle, steradians.
     pub range: [f64; 2],
+    /// Tangent of the pixels that the curves were measured with; NaN if it is not known.
+    pub pixel: f64,
 }
 
-/// A size σ, the size that the eye sees, and the score that is required.
+/// The sizes of an object, and the score that is required.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SizeQuery {
+    /// σ
     pub sigma: f64,
+    /// σ′, the size that the eye sees.
     pub seen: f64,
+    /// The size at which curves are read: σ′ in pixels of the model; +∞ if σ′ exceeds its limit.
+    pub read: f64,
     pub threshold: f64,
 }
 
@@ -47,33 +57,49 @@ impl Model<'_> {
         Err(Error::value("models", "solid angles of at least 0, the least first", got))
     }
 
-    /// Size above which the level is 0; −∞ for a model with one level.
-    pub(super) fn limit(&self, reference: f64) -> f64 {
-        if self.curves.is_empty() { f64::NEG_INFINITY } else { self.range[1].min(reference) }
+    /// Size σ above which the level is 0, whatever is seen; −∞ for a model with one level. From a certain size on f
+    /// exceeds all scores of the curves.
+    pub(super) fn limit(&self, rules: &Rules) -> f64 {
+        if self.curves.is_empty() {
+            return f64::NEG_INFINITY;
+        }
+        let best = self.curves.iter().map(|&[a, _, _, d]| a.max(d)).fold(f64::NEG_INFINITY, f64::max);
+        let end = (best - rules.line.level) / rules.line.rise * (1.0 + WIDENING);
+        let end = if rules.line.rise > 0.0 { end.max(0.0) } else { ALL_AROUND };
+        let own = if rules.limit == SizeLimit::Own { rules.reference } else { ALL_AROUND };
+        end.min(own).min(ALL_AROUND)
+    }
+
+    /// The greatest size at which curves are read; no sphere is larger than all directions.
+    pub(super) fn greatest(&self) -> f64 {
+        self.range[1].min(4.0 * std::f64::consts::PI)
+    }
+
+    /// Area of the model's pixels as a multiple of those of an eye; 1 if the model's are not known.
+    pub(super) fn pixel_area(&self, eye: f64) -> f64 {
+        if self.pixel.is_nan() { 1.0 } else { (self.pixel / eye) * (self.pixel / eye) }
     }
 
     /// Score of a level at a size up to the greatest measured one.
-    pub(super) fn score(&self, level: usize, seen: f64) -> f64 {
+    pub(super) fn score(&self, level: usize, read: f64) -> f64 {
         match level.checked_sub(1) {
             None => 1.0,
-            Some(n) => score(&self.curves[n], seen.max(self.range[0])),
+            Some(n) => score(&self.curves[n], read.max(self.range[0])),
         }
     }
 
     /// The coarsest sufficient level, at most `most`.
     pub(super) fn coarsest(&self, most: usize, asked: &SizeQuery) -> usize {
-        if asked.seen > self.range[1] {
+        if asked.read > self.greatest() {
             return 0;
         }
-        (1..=most).rev().find(|&level| self.score(level, asked.seen) >= asked.threshold).unwrap_or(0)
+        (1..=most).rev().find(|&level| self.score(level, asked.read) >= asked.threshold).unwrap_or(0)
     }
 
     /// The coarsest sufficient level. Levels coarser than the previous one must exceed the threshold by the hysteresis.
     pub(super) fn held(&self, previous: usize, asked: &SizeQuery, rules: &Rules) -> usize {
         let most = self.curves.len();
-        let share = 1.0 - rules.hysteresis;
-        let too_large = asked.seen > self.range[1] * share || asked.sigma > self.limit(rules.reference) * share;
-        if previous == 0 && too_large {
+        if previous == 0 && self.room(asked, rules) < rules.hysteresis {
             return 0;
         }
         let surely = SizeQuery { threshold: asked.threshold + rules.hysteresis, ..*asked };
@@ -85,17 +111,22 @@ impl Model<'_> {
         if level == 0 || rules.fade == 0.0 {
             return level as f64;
         }
-        let own = self.score(level, asked.seen);
-        let coarser = (level + 1..=self.curves.len()).map(|other| self.score(other, asked.seen));
+        let own = self.score(level, asked.read);
+        let coarser = (level + 1..=self.curves.len()).map(|other| self.score(other, asked.read));
         let next = coarser.filter(|other| !other.is_nan()).reduce(f64::max).unwrap_or(own - STEP);
         // With hysteresis a level may be finer than required by more than one level, so the share is clamped.
         let way = if own > next { ((own - asked.threshold) / (own - next)).clamp(0.0, 1.0) } else { 1.0 };
         let weight = 1.0 - (way / rules.fade).min(1.0);
         let finer = self.coarsest(level - 1, asked);
         let faded = level as f64 - weight * (level - finer) as f64;
-        let left = |size: f64, limit: f64| if limit > 0.0 { 1.0 - size / limit } else { 1.0 };
-        let room = left(asked.sigma, self.limit(rules.reference)).min(left(asked.seen, self.range[1]));
-        let most = self.curves.len() as f64 * (room / (FADE_RANGE * rules.fade)).clamp(0.0, 1.0);
+        let most = self.curves.len() as f64 * (self.room(asked, rules) / (FADE_RANGE * rules.fade)).clamp(0.0, 1.0);
         faded.min(most)
+    }
+
+    /// How much smaller than its limits an object is, as a share of them.
+    fn room(&self, asked: &SizeQuery, rules: &Rules) -> f64 {
+        let left = |size: f64, limit: f64| if limit > 0.0 { 1.0 - size / limit } else { 1.0 };
+        let limited = if rules.limit == SizeLimit::Own { asked.sigma } else { asked.seen };
+        left(limited, rules.reference).min(left(asked.read, self.greatest()))
     }
 }

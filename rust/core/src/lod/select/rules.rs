@@ -13,6 +13,15 @@ pub struct ThresholdLine {
     pub rise: f64,
 }
 
+/// Which size must not exceed the reference for a level other than 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SizeLimit {
+    /// The object's own, σ.
+    Own,
+    /// The one that is seen, σ′.
+    Seen,
+}
+
 /// SSIM threshold as a function of solid angle, and its limits.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
@@ -20,6 +29,8 @@ pub struct Rules {
     pub line: ThresholdLine,
     /// Solid angle in steradians above which level 0 is used.
     pub reference: f64,
+    /// The size that the reference limits.
+    pub limit: SizeLimit,
     /// Whether objects outside the view get no level.
     pub cull: bool,
     /// Score above the threshold that a coarser level needs to replace a finer one.
@@ -37,6 +48,19 @@ pub struct EyeLens<'a> {
     pub tan_omega: f64,
     /// Whether to invert the lens by Newton's method instead of the table.
     pub exact: bool,
+}
+
+/// How the size that is seen follows from σ.
+#[derive(Clone, Copy, Debug)]
+pub enum Apparent<'a> {
+    /// σ itself.
+    Own,
+    /// Through a lens along one axis, as published: σ (α⁺ − α⁻)/2μ (Liebisch 2021, Eq. 4.10–4.12).
+    Axis(EyeLens<'a>),
+    /// Through a lens along both axes: that times sin α′/sin α of the centre.
+    Area(EyeLens<'a>),
+    /// Pixels of the panel, behind a lens if there is one: σ·D(α) of the centre.
+    Panel(Option<EyeLens<'a>>),
 }
 
 /// Acuity of an eye: the least visible angle at eccentricity e, both in degrees, is slope · e + limit (Guenter et al.

@@ -23,8 +23,6 @@ const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 const DIGITS: u32 = 4;
 const OCTAVES: u64 = 24;
 const SHIFT: u32 = MANTISSA - DIGITS;
-/// Greatest σ′ of a table, in steradians; no sphere covers more than 4π.
-const GREATEST_SIGMA: f64 = 16.0;
 /// Bit that marks cells in which a finer level may be correct; there the curves decide.
 pub(super) const UNSURE: u8 = 0x80;
 /// Number of objects per model from which a table is faster than curves.
@@ -74,20 +72,20 @@ impl Tables {
         models: &[i64],
         places: &[u16],
         sigma: &[f64; TILE],
-        seen: &[f64; TILE],
+        read: &[f64; TILE],
         to: &mut [u8; TILE],
     ) {
         let (heads, cells) = (&self.heads[..], &self.cells[..]);
-        for (((&place, &sigma), &seen), to) in places.iter().zip(sigma).zip(seen).zip(to) {
+        for (((&place, &sigma), &read), to) in places.iter().zip(sigma).zip(read).zip(to) {
             let Head { fineness, least, greatest, first, base, last } = heads[models[usize::from(place)] as usize];
             // The leading mantissa bits of a number from 1 to below 2.
             let small = (1.0 + sigma * fineness).to_bits() >> (MANTISSA - SMALL_DIGITS) & (SMALLS - 1);
             let row = small >> (SMALL_DIGITS - SIGMA_DIGITS);
-            let cell = ((seen.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
+            let cell = ((read.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
             let large = SMALLS + row * (u64::from(last) + 1) + cell;
             // Without a branch, which would be mispredicted half of the time.
-            let found = cells[(u64::from(first) + select_unpredictable(seen <= least, small, large)) as usize];
-            *to = if seen > greatest { 0 } else { found };
+            let found = cells[(u64::from(first) + select_unpredictable(read <= least, small, large)) as usize];
+            *to = if read > greatest { 0 } else { found };
         }
     }
 }
@@ -95,7 +93,7 @@ impl Tables {
 /// A model's cells and their head. A model with one level has one cell for each σ cell.
 fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     let count = model.curves.len();
-    let limit = model.limit(rules.reference);
+    let limit = model.limit(rules);
     if count == 0 {
         let head = Head { fineness: 0.0, least: 0.0, greatest: 0.0, first: 0, base: 0, last: 0 };
         return Some((head, vec![0; (SMALLS + SIGMAS) as usize]));
@@ -103,9 +101,9 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     if count >= UNSURE as usize {
         return None;
     }
-    let [least, greatest] = model.range;
-    let top = greatest.min(GREATEST_SIGMA).to_bits() >> SHIFT;
-    let base = (least.min(GREATEST_SIGMA).to_bits() >> SHIFT).clamp(top.saturating_sub(OCTAVES << DIGITS), top);
+    let (least, greatest) = (model.range[0], model.greatest());
+    let top = greatest.to_bits() >> SHIFT;
+    let base = (least.min(greatest).to_bits() >> SHIFT).clamp(top.saturating_sub(OCTAVES << DIGITS), top);
     let last = top - base;
     let width = last as usize + 1;
     let mut edges: Vec<f64> = (0..=last + 1).map(|n| f64::from_bits((base + n) << SHIFT)).collect();

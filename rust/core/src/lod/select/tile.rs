@@ -1,14 +1,12 @@
 //! A tile of objects, eye by eye: each stage passes on only the objects that it could not decide.
 
-use glam::DVec3;
-
 use super::curves::{Model, SizeQuery};
 use super::objects::{COLUMNS, Objects, SelectionCounts, TILE};
-use super::rules::{Acuity, EyeLens, Rules};
+use super::rules::{Rules, SizeLimit};
+use super::sizes::{EyeSizes, OpenSizes};
 use super::table::{Tables, UNSURE};
-use super::view::{Eye, HIDDEN, Sight};
+use super::view::{HIDDEN, Sight};
 use crate::base::{Error, Result};
-use crate::lens::{Sizes, Spheres};
 
 /// Level of an object that no eye has seen yet.
 const UNSEEN: i32 = -1;
@@ -31,8 +29,7 @@ pub(super) struct Selection<'a> {
     pub limits: Vec<f64>,
     /// `None` if there are too few objects for tables.
     pub tables: Option<Tables>,
-    pub eyes: &'a [Eye],
-    pub lens: Option<EyeLens<'a>>,
+    pub sight: EyeSizes<'a>,
     pub rules: Rules,
 }
 
@@ -55,27 +52,14 @@ struct OpenObjects {
     /// Per object: the size above which it has level 0, and its class.
     limit: [f64; TILE],
     class: [u8; TILE],
-    /// Per open object: its index in the tile, sizes, angles, and the level from the table.
-    place: [u16; TILE],
-    sigma: [f64; TILE],
-    seen: [f64; TILE],
-    angles: [[f64; TILE]; 4],
-    ratio: [f64; TILE],
+    /// Per open object: its index in the tile, its sizes, and the level from the table.
+    sizes: OpenSizes,
     found: [u8; TILE],
 }
 
 impl Default for OpenObjects {
     fn default() -> Self {
-        let [limit, sigma, seen, ratio] = [[0.0; TILE]; 4];
-        let [class, found] = [[0; TILE]; 2];
-        Self { limit, class, place: [0; TILE], sigma, seen, angles: [[0.0; TILE]; 4], ratio, found }
-    }
-}
-
-/// Copies the values at some indices into consecutive entries.
-fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
-    for (to, &place) in to.iter_mut().zip(places) {
-        *to = from[usize::from(place) % TILE];
+        Self { limit: [0.0; TILE], class: [0; TILE], sizes: OpenSizes::default(), found: [0; TILE] }
     }
 }
 
@@ -84,18 +68,21 @@ impl Selection<'_> {
         let TileScratch { sight, open } = room;
         self.check(&tile, open)?;
         let mut counts = SelectionCounts::default();
-        tile.level.fill(if self.eyes.is_empty() { 0 } else { UNSEEN });
+        tile.level.fill(if self.sight.eyes.is_empty() { 0 } else { UNSEEN });
         if let Some(columns) = &mut tile.columns {
-            let values = if self.eyes.is_empty() { [f64::NAN, f64::NAN, f64::NAN, 1.0, 0.0] } else { HIDDEN_COLUMNS };
+            let values =
+                if self.sight.eyes.is_empty() { [f64::NAN, f64::NAN, f64::NAN, 1.0, 0.0] } else { HIDDEN_COLUMNS };
             for (column, value) in columns.iter_mut().zip(values) {
                 column.fill(value);
             }
         }
-        for eye in self.eyes {
+        let limit = if self.rules.limit == SizeLimit::Seen { self.rules.reference } else { f64::INFINITY };
+        for (number, eye) in self.sight.eyes.iter().enumerate() {
             let Objects { centers, radii, .. } = tile.objects;
             eye.view.see(centers, radii, tile.first, self.rules.cull, sight)?;
             let asked = sort(sight, &mut tile, open, &mut counts);
-            self.sizes(eye, &tile.objects, sight, open, asked, &mut counts);
+            self.sight.see(number, &tile.objects, sight, &mut open.sizes, asked, limit);
+            counts.lens += if self.sight.is_bent() { asked as u64 } else { 0 };
             self.levels(open, asked, &mut tile, &mut counts);
         }
         Ok(counts)
@@ -122,32 +109,6 @@ impl Selection<'_> {
         Ok(())
     }
 
-    /// Computes σ′ of the open objects, and the part of it that the eye can resolve.
-    fn sizes(
-        &self,
-        eye: &Eye,
-        objects: &Objects<'_>,
-        sight: &Sight,
-        open: &mut OpenObjects,
-        asked: usize,
-        counts: &mut SelectionCounts,
-    ) {
-        gather(&sight.sigma, &open.place[..asked], &mut open.sigma);
-        open.seen[..asked].copy_from_slice(&open.sigma[..asked]);
-        if let Some(lens) = &self.lens {
-            lens.look(eye, objects, sight, open, asked);
-            counts.lens += asked as u64;
-        }
-        if let Some(acuity) = &eye.acuity {
-            for k in 0..asked {
-                let n = usize::from(open.place[k]);
-                let center = DVec3::from_array(objects.centers[n]) - eye.view.position();
-                let scale = acuity.scale(center, sight.sin_mu[n].atan2(sight.cos_mu[n]));
-                open.seen[k] *= scale * scale;
-            }
-        }
-    }
-
     fn levels(&self, open: &mut OpenObjects, asked: usize, tile: &mut ObjectTile<'_>, counts: &mut SelectionCounts) {
         let Some(tables) = &self.tables else {
             counts.formula += asked as u64;
@@ -156,11 +117,11 @@ impl Selection<'_> {
             }
             return;
         };
-        let OpenObjects { place, sigma, seen, found, .. } = open;
-        tables.look_up(tile.objects.model, &place[..asked], sigma, seen, found);
+        let OpenObjects { sizes, found, .. } = open;
+        tables.look_up(tile.objects.model, &sizes.place[..asked], &sizes.sigma, &sizes.read, found);
         let previous = tile.objects.previous.filter(|_| self.rules.hysteresis > 0.0);
         for k in 0..asked {
-            let n = usize::from(open.place[k]);
+            let n = usize::from(open.sizes.place[k]);
             let found = open.found[k];
             // A level that is not coarser than the previous one needs no hysteresis.
             let is_held = previous.is_some_and(|previous| previous[n] != UNSEEN && i32::from(found) > previous[n]);
@@ -180,10 +141,10 @@ impl Selection<'_> {
     #[inline(never)]
     fn ask(&self, open: &OpenObjects, k: usize, found: Option<(u8, bool)>, tile: &mut ObjectTile<'_>) {
         let rules = &self.rules;
-        let n = usize::from(open.place[k]);
+        let n = usize::from(open.sizes.place[k]);
         let model = &self.models[tile.objects.model[n] as usize];
-        let (sigma, seen) = (open.sigma[k], open.seen[k]);
-        let question = SizeQuery { sigma, seen, threshold: rules.line.at(sigma) };
+        let (sigma, seen) = (open.sizes.sigma[k], open.sizes.seen[k]);
+        let question = SizeQuery { sigma, seen, read: open.sizes.read[k], threshold: rules.line.at(sigma) };
         let previous = tile.objects.previous.and_then(|previous| usize::try_from(previous[n]).ok());
         let level = match (found, previous.filter(|_| rules.hysteresis > 0.0)) {
             (Some((found, true)), _) => usize::from(found),
@@ -197,7 +158,7 @@ impl Selection<'_> {
             let shown = model.shown(level, &question, rules);
             columns[4][n] = if *best == UNSEEN { shown } else { columns[4][n].min(shown) };
             if is_finer {
-                let values = [sigma, seen, question.threshold, model.score(level, seen)];
+                let values = [sigma, seen, question.threshold, model.score(level, question.read)];
                 for (column, value) in columns.iter_mut().zip(values) {
                     column[n] = value;
                 }
@@ -205,38 +166,6 @@ impl Selection<'_> {
         }
         if is_finer {
             *best = level as i32;
-        }
-    }
-}
-
-impl EyeLens<'_> {
-    /// Replaces σ by σ′, the size through the lens.
-    fn look(&self, eye: &Eye, objects: &Objects<'_>, sight: &Sight, open: &mut OpenObjects, asked: usize) {
-        if self.exact {
-            let (mut centers, mut radii) = ([[0.0; 3]; TILE], [0.0; TILE]);
-            for (k, &n) in open.place[..asked].iter().enumerate() {
-                (centers[k], radii[k]) = (objects.centers[usize::from(n)], objects.radii[usize::from(n)]);
-            }
-            let sizes = Sizes {
-                lens: self.lens,
-                eye: eye.view.position(),
-                forward: eye.view.forward(),
-                tan_omega: self.tan_omega,
-                exact: false,
-            };
-            sizes.each(&centers[..asked], &radii[..asked], &mut open.seen[..asked]);
-            return;
-        }
-        let OpenObjects { place, seen, angles, ratio, .. } = open;
-        let parts = [&sight.sin_alpha, &sight.cos_alpha, &sight.sin_mu, &sight.cos_mu];
-        for (part, to) in parts.into_iter().zip(&mut *angles) {
-            gather(part, &place[..asked], to);
-        }
-        let [sin_alpha, cos_alpha, sin_mu, cos_mu] = angles;
-        let spheres = Spheres { sin_alpha, cos_alpha, sin_mu, cos_mu };
-        self.lens.stretches(self.tan_omega, &spheres, &mut ratio[..asked]);
-        for (seen, ratio) in seen.iter_mut().zip(&ratio[..asked]) {
-            *seen *= ratio;
         }
     }
 }
@@ -271,20 +200,11 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts
     let mut asked = 0;
     for (n, &class) in class.iter().enumerate() {
         // Written always, counted only if open: a branch would be mispredicted half of the time.
-        open.place[asked % TILE] = n as u16;
+        open.sizes.place[asked % TILE] = n as u16;
         asked += usize::from(class == OPEN);
     }
     counts.asked += asked as u64;
     asked
-}
-
-impl Acuity {
-    /// Factor by which acuity shrinks lengths at the nearest edge of a sphere with half angle μ.
-    pub fn scale(&self, offset: DVec3, mu: f64) -> f64 {
-        let offset = offset / offset.abs().max_element();
-        let away = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;
-        (self.best / (self.slope * away.max(0.0).to_degrees() + self.limit)).min(1.0)
-    }
 }
 
 /// The error for an invalid number of a model or level.

@@ -103,11 +103,15 @@ pub struct Eye {
     pub view: Frustum,
     /// Acuity as a function of eccentricity, if it is used.
     pub acuity: Option<Acuity>,
+    /// Tangent of the angle between the axis and the view's farthest corner.
+    pub corner: f64,
+    /// Tangent of a pixel in the middle of the picture.
+    pub pixel: f64,
 }
 
 /// Visibility, sizes and angles of a tile of spheres.
 #[derive(Debug)]
-pub(super) struct Sight {
+pub(crate) struct Sight {
     /// σ in steradians: HIDDEN outside the view, 4π around the eye.
     pub sigma: [f64; TILE],
     pub sin_alpha: [f64; TILE],

@@ -1,0 +1,177 @@
+//! How large objects appear to an eye: through its lens, on its panel, within its acuity, in pixels of their models.
+
+use std::f64::consts::FRAC_PI_2;
+
+use glam::DVec3;
+
+use super::curves::Model;
+use super::objects::{Objects, TILE};
+use super::rules::{Acuity, Apparent, EyeLens};
+use super::view::{Eye, Sight};
+use crate::lens::{Magnification, STRETCHED, Sizes, Spheres};
+
+/// The eyes, and how sizes appear to them.
+pub(crate) struct EyeSizes<'a> {
+    pub eyes: &'a [Eye],
+    apparent: Apparent<'a>,
+    /// By eye and model: area of the model's pixels as a multiple of the eye's.
+    pixel_areas: Vec<Vec<f64>>,
+}
+
+/// Packed data of some objects of a tile.
+pub(crate) struct OpenSizes {
+    /// Indices in the tile.
+    pub place: [u16; TILE],
+    /// σ
+    pub sigma: [f64; TILE],
+    /// σ′, the size that the eye sees.
+    pub seen: [f64; TILE],
+    /// The size at which curves are read: σ′ in pixels of the model; +∞ if σ′ exceeds its limit.
+    pub read: [f64; TILE],
+    angles: [[f64; TILE]; 4],
+    factor: [f64; TILE],
+}
+
+impl Default for OpenSizes {
+    fn default() -> Self {
+        let [sigma, seen, read, factor] = [[0.0; TILE]; 4];
+        Self { place: [0; TILE], sigma, seen, read, angles: [[0.0; TILE]; 4], factor }
+    }
+}
+
+/// Copies the values at some indices into consecutive entries.
+fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
+    for (to, &place) in to.iter_mut().zip(places) {
+        *to = from[usize::from(place) % TILE];
+    }
+}
+
+impl<'a> EyeSizes<'a> {
+    pub fn new(models: &[Model<'_>], eyes: &'a [Eye], apparent: Apparent<'a>) -> Self {
+        let areas = |eye: &Eye| models.iter().map(|model| model.pixel_area(eye.pixel)).collect();
+        Self { eyes, apparent, pixel_areas: eyes.iter().map(areas).collect() }
+    }
+
+    /// Whether sizes change through a lens or on a panel.
+    pub fn is_bent(&self) -> bool {
+        !matches!(self.apparent, Apparent::Own)
+    }
+
+    /// Computes the sizes of the first `count` open objects of a tile, as an eye sees them. Curves are not read where
+    /// σ′ exceeds the limit.
+    pub fn see(
+        &self,
+        eye: usize,
+        objects: &Objects<'_>,
+        sight: &Sight,
+        open: &mut OpenSizes,
+        count: usize,
+        limit: f64,
+    ) {
+        gather(&sight.sigma, &open.place[..count], &mut open.sigma);
+        open.seen[..count].copy_from_slice(&open.sigma[..count]);
+        let view = &self.eyes[eye];
+        match &self.apparent {
+            Apparent::Own => {}
+            Apparent::Axis(lens) => lens.look(view, objects, sight, open, count),
+            Apparent::Area(lens) => {
+                lens.look(view, objects, sight, open, count);
+                lens.widen(sight, open, count);
+            }
+            Apparent::Panel(lens) => spread(lens.as_ref(), view.corner, sight, open, count),
+        }
+        if let Some(acuity) = &view.acuity {
+            for k in 0..count {
+                let n = usize::from(open.place[k]);
+                let center = DVec3::from_array(objects.centers[n]) - view.view.position();
+                let scale = acuity.scale(center, sight.sin_mu[n].atan2(sight.cos_mu[n]));
+                open.seen[k] *= scale * scale;
+            }
+        }
+        let areas = &self.pixel_areas[eye][..];
+        let OpenSizes { place, seen, read, .. } = open;
+        for ((&place, &seen), read) in place[..count].iter().zip(&*seen).zip(read) {
+            let area = areas[objects.model[usize::from(place)] as usize];
+            *read = if seen > limit { f64::INFINITY } else { seen * area };
+        }
+    }
+}
+
+impl EyeLens<'_> {
+    /// Replaces σ by σ′, the size through the lens.
+    fn look(&self, eye: &Eye, objects: &Objects<'_>, sight: &Sight, open: &mut OpenSizes, count: usize) {
+        if self.exact {
+            let (mut centers, mut radii) = ([[0.0; 3]; TILE], [0.0; TILE]);
+            for (k, &n) in open.place[..count].iter().enumerate() {
+                (centers[k], radii[k]) = (objects.centers[usize::from(n)], objects.radii[usize::from(n)]);
+            }
+            let sizes = Sizes {
+                lens: self.lens,
+                eye: eye.view.position(),
+                forward: eye.view.forward(),
+                tan_omega: self.tan_omega,
+                exact: false,
+            };
+            sizes.each(&centers[..count], &radii[..count], &mut open.seen[..count]);
+            return;
+        }
+        let OpenSizes { place, seen, angles, factor, .. } = open;
+        let parts = [&sight.sin_alpha, &sight.cos_alpha, &sight.sin_mu, &sight.cos_mu];
+        for (part, to) in parts.into_iter().zip(&mut *angles) {
+            gather(part, &place[..count], to);
+        }
+        let [sin_alpha, cos_alpha, sin_mu, cos_mu] = angles;
+        let spheres = Spheres { sin_alpha, cos_alpha, sin_mu, cos_mu };
+        self.lens.stretches(self.tan_omega, &spheres, &mut factor[..count]);
+        for (seen, factor) in seen.iter_mut().zip(&factor[..count]) {
+            *seen *= factor;
+        }
+    }
+
+    /// Multiplies σ′ by the magnification around the axis, except for spheres that keep their own size.
+    fn widen(&self, sight: &Sight, open: &mut OpenSizes, count: usize) {
+        tangents(sight, &open.place[..count], f64::INFINITY, &mut open.angles[0]);
+        let used = count.next_multiple_of(STRETCHED);
+        let (from, to) = (&open.angles[0][..used], &mut open.factor[..used]);
+        self.lens.magnify(Magnification::Across, self.tan_omega, self.exact, from, to);
+        let end = (self.lens.x_max() * self.tan_omega).atan().min(FRAC_PI_2);
+        for k in 0..count {
+            let n = usize::from(open.place[k]);
+            let edge = sight.sin_alpha[n].atan2(sight.cos_alpha[n]) + sight.sin_mu[n].atan2(sight.cos_mu[n]);
+            open.seen[k] *= if edge < end { open.factor[k] } else { 1.0 };
+        }
+    }
+}
+
+/// Multiplies σ by D(α) of the centre, or of the view's corner for centres beyond it.
+fn spread(lens: Option<&EyeLens<'_>>, corner: f64, sight: &Sight, open: &mut OpenSizes, count: usize) {
+    tangents(sight, &open.place[..count], corner, &mut open.angles[0]);
+    let used = count.next_multiple_of(STRETCHED);
+    let (from, to) = (&open.angles[0][..used], &mut open.factor[..used]);
+    match lens {
+        Some(lens) => lens.lens.magnify(Magnification::Panel, lens.tan_omega, lens.exact, from, to),
+        None => to.iter_mut().zip(from).for_each(|(to, t)| *to = (1.0 + t * t) * (1.0 + t * t).sqrt()),
+    }
+    for (seen, factor) in open.seen[..count].iter_mut().zip(&open.factor) {
+        *seen *= factor;
+    }
+}
+
+/// tan α of the centres, at most `most`, and `most` for those beside and behind the eye; 0 pads the last block.
+fn tangents(sight: &Sight, places: &[u16], most: f64, to: &mut [f64; TILE]) {
+    for (to, &place) in to.iter_mut().zip(places) {
+        let n = usize::from(place) % TILE;
+        let tangent = sight.sin_alpha[n] / sight.cos_alpha[n];
+        *to = if sight.cos_alpha[n] > 0.0 && tangent < most { tangent } else { most };
+    }
+    to[places.len()..places.len().next_multiple_of(STRETCHED)].fill(0.0);
+}
+
+impl Acuity {
+    /// Factor by which acuity shrinks lengths at the nearest edge of a sphere with half angle μ.
+    pub fn scale(&self, offset: DVec3, mu: f64) -> f64 {
+        let offset = offset / offset.abs().max_element();
+        let away = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;
+        (self.best / (self.slope * away.max(0.0).to_degrees() + self.limit)).min(1.0)
+    }
+}
