@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.timing import table
+from benchmarks.lod._printed import PRINTED, SOURCE, computed, spans
 from benchmarks.lod.user_study import (
     FILE,
     TABULATED,
@@ -14,6 +16,7 @@ from benchmarks.lod.user_study import (
     bootstrap,
     by_participant,
     correlation,
+    lilliefors,
     load,
     made_up,
     moments,
@@ -38,6 +41,21 @@ def study_or_twin() -> tuple[Study, str]:
     return study, "made up, of the same shape, because there is no data folder"
 
 
+def table_beside_thesis(study: Study) -> str:
+    """Tables 5.4, 5.5, 5.6 and 5.8 as they are printed, beside the same figures of a study."""
+    ours, ranges = computed(study), spans(study)
+    rows = []
+    for printed in PRINTED:
+        key = printed.statistic, printed.of
+        low, high = ranges[key]
+        span = f"{low:.5f} to {high:.5f}" if low < high else ""
+        shown = f"{ours[key]:.5f}" if printed.decimals else f"{ours[key]:.0f}"
+        label = f"{printed.statistic} of {printed.of}"
+        rows.append([printed.table, label, printed.text, shown, printed.beside(ours[key]), span])
+    header = ["table", "", "printed", "ours", "difference", "with further decimals of d"]
+    return table(f"Beside the printed values ({SOURCE})", header, rows)
+
+
 def table_of_moments(study: Study) -> str:
     """Table 5.5, and the same by object."""
     header = ["", "n", "mean", "deviation", "skewness", "kurtosis", "G₁", "G₂"]
@@ -60,12 +78,12 @@ def table_of_normality(study: Study) -> str:
     for column in COLUMNS:
         for hmd in study.hmds:
             part = study.of(hmd=hmd)
-            rows.append([f"{column}, {hmd}, rows", str(len(part)), *_test(*shapiro(getattr(part, column)))])
-            means = by_participant(part, column)
-            rows.append([f"{column}, {hmd}, means of participants", str(len(means)), *_test(*shapiro(means))])
+            rows.append([f"{column}, {hmd}, rows", *_normal(getattr(part, column))])
+            rows.append([f"{column}, {hmd}, means of participants", *_normal(by_participant(part, column))])
         one, other = paired(study, column, "hmd", *study.hmds)
-        rows.append([f"{column}, {' − '.join(study.hmds)}", str(len(one)), *_test(*shapiro(one - other))])
-    return table("Normality, Shapiro and Wilk (5.4)", ["", "n", "W", "p"], rows)
+        rows.append([f"{column}, {' − '.join(study.hmds)}", *_normal(one - other)])
+    title = "Normality, Kolmogorov and Smirnov after Lilliefors (p at most 0.1), Shapiro and Wilk (5.4)"
+    return table(title, ["", "n", "D", "p", "W", "p"], rows)
 
 
 def table_of_headsets(study: Study) -> str:
@@ -86,13 +104,14 @@ def table_of_headsets(study: Study) -> str:
                 sides = paired(study, column, "object", textured, plain)
                 means_of = f"means {sides[0].mean():.4f} and {sides[1].mean():.4f}"
                 rows.append([f"{column}, {textured} and {plain}, {means_of}", *_signed(wilcoxon(*sides))])
-    return table("Pairs compared, Wilcoxon's signed ranks (5.6)", ["", "pairs", "equal", "W", "p"], rows)
+    return table("Pairs compared, Wilcoxon's signed ranks (5.6)", ["", "pairs", "equal", "W", "Z", "p"], rows)
 
 
 def table_of_correlations(study: Study) -> str:
     """Table 5.8."""
     rows = []
     pairs = {f"d and k, {hmd}": (study.of(hmd=hmd).d, study.of(hmd=hmd).k) for hmd in study.hmds}
+    pairs["d and k, both headsets"] = (study.d, study.k)
     pairs["d and k, means of participants"] = (by_participant(study, "d"), by_participant(study, "k"))
     for column in COLUMNS:
         pairs[f"{column}, {' and '.join(study.hmds)}"] = paired(study, column, "hmd", *study.hmds)
@@ -126,12 +145,13 @@ def table_of_readings(study: Study) -> str:
     return table(f"d and k by choices that could have been made; thresholds for {headset.name}", header, rows)
 
 
-def _test(statistic: float, p: float) -> list[str]:
-    return [f"{statistic:.4f}", _p(p)]
+def _normal(values: NDArray[np.float64]) -> list[str]:
+    (d, d_p), (w, w_p) = lilliefors(values), shapiro(values)
+    return [str(len(values)), f"{d:.4f}", _p(d_p), f"{w:.4f}", _p(w_p)]
 
 
 def _signed(test: Wilcoxon) -> list[str]:
-    return [str(test.pairs), str(test.equal), f"{test.statistic:g}", _p(test.p)]
+    return [str(test.pairs), str(test.equal), f"{test.statistic:g}", f"{test.z:.4f}", _p(test.p)]
 
 
 def _p(p: float) -> str:
@@ -146,6 +166,8 @@ def main() -> None:
     for row, usual in odd_rows(study):
         person, hmd, name, level = (getattr(study, field)[row] for field in ("participant", "hmd", "object", "level"))
         print(f"odd: participant {person}, {hmd}, {name}, level {level} has d = {study.d[row]}, elsewhere {usual}\n")
+    if data.find(FILE):
+        print(table_beside_thesis(first))
     for made in (table_of_moments, table_of_normality, table_of_headsets, table_of_correlations):
         print(made(first))
     if texture(first):

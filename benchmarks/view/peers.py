@@ -2,9 +2,10 @@
 
 python -m benchmarks.view.peers [--quick] [--bundle FOLDER] [--pages N …]
 
-Pages of one headless Chromium on this machine, each with a cache of its own, load all rings of a bundle: that of the
-procedural city, or one in a folder. They start together, or each when the one before has all. Bytes of files are those
-of the requests. All bytes are what the server counts as it sends them, scripts, styles and manifests compressed.
+Pages of one headless Chromium on this machine, each with a cache of its own, load all files of a bundle: that of the
+procedural city, or one in a folder. They start together, or each when the one before has all and rests. Bytes of files
+are those of the requests. All bytes are what the server counts as it sends them, with scripts, styles and manifests;
+some are compressed.
 Seconds are from navigation; all pages share the cores of the machine, and draw by programs.
 """
 
@@ -60,7 +61,6 @@ def sent(url: str) -> int:
 
 def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
     """Load a bundle in so many pages."""
-    rings = len(nf.stream.open(folder).radii)
     with Server({"": Site.of_bundle(folder)}, rooms=Rooms()) as server, ExitStack() as stack:
         pages: list[PeerPage] = []
         for _ in range(count):
@@ -69,8 +69,9 @@ def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
         for page in pages:
             page.open(server.url, "bench", WAYS[way])
             if way == "in turns":
-                page.wait(rings)
-        told = [page.wait(rings) for page in pages]
+                page.wait_for_files()
+                page.rest()
+        told = [page.wait_for_files() for page in pages]
         firsts = [float(page.page.evaluate("() => window.shownRings[0]")) / 1e3 for page in pages]
         exchanged = sum(each["others"]["bytes"] for each in told)
         return Loads(bytes_of(folder, pages), sent(server.url), exchanged, float(np.median(firsts)), max(firsts))

@@ -12,6 +12,7 @@ from scipy.special import ndtr, ndtri
 import nearfar as nf
 from benchmarks.lod import study as study_benchmark, user_study
 from benchmarks.lod.user_study import TABULATED, Study, made_up
+from nearfar._base import random
 from tests.support import data
 
 Array = NDArray[np.float64]
@@ -98,6 +99,17 @@ def royston(values: Array) -> tuple[float, float]:
     return w, float(ndtr(-(np.log(1 - w) - middle) / spread))
 
 
+def farthest(values: Array) -> float:
+    """D of Kolmogorov and Smirnov from the normal with the values' mean and deviation, over both ends of each step."""
+    mean, deviation = values.mean(), np.sqrt(((values - values.mean()) ** 2).sum() / (len(values) - 1))
+    apart = 0.0
+    for value in values:
+        expected = ndtr((value - mean) / deviation)
+        for share in ((values <= value).mean(), (values < value).mean()):
+            apart = max(apart, abs(share - expected))
+    return float(apart)
+
+
 # each figure against its formula -------------------------------------------------------------------------------------
 @pytest.mark.parametrize("column", ["d", "k"])
 @pytest.mark.parametrize("hmd", ["rift", "vive"])
@@ -128,6 +140,29 @@ def test_normality_is_that_of_royston(either: Study, column: str) -> None:
 
 
 @pytest.mark.parametrize("column", ["d", "k"])
+@pytest.mark.parametrize("hmd", ["rift", "vive"])
+def test_distance_from_the_normal_is_the_greatest_over_all_steps(either: Study, column: str, hmd: str) -> None:
+    part = either.of(hmd=hmd)
+    for values in (getattr(part, column), user_study.by_participant(part, column)):
+        assert user_study.lilliefors(values)[0] == pytest.approx(farthest(values), rel=1e-12)
+
+
+def test_distance_of_two_values() -> None:
+    """Two values lie 1/√2 deviations from their mean, where the normal has Φ(−1/√2) below it and the step ½."""
+    assert user_study.lilliefors(np.array([3.0, 5.0]))[0] == pytest.approx(0.5 - ndtr(-(0.5**0.5)))
+
+
+@pytest.mark.parametrize("n", [24, 240])
+def test_normal_values_have_a_small_p_as_rarely_as_it_says(n: int) -> None:
+    """Within four deviations of 2,000 samples, and 10 % of the level for the formula's own error."""
+    samples = ndtri(random.uniform(7, n, np.arange(2000 * n)).reshape(2000, n))
+    p = np.array([user_study.lilliefors(sample)[1] for sample in samples])
+    for level in (0.01, 0.05):
+        assert abs((p <= level).mean() - level) < 4 * np.sqrt(level * (1 - level) / 2000) + 0.1 * level
+    assert p.max() == 0.1
+
+
+@pytest.mark.parametrize("column", ["d", "k"])
 def test_signed_ranks_are_those_of_the_formula(either: Study, column: str) -> None:
     sides = user_study.paired(either, column, "hmd", "rift", "vive")
     means = [user_study.by_participant(either.of(hmd=hmd), column) for hmd in ("rift", "vive")]
@@ -136,6 +171,7 @@ def test_signed_ranks_are_those_of_the_formula(either: Study, column: str) -> No
         found = user_study.wilcoxon(one, other)
         assert found.statistic == statistic
         assert found.p == pytest.approx(p, rel=1e-9)
+        assert found.z == pytest.approx(ndtri(p / 2), rel=1e-9)
         assert (found.pairs, found.pairs - found.equal) == (len(one), len(ranked))
     # Of two dozen pairs all signs can be counted: the approximation's error is of the order of 1/n.
     assert found.p == pytest.approx(exact_p(ranked, statistic), abs=0.02)
@@ -262,5 +298,7 @@ def test_everything_is_printed_with_and_without_data(
     study_benchmark.main()
     printed = capsys.readouterr().out
     assert "made up" in printed
+    # The thesis' values would say nothing beside a made-up study.
+    assert "### Beside" not in printed[printed.index("made up") :]
     assert printed.count("### ") >= 10
     assert "nan" not in printed

@@ -23,7 +23,8 @@ TOLD = """() => {
   if (!room) return null;
   const { refusal, open, dropped, counts } = room.peers;
   return { user: room.connection.state.user ?? null, refusal: refusal === undefined ? 'unknown' : refusal, open,
-    dropped: Object.fromEntries(dropped), ...counts, arrived: viewer.facts.arrived };
+    dropped: Object.fromEntries(dropped), ...counts, arrived: viewer.facts.arrived,
+    hasAll: viewer.facts.arrived >= 0 && viewer.facts.received >= viewer.facts.expected };
 }"""
 
 
@@ -81,6 +82,15 @@ class PeerPage:
         wait_until(self.page, lambda: (self.told() or {"arrived": -1})["arrived"] >= ring)
         assert self.page.evaluate("() => document.querySelector('#message').textContent") == ""
         return self.told() or {}
+
+    def wait_for_files(self) -> dict[str, Any]:
+        """Wait until the first picture and all files are there, drawn or not; the facts then."""
+        wait_until(self.page, lambda: (self.told() or {"hasAll": False})["hasAll"])
+        return self.told() or {}
+
+    def rest(self) -> None:
+        """Draw no more, and go on with all else: browsers that draw by programs have no time left for other pages."""
+        self.page.evaluate("() => window.nearfar.viewer.renderer.setAnimationLoop(null)")
 
 
 @contextmanager

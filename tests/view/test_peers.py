@@ -118,6 +118,7 @@ def test_eight_pages_one_after_the_other_take_little_more_than_one(
         all_pages.append(pages(TICKS_ARE_LONG))
         all_pages[-1].open(url, "turns")
         all_pages[-1].wait()
+        all_pages[-1].rest()
     assert bytes_of(folder, all_pages[:1]) == size
     assert bytes_of(folder, all_pages) <= 2 * size
 

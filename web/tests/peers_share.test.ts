@@ -104,7 +104,7 @@ test('one that tells of files that it has not costs a question', async () => {
   assert.deepEqual([page.asked, liar.asked], [NAMES.slice(0, 3), []]);
 });
 
-test('before the first picture nobody is waited for longer than a second, and once', async () => {
+test('before the first picture nobody is waited for longer than three seconds, and once', async () => {
   const clock = steppedClock();
   const all = pages(3, clock);
   joinAll(all, clock);
@@ -117,7 +117,7 @@ test('before the first picture nobody is waited for longer than a second, and on
   for (const other of others) other.serve = () => new Promise(() => undefined);
   const coming = page.get(name ?? '');
   await settled();
-  await clock.pass(1);
+  await clock.pass(3);
   assert.deepEqual(page.asked, []);
   await clock.pass(0.25);
   await coming;

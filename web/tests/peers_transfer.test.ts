@@ -164,6 +164,17 @@ test('who leaves requests without an answer again and again is asked no more', a
   assert.deepEqual([wants(heard).length, page.asked, page.dropped.size], [3, names, 0]);
 });
 
+test('requests that are left without an answer at one time count as one', async () => {
+  const { page, heard, say, clock } = bench();
+  await say({ kind: 'tell', holding: 'here', keys: KEYS });
+  const all = Promise.all(['a', 'b', 'c'].map((name) => page.get(name)));
+  await settled();
+  await clock.pass(4.5);
+  await all;
+  await say(...wants(heard).map((request) => ({ kind: 'none', request }) as const));
+  assert.deepEqual([page.peers.get(2)?.isFree, page.dropped.size], [true, 0]);
+});
+
 test('a page waits for one that has to fetch the file itself, while it comes', async () => {
   const { page, heard, say, clock } = bench();
   await say({ kind: 'tell', holding: 'coming', keys: [A] });
@@ -307,7 +318,7 @@ test('all pages together get no more bytes than a page gives', async () => {
   assert.deepEqual(third.asked, []);
 });
 
-test('pages that drip hold back the first picture for little more than two seconds each, and two of them', async () => {
+test('pages that drip hold back the first picture for little more than five seconds each, and two of them', async () => {
   const clock = steppedClock();
   const page = createPage(1, WORLD, clock);
   page.isFirst = true;
@@ -329,7 +340,7 @@ test('pages that drip hold back the first picture for little more than two secon
   for (const name of ['a', 'b', 'c']) {
     let isThere = false;
     const coming = page.get(name).then(() => (isThere = true));
-    for (let ticks = 0; !isThere && ticks < 10; ticks++) {
+    for (let ticks = 0; !isThere && ticks < 22; ticks++) {
       await settled();
       drips.forEach((drip) => drip());
       await clock.pass(0.25);

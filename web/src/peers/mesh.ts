@@ -84,8 +84,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   function look(): void {
     if (isOn === false) settle();
     if (isOn === null || own === null || untold === null || untold > 0) return;
-    const isPending = (user: number): boolean => !failed.has(user) && !dropped.has(user) && !places.get(user)?.hasGreeted;
-    if (!neighbours().some(isPending)) settle();
+    const isOver = (user: number): boolean => failed.has(user) || dropped.has(user);
+    if (neighbours().every((user) => isOver(user) || places.get(user)?.hasGreeted)) settle();
   }
 
   /** The nearest users by their numbers; of two users each is the other's neighbour, or none is. */

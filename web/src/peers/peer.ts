@@ -9,7 +9,7 @@ import { createUploads, type Shelf } from './uploads';
 
 /** Messages a second besides parts, and as many at once; so many files that a message tells of count as one. */
 const [RATE, BURST, TOLD] = [512, 2048, 50] as const;
-/** Requests that a page may leave without an answer before it is asked no more. */
+/** Times that a page may leave requests without an answer before it is asked no more; those at once are one. */
 const MOST_SILENT = 3;
 /** Requests a second that a page makes, and at once: fewer than others answer. */
 const [ASKED_RATE, ASKED_BURST] = [80, 300] as const;
@@ -62,7 +62,9 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   const known = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
   const asked = createBucket(ASKED_RATE, ASKED_BURST, now);
-  let [isOver, hasGreeted, silent] = [false, false, 0];
+  let [isOver, hasGreeted, ticks] = [false, false, 0];
+  /** Ticks at which it had left requests without an answer. */
+  const silences = new Set<number>();
 
   function send(message: Message): void {
     if (isOver) return;
@@ -132,7 +134,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
       return downloads.open;
     },
     get isFree() {
-      return !isOver && silent < MOST_SILENT && downloads.isFree && asked.secondsTo(1) === 0;
+      return !isOver && silences.size < MOST_SILENT && downloads.isFree && asked.secondsTo(1) === 0;
     },
     holds: (key) => known.get(key) ?? 'gone',
     tell(holding, keys) {
@@ -145,13 +147,14 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     async ask(file, signal, received) {
       asked.take(1);
       const answer = await downloads.ask(file, signal, received);
-      if (answer === 'silent') silent += 1;
+      if (answer === 'silent') silences.add(ticks);
       if (answer === 'none') known.delete(file.sha256);
       return answer;
     },
     awaits: uploads.awaits,
     settle: uploads.settle,
     tick(isSecond) {
+      ticks += 1;
       downloads.tick();
       if (isSecond) uploads.tick();
     },

@@ -12,8 +12,11 @@ import type { Store } from './store';
 import type { Shelf } from './uploads';
 import { isBefore } from './weights';
 
-/** After how long another page is given up: for the first picture, and after it. */
-const FIRST = { patience: 1, longest: 2, slowest: 1e6 } as const;
+/**
+ * After how long another page is given up: for the first picture, and after it. Pages that draw by programs answer about
+ * once a second: with a patience of 1 s, one run of four took more than twice one page's files from the server.
+ */
+const FIRST = { patience: 3, longest: 5, slowest: 1e6 } as const;
 const LATER = { patience: 4, longest: 10, slowest: 65_536 } as const;
 /** Users given up for the first picture, after whom it comes from the server alone. */
 const MOST_LATE = 2;

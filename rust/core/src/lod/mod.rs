@@ -1,7 +1,7 @@
 //! Levels of detail: `simplify` makes coarser surfaces, `fit` finds curves with four parameters of a level's quality as
 //! a function of its size, `select` chooses each object's level by these curves.
 //!
-//! Liebisch: Perceptual level of detail for head-mounted displays, 2021; y = d + (a−d)/(1+(x/c)^b).
+//! Liebisch: Level of Detail Selection for Foveated Rendering in Virtual Reality, TU Graz 2021; y = d + (a−d)/(1+(x/c)^b).
 
 mod exponential;
 mod fit;

@@ -1,0 +1,121 @@
+"""Figures of the published study beside those that the thesis prints, and what the decimals of d leave open."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from benchmarks.lod import _printed, study as study_benchmark, user_study
+from benchmarks.lod._printed import PRINTED, Printed
+from benchmarks.lod.user_study import TABULATED, Study, made_up
+from tests.support import data
+
+UNLIKE = {
+    ("D", "d, rift"): 0.13436,
+    ("mean", "d, rift"): 0.90509,
+    ("deviation", "d, vive"): 0.09586,
+    ("G₂", "d, vive"): 4.38475,
+    ("Z", "d, rift and vive"): -0.56791,
+    ("p", "d, rift and vive"): 0.57010,
+}
+"""Figures that differ from the printed ones in the last digit: all of d, which has four decimals in the data folder."""
+
+CUT = {("mean", "d, rift"), ("deviation", "d, vive")}
+"""Those of them whose printed value is the file's without its fifth decimal, and out of reach of further decimals."""
+
+
+@pytest.fixture(scope="module")
+def study() -> Study:
+    return user_study.load(data(user_study.FILE)).first(TABULATED)
+
+
+def test_all_printed_figures_are_computed() -> None:
+    """Of the made-up study too, whose headsets and columns have the same names."""
+    keys = [(printed.statistic, printed.of) for printed in PRINTED]
+    assert len(set(keys)) == len(keys) == 4 * 7 + 2 * 2 + 2
+    assert set(keys) == set(_printed.computed(made_up()))
+    assert {printed.table for printed in PRINTED} == {"5.4", "5.5", "5.6", "5.8"}
+
+
+def test_figures_are_the_printed_ones_to_their_digits(study: Study) -> None:
+    ours = _printed.computed(study)
+    for printed in PRINTED:
+        key = printed.statistic, printed.of
+        if key in UNLIKE:
+            assert printed.beside(ours[key]) != "same"
+            assert ours[key] == pytest.approx(UNLIKE[key], abs=6e-6)
+            assert abs(ours[key] - printed.value) < 10**-printed.decimals
+        else:
+            assert printed.beside(ours[key]) == "same", key
+    # Table 5.8 prints p < .01.
+    both = user_study.correlation(study.d, study.k)
+    assert max(both.tau_p, both.rho_p) < 0.01
+
+
+def test_each_other_difference_is_within_what_rounding_of_d_can_make(study: Study) -> None:
+    spans = _printed.spans(study, draws=60)
+    for printed in PRINTED:
+        key, half = (printed.statistic, printed.of), 0.5 * 10**-printed.decimals
+        low, high = spans[key]
+        reached = low < printed.value + half and high > printed.value - half
+        if key in UNLIKE:
+            exact = 10**printed.decimals * _printed.computed(study)[key]
+            cut = int(exact) == round(10**printed.decimals * printed.value)
+            assert cut if key in CUT else reached, key
+        else:
+            assert reached, key
+
+
+def test_the_thesis_has_the_odd_rows(study: Study) -> None:
+    """With the d of the majority the Vive's figures are others."""
+    ours = _printed.computed(user_study.mended(study))
+    off = {printed.statistic for printed in PRINTED if printed.beside(ours[printed.statistic, printed.of]) != "same"}
+    assert ours["mean", "d, vive"] - 0.8971 > 0.001
+    assert off == {"D", "W", "mean", "deviation", "G₁", "G₂", "Z", "p", "ρ"}
+
+
+@pytest.mark.parametrize("other", ["continuity", "all participants", "means of participants", "plain moments"])
+def test_other_conventions_are_farther_off(study: Study, other: str) -> None:
+    """Each misses a figure of k, which was chosen in quarters and has lost no digits."""
+    by_key = {(printed.statistic, printed.of): printed for printed in PRINTED}
+    if other == "continuity":
+        one, two = user_study.paired(study, "k", "hmd", "rift", "vive")
+        found = {("p", "k, rift and vive"): stats.wilcoxon(one - two, correction=True).pvalue}
+    elif other == "all participants":
+        found = _printed.computed(user_study.load(data(user_study.FILE)))
+    elif other == "means of participants":
+        test = user_study.wilcoxon(*(user_study.by_participant(study.of(hmd=hmd), "k") for hmd in study.hmds))
+        found = {("Z", "k, rift and vive"): test.z}
+    else:
+        found = {("G₂", "k, rift"): user_study.moments(study.of(hmd="rift").k).kurtosis}
+    assert any(by_key[key].beside(float(value)) != "same" for key, value in found.items() if key[1].startswith("k"))
+
+
+def test_digits_are_compared_as_they_are_printed() -> None:
+    printed = Printed("5.5", "G₂", "k, vive", "-.006")
+    assert (printed.value, printed.decimals) == (-0.006, 3)
+    assert printed.beside(-0.00628) == "same"
+    assert printed.beside(-0.0066) == "-0.00060"
+    assert Printed("5.4", "df", "d, rift", "240").beside(240.0) == "same"
+
+
+def test_further_decimals_belong_to_a_level_and_round_to_what_is_listed() -> None:
+    twin = made_up()
+    drawn = _printed.with_decimals(twin, 3)
+    assert np.array_equal(np.round(drawn.d, _printed.DECIMALS), np.round(twin.d, _printed.DECIMALS))
+    assert (drawn.d[twin.level == 0] == 1.0).all()
+    moved = drawn.d - twin.d
+    for name in twin.objects:
+        for level in {*twin.level[twin.object == name].tolist()} - {0}:
+            rows = moved[(twin.object == name) & (twin.level == level)]
+            assert np.ptp(rows) < 1e-15
+            assert 0 < abs(rows[0]) <= 0.5e-4
+    assert not np.array_equal(_printed.with_decimals(twin, 4).d, drawn.d)
+
+
+def test_the_table_shows_both(study: Study) -> None:
+    shown = study_benchmark.table_beside_thesis(study)
+    assert "| 5.4 | D of d, rift | .135 | 0.13436 | -0.00064 | 0.134" in shown
+    assert "| 5.8 | ρ of d and k | -.220 | -0.21974 | same |" in shown
+    assert "Level of Detail Selection for Foveated Rendering in Virtual Reality" in shown
