@@ -8,10 +8,11 @@ from nearfar.lod._measure.samples import Samples
 from nearfar.lod._measure.settings import MeasureSettings
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import place
+from nearfar.lod._select.budget import Spent
 from nearfar.lod._select.select import select
 from nearfar.lod._select.selection import Selection
 from nearfar.lod._select.selector import Selector
-from nearfar.lod._select.size import acuity, distortion, reference_solid_angle
+from nearfar.lod._select.size import acuity, distortion, panel_magnification, reference_solid_angle
 from nearfar.lod._select.switches import Switches, switches
 from nearfar.lod._select.threshold import LodThreshold
 from nearfar.lod._simplify.simplify import simplify
@@ -26,12 +27,14 @@ __all__ = [
     "Samples",
     "Selection",
     "Selector",
+    "Spent",
     "Switches",
     "acuity",
     "distortion",
     "export",
     "fit_4pl",
     "measure",
+    "panel_magnification",
     "place",
     "reference_solid_angle",
     "select",

@@ -13,7 +13,7 @@ from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.samples import Samples
 from nearfar.lod._measured_levels import MeasuredLevels
 
-NAME, VERSION = "lod", 1
+NAME, VERSION = "lod", 2
 PARAMETERS = ("a", "b", "c", "d", "rms")
 STATUSES = ("fitted", "step", "open", "flat", "unfittable")
 
@@ -26,6 +26,7 @@ def document(model: MeasuredLevels) -> dict[str, Any]:
         "center": [float(x) for x in model.center],
         "radius": float(model.radius),
         "sigma": [float(x) for x in model.sigma],
+        "pixel": model.pixel,
         "levels": [
             {"triangles": int(count), "error": float(error), "curve": curve}
             for count, error, curve in zip(model.triangles, model.errors, curves, strict=True)
@@ -71,7 +72,8 @@ def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
 
 def _fields(document: dict[str, Any]) -> dict[str, Any]:
     levels = document["levels"]
-    least, most = (check.positive("sigma", value) for value in document["sigma"])
+    least, most = (check.at_least_zero("sigma", value) for value in document["sigma"])
+    pixel = document["pixel"]
     samples = document["samples"]
     if not levels or levels[0]["curve"] is not None:
         raise ValueError("levels: expected the base first, which has no curve")
@@ -85,6 +87,7 @@ def _fields(document: dict[str, Any]) -> dict[str, Any]:
         "center": np.array(check.vector("center", document["center"])),
         "radius": check.positive("radius", document["radius"]),
         "sigma": (least, most),
+        "pixel": None if pixel is None else check.positive("pixel", pixel),
         "triangles": np.array(triangles),
         "errors": np.array([check.number("error", level["error"]) for level in levels]),
         "curves": _curves([level["curve"] for level in levels[1:]]),

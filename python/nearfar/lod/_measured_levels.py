@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -38,6 +40,8 @@ class MeasuredLevels:
             got = f"shape {triangles.shape}" if triangles.ndim != 1 else check.shown(triangles.tolist())
             raise ValueError(f"triangles: expected at least one for each level (K,), got {got}")
         errors = check.array("errors", self.errors, columns=None, dtype=np.float64, finite=True)
+        if not errors.size:
+            errors = np.zeros(len(triangles))
         if errors.shape != triangles.shape:
             raise ValueError(f"errors: expected shape {triangles.shape}, one for each level, got {errors.shape}")
         sigma = check.array("sigma", self.sigma, columns=None, dtype=np.float64)
@@ -46,6 +50,9 @@ class MeasuredLevels:
                 f"sigma: expected the least and the greatest solid angle, got {check.shown(sigma.tolist())}"
             )
         check.instance("curves", self.curves, Curve4PL)
+        curves = self.curves if self.curves.is_many else self.curves.as_many()
+        if len(curves) != len(triangles) - 1:
+            raise ValueError(f"curves: expected {len(triangles) - 1}, one for each level but level 0, got {len(curves)}")
         check.instance("measured", self.measured, dict)
         if self.levels is not None:
             check.instance("levels", self.levels, Levels, "Levels")
@@ -53,14 +60,24 @@ class MeasuredLevels:
             check.instance("samples", self.samples, Samples, "Samples")
         checked: dict[str, Any] = {
             "triangles": triangles,
+            "curves": curves,
             "errors": errors,
             "sigma": (float(sigma[0]), float(sigma[1])),
             "center": np.array(check.vector("center", self.center)),
             "radius": check.positive("radius", self.radius),
+            "pixel": None if self.pixel is None else check.positive("pixel", self.pixel),
             "name": check.text("name", self.name),
         }
         for name, value in checked.items():
             object.__setattr__(self, name, value)
+
+    @cached_property
+    def of_mean(self) -> MeasuredLevels:
+        """The model whose curves go through the mean over the views; itself where it has no scores of views."""
+        samples = self.samples
+        if samples is None or samples.views is None or not len(self.curves):
+            return self
+        return replace(self, curves=fitted(samples.sigma, samples.of("mean")))
 
     def of_levels(self, numbers: ArrayLike) -> MeasuredLevels:
         """Return the model with some of its levels, by their ascending numbers (N,), of which the first is 0."""

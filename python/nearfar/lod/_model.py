@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 class LodModel(MeasuredLevels):
     """Levels of an object with their curves, by which `select` decides.
 
-    `measure` makes it. Level 0 is the base, which looks like itself; level i > 0 has the curve `curves[i - 1]`.
+    `measure` makes it, or curves that are known: `LodModel(triangles=[9000, 800], curves=Curve4PL([1], [1], [1e-3],
+    [0.5]))`. Level 0 is the base, which looks like itself; level i > 0 has the curve `curves[i - 1]`.
 
     Parameters
     ----------
@@ -35,10 +36,13 @@ class LodModel(MeasuredLevels):
     center, radius
         The base's bounding sphere, metres in the object's frame.
     sigma
-        Least and greatest solid angle that was measured, steradians. Above the greatest only level 0 is used; below
-        the least, curves keep their value there.
+        Least and greatest solid angle that was measured, steradians; by default all. Above the greatest only level 0 is
+        used; below the least, curves keep their value there.
     errors
-        Greatest distance of each level (K,) from the base, metres.
+        Greatest distance of each level (K,) from the base, metres; by default 0.
+    pixel
+        Tangent of the pixels that curves were measured with, in the middle of the picture. `select` reads curves at
+        sizes in these pixels. None, the default, takes them for any pixels.
     name
         Of the object.
     levels

@@ -30,11 +30,16 @@ _TOO_FEW = 5
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Curve4PL:
-    """One curve y = d + (a−d) / (1 + (x/c)^b), or many: `fit_4pl` makes it.
+    """One curve y = d + (a−d) / (1 + (x/c)^b), or many: `fit_4pl` makes it, or their parameters alone.
 
     `a, b, c, d = curve` gives the parameters, and `curve(x)` the values. Of many, `len(curves)` is their number,
     `curves[k]` one, and slices, masks and arrays of numbers choose some. Parameters are numbers for one curve and (K,)
     float64 for many, and so are the other fields.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For parameters of different shapes, other things than real numbers, and c that is not above 0.
     """
 
     a: Any
@@ -45,12 +50,27 @@ class Curve4PL:
     """Where y is halfway from a to d, above 0."""
     d: Any
     """y at x = ∞."""
-    rms: Any
-    """Root of the mean squared residual, in the unit of y."""
-    status: Any
-    """"fitted", "step", "open", "flat" or "unfittable", as `fit_4pl` says."""
-    reason: Any
+    rms: Any = None
+    """Root of the mean squared residual, in the unit of y; NaN where nothing was fitted."""
+    status: Any = None
+    """"fitted", "step", "open", "flat" or "unfittable", as `fit_4pl` says. Of parameters alone: "unfittable" where one
+    of them is NaN, "flat" where a = d, else "fitted"."""
+    reason: Any = None
     """Why it is not "fitted", in words."""
+
+    def __post_init__(self) -> None:
+        if self.status is None:
+            for name, value in _given(self.a, self.b, self.c, self.d).items():
+                object.__setattr__(self, name, value)
+
+    @property
+    def is_many(self) -> bool:
+        """Whether these are many curves, of any number; False for one."""
+        return isinstance(self.a, np.ndarray)
+
+    def as_many(self) -> Curve4PL:
+        """One curve as many, of which there is one."""
+        return Curve4PL(*(np.atleast_1d(np.asarray(field)) for field in (*self, self.rms, self.status, self.reason)))
 
     @property
     def ok(self) -> Any:
@@ -64,7 +84,7 @@ class Curve4PL:
 
     def __len__(self) -> int:
         """How many curves these are."""
-        if not isinstance(self.a, np.ndarray):
+        if not self.is_many:
             raise TypeError("curve: this is a single one")
         return len(self.a)
 
@@ -80,7 +100,7 @@ class Curve4PL:
         return Curve4PL(*(field.item(chosen) if isinstance(chosen, int) else field[chosen] for field in fields))
 
     def __repr__(self) -> str:
-        if isinstance(self.a, np.ndarray):
+        if self.is_many:
             return f"Curve4PL({len(self.a)} curves, {int(self.ok.sum())} ok)"
         numbers = ", ".join(f"{name}={getattr(self, name):.6g}" for name in ("a", "b", "c", "d", "rms"))
         return f"Curve4PL({numbers}, status={self.status!r})"
@@ -103,7 +123,7 @@ class Curve4PL:
         if (places < 0).any():
             raise ValueError(f"x: expected numbers of at least 0, got {np.nanmin(places)}")
         a, b, c, d = self
-        if isinstance(a, np.ndarray):
+        if self.is_many:
             if places.ndim not in (1, 2) or (places.ndim == 2 and len(places) != len(a)):
                 raise ValueError(f"x: expected shape (M,) or ({len(a)}, M), got {places.shape}")
             a, b, c, d = (field[:, None] for field in self)
@@ -116,6 +136,25 @@ class Curve4PL:
             share = small / (1 + small)
             values = np.where(steps < 0, a + (d - a) * share, d + (a - d) * share)
         return values if values.ndim else float(values)
+
+
+def _given(*parameters: Any) -> dict[str, Any]:
+    """The fields of curves that are known by a, b, c and d alone."""
+    names = ("a", "b", "c", "d")
+    arrays = [check.array(name, value, columns=None, dtype=np.float64) for name, value in zip(names, parameters)]
+    shape = arrays[0].shape
+    if len(shape) > 1:
+        raise ValueError(f"a: expected a number or shape (K,), got {shape}")
+    for name, array in zip(names, arrays, strict=True):
+        if array.shape != shape:
+            raise ValueError(f"{name}: expected shape {shape}, as a has, got {array.shape}")
+    a, _, c, d = arrays
+    if (c <= 0).any():
+        raise ValueError(f"c: expected sizes above 0, got {np.nanmin(c)}")
+    status = np.where(np.isnan(arrays).any(axis=0), "unfittable", np.where(a == d, "flat", "fitted"))
+    reason = np.where(status == "unfittable", "a parameter is NaN", "")
+    fields = dict(zip((*names, "rms", "status", "reason"), (*arrays, np.full(shape, np.nan), status, reason)))
+    return fields if shape else {name: field.item() for name, field in fields.items()}
 
 
 def _chosen(index: Any, count: int) -> Any:

@@ -129,6 +129,7 @@ class _Measurement:
             center=self.levels.center,
             radius=self.levels.radius,
             sigma=(float(sigma[-1]), float(sigma[0])),
+            pixel=table.screen.pixel,
             errors=np.array([self.levels[number].error for number in kept]),
             name=self.levels.name,
             samples=samples,

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar._camera.rotation import rotation
+from nearfar._lens.lens import RadialLens
 from nearfar.lod._measured_levels import MeasuredLevels
 
 _CURVE_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDictionary()
@@ -22,8 +23,8 @@ MIN_SIGHT_LENGTH = 1e-6
 """Least length of the mean of the unit lines of sight of several eyes. Below it they look in opposite directions."""
 
 Four = tuple[float, float, float, float]
-Eye = tuple[tuple[float, float, float], Four, Four, tuple[float, float, float] | None, float]
-"""Position, orientation, tangents (left, right, down, up), gaze, and degrees of a pixel on the axis."""
+Eye = tuple[tuple[float, float, float], Four, Four, tuple[float, float, float] | None, float, float]
+"""Position, orientation, tangents (left, right, down, up), gaze, degrees of a pixel on the axis, and its tangent."""
 
 
 def whole_numbers(name: str, value: ArrayLike, dtype: type[np.integer], count: int) -> NDArray[Any]:
@@ -37,25 +38,21 @@ def whole_numbers(name: str, value: ArrayLike, dtype: type[np.integer], count: i
 def curves_of(
     models: Sequence[MeasuredLevels],
 ) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
-    """Curves of all models (C, 4), the first of each model (M + 1,), and the sizes that were measured (M, 2)."""
+    """Curves of all models (C, 4), the first of each model (M + 1,), and (M, 3) least and greatest size and pixel."""
     check.items("models", models, MeasuredLevels, "a sequence of LodModel")
     rows = [_curve_rows(model) for model in models]
     firsts = np.zeros(len(rows) + 1, np.int64)
     np.cumsum([len(part) for part in rows], out=firsts[1:])
-    ranges = np.array([model.sigma for model in models], np.float64).reshape(-1, 2)
-    return np.concatenate([np.empty((0, 4)), *rows]), firsts, ranges
+    pixels = (math.nan if model.pixel is None else model.pixel for model in models)
+    measured = [(*model.sigma, pixel) for model, pixel in zip(models, pixels, strict=True)]
+    return np.concatenate([np.empty((0, 4)), *rows]), firsts, np.array(measured, np.float64).reshape(-1, 3)
 
 
 def _curve_rows(model: MeasuredLevels) -> NDArray[np.float64]:
     """a, b, c and d of each level's curve but level 0's, (K − 1, 4); NaN where there is none."""
     rows = _CURVE_ROWS.get(model)
     if rows is None:
-        count = len(model) - 1
-        rows = np.empty((0, 4))
-        if count > 0:
-            rows = np.column_stack([np.atleast_1d(np.asarray(part, np.float64)) for part in model.curves])
-        if len(rows) != max(count, 0):
-            raise ValueError(f"models: expected {count} curves in {model.name!r}, got {len(rows)}")
+        rows = np.column_stack([np.asarray(part, np.float64) for part in model.curves])
         _CURVE_ROWS[model] = rows
     return rows
 
@@ -83,11 +80,23 @@ def gaze_of(cameras: tuple[Camera, ...], gaze: ArrayLike | None) -> tuple[float,
     return direction
 
 
-def eye_of(camera: Camera, gaze: tuple[float, float, float] | None) -> Eye:
-    """Numbers of a camera for the kernel. A pixel takes the most degrees on the axis."""
+def eye_of(camera: Camera, gaze: tuple[float, float, float] | None, panel: tuple[RadialLens, float] | None) -> Eye:
+    """Numbers of a camera for the kernel. A pixel takes the most degrees on the axis.
+
+    `panel` has the lens and its tan ω where the camera's pixels are those of the panel behind the lens: they cover the
+    tangents tan ω f⁻¹(t / tan ω) of the view's sides t.
+    """
     fov = _fov_of(camera)
     pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
-    return camera.position, camera.orientation, fov._sides, gaze, math.degrees(math.atan(pitch))
+    left, right, down, up = fov._sides if panel is None else _on_panel(fov, *panel)
+    pixel = math.sqrt((right - left) / camera.width * ((up - down) / camera.height))
+    return camera.position, camera.orientation, fov._sides, gaze, math.degrees(math.atan(pitch)), pixel
+
+
+def _on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> NDArray[np.float64]:
+    """The sides of the part of the panel that shows a view; a view that reaches beyond the fold ends there."""
+    radii = lens.undistort(np.array(fov._sides) / tan_omega, outside="nan")
+    return np.asarray(tan_omega * np.where(np.isnan(radii), np.copysign(lens.r_max, fov._sides), radii))
 
 
 def _fov_of(camera: Camera) -> Fov:

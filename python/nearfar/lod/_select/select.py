@@ -28,6 +28,8 @@ def select(
     d: float | None = None,
     threshold: LodThreshold | str | None = None,
     mode: str = "depth+eccentricity",
+    size: str = "axis",
+    limit: str = "seen",
     reference: float | None = None,
     cull: bool = True,
     previous: ArrayLike | None = None,
@@ -37,19 +39,24 @@ def select(
     acuity_slope: float = ACUITY_SLOPE,
     acuity_limit_deg: float = ACUITY_LIMIT_DEG,
     inverse: str = "lut",
+    budget: int | None = None,
+    weight: str | ArrayLike = "object",
+    floor: float | None = None,
+    price: float | None = None,
     full: bool = False,
 ) -> Selection:
     """Choose a level of detail for each object: the coarsest whose score reaches the threshold for its size.
 
-    An object of solid angle σ needs a score of f(σ), and level i has the score M_i(σ′): the level is the coarsest i
-    with f(σ) ≤ M_i(σ′), or 0. It is always 0 where the eye is in the sphere, where σ is above σ₁/₁₆, and where σ or σ′
-    is above the largest size at which the model was measured. Below the smallest such size, curves keep their value.
+    An object of solid angle σ needs a score of f(σ). It is seen at a size σ′, and level i has the score M_i(σ′): the
+    level is the coarsest i with f(σ) ≤ M_i(σ′), or 0. It is always 0 where the eye is in the sphere, where σ′ is above
+    σ₁/₁₆ (`limit`), and above the largest size at which the model was measured. Below the smallest such size, curves
+    keep their value. A model that knows its pixels is read at σ′ times (its pixel / the camera's)²: the same object in
+    smaller pixels shows more.
 
     Parameters
     ----------
     models
-        One for each kind of object, measured for the pixels of the screen: levels that were measured for a coarser
-        screen look worse than their curves predict.
+        One for each kind of object.
     model_index
         (N,) whole numbers: the model of each object.
     centers
@@ -69,7 +76,14 @@ def select(
     mode
         "off": level 0 for all and no work, so that nothing is culled. "depth": σ′ = σ. "depth+eccentricity": σ′ is
         the solid angle behind the lens (`corrected_solid_angle`), without a lens that of "depth". "fovea": that solid
-        angle times the squared `acuity` at its angle from the gaze.
+        angle times the squared `acuity` at its angle from the gaze. "panel": σ′ = σ D(α) counts pixels of the panel,
+        as a multiple of those that the same object takes on the axis: `panel_magnification` at the angle α of the
+        sphere's middle, at most that of the view's corner. The camera's pixels are then those of the panel.
+    size
+        Through a lens: "axis", the published product σ (α⁺ − α⁻)/2μ, in which the lens shrinks one axis, or "area",
+        that times sin α′/sin α of the middle, in which it shrinks both.
+    limit
+        "seen": level 0 where σ′ is above σ₁/₁₆. "own": where σ is, so that near objects lose nothing through the lens.
     reference
         σ₁/₁₆, steradians; by default `reference_solid_angle` of the eye that sees farthest to a side.
     cull
@@ -94,6 +108,23 @@ def select(
         The eye's least visible angle, as in `acuity`; pixels are the camera's. The sphere's nearest edge counts.
     inverse
         Of the lens: "lut", whose σ′ is within 10⁻⁸ of itself, or "newton", which is `corrected_solid_angle`.
+    budget
+        Triangles that all objects in view may have together. Then no threshold and no limit applies: levels have the
+        greatest sum of weight times score that the budget allows, to within one step between two levels. Of an object
+        the upper hull of (triangles, weight × score) counts: at a price λ it takes the finest level of the hull to which
+        each triangle adds at least λ, and λ is the least price at which all fit. Steps at this price are taken in the
+        order of the objects while they fit, then smaller ones. Scores are means over the views where a model has them,
+        and beyond the sizes that were measured those at the ends. Objects count once for all cameras, with the greatest
+        of their sizes.
+    weight
+        Of a budget: "object", all the same; "pixels", σ′ / (tangent of a pixel)²; or (N,) numbers of at least 0.
+    floor
+        Of a budget: objects get at least the score f(σ) − floor where it suffices for all; where it does not, none gets
+        more than that.
+    price
+        Of a budget: λ of the frame before, `Selection.spent.price`. It is kept, so that levels stay, where it spends no
+        more than the budget and at least 1 − hysteresis of it. With `previous`, an object loses its level only to a
+        score per triangle that is better by the share `hysteresis`.
     full
         Whether to fill the columns of the selection too: sizes, thresholds, scores and fades.
 
@@ -105,7 +136,8 @@ def select(
     Raises
     ------
     ValueError, TypeError
-        For other shapes, numbers that are not finite, radii below 0, and numbers of models and levels that are not.
+        For other shapes, numbers that are not finite, radii below 0, numbers of models and levels that are not, weights
+        below 0, and budgets below the coarsest levels of all objects in view, whose triangles the error names.
 
     References
     ----------
@@ -116,6 +148,8 @@ def select(
         d=d,
         threshold=threshold,
         mode=mode,
+        size=size,
+        limit=limit,
         lens=lens,
         lens_radius=lens_radius,
         reference=reference,
@@ -125,5 +159,10 @@ def select(
         acuity_slope=acuity_slope,
         acuity_limit_deg=acuity_limit_deg,
         inverse=inverse,
+        budget=budget,
+        weight=weight,
+        floor=floor,
     )
-    return selector.select(models, model_index, centers, radii, camera=camera, previous=previous, gaze=gaze, full=full)
+    return selector.select(
+        models, model_index, centers, radii, camera=camera, previous=previous, price=price, gaze=gaze, full=full
+    )

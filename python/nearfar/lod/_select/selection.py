@@ -11,6 +11,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import DTypeLike, NDArray
 
 from nearfar._base import check
+from nearfar.lod._select.budget import Spent
 
 Array = NDArray[np.float64]
 
@@ -35,13 +36,15 @@ class Selection(NDArrayOperatorsMixin):
     counts: Mapping[str, int]
     """Number of objects by the way in which they were decided. Each is one of these for each camera: "culled" (not in
     view), "one_level" (in view, nothing to choose), "settled" (another camera asked for level 0 already), "large"
-    (larger than curves are asked for) or "asked". Of those asked: "lens" (σ′ was computed), "table" (the level stood in
+    (so large that no curve reaches the threshold) or "asked". Of those asked: "lens" (σ′ was computed), "table" (the level stood in
     a table of the model), "formula" (curves were evaluated)."""
     columns: InitVar[Mapping[str, Array]]
+    spent: Spent | None = None
+    """What a budget was spent on; None without one."""
     sigma: Array = field(init=False)
     """σ, steradians; 4π around the eye. NaN where the object is not in view or has one level."""
     sigma_seen: Array = field(init=False)
-    """The size at which curves were read, steradians: σ, σ′ through the lens, or the part of it that the eye sees.
+    """σ′, the size that is seen, steradians: σ, that through the lens or on the panel, or the part that the eye sees.
     NaN where no curve was asked."""
     threshold: Array = field(init=False)
     """f(σ): the least score. NaN where no curve was asked."""
@@ -100,7 +103,7 @@ class Selection(NDArrayOperatorsMixin):
         if name in COLUMNS or hasattr(type(self), name):
             raise AttributeError(f"{name}: expected a selection made with full=True, which fills it")
         # Pickling and protocols ask for special methods before the fields are set, and would take the array's.
-        if name.startswith("_") or name in ("level", "counts"):
+        if name.startswith("_") or name in ("level", "counts", "spent"):
             raise AttributeError(f"Selection has no attribute {name!r}")
         return getattr(self.level, name)
 

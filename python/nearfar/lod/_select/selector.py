@@ -7,19 +7,22 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.lens import RadialLens
 from nearfar.lod._measured_levels import MeasuredLevels
+from nearfar.lod._select.budget import MOST_TRIANGLES, Spent, triangles_of, weight_of, weights_for
 from nearfar.lod._select.kernel_inputs import cameras_of, curves_of, eye_of, gaze_of, whole_numbers
 from nearfar.lod._select.selection import COLUMNS, Selection
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE, checked_lens, reference_solid_angle, widest
 from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
-MODES = ("off", "depth", "depth+eccentricity", "fovea")
+MODES = ("off", "depth", "depth+eccentricity", "fovea", "panel")
+SIZES = ("axis", "area")
+LIMITS = ("seen", "own")
 INVERSES = ("lut", "newton")
 
 _COUNTS = ("culled", "one_level", "settled", "large", "asked", "lens", "table", "formula")
@@ -40,6 +43,8 @@ class Selector:
 
     threshold: LodThreshold
     mode: str
+    size: str
+    limit: str
     lens: RadialLens | None
     lens_radius: float | None
     reference: float | None
@@ -49,6 +54,9 @@ class Selector:
     acuity_slope: float
     acuity_limit_deg: float
     inverse: str
+    budget: int | None
+    weight: str | NDArray[np.float64]
+    floor: float | None
 
     def __init__(
         self,
@@ -57,6 +65,8 @@ class Selector:
         d: float | None = None,
         threshold: LodThreshold | str | None = None,
         mode: str = "depth+eccentricity",
+        size: str = "axis",
+        limit: str = "seen",
         lens: RadialLens | None = None,
         lens_radius: float | None = None,
         reference: float | None = None,
@@ -66,12 +76,17 @@ class Selector:
         acuity_slope: float = ACUITY_SLOPE,
         acuity_limit_deg: float = ACUITY_LIMIT_DEG,
         inverse: str = "lut",
+        budget: int | None = None,
+        weight: str | ArrayLike = "object",
+        floor: float | None = None,
     ) -> None:
         if lens is not None:
             checked_lens(lens, Fov(-1, 1, -1, 1), lens_radius)
         checked: dict[str, Any] = {
             "threshold": threshold_of(threshold, k, d),
             "mode": check.choice("mode", mode, MODES),
+            "size": check.choice("size", size, SIZES),
+            "limit": check.choice("limit", limit, LIMITS),
             "lens": lens,
             "lens_radius": None if lens_radius is None else check.positive("lens_radius", lens_radius),
             "reference": None if reference is None else check.positive("reference", reference),
@@ -81,7 +96,12 @@ class Selector:
             "acuity_slope": check.at_least_zero("acuity_slope", acuity_slope),
             "acuity_limit_deg": check.positive("acuity_limit_deg", acuity_limit_deg),
             "inverse": check.choice("inverse", inverse, INVERSES),
+            "budget": None if budget is None else check.integer("budget", budget, 0, MOST_TRIANGLES),
+            "weight": weight_of(weight),
+            "floor": None if floor is None else check.at_least_zero("floor", floor),
         }
+        if mode == "off" and budget is not None:
+            raise ValueError("budget: expected None for the mode 'off', which draws all at level 0")
         for name, value in checked.items():
             object.__setattr__(self, name, value)
 
@@ -104,10 +124,13 @@ class Selector:
         *,
         camera: Camera | Sequence[Camera],
         previous: ArrayLike | None = None,
+        price: float | None = None,
         gaze: ArrayLike | None = None,
         full: bool = False,
     ) -> Selection:
         """Choose a level for each object; arguments, results and errors are those of `nearfar.lod.select`."""
+        if self.budget is not None:
+            models = [model.of_mean for model in check.items("models", models, MeasuredLevels, "a sequence of LodModel")]
         curves = curves_of(models)
         places, sizes = check.spheres(centers, radii)
         index = whole_numbers("model_index", model_index, np.int64, len(places))
@@ -115,31 +138,44 @@ class Selector:
         cameras = cameras_of(camera)
         wide = widest(cameras)
         reference = reference_solid_angle(wide) if self.reference is None else self.reference
-        is_lens_used = self.mode in ("depth+eccentricity", "fovea") and self.lens is not None and any(self.lens.k)
         tan_omega = 1.0 if self.lens is None else checked_lens(self.lens, wide, self.lens_radius)
-        is_fovea = self.mode == "fovea"
+        lens = self.lens if self.lens is not None and self.mode != "depth" and any(self.lens.k) else None
+        is_fovea, is_panel = self.mode == "fovea", self.mode == "panel"
+        panel = (lens, tan_omega) if is_panel and lens is not None else None
         direction = gaze_of(cameras, gaze) if is_fovea or gaze is not None else None
-        level, columns, counts = _core.select_levels(
-            curves,
-            index,
-            places,
-            sizes,
-            previous=before,
-            eyes=[eye_of(one, direction) for one in cameras],
-            line=self.threshold.line(reference),
-            reference=reference,
-            off=self.mode == "off",
-            cull=self.cull,
-            lens=self.lens._core if self.lens is not None and is_lens_used else None,
-            tan_omega=tan_omega,
-            exact=self.inverse == "newton",
-            acuity=(self.acuity_slope, self.acuity_limit_deg) if is_fovea else None,
-            hysteresis=self.hysteresis,
-            fade=self.fade,
-            full=check.flag("full", full),
-        )
+        objects = (curves, index, places, sizes)
+        seen: dict[str, Any] = {
+            "previous": before,
+            "eyes": [eye_of(one, direction, panel) for one in cameras],
+            "line": self.threshold.line(reference),
+            "cull": self.cull,
+            "apparent": "panel" if is_panel else self.size,
+            "lens": None if lens is None else lens._core,
+            "tan_omega": tan_omega,
+            "exact": self.inverse == "newton",
+            "acuity": (self.acuity_slope, self.acuity_limit_deg) if is_fovea else None,
+            "hysteresis": self.hysteresis,
+            "full": check.flag("full", full),
+        }
+        spent = None
+        if self.budget is None:
+            limits = {"reference": reference, "limits_seen": self.limit == "seen"}
+            rules = limits | {"off": self.mode == "off", "fade": self.fade}
+            level, columns, counts = _core.select_levels(*objects, **seen, **rules)
+        else:
+            own = {"budget": self.budget, "floor": self.floor, "price": _price(price)}
+            weights = weights_for(self.weight, len(places))
+            level, columns, counts, (paid, triangles, score) = _core.spend_triangles(
+                curves, triangles_of(models), *objects[1:], **seen, **own, **weights
+            )
+            spent = Spent(paid, triangles, score)
         return Selection(
             level=level,
             counts=dict(zip(_COUNTS, counts, strict=True)),
             columns=dict(zip(COLUMNS, columns, strict=True)) if full else {},
+            spent=spent,
         )
+
+
+def _price(price: float | None) -> float | None:
+    return None if price is None else check.at_least_zero("price", price)

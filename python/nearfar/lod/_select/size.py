@@ -140,6 +140,50 @@ def distortion(
     return np.asarray(np.where(np.isfinite(share), share, 1.0))
 
 
+def panel_magnification(
+    eccentricity_deg: ArrayLike, *, lens: RadialLens | None, view: Hmd | Camera | Fov, lens_radius: float | None = None
+) -> NDArray[np.float64]:
+    """Pixels of the panel that a small thing takes, as a multiple of those on the axis.
+
+    Parameters
+    ----------
+    eccentricity_deg
+        Degrees from the axis, of any shape; at least 0.
+    lens
+        One without tangential terms; None for a screen that is seen without a lens.
+    view
+        A headset, a camera or a `Fov`, as in `reference_solid_angle`.
+    lens_radius
+        The tangent at which r = 1; by default the view's.
+
+    Returns
+    -------
+    NDArray
+        float64 in the shape of the eccentricities: D(α) = (r′/r) (1/f′(r′)) / cos³ α with r = tan α / tan ω and
+        r′ = f⁻¹(r), without a lens 1 / cos³ α: perspective stretches, and the lens shrinks. ∞ from 90° and from the
+        lens's fold on.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For other numbers and lenses.
+    """
+    away = check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
+    if not (away >= 0).all():
+        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
+    tangent = np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.inf)
+    spread = (1 + tangent**2) ** 1.5
+    if lens is None:
+        half_tangent(view)  # raises for anything but a view
+        return np.asarray(spread)
+    scale = checked_lens(lens, view, lens_radius)
+    r = lens.undistort(tangent / scale, outside="nan")
+    shrinks = np.polynomial.polynomial.polyval(np.nan_to_num(r) ** 2, (1.0, *lens.k))
+    slope = lens.derivative(np.nan_to_num(r), outside="nan")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(np.where(np.isfinite(r), spread / (shrinks * slope), np.inf))
+
+
 def half_tangent(view: Hmd | Camera | Fov) -> float:
     """Tangent of half the horizontal field of view; the larger side of an asymmetric one."""
     if isinstance(view, Hmd):

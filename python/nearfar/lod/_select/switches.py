@@ -110,6 +110,7 @@ def switches(
     Returns
     -------
     Switches
+        A model that knows its pixels is read in those of the headset or the camera, as `select` does; a `Fov` has none.
         For a sphere of half angle μ, sin μ = r/z: σ = 2π(1 − cos μ), distance 1/sin μ, coverage
         π sin²μ / ((right − left)(up − down)) in tangents, height 2 sin μ/(up − down). So σ(1 − σ/4π) is the area
         at distance 1 of the disc that engines take a sphere for.
@@ -122,8 +123,9 @@ def switches(
     check.instance("model", model, MeasuredLevels, "a LodModel")
     fov = _fov(view)
     reference = reference_solid_angle(view)
-    sizes = _good_sizes(model, reference, threshold_of(threshold, k, d).line(reference))
-    is_limit = (sizes >= model.sigma[1] * (1 - _ROUNDING)) & (np.arange(len(model)) > 0)
+    area = _pixel_area(model, view)
+    sizes = _good_sizes(model, reference, threshold_of(threshold, k, d).line(reference), area)
+    is_limit = (sizes * area >= model.sigma[1] * (1 - _ROUNDING)) & (np.arange(len(model)) > 0)
     sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
     width, height = fov.right - fov.left, fov.up - fov.down
     with np.errstate(divide="ignore"):
@@ -135,21 +137,30 @@ def switches(
     return Switches(sizes, distance, coverage, tall, is_limit)
 
 
-def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, float]) -> NDArray[np.float64]:
+def _pixel_area(model: MeasuredLevels, view: Hmd | Camera | Fov) -> float:
+    """Area of the model's pixels as a multiple of the view's; 1 where one of them is not known."""
+    if model.pixel is None or isinstance(view, Fov):
+        return 1.0
+    fov, size = (view.left.fov, view.render_size) if isinstance(view, Hmd) else (_fov(view), view.size)
+    return model.pixel**2 / ((fov.right - fov.left) / size[0] * ((fov.up - fov.down) / size[1]))
+
+
+def _good_sizes(
+    model: MeasuredLevels, reference: float, line: tuple[float, float], area: float
+) -> NDArray[np.float64]:
     """Solid angle up to which each level is good enough, steradians; 4π for level 0."""
     sizes = np.full(len(model), 4 * math.pi)
     if len(model) == 1:
         return sizes
-    least, most = model.sigma
-    most = min(most, reference)
+    least, most = model.sigma[0], min(model.sigma[1] / area, reference)
     start, slope = line
 
     def is_good(sigma: NDArray[np.float64]) -> NDArray[np.bool_]:
         """(K − 1, M) for M sizes that all share, or for (K − 1, M)."""
-        return np.asarray(model.curves(np.maximum(sigma, least)) >= slope * sigma + start)
+        return np.asarray(model.curves(np.maximum(sigma * area, least)) >= slope * sigma + start)
 
     even, geometric = np.linspace(0, most, _SAMPLED_SIZES), np.geomspace(most * 1e-6, most, _SAMPLED_SIZES)
-    samples = np.unique(np.concatenate([even, geometric, [min(least, most)]]))
+    samples = np.unique(np.concatenate([even, geometric, [min(least / area, most)]]))
     good = is_good(samples)
     ends = np.where(good.all(axis=1), len(samples), np.argmin(good, axis=1))
     low = samples[np.maximum(ends - 1, 0)]

@@ -3,11 +3,13 @@
 //!
 //! Liebisch: Level of Detail Selection for Foveated Rendering in Virtual Reality, TU Graz 2021; y = d + (a−d)/(1+(x/c)^b).
 
+mod budget;
 mod exponential;
 mod fit;
 mod select;
 mod simplify;
 
+pub use budget::{Budget, BudgetRules, RatedModel, Spent, Weights, spend};
 pub use fit::{LogisticCurve, Status, Unfit, fit_4pl};
 pub use select::{
     Acuity, Apparent, COLUMNS, Eye, EyeLens, Frustum, Model, Objects, Parameters, Rules, SelectionCounts, SizeLimit,

@@ -13,9 +13,9 @@ use crate::lens::RadialLens;
 
 /// Curves of all models (N, 4); index of the first curve of each model and the number of all curves (M + 1,); least and
 /// greatest sizes, and the tangent of a pixel, NaN for none (M, 3).
-type Models<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>, PyReadonlyArray2<'py, f64>);
+pub(super) type Models<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>, PyReadonlyArray2<'py, f64>);
 
-fn models<'a>((curves, firsts, measured): &'a Models<'_>) -> PyResult<Vec<Model<'a>>> {
+pub(super) fn models<'a>((curves, firsts, measured): &'a Models<'_>) -> PyResult<Vec<Model<'a>>> {
     let curves = curves.as_slice()?.as_chunks::<4>().0;
     let pairs = firsts.as_slice()?.windows(2).zip(measured.as_slice()?.as_chunks::<3>().0);
     let model = |(ends, &[least, greatest, pixel]): (&[i64], &[f64; 3])| Model {
@@ -27,9 +27,9 @@ fn models<'a>((curves, firsts, measured): &'a Models<'_>) -> PyResult<Vec<Model<
 }
 
 /// Position, orientation, tangents of the view, gaze, degrees of a pixel, and its tangent in the picture's middle.
-type EyeParts = ([f64; 3], [f64; 4], [f64; 4], Option<[f64; 3]>, f64, f64);
+pub(super) type EyeParts = ([f64; 3], [f64; 4], [f64; 4], Option<[f64; 3]>, f64, f64);
 
-fn eye(
+pub(super) fn eye(
     (position, orientation, [left, right, down, up], gaze, degrees, pixel): EyeParts,
     acuity: Option<(f64, f64)>,
 ) -> Eye {
@@ -41,7 +41,7 @@ fn eye(
 }
 
 /// How sizes appear, by its name.
-fn apparent<'a>(kind: &str, lens: Option<EyeLens<'a>>) -> Apparent<'a> {
+pub(super) fn apparent<'a>(kind: &str, lens: Option<EyeLens<'a>>) -> Apparent<'a> {
     match (kind, lens) {
         ("panel", lens) => Apparent::Panel(lens),
         ("axis", Some(lens)) => Apparent::Axis(lens),
@@ -55,13 +55,37 @@ fn direction(vector: DVec3) -> DVec3 {
     (vector / vector.abs().max_element()).normalize()
 }
 
-fn listed(counts: &SelectionCounts) -> Vec<u64> {
+pub(super) fn listed(counts: &SelectionCounts) -> Vec<u64> {
     let SelectionCounts { culled, one_level, settled, large, asked, lens, table, formula } = *counts;
     vec![culled, one_level, settled, large, asked, lens, table, formula]
 }
 
+/// Arrays of levels and, if requested, of the additional columns, filled by a function.
+pub(super) fn filled<'py, T>(
+    py: Python<'py>,
+    count: usize,
+    full: bool,
+    fill: impl FnOnce(&mut [i32], Option<[&mut [f64]; lod::COLUMNS]>) -> PyResult<T>,
+) -> PyResult<(Levels<'py>, Vec<Column<'py>>, T)> {
+    let level = PyArray1::<i32>::zeros(py, count, false);
+    let columns: Vec<_> =
+        (0..if full { lod::COLUMNS } else { 0 }).map(|_| PyArray1::<f64>::zeros(py, count, false)).collect();
+    let mut write = level.readwrite();
+    let mut writes: Vec<_> = columns.iter().map(|column| column.readwrite()).collect();
+    let mut slices = Vec::new();
+    for column in &mut writes {
+        slices.push(column.as_slice_mut()?);
+    }
+    let result = fill(write.as_slice_mut()?, slices.try_into().ok())?;
+    drop(writes);
+    Ok((level, columns, result))
+}
+
+pub(super) type Levels<'py> = Bound<'py, PyArray1<i32>>;
+pub(super) type Column<'py> = Bound<'py, PyArray1<f64>>;
+
 /// Levels of objects, the additional columns if requested, and counts of the work.
-type Selected<'py> = (Bound<'py, PyArray1<i32>>, Vec<Bound<'py, PyArray1<f64>>>, Vec<u64>);
+type Selected<'py> = (Levels<'py>, Vec<Column<'py>>, Vec<u64>);
 
 /// The level of each object: the finest level that any eye needs.
 #[pyfunction]
@@ -103,19 +127,8 @@ pub(crate) fn select_levels<'py>(
     let limit = if limits_seen { SizeLimit::Seen } else { SizeLimit::Own };
     let rules = Rules { line: ThresholdLine { level: line.0, rise: line.1 }, reference, limit, cull, hysteresis, fade };
 
-    let count = radii.len();
-    let level = PyArray1::<i32>::zeros(py, count, false);
-    let columns: Vec<_> =
-        (0..if full { lod::COLUMNS } else { 0 }).map(|_| PyArray1::<f64>::zeros(py, count, false)).collect();
-    let mut write = level.readwrite();
-    let mut writes: Vec<_> = columns.iter().map(|column| column.readwrite()).collect();
-    let mut slices = Vec::new();
-    for column in &mut writes {
-        slices.push(column.as_slice_mut()?);
-    }
-    let (to, beside) = (write.as_slice_mut()?, slices.try_into().ok());
-    let counts =
-        run::long(py, None, |progress| lod::select(&models, &objects, &eyes, apparent, &rules, to, beside, progress))?;
-    drop(writes);
+    let (level, columns, counts) = filled(py, radii.len(), full, |to, beside| {
+        run::long(py, None, |progress| lod::select(&models, &objects, &eyes, apparent, &rules, to, beside, progress))
+    })?;
     Ok((level, columns, listed(&counts)))
 }

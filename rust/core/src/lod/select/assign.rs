@@ -53,15 +53,9 @@ fn tiles<'a>(
     let mut tiles = Vec::with_capacity(to.len().div_ceil(TILE));
     for (number, level) in to.chunks_mut(TILE).enumerate() {
         let first = number * TILE;
-        let range = first..first + level.len();
         tiles.push(ObjectTile {
             first,
-            objects: Objects {
-                model: &objects.model[range.clone()],
-                centers: &objects.centers[range.clone()],
-                radii: &objects.radii[range.clone()],
-                previous: objects.previous.map(|previous| &previous[range.clone()]),
-            },
+            objects: objects.part(first..first + level.len()),
             level,
             columns: columns.as_mut().map(|columns| columns.each_mut().map(|column| column.next().unwrap_or_default())),
         });

@@ -48,7 +48,7 @@ pub(super) fn score(&[a, b, c, d]: &Parameters, x: f64) -> f64 {
 }
 
 impl Model<'_> {
-    pub(super) fn check(&self, number: usize) -> Result<()> {
+    pub(crate) fn check(&self, number: usize) -> Result<()> {
         let [least, greatest] = self.range;
         if self.curves.is_empty() || (0.0 <= least && least <= greatest) {
             return Ok(());
@@ -71,7 +71,7 @@ impl Model<'_> {
     }
 
     /// The greatest size at which curves are read; no sphere is larger than all directions.
-    pub(super) fn greatest(&self) -> f64 {
+    pub(crate) fn greatest(&self) -> f64 {
         self.range[1].min(4.0 * std::f64::consts::PI)
     }
 
@@ -81,7 +81,7 @@ impl Model<'_> {
     }
 
     /// Score of a level at a size up to the greatest measured one.
-    pub(super) fn score(&self, level: usize, read: f64) -> f64 {
+    pub(crate) fn score(&self, level: usize, read: f64) -> f64 {
         match level.checked_sub(1) {
             None => 1.0,
             Some(n) => score(&self.curves[n], read.max(self.range[0])),

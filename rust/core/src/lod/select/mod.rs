@@ -13,6 +13,9 @@ mod view;
 
 pub use assign::select;
 pub use curves::{Model, Parameters};
+pub(super) use objects::TILE;
 pub use objects::{COLUMNS, Objects, SelectionCounts};
 pub use rules::{Acuity, Apparent, EyeLens, Rules, SizeLimit, ThresholdLine};
+pub(super) use sizes::{EyeSizes, OpenSizes};
 pub use view::{Eye, Frustum};
+pub(super) use view::{HIDDEN, Sight};

@@ -1,9 +1,12 @@
 //! Objects whose levels are chosen, and the number of objects that each stage decided.
 
-use std::ops::AddAssign;
+use std::ops::{AddAssign, Range};
+
+use super::curves::Model;
+use crate::base::{Error, Result};
 
 /// Number of objects in one task; their data stays in a fast cache.
-pub(super) const TILE: usize = 1 << 9;
+pub(crate) const TILE: usize = 1 << 9;
 
 /// Arrays of objects, with one entry per object.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +19,35 @@ pub struct Objects<'a> {
     pub radii: &'a [f64],
     /// Levels in the previous frame; −1 for none.
     pub previous: Option<&'a [i32]>,
+}
+
+impl<'a> Objects<'a> {
+    /// Refuses invalid model numbers and levels; `first` is the index of the first object.
+    #[inline(never)]
+    pub(crate) fn check(&self, models: &[Model<'_>], first: usize) -> Result<()> {
+        let count = models.len() as i64;
+        if let Some(n) = self.model.iter().position(|&model| model < 0 || model >= count) {
+            return Err(refused("model_index", 0, models.len(), self.model[n], first + n));
+        }
+        let Some(previous) = self.previous else { return Ok(()) };
+        for (n, (&level, &model)) in previous.iter().zip(self.model).enumerate() {
+            let most = models[model as usize].curves.len();
+            if i64::from(level) < -1 || i64::from(level) > most as i64 {
+                return Err(refused("previous", -1, most + 1, level.into(), first + n));
+            }
+        }
+        Ok(())
+    }
+
+    /// Some of the objects.
+    pub(crate) fn part(&self, range: Range<usize>) -> Objects<'a> {
+        Objects {
+            model: &self.model[range.clone()],
+            centers: &self.centers[range.clone()],
+            radii: &self.radii[range.clone()],
+            previous: self.previous.map(|previous| &previous[range]),
+        }
+    }
 }
 
 /// Number of columns beside the level: σ, the σ′ that the eye sees, f, the score, and the fading level.
@@ -53,4 +85,13 @@ impl AddAssign for SelectionCounts {
         self.table += other.table;
         self.formula += other.formula;
     }
+}
+
+/// The error for an invalid number of a model or level.
+fn refused(argument: &'static str, least: i64, most: usize, got: i64, index: usize) -> Error {
+    if most == 0 {
+        return Error::value(argument, "no objects where there are no models", format!("{got} at index {index}"));
+    }
+    let expected = format!("whole numbers from {least} to {}", most - 1);
+    Error::value(argument, expected, format!("{got} at index {index}"))
 }

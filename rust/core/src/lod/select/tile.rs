@@ -6,7 +6,7 @@ use super::rules::{Rules, SizeLimit};
 use super::sizes::{EyeSizes, OpenSizes};
 use super::table::{Tables, UNSURE};
 use super::view::{HIDDEN, Sight};
-use crate::base::{Error, Result};
+use crate::base::Result;
 
 /// Level of an object that no eye has seen yet.
 const UNSEEN: i32 = -1;
@@ -66,7 +66,8 @@ impl Default for OpenObjects {
 impl Selection<'_> {
     pub(super) fn tile(&self, room: &mut TileScratch, mut tile: ObjectTile<'_>) -> Result<SelectionCounts> {
         let TileScratch { sight, open } = room;
-        self.check(&tile, open)?;
+        tile.objects.check(self.models, tile.first)?;
+        self.limit(&tile.objects, open);
         let mut counts = SelectionCounts::default();
         tile.level.fill(if self.sight.eyes.is_empty() { 0 } else { UNSEEN });
         if let Some(columns) = &mut tile.columns {
@@ -88,25 +89,12 @@ impl Selection<'_> {
         Ok(counts)
     }
 
-    /// Refuses invalid model numbers and levels, and looks up the models' limits.
+    /// Looks up the models' limits.
     #[inline(never)]
-    fn check(&self, tile: &ObjectTile<'_>, open: &mut OpenObjects) -> Result<()> {
-        let limits = &self.limits[..];
-        for ((n, &model), to) in tile.objects.model.iter().enumerate().zip(&mut open.limit) {
-            // A negative number becomes a large one and is refused as well.
-            let Some(&limit) = limits.get(model as usize) else {
-                return Err(refused("model_index", 0, limits.len(), model, tile.first + n));
-            };
-            *to = limit;
+    fn limit(&self, objects: &Objects<'_>, open: &mut OpenObjects) {
+        for (&model, to) in objects.model.iter().zip(&mut open.limit) {
+            *to = self.limits[model as usize];
         }
-        let Some(previous) = tile.objects.previous else { return Ok(()) };
-        for (n, (&level, &model)) in previous.iter().zip(tile.objects.model).enumerate() {
-            let most = self.models[model as usize].curves.len();
-            if i64::from(level) < -1 || i64::from(level) > most as i64 {
-                return Err(refused("previous", -1, most + 1, level.into(), tile.first + n));
-            }
-        }
-        Ok(())
     }
 
     fn levels(&self, open: &mut OpenObjects, asked: usize, tile: &mut ObjectTile<'_>, counts: &mut SelectionCounts) {
@@ -205,13 +193,4 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts
     }
     counts.asked += asked as u64;
     asked
-}
-
-/// The error for an invalid number of a model or level.
-fn refused(argument: &'static str, least: i64, most: usize, got: i64, index: usize) -> Error {
-    if most == 0 {
-        return Error::value(argument, "no objects where there are no models", format!("{got} at index {index}"));
-    }
-    let expected = format!("whole numbers from {least} to {}", most - 1);
-    Error::value(argument, expected, format!("{got} at index {index}"))
 }

@@ -19,7 +19,7 @@ const PLAIN_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
 /// culled.
 const SLACK: f64 = 1e-14;
 /// σ of spheres outside the view.
-pub(super) const HIDDEN: f64 = -1.0;
+pub(crate) const HIDDEN: f64 = -1.0;
 
 /// An eye's pose and view.
 #[derive(Clone, Copy, Debug)]
@@ -58,7 +58,7 @@ impl Frustum {
 
     /// Writes the visibility, size and angles of a tile of spheres; `first` is the index of its first sphere. Spheres
     /// outside the view get HIDDEN if `cull`; spheres around the eye get 4π.
-    pub(super) fn see(
+    pub(crate) fn see(
         &self,
         centers: &[[f64; 3]],
         radii: &[f64],

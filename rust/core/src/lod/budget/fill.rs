@@ -1,0 +1,52 @@
+//! Steps that are taken one by one while they fit.
+
+use std::collections::{HashMap, HashSet};
+
+/// One edge of an object's hull.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
+    /// Weighted score for each triangle.
+    pub slope: f64,
+    pub object: u32,
+    /// Place on the ladder to which it leads.
+    pub to: u16,
+    pub triangles: u64,
+    /// Weighted score.
+    pub gain: f64,
+}
+
+/// What was taken.
+pub(super) struct Filled {
+    /// Slope of the first step that did not fit; 0 if all did.
+    pub slope: f64,
+    pub triangles: u64,
+    pub gain: f64,
+    /// Objects and the places on their ladders.
+    pub levels: Vec<(u32, u16)>,
+}
+
+/// Takes steps in their order. After one that does not fit come those that do; an object whose step did not fit takes
+/// no further one.
+pub(super) fn fill(steps: &[Step], left: u64) -> Filled {
+    let mut filled = Filled { slope: 0.0, triangles: 0, gain: 0.0, levels: Vec::new() };
+    let mut places = HashMap::new();
+    let mut is_over = HashSet::new();
+    for step in steps {
+        if is_over.contains(&step.object) {
+            continue;
+        }
+        if filled.triangles + step.triangles > left {
+            if is_over.is_empty() {
+                filled.slope = step.slope;
+            }
+            is_over.insert(step.object);
+            continue;
+        }
+        filled.triangles += step.triangles;
+        filled.gain += step.gain;
+        places.insert(step.object, step.to);
+    }
+    filled.levels = places.into_iter().collect();
+    filled.levels.sort_unstable();
+    filled
+}

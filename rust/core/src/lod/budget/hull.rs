@@ -1,0 +1,109 @@
+//! Scores of a model's levels for a block of objects, and the slopes of their upper hulls.
+
+use super::super::exponential::exp;
+use super::rated::Ladder;
+use crate::base::simd::vectorized;
+
+/// Number of objects in a block.
+pub(super) const LANES: usize = 16;
+
+/// A number for each object of a block.
+pub(super) type Lanes = [f64; LANES];
+
+/// Levels among which a block's objects may choose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Choice {
+    /// All.
+    All,
+    /// Those that are at least as fine as each object's floor.
+    FromFloor,
+    /// Those that are at most as fine as each object's floor.
+    ToFloor,
+}
+
+vectorized! {
+    fn scores_of(ladder: &Ladder, logarithms: &Lanes, to: &mut [Lanes]) = rate;
+    fn slopes_of(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) = slope;
+}
+
+/// Writes the scores of all levels at sizes given by their logarithms. Level 0 has 1.
+pub(super) fn scores(ladder: &Ladder, logarithms: &Lanes, to: &mut Vec<Lanes>) {
+    to.resize(ladder.triangles.len(), [1.0; LANES]);
+    scores_of(ladder, logarithms, to);
+}
+
+/// Writes the slope of each step: the score that the hull gains with a triangle between levels n + 1 and n. Slopes fall
+/// towards finer levels. Steps of one edge of the hull have the same bits. Steps that no choice has are 0, those that
+/// every choice has +∞.
+pub(super) fn slopes(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut Vec<Lanes>) {
+    to.resize(ladder.steps(), [0.0; LANES]);
+    slopes_of(ladder, scores, floors, choice, to);
+}
+
+#[inline(always)]
+fn rate(ladder: &Ladder, logarithms: &Lanes, to: &mut [Lanes]) {
+    to[0] = [1.0; LANES];
+    for (&[a, b, middle, d], to) in ladder.curves.iter().zip(&mut to[1..]) {
+        for n in 0..LANES {
+            let steps = b * (logarithms[n] - middle);
+            // From the nearer plateau, so that no digits cancel.
+            let small = exp(-steps.abs());
+            let share = small / (1.0 + small);
+            let (near, far) = if steps < 0.0 { (a, d) } else { (d, a) };
+            to[n] = near + (far - near) * share;
+        }
+    }
+}
+
+/// The slope of the least concave function above the levels between levels i + 1 and i is
+/// max over j ≤ i of min over k > i of (M_j − M_k)/(T_j − T_k), with scores M and triangles T.
+#[inline(always)]
+fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) {
+    let count = ladder.triangles.len();
+    for to in &mut *to {
+        *to = [f64::NEG_INFINITY; LANES];
+    }
+    for finer in 0..count - 1 {
+        let mut least = [f64::INFINITY; LANES];
+        for step in (finer..count - 1).rev() {
+            let coarser = step + 1;
+            let inverse = ladder.inverse(coarser, finer);
+            for n in 0..LANES {
+                let gain = scores[finer][n] - scores[coarser][n];
+                // A level that costs nothing and gains nothing is none.
+                let is_none = (inverse == f64::INFINITY) & (gain <= 0.0);
+                let slope = if is_none { f64::NEG_INFINITY } else { gain * inverse };
+                let slope = match choice {
+                    Choice::All => slope,
+                    Choice::FromFloor => {
+                        if coarser as f64 > floors[n] {
+                            f64::INFINITY
+                        } else {
+                            slope
+                        }
+                    }
+                    Choice::ToFloor => {
+                        if (finer as f64) < floors[n] {
+                            f64::NEG_INFINITY
+                        } else {
+                            slope
+                        }
+                    }
+                };
+                least[n] = if slope < least[n] { slope } else { least[n] };
+                to[step][n] = if least[n] > to[step][n] { least[n] } else { to[step][n] };
+            }
+        }
+    }
+    // Rounding must not let a finer step come before a coarser one.
+    let mut most = [f64::INFINITY; LANES];
+    for (step, to) in to.iter_mut().enumerate().rev() {
+        for n in 0..LANES {
+            let is_had = choice == Choice::FromFloor && step as f64 >= floors[n];
+            let slope = if to[n] > 0.0 { to[n] } else { 0.0 };
+            let slope = if slope < most[n] { slope } else { most[n] };
+            to[n] = if is_had { f64::INFINITY } else { slope };
+            most[n] = to[n];
+        }
+    }
+}

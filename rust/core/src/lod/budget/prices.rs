@@ -1,0 +1,64 @@
+//! Steps by their slope: how much they add in each class of slopes.
+
+/// Number of classes. Classes are geometric: a few bits of the mantissa, and the exponent.
+pub(super) const CLASSES: usize = 1 << 12;
+/// Class of steps that nothing gains, and of those that are taken at any price.
+pub(super) const NEVER: u16 = 0;
+pub(super) const ALWAYS: u16 = CLASSES as u16 - 1;
+/// Bits of the mantissa in a class: 2 % of a slope.
+const DIGITS: u32 = 5;
+const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - DIGITS;
+/// Slopes from here to 2¹²⁸ times as much have classes of their own; those beyond share the last ones.
+const LEAST: f64 = 1.0 / (1u128 << 112) as f64;
+
+/// The class of a slope; it never falls while slopes rise.
+pub(super) fn class(slope: f64) -> u16 {
+    let number = (slope.to_bits() >> SHIFT) as i64 - (LEAST.to_bits() >> SHIFT) as i64;
+    let own = number.clamp(1, i64::from(ALWAYS) - 1) as u16;
+    if slope == f64::INFINITY {
+        ALWAYS
+    } else if slope > 0.0 {
+        own
+    } else {
+        NEVER
+    }
+}
+
+/// Sums over steps by class, and over objects at their coarsest level.
+pub(super) struct Ledger {
+    /// Triangles, steps and weighted score that each class adds.
+    pub triangles: Vec<u64>,
+    pub steps: Vec<u32>,
+    pub gain: Vec<f64>,
+    /// Triangles, weighted score and weight of all objects before any step.
+    pub first_triangles: u64,
+    pub first_score: f64,
+    pub weight: f64,
+}
+
+impl Default for Ledger {
+    fn default() -> Self {
+        Self {
+            triangles: vec![0; CLASSES],
+            steps: vec![0; CLASSES],
+            gain: vec![0.0; CLASSES],
+            first_triangles: 0,
+            first_score: 0.0,
+            weight: 0.0,
+        }
+    }
+}
+
+impl Ledger {
+    /// Adds another one; in a fixed order, so that rounding does not depend on threads.
+    pub fn add(&mut self, other: &Ledger) {
+        for n in 0..CLASSES {
+            self.triangles[n] += other.triangles[n];
+            self.steps[n] += other.steps[n];
+            self.gain[n] += other.gain[n];
+        }
+        self.first_triangles += other.first_triangles;
+        self.first_score += other.first_score;
+        self.weight += other.weight;
+    }
+}

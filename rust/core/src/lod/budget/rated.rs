@@ -1,0 +1,73 @@
+//! Models as the budget sees them: levels that have a curve, with the inverse differences of their triangles.
+
+use super::super::select::Model;
+use crate::base::{Error, Result};
+
+/// The curves of a model and the triangles of all its levels, level 0 first.
+#[derive(Clone, Copy, Debug)]
+pub struct RatedModel<'a> {
+    /// Curves, sizes and pixels.
+    pub model: Model<'a>,
+    /// Triangles of each level, one more than curves; never rising.
+    pub triangles: &'a [i64],
+}
+
+/// The levels of a model that may be chosen: level 0 and those with curves, finest first.
+#[derive(Clone, Debug)]
+pub(super) struct Ladder {
+    /// Number of each level in the model.
+    pub level: Vec<i32>,
+    pub triangles: Vec<u64>,
+    /// a, b, ln c and d of each level but the first.
+    pub curves: Vec<[f64; 4]>,
+    /// Row by row for each coarser level k: 1/(triangles of j − triangles of k) for the finer levels j < k; +∞ for equal
+    /// numbers.
+    pub per_triangle: Vec<f64>,
+    /// Least and greatest size at which curves are read.
+    pub range: [f64; 2],
+}
+
+impl Ladder {
+    pub fn new(rated: &RatedModel<'_>, number: usize) -> Result<Self> {
+        let RatedModel { model, triangles } = rated;
+        model.check(number)?;
+        let mut ladder = Self {
+            level: vec![0],
+            triangles: vec![triangles[0] as u64],
+            curves: Vec::new(),
+            per_triangle: Vec::new(),
+            range: [model.range[0], model.greatest()],
+        };
+        for (n, &[a, b, c, d]) in model.curves.iter().enumerate() {
+            if [a, b, c, d].iter().any(|value| value.is_nan()) {
+                continue;
+            }
+            let own = triangles[n + 1] as u64;
+            for &finer in &ladder.triangles {
+                let more = finer.checked_sub(own).ok_or_else(|| {
+                    Error::value("models", "no more triangles in coarser levels", format!("{own} after {finer}"))
+                })?;
+                ladder.per_triangle.push(1.0 / more as f64);
+            }
+            ladder.level.push(n as i32 + 1);
+            ladder.triangles.push(own);
+            ladder.curves.push([a, b, c.ln(), d]);
+        }
+        Ok(ladder)
+    }
+
+    /// Steps from one level to the next finer one.
+    pub fn steps(&self) -> usize {
+        self.curves.len()
+    }
+
+    /// Triangles that a step adds; step n leads from level n + 1 to level n.
+    pub fn added(&self, step: usize) -> u64 {
+        self.triangles[step] - self.triangles[step + 1]
+    }
+
+    /// 1/(triangles of `finer` − triangles of `coarser`).
+    pub fn inverse(&self, coarser: usize, finer: usize) -> f64 {
+        self.per_triangle[coarser * (coarser - 1) / 2 + finer]
+    }
+}

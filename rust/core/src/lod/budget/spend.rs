@@ -1,0 +1,272 @@
+//! The price of a triangle at which a budget is spent, and the levels at that price.
+
+use rayon::prelude::*;
+
+use super::super::select::{Apparent, COLUMNS, Eye, EyeSizes, HIDDEN, Objects, SelectionCounts, ThresholdLine};
+use super::fill::{Step, fill};
+use super::hull::Choice;
+use super::prices::{ALWAYS, CLASSES, Ledger, NEVER, class};
+use super::rated::{Ladder, RatedModel};
+use super::rater::{Rated, Rater};
+use super::sizes::{SeenObjects, Weights};
+use crate::base::{Error, Progress, Result};
+
+/// Number of objects in one task: fixed, so that sums are rounded the same for any number of threads.
+const TASK: usize = 1 << 14;
+/// Steps below the price that are tried in the order of their slopes, so that little of the budget is left.
+const MOST_TRIED: u32 = 1 << 16;
+
+/// How much may be drawn, and what counts.
+#[derive(Clone, Copy, Debug)]
+pub struct Budget<'a> {
+    /// Triangles of all objects in view.
+    pub triangles: u64,
+    /// What an object counts for.
+    pub weights: Weights<'a>,
+    /// Objects have at least f(σ) − floor where the budget allows it.
+    pub floor: Option<f64>,
+    /// The price of the frame before. It is kept where it spends at least 1 − hysteresis of the budget and no more.
+    pub price: Option<f64>,
+}
+
+/// How sizes are seen.
+#[derive(Clone, Copy, Debug)]
+pub struct BudgetRules<'a> {
+    /// SSIM threshold f(σ), for the floor.
+    pub line: ThresholdLine,
+    /// How the size that is seen follows from σ.
+    pub apparent: Apparent<'a>,
+    /// Whether objects outside the view get no level.
+    pub cull: bool,
+    /// Share by which the score for a triangle must be better elsewhere for an object to lose its level.
+    pub hysteresis: f64,
+}
+
+/// How a budget was spent.
+#[derive(Clone, Copy, Debug)]
+pub struct Spent {
+    /// Weighted score that the last triangle adds; 0 if all that gains anything is drawn.
+    pub price: f64,
+    /// Triangles of the levels.
+    pub triangles: u64,
+    /// Mean score of the objects in view by their weights; NaN without any.
+    pub score: f64,
+    /// What decided.
+    pub counts: SelectionCounts,
+}
+
+/// Writes the level of each object, −1 outside the view, and the numbers of COLUMNS if requested.
+#[expect(clippy::too_many_arguments, reason = "what a selection weighs, and where it goes")]
+pub fn spend(
+    models: &[RatedModel<'_>],
+    objects: &Objects<'_>,
+    eyes: &[Eye],
+    rules: &BudgetRules<'_>,
+    budget: &Budget<'_>,
+    to: &mut [i32],
+    columns: Option<[&mut [f64]; COLUMNS]>,
+    progress: &Progress,
+) -> Result<Spent> {
+    let ladders = models.iter().enumerate().map(|(n, rated)| Ladder::new(rated, n)).collect::<Result<Vec<_>>>()?;
+    let plain: Vec<_> = models.iter().map(|rated| rated.model).collect();
+    let sizes = EyeSizes::new(&plain, eyes, rules.apparent);
+    let seen = SeenObjects::new(&plain, objects, &sizes, rules.cull, &rules.line, &budget.weights, progress)?;
+    let mut rater = Rater::new(&ladders, objects, &seen, rules.hysteresis, budget.floor);
+    let stride = ladders.iter().map(Ladder::steps).max().unwrap_or(0).max(1);
+    let mut classes = vec![NEVER; to.len() * stride];
+    if budget.floor.is_some() {
+        rater.choice = Choice::FromFloor;
+        let floors = ledger(&rater, stride, &mut classes, progress)?;
+        rater.choice = if floors.first_triangles <= budget.triangles { Choice::FromFloor } else { Choice::ToFloor };
+    }
+    let ledger = ledger(&rater, stride, &mut classes, progress)?;
+    let least = ledger.first_triangles;
+    if least > budget.triangles {
+        let expected = format!("at least {least} triangles, those of the coarsest levels in view");
+        return Err(Error::value("budget", expected, budget.triangles));
+    }
+    let plan = Plan { rater: &rater, ledger: &ledger, classes: &classes, stride };
+    let kept = budget.price.and_then(|price| plan.keep(price, budget.triangles, rules.hysteresis));
+    let Bought { price, above, triangles, score, levels } = kept.unwrap_or_else(|| plan.buy(budget.triangles));
+    plan.write(above, &levels, to);
+    let mut counts = SelectionCounts::default();
+    for (&level, &model) in to.iter().zip(objects.model) {
+        let one = ladders[model as usize].steps() == 0;
+        let class = if level < 0 {
+            &mut counts.culled
+        } else if one {
+            &mut counts.one_level
+        } else {
+            &mut counts.asked
+        };
+        *class += 1;
+    }
+    counts.lens = if sizes.is_bent() { counts.asked } else { 0 };
+    counts.formula = counts.asked;
+    if let Some(columns) = columns {
+        seen.columns(&plain, objects, to, columns);
+    }
+    Ok(Spent { price, triangles, score: score / ledger.weight, counts })
+}
+
+/// Rates all objects: writes the class of each step, and sums them up.
+fn ledger(rater: &Rater<'_>, stride: usize, classes: &mut [u16], progress: &Progress) -> Result<Ledger> {
+    let tasks: Vec<_> = classes
+        .par_chunks_mut(TASK * stride)
+        .enumerate()
+        .map(|(number, classes)| {
+            progress.check()?;
+            let first = number * TASK;
+            let count = classes.len() / stride;
+            classes.fill(NEVER);
+            let mut ledger = Ledger::default();
+            rater.each(first as u32..(first + count) as u32, |rated| {
+                let own = &mut classes[(rated.object as usize - first) * stride..][..stride];
+                enter(rated, own, &mut ledger);
+            });
+            Ok(ledger)
+        })
+        .collect::<Result<_>>()?;
+    let mut sum = Ledger::default();
+    tasks.iter().for_each(|task| sum.add(task));
+    Ok(sum)
+}
+
+/// Enters the steps of an object.
+fn enter(rated: &Rated<'_>, classes: &mut [u16], ledger: &mut Ledger) {
+    ledger.first_triangles += rated.ladder.triangles[rated.first];
+    ledger.first_score += rated.weight * rated.score(rated.first);
+    ledger.weight += rated.weight;
+    for step in (0..rated.ladder.steps()).rev() {
+        let class = if step >= rated.first { ALWAYS } else { class(rated.slope(step)) };
+        classes[step] = class;
+        if step < rated.first {
+            let number = usize::from(class);
+            ledger.triangles[number] += rated.ladder.added(step);
+            ledger.steps[number] += 1;
+            ledger.gain[number] += rated.weight * (rated.score(step) - rated.score(step + 1));
+        }
+    }
+}
+
+/// What a price buys: all steps of classes above one, and some levels beside.
+struct Bought {
+    price: f64,
+    above: u16,
+    triangles: u64,
+    score: f64,
+    /// Objects whose levels differ from what the classes above say, and places on their ladders.
+    levels: Vec<(u32, u16)>,
+}
+
+struct Plan<'a> {
+    rater: &'a Rater<'a>,
+    ledger: &'a Ledger,
+    classes: &'a [u16],
+    stride: usize,
+}
+
+impl Plan<'_> {
+    /// Triangles and score of all steps of classes above one.
+    fn above(&self, class: u16) -> (u64, f64) {
+        let (mut triangles, mut score) = (self.ledger.first_triangles, self.ledger.first_score);
+        for number in (usize::from(class) + 1..CLASSES).rev() {
+            triangles += self.ledger.triangles[number];
+            score += self.ledger.gain[number];
+        }
+        (triangles, score)
+    }
+
+    /// The steps of some classes, in the order in which they are tried.
+    fn steps(&self, least: u16, most: u16) -> Vec<Step> {
+        let count = self.classes.len() / self.stride;
+        let is_theirs = |&object: &u32| {
+            let own = &self.classes[object as usize * self.stride..][..self.stride];
+            own.iter().any(|class| (least..=most).contains(class))
+        };
+        let objects: Vec<u32> = (0..count as u32).into_par_iter().filter(is_theirs).collect();
+        let mut steps = Vec::new();
+        self.rater.each(objects, |rated| {
+            let mut slope = f64::NAN;
+            for step in (0..rated.first).rev() {
+                let own = rated.slope(step);
+                if !(least..=most).contains(&class(own)) {
+                    continue;
+                }
+                let (triangles, gain) = (rated.ladder.added(step), rated.score(step) - rated.score(step + 1));
+                if own != slope {
+                    steps.push(Step { slope: own, object: rated.object, to: step as u16, triangles: 0, gain: 0.0 });
+                }
+                slope = own;
+                if let Some(last) = steps.last_mut() {
+                    last.to = step as u16;
+                    last.triangles += triangles;
+                    last.gain += rated.weight * gain;
+                }
+            }
+        });
+        steps.sort_by(|a, b| b.slope.total_cmp(&a.slope).then(a.object.cmp(&b.object)).then(b.to.cmp(&a.to)));
+        steps
+    }
+
+    /// Buy what a price of the frame before buys, if that is within the budget and most of it.
+    fn keep(&self, price: f64, budget: u64, hysteresis: f64) -> Option<Bought> {
+        let price = price * self.rater.scale;
+        let own = class(price);
+        let (mut triangles, mut score) = self.above(own);
+        if triangles > budget {
+            return None;
+        }
+        let mut levels = Vec::new();
+        if own != NEVER {
+            for step in self.steps(own, own).into_iter().take_while(|step| step.slope > price) {
+                triangles += step.triangles;
+                score += step.gain;
+                levels.push((step.object, step.to));
+            }
+        }
+        let is_enough = triangles as f64 >= (1.0 - hysteresis) * budget as f64 || own == NEVER;
+        let price = price / self.rater.scale;
+        (triangles <= budget && is_enough).then_some(Bought { price, above: own, triangles, score, levels })
+    }
+
+    /// Spend the budget.
+    fn buy(&self, budget: u64) -> Bought {
+        let (mut triangles, mut score) = (self.ledger.first_triangles, self.ledger.first_score);
+        let mut most = ALWAYS;
+        while most > NEVER && triangles + self.ledger.triangles[usize::from(most)] <= budget {
+            triangles += self.ledger.triangles[usize::from(most)];
+            score += self.ledger.gain[usize::from(most)];
+            most -= 1;
+        }
+        if most == NEVER {
+            return Bought { price: 0.0, above: NEVER, triangles, score, levels: Vec::new() };
+        }
+        let (mut least, mut tried) = (most, self.ledger.steps[usize::from(most)]);
+        while least > 1 && tried + self.ledger.steps[usize::from(least) - 1] <= MOST_TRIED {
+            least -= 1;
+            tried += self.ledger.steps[usize::from(least)];
+        }
+        let filled = fill(&self.steps(least, most), budget - triangles);
+        Bought {
+            price: filled.slope / self.rater.scale,
+            above: most,
+            triangles: triangles + filled.triangles,
+            score: score + filled.gain,
+            levels: filled.levels,
+        }
+    }
+
+    fn write(&self, above: u16, levels: &[(u32, u16)], to: &mut [i32]) {
+        let rater = self.rater;
+        to.par_iter_mut().zip(self.classes.par_chunks(self.stride)).enumerate().for_each(|(n, (to, classes))| {
+            let ladder = &rater.ladders[rater.objects.model[n] as usize];
+            let place = classes[..ladder.steps()].iter().filter(|class| **class <= above).count();
+            *to = if rater.seen.read[n] < 0.0 { HIDDEN as i32 } else { ladder.level[place] };
+        });
+        for &(object, place) in levels {
+            let ladder = &rater.ladders[rater.objects.model[object as usize] as usize];
+            to[object as usize] = ladder.level[usize::from(place)];
+        }
+    }
+}
