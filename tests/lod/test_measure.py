@@ -144,7 +144,14 @@ def test_results_do_not_depend_on_the_number_of_threads() -> None:
 
 def test_a_gpu_measures_the_same_curves() -> None:
     need("vulkan")
-    options: dict[str, Any] = {"fov": FOV, "size": (256, 256), "views": 24, "distances": 4, "step": None, "cache": False}
+    options: dict[str, Any] = {
+        "fov": FOV,
+        "size": (256, 256),
+        "views": 24,
+        "distances": 4,
+        "step": None,
+        "cache": False,
+    }
     # With one sample pictures differ in pixels whose centre an edge passes by 1/256; with four also in how edges are
     # blended, in both pictures alike.
     for samples, bound in ((1, 5e-3), (4, 2e-2)):

@@ -26,7 +26,7 @@ def cameras(views: int, directions: str) -> list[nf.Camera]:
 def sides(seen: list[nf.Camera]) -> Array:
     """Directions (N, 3) from the object to its cameras."""
     away = np.array([camera.position for camera in seen]) - stand().center
-    return away / np.linalg.norm(away, axis=1, keepdims=True)
+    return np.asarray(away / np.linalg.norm(away, axis=1, keepdims=True))
 
 
 def widest_gap(directions: Array) -> float:

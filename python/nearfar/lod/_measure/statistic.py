@@ -30,7 +30,7 @@ def of_views(scores: NDArray[Any], percentile: float | str) -> NDArray[np.float6
     is_known = np.isfinite(scores).all(axis=-1)
     # Rows that lie in one piece are added up in one order, whatever array they come from.
     rows = np.ascontiguousarray(scores[is_known], np.float64)
-    if percentile == MEAN:
+    if isinstance(percentile, str):
         found[is_known] = rows.mean(axis=1)
     else:
         found[is_known] = np.percentile(rows, percentile, axis=1, method="averaged_inverted_cdf")

@@ -45,9 +45,10 @@ def models_of(
         return models, model_index
     number_of = {name: number for number, name in enumerate(check.mapping("models", models, "LodModels by name"))}
     row, index = list(models.values()), check.plain("model_index", model_index)
-    asked = index.ravel().tolist() if index.dtype.kind in "OUT" else [None]
-    if not all(isinstance(name, str) for name in asked):
+    # Text of fixed and of any length, and objects, which may be text.
+    if index.dtype.kind not in "UTO" or not all(isinstance(name, str) for name in index.flat):
         return row, model_index
+    asked: list[str] = index.ravel().tolist()
     unknown = [name for name in asked if name not in number_of]
     if unknown:
         listed = check.shortened(list(number_of))
