@@ -18,10 +18,10 @@ def weights(options: dict[str, Any]) -> Array:
     """A window's weights, in the middle of its pixels."""
     size = options.get("size", 11)
     if "window" in options:
-        return np.asarray(np.full((size, size), 1 / size**2))
+        return np.full((size, size), 1 / size**2)
     across = np.exp(-((np.arange(size) - (size - 1) / 2) ** 2) / (2 * 1.5**2))
-    both: Array = np.outer(across, across)
-    return both / both.sum()
+    both = np.outer(across, across)
+    return np.asarray(both / both.sum())
 
 
 def plain(base: Array, other: Array, mask: NDArray[np.bool_], options: dict[str, Any]) -> float:
