@@ -44,11 +44,21 @@ def test_a_mesh_becomes_a_model(mesh: Path, tmp_path: Path, capsys: pytest.Captu
     assert nf.lod.LodModel.load(tmp_path / "stone.json").levels is None
 
 
+def test_directions_are_those_that_are_asked_for(
+    mesh: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for given, directions in (((), "even"), (("--directions", "published"), "published")):
+        status, _, err = command(capsys, "lod", "-i", mesh, "-o", tmp_path / "stone.json", *QUICK, *given)
+        assert (status, err) == (0, "")
+        assert nf.lod.LodModel.load(tmp_path / "stone.json").measured["directions"] == directions
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
         (["-o", "OUT/stone.gltf"], "expected a name ending in .glb or .json"),
         (["-o", "OUT/stone.glb", "--hmd", "rift_x"], "name: expected one of .*RIFT_S"),
+        (["-o", "OUT/stone.glb", "--directions", "round"], "directions: expected one of 'even', 'published'"),
         (["-o", "OUT/stone.glb", "--ratios", "half"], "--ratios: expected numbers"),
         (["-o", "OUT/stone.glb", "--ratios", "2"], "ratios\\[0\\]: expected a number above 0"),
         (["-o", "OUT/none/stone.glb"], "cannot be written|No such file"),

@@ -35,13 +35,13 @@ def test_what_is_known_is_not_rendered_again(monkeypatch: pytest.MonkeyPatch) ->
     assert sum(counted) == more.measured["renders"] == first.measured["renders"] * 2 // 3
     counted.clear()
     farther = nf.lod.measure(levels(16, 8, 4), **SMALL | {"distances": 6}, step=None)
-    assert sum(counted) == 5 * 2 * 3
+    assert sum(counted) == 8 * 2 * 3
     nearer = nf.lod.measure(levels(16, 8, 4), **SMALL | {"distances": 5}, step=None)
     assert farther.samples is not None
     assert nearer.samples is not None
     np.testing.assert_array_equal(nearer.samples.score, farther.samples.score[:, :5])
-    assert sum(counted) == 5 * 2 * 3
-    for other in ({"samples": 2}, {"size": (120, 120)}, {"views": 4}):
+    assert sum(counted) == 8 * 2 * 3
+    for other in ({"samples": 2}, {"size": (120, 120)}, {"views": 4}, {"directions": "published"}):
         counted.clear()
         assert nf.lod.measure(levels(16, 8, 4), **SMALL | other, step=None).measured["cached"] == 0
         assert counted

@@ -63,28 +63,40 @@ def checkered(rows: int) -> nf.Scene:
     return builder.build()
 
 
-AXES = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]) / np.sqrt([[1], [1], [1], [3]])
+AXES = np.array([[1, 0, 0], [0, 1, 0], [1, 1, 0], [1, -1, 0]]) / np.sqrt([[1], [1], [2], [2]])
 
 
-def turn(view: int, views: int) -> Array:
-    """Rotation of the object for a view: a quarter of the views turns about each axis (Rodrigues)."""
-    steps = views // 4
-    x, y, z = AXES[view // steps]
-    angle = 2 * np.pi * (view % steps) / steps
+def fibonacci(views: int) -> Array:
+    """Directions (V, 3) about z: equal steps along the axis, and the golden section of a circle around it."""
+    along = np.linspace(1 - 1 / views, 1 / views - 1, views)
+    around = np.exp(2j * np.pi * np.arange(views) * 2 / (3 + np.sqrt(5))) * np.sqrt(1 - along**2)
+    return np.stack([around.real, around.imag, along], axis=1)
+
+
+def turn(view: int, views: int, directions: str = "even") -> Array:
+    """Rotation of the object for a view (Rodrigues).
+
+    Published, a quarter of the views turns about each axis. Even, the shortest turn brings a direction to +z.
+    """
+    if directions == "published":
+        steps = views // 4
+        axis, angle = AXES[view // steps], 2 * np.pi * (view % steps) / steps
+    else:
+        side = fibonacci(views)[view]
+        axis, angle = np.cross(side, (0, 0, 1)), np.arccos(side[2])
+    x, y, z = axis / np.linalg.norm(axis)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     turned: Array = np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
     return turned
 
 
-def whole_camera(
-    own: nf.lod.Levels, view: int, views: int, number: int, fov: nf.Fov, size: tuple[int, int]
-) -> nf.Camera:
+def whole_camera(own: nf.lod.Levels, turned: Array, number: int, fov: nf.Fov, size: tuple[int, int]) -> nf.Camera:
     """The whole picture of a view, with no box: symmetric, as wide as `size` says, at the number-th distance."""
     tangent = max(-fov.left, fov.right)
     pixel = (fov.right - fov.left) / size[0]
     nearest = own.radius / (0.25 * tangent) - own.radius
     distance = number * nearest + own.radius
-    back = turn(view, views).T
+    back = turned.T
     whole = nf.Fov(*(side * pixel / 2 for side in (-size[0], size[0], -size[1], size[1])))
     eye, up = own.center + distance * back[:, 2], back[:, 1]
     return nf.Camera.look_at(eye, own.center, fov=whole, size=size, up=up)
@@ -105,13 +117,14 @@ def straightforward(
     size: tuple[int, int],
     samples: int,
     similarity: Any,
+    directions: str = "even",
 ) -> Array:
     """Scores (K, D, V): whole pictures of base and level, compared one by one for each level, view and distance."""
     found = np.empty((len(own), len(numbers), views))
     for k, level in enumerate(own):
         for d, number in enumerate(numbers):
             for view in range(views):
-                camera = whole_camera(own, view, views, number, fov, size)
+                camera = whole_camera(own, turn(view, views, directions), number, fov, size)
                 base, first = luma_and_mask(own[0].scene, camera, samples)
                 test, second = luma_and_mask(level.scene, camera, samples)
                 found[k, d, view] = similarity(base, test, first | second)

@@ -35,6 +35,9 @@ def lod(
         str, option("--normals", "keep|smooth|flat", "How levels are shaded: see nf.lod.simplify.")
     ] = "keep",
     views: Annotated[int, option("--views", "N", "Number of sides to look at levels from.")] = Settings.views,
+    directions: Annotated[
+        str, option("--directions", "even|published", "How they are spread: see nf.lod.MeasureSettings.")
+    ] = Settings.directions,
     distances: Annotated[int, option("--distances", "N", "Number of sizes to measure levels at.")] = Settings.distances,
     k: Annotated[float, option("--k", "K", "Slope of the threshold.")] = Threshold.k,
     d: Annotated[float, option("--d", "D", "The threshold at 1/16 of the screen.")] = Threshold.d,
@@ -69,7 +72,7 @@ def lod(
     simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)
     levels = simplify() if shares is None else simplify(shares)
     simplified = time.perf_counter()
-    model = nf.lod.measure(levels, hmd=device, views=views, distances=distances, backend=backend)
+    model = nf.lod.measure(levels, hmd=device, views=views, directions=directions, distances=distances, backend=backend)
     seconds = {"simplify": simplified - started, "measure": time.perf_counter() - simplified}
     model.export(output, view=device, k=k, d=d, threshold=threshold, all_levels=all_levels)
     switches = nf.lod.switches(model, view=device, k=k, d=d, threshold=threshold)

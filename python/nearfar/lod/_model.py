@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +12,7 @@ from nearfar._base import card, check, formats, plot
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _export, _file
+from nearfar.lod._measure import statistic
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.selector import Selector
 from nearfar.lod._select.threshold import LodThreshold, threshold_of
@@ -114,6 +115,35 @@ class LodModel(MeasuredLevels):
         target, least_score = check.path("path", path), threshold_of(threshold, k, d)
         whole = check.flag("all_levels", all_levels)
         _export.write(self, target, view=view, threshold=least_score, all_levels=whole)
+
+    def refit(self, percentile: float | str) -> LodModel:
+        """Return the model with curves through another percentile of the same views, or their mean, without rendering.
+
+        Levels, and the sizes at which each was measured, stay those of the measurement. Where these are all levels and
+        all sizes (`step=None, saturated=None`), the curves are those that `measure` finds with that percentile.
+
+        Parameters
+        ----------
+        percentile
+            0 to 100, or "mean", as in `MeasureSettings`.
+
+        Returns
+        -------
+        LodModel
+            Its `measured` has the new "percentile", and as "chosen_by" the one by which levels and sizes were chosen.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For other percentiles, and for models without the scores of single views, `samples.views`.
+        """
+        chosen = statistic.checked(percentile)
+        if self.samples is None or self.samples.views is None:
+            raise ValueError(f"model: expected the scores of single views in samples.views, got none in {self.name!r}")
+        samples = replace(self.samples, score=statistic.of_views(self.samples.views, chosen))
+        before = self.measured.get("chosen_by", self.measured.get("percentile"))
+        measured = self.measured | {"percentile": chosen, "chosen_by": before}
+        return replace(self, curves=statistic.curves_through(samples), samples=samples, measured=measured)
 
     def selector(self, mode: str) -> Selector:
         """Return the `Selector` that `nearfar.render` uses where it is given a mode alone: all else at its defaults."""

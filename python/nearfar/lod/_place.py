@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,10 +14,11 @@ from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene
 from nearfar._scene.serialize import empty_core
 from nearfar.lod._measured_levels import MeasuredLevels
+from nearfar.lod._select.kernel_inputs import models_of
 
 
 def place(
-    models: Sequence[MeasuredLevels],
+    models: Sequence[MeasuredLevels] | Mapping[str, MeasuredLevels],
     model_index: ArrayLike,
     transforms: ArrayLike,
     *,
@@ -31,9 +32,9 @@ def place(
     Parameters
     ----------
     models
-        With the geometry of their levels.
+        With the geometry of their levels; in a row or by name, as `measure` returns them.
     model_index
-        Which of them each of the N objects is (N,), whole numbers.
+        Which of them each of the N objects is (N,): whole numbers, and of models by name also their names.
     transforms
         (N, 4, 4) for column vectors, invertible, from the frame in which the models' levels, spheres and radii are to
         the world; mirrors and scales are fine.
@@ -55,24 +56,25 @@ def place(
     TypeError
         For other things than models, numbers and names.
     """
-    if isinstance(models, str | bytes) or not isinstance(models, Sequence):
-        raise TypeError(f"models: expected a sequence of LodModels, got {check.described(models)}")
+    if isinstance(models, str | bytes) or not isinstance(models, Sequence | Mapping):
+        raise TypeError(f"models: expected a sequence of LodModels or a mapping to them, got {check.described(models)}")
+    row, numbers = models_of(models, model_index)
     frames = transforms_of("transforms", transforms)
     if frames.ndim != 3:
         raise ValueError(f"transforms: expected shape (N, 4, 4), got {frames.shape}")
     count = len(frames)
-    index = check.array("model_index", model_index, columns=None, dtype=np.int64)
+    index = check.array("model_index", numbers, columns=None, dtype=np.int64)
     if index.shape != (count,):
         raise ValueError(f"model_index: expected one for each of {count} transforms, got shape {index.shape}")
-    if count and not 0 <= index.min() <= index.max() < len(models):
-        raise ValueError(f"model_index: expected 0 to {len(models) - 1}, got {index.min()} to {index.max()}")
+    if count and not 0 <= index.min() <= index.max() < len(row):
+        raise ValueError(f"model_index: expected 0 to {len(row) - 1}, got {index.min()} to {index.max()}")
     listed = None if names is None else names_of("names", names)
     if listed is not None and len(listed) != count:
         raise ValueError(f"names: expected {count}, one for each transform, got {len(listed)}")
     known = Names(count if listed is None else listed)
     movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
     known.flags("dynamic", movers)  # refuses unknown names
-    new = check_levels(known, range(count), [models[number] for number in index.tolist()], frames, in_place=False)
+    new = check_levels(known, range(count), [row[number] for number in index.tolist()], frames, in_place=False)
     core, rest, table = with_levels(empty_core(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
     return Scene(core, known, frames=frames, rest=rest, table=table, **kept_of(new.models)).with_dynamic(movers)
 

@@ -35,7 +35,8 @@ def measure(
 
     Base and level are rendered from all sides at growing distances, alone and before the sky, and compared by SSIM
     (Gaussian, 11×11, σ 1.5, on the Rec. 709 luma of 8-bit sRGB) where either of them shows the object at a pixel's
-    centre. A percentile over the views is a level's score at that size, and a curve goes through these scores.
+    centre. A percentile or the mean over the views is a level's score at that size, and a curve goes through these
+    scores.
 
     Parameters
     ----------
@@ -50,8 +51,8 @@ def measure(
         A `distributed.Client`: objects are spread over a Dask cluster, whose workers have nearfar. Results are the same
         bytes in all three cases, where back ends are the same.
     keywords
-        In place of `settings` its fields: `hmd`, or `fov` and `size`; `views`, `distances`, `percentile`, `step`,
-        `saturated`, `samples`, `backend`, `cache`.
+        In place of `settings` its fields: `hmd`, or `fov` and `size`; `views`, `directions`, `distances`, `percentile`,
+        `step`, `saturated`, `samples`, `backend`, `cache`.
 
     Returns
     -------
@@ -74,7 +75,8 @@ def measure(
 
     References
     ----------
-    Liebisch (2021): views, distances, percentile and curve. Wang, Bovik, Sheikh, Simoncelli (2004): SSIM.
+    Liebisch (2021): published views, distances, percentile and curve. Swinbank, Purser (2006): even directions. Wang,
+    Bovik, Sheikh, Simoncelli (2004): SSIM.
     """
     chosen = _settings(settings, keywords)
     names, objects = _objects(levels)

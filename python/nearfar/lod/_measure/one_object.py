@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import progress
 from nearfar.lod._levels import Levels
-from nearfar.lod._measure.fit import Curve4PL, fit_4pl
+from nearfar.lod._measure import statistic
 from nearfar.lod._measure.samples import Samples
 from nearfar.lod._measure.score_table import ScoreTable
 from nearfar.lod._measure.settings import MeasureSettings
@@ -117,15 +116,12 @@ class _Measurement:
     def _model(self, kept: list[int]) -> LodModel:
         table = self.table
         sigma = np.array([table.stand.sigma(size) for size in table.sizes])
-        score = np.stack([table.percentiles(size) for size in table.sizes], axis=1)
-        measured = np.where(self.is_measured, score, np.nan)
-        views = np.where(self.is_measured[..., None], table.scores[..., table.turn_of_view], np.nan)
-        samples = Samples(sigma, measured[kept], views[kept].astype(np.float32))
-        # Levels fall to their curve's plateau, and sizes that are not measured look no worse than those that are.
-        curves = _cautious(fit_4pl(sigma, samples.filled[1:]), samples.filled[1:])
+        views = table.scores[kept][..., table.turn_of_view]
+        views[~self.is_measured[kept]] = np.nan
+        samples = Samples(sigma, statistic.of_views(views, self.settings.percentile), views)
         return LodModel(
             triangles=np.array([self.levels[number].triangle_count for number in kept]),
-            curves=curves,
+            curves=statistic.curves_through(samples),
             center=self.levels.center,
             radius=self.levels.radius,
             sigma=(float(sigma[-1]), float(sigma[0])),
@@ -133,7 +129,7 @@ class _Measurement:
             errors=np.array([self.levels[number].error for number in kept]),
             name=self.levels.name,
             samples=samples,
-            measured=self._record(kept, score[:, 0]),
+            measured=self._record(kept, table.percentiles(1)),
         )
 
     def _record(self, kept: list[int], first: NDArray[np.float64]) -> dict[str, Any]:
@@ -147,8 +143,9 @@ class _Measurement:
             "tan_half_angle": screen.tan_half_angle,
             "pixel": screen.pixel,
             "size": list(screen.size),
-            "axes": [list(axis) for axis in AXES],
             "views": settings.views,
+            "directions": settings.directions,
+            "axes": [list(axis) for axis in AXES] if settings.directions == "published" else None,
             "distances": settings.distances,
             "percentile": settings.percentile,
             "step": settings.step,
@@ -180,12 +177,3 @@ def coarsest_of_steps(score: NDArray[np.float64], step: float | None) -> list[in
     for allowed in np.unique(steps[1:]):
         kept.add(int(np.flatnonzero(steps <= allowed)[-1]))
     return sorted(kept)
-
-
-def _cautious(curves: Curve4PL, scores: NDArray[np.float64]) -> Curve4PL:
-    """Put flat curves at their least score: the mean that was fitted promises more than some sizes have shown."""
-    if not len(scores):
-        return curves
-    is_flat = curves.status == "flat"
-    least = scores.min(axis=1)
-    return replace(curves, a=np.where(is_flat, least, curves.a), d=np.where(is_flat, least, curves.d))

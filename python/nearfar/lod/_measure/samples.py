@@ -15,9 +15,10 @@ class Samples:
     sigma: NDArray[np.float64]
     """Solid angles (D,) of the bounding sphere in steradians, falling: 1/16 of the screen first."""
     score: NDArray[np.float64]
-    """The percentile of SSIM over all views (K, D); NaN where a level looked like the base before."""
+    """The percentile or mean of SSIM over all views (K, D); NaN where a level looked like the base before."""
     views: NDArray[np.float32] | None = None
-    """SSIM of each view (K, D, V), views about one axis after the other."""
+    """SSIM of each view (K, D, V): from the front of the object to its back, or about one published axis after the
+    other."""
 
     @property
     def filled(self) -> NDArray[np.float64]:

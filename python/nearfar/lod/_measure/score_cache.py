@@ -16,7 +16,7 @@ from nearfar._base.version import __version__
 from nearfar._scene.scene import Scene
 from nearfar._scene.serialize import parts_of
 
-VERSION = 2
+VERSION = 3
 """Version of the way levels are measured; another one finds no old scores."""
 
 SUFFIX = ".npy"
@@ -45,12 +45,12 @@ class ScoreCache:
         (K, D, V); scores in the cache are filled in, and `save` writes new ones.
     """
 
-    def __init__(self, contents: Sequence[str], settings: Iterable[object], scores: NDArray[np.float64]) -> None:
+    def __init__(self, contents: Sequence[str], settings: Iterable[object], scores: NDArray[np.float32]) -> None:
         settings = tuple(settings)
         base = contents[0]
         self._keys = [cache.key("lod.measure", VERSION, __version__, base, level, settings) for level in contents]
         self._scores = scores
-        self._farther: dict[int, NDArray[np.float64]] = {}
+        self._farther: dict[int, NDArray[np.float32]] = {}
         """Scores in the cache at more distances than ours, by level."""
         self._saved_at = time.monotonic()
         for number in range(1, len(contents)):

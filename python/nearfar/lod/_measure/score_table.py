@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from nearfar._base import check, progress
 from nearfar._render.renderer import Renderer
 from nearfar.lod._levels import Levels
+from nearfar.lod._measure import statistic
 from nearfar.lod._measure.score_cache import ScoreCache, content
 from nearfar.lod._measure.scores import Compared, scores
 from nearfar.lod._measure.settings import MeasureSettings
@@ -22,6 +23,8 @@ scores of a block."""
 
 class ScoreTable:
     """Scores of K levels at D sizes from T different turns, NaN where unknown.
+
+    They are float32, as in a model's samples, so that a model can make its curves anew from these.
 
     Parameters
     ----------
@@ -40,9 +43,9 @@ class ScoreTable:
         self.renders = 0
         self.screen = settings.screen
         self.stand = Stand(self.screen, check.vector("center", levels.center), levels.radius, _reach(levels))
-        self.turns, self.turn_of_view = turns(settings.views)
+        self.turns, self.turn_of_view = turns(settings.views, settings.directions)
         self.sizes = range(1, settings.distances + 1)
-        self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan)
+        self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan, np.float32)
         self.scores[0] = 1.0
         self.is_base = np.arange(len(levels)) == 0
         self.is_used = np.zeros(self.scores.shape, bool)
@@ -63,7 +66,7 @@ class ScoreTable:
         if self.settings.cache:
             screen, stand = self.screen, self.stand
             place = (stand.center, stand.radius, screen.tan_half_angle, screen.pixel, screen.size)
-            pictured = (self.settings.views, self.settings.samples, self.device)
+            pictured = (self.settings.views, self.settings.directions, self.settings.samples, self.device)
             self.cache = ScoreCache(contents, (*place, *pictured), self.scores)
         self.was_known = np.isfinite(self.scores)
 
@@ -94,13 +97,7 @@ class ScoreTable:
     def percentiles(self, size: int, among: NDArray[np.intp] | None = None) -> NDArray[np.float64]:
         """The percentile over all views or among those of some turns (K,); NaN where one of them is unknown."""
         turns = self.turn_of_view if among is None else self.turn_of_view[np.isin(self.turn_of_view, among)]
-        scores_of_views = self.scores[:, size - 1][:, turns]
-        percentiles = np.full(len(scores_of_views), np.nan)
-        known = np.isfinite(scores_of_views).all(axis=1)
-        percentiles[known] = np.percentile(
-            scores_of_views[known], self.settings.percentile, axis=1, method="averaged_inverted_cdf"
-        )
-        return percentiles
+        return statistic.of_views(self.scores[:, size - 1][:, turns], self.settings.percentile)
 
     @property
     def counts(self) -> tuple[int, int]:

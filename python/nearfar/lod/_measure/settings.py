@@ -10,7 +10,11 @@ from nearfar._camera.camera import Fov
 from nearfar._camera.shot import MAX_SAMPLES
 from nearfar._render import backend as backends
 from nearfar.hmd._hmd import Hmd
-from nearfar.lod._measure.views import AXES, Screen
+from nearfar.lod._measure import statistic
+from nearfar.lod._measure.views import AXES, DIRECTIONS, Screen
+
+MIN_VIEWS = 4
+"""Fewer directions lie in a plane: of some objects they miss whole sides."""
 
 MAX_VIEWS = 1 << 20
 MAX_DISTANCES = 1000
@@ -28,15 +32,21 @@ class MeasureSettings:
     fov, size
         A view and its width and height in pixels, in place of `hmd`.
     views
-        Number of sides to look from, a multiple of 4: the object turns in equal steps about x, y, z and the diagonal
-        (1, 1, 1) of its own frame, before a camera on +z. Light and sky turn with the object.
+        Number of pictures of each level at each distance, at least 4. The object turns before a camera on +z, and light
+        and sky turn with it.
+    directions
+        The sides that views show. "even": as many directions as views, spread evenly over the sphere (a Fibonacci
+        sphere); the object takes the shortest turn to each. "published": turns in equal steps, of 10° for 144 views,
+        about four axes across the line of sight: horizontal, vertical and the two diagonals between them; the number of
+        views is a multiple of 4.
     distances
         Number of distances, 1 to 1000. At the first the bounding sphere's solid angle is
         σ₁/₁₆ = 2π(1−cos(asin(¼ tan ω))), where ω is half the horizontal field of view. To the sphere's nearest point
         the others are 2, 3, … times as far. Fewer than 4 leave curves "unfittable", and of fewer than 8 many look
         "flat": those stay at their least score.
     percentile
-        The percentile over the views that is a level's score at a size, 0 to 100, as NumPy's "averaged_inverted_cdf".
+        The percentile over the views that is a level's score at a size, 0 to 100, as NumPy's "averaged_inverted_cdf";
+        or "mean". `LodModel.refit` takes another one without new pictures.
     step
         Keep the coarsest of the levels that score at least 1 − step at the first distance, the coarsest of those that
         score at least 1 − 2 step, and so on; likewise at the next three, because SSIM of bumpy things may fall as they
@@ -63,8 +73,9 @@ class MeasureSettings:
     fov: Fov | None = None
     size: tuple[int, int] | None = None
     views: int = 144
+    directions: str = "even"
     distances: int = 16
-    percentile: float = 25.0
+    percentile: float | str = 25.0
     step: float | None = 0.05
     saturated: float | None = 0.999
     samples: int = 4
@@ -75,9 +86,10 @@ class MeasureSettings:
         screen = self.screen
         checked: dict[str, Any] = {
             "size": screen.size if self.hmd is None else None,
-            "views": check.integer("views", self.views, len(AXES), MAX_VIEWS),
+            "views": check.integer("views", self.views, MIN_VIEWS, MAX_VIEWS),
+            "directions": check.choice("directions", self.directions, DIRECTIONS),
             "distances": check.integer("distances", self.distances, 1, MAX_DISTANCES),
-            "percentile": check.within("percentile", self.percentile, 0.0, 100.0),
+            "percentile": statistic.checked(self.percentile),
             "step": None if self.step is None else check.positive("step", self.step),
             "saturated": None if self.saturated is None else check.within("saturated", self.saturated, -1.0, 1.0),
             "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
@@ -86,8 +98,8 @@ class MeasureSettings:
         checked["cache"] = check.flag("cache", self.cache)
         for name, value in checked.items():
             object.__setattr__(self, name, value)
-        if self.views % len(AXES):
-            raise ValueError(f"views: expected a multiple of {len(AXES)}, got {self.views}")
+        if self.directions == "published" and self.views % len(AXES):
+            raise ValueError(f"views: expected a multiple of {len(AXES)} for published directions, got {self.views}")
 
     @property
     def screen(self) -> Screen:
@@ -102,8 +114,9 @@ class MeasureKeywords(TypedDict, total=False):
     fov: Fov | None
     size: tuple[int, int] | None
     views: int
+    directions: str
     distances: int
-    percentile: float
+    percentile: float | str
     step: float | None
     saturated: float | None
     samples: int

@@ -12,8 +12,15 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 
-AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 1.0, 1.0))
-"""Axes about which objects turn: x, y, z, and the diagonal of the cube between them, in the object's frame."""
+DIRECTIONS = ("even", "published")
+"""Ways to spread the views over the sides of an object, as `MeasureSettings` describes them."""
+
+AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (1.0, -1.0, 0.0))
+"""Published axes about which objects turn, in the frame of a camera that looks along −z: horizontal, vertical and the
+two diagonals between them. All lie across the line of sight, so that every turn shows another side."""
+
+GOLDEN_ANGLE = math.pi * (3.0 - math.sqrt(5.0))
+"""Angle between two neighbours of a Fibonacci sphere around its axis, radians."""
 
 FIRST_WIDTH = 0.25
 """Width of the bounding sphere at the first distance, as a share of the screen's: 1/16 of a square screen's area."""
@@ -24,10 +31,30 @@ PADDING = 5
 Quaternion = tuple[float, float, float, float]
 
 
-def turns(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:
-    """Different turns of the object as unit quaternions (x, y, z, w), and which of them each view shows.
+def turns(views: int, directions: str) -> tuple[list[Quaternion], NDArray[np.intp]]:
+    """Different turns of the object as unit quaternions (x, y, z, w), and which of them each view shows."""
+    if directions == "published":
+        return _published(views)
+    return [_even(number, views) for number in range(views)], np.arange(views)
 
-    Views go about one axis of `AXES` after the other in equal steps from 0; not turned at all is the same about each.
+
+def _even(number: int, count: int) -> Quaternion:
+    """Return the turn that shows the object from a point of a Fibonacci sphere about the line of sight.
+
+    Point i of N is arccos(1 − (2i + 1)/N) away from +z, where the camera is, and at i golden angles about it. The turn
+    is the shortest one: its axis lies across the line of sight, as the published ones do, and decides the roll.
+    """
+    share, angle = (number + 0.5) / count, number * GOLDEN_ANGLE
+    # For cos θ = 1 − 2 share, sin(θ/2) = √share and cos(θ/2) = √(1 − share).
+    sine = math.sqrt(share)
+    return sine * math.sin(angle), -sine * math.cos(angle), 0.0, math.sqrt(1.0 - share)
+
+
+def _published(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:
+    """Turns about one axis of `AXES` after the other, in equal steps from 0.
+
+    Not turned at all is the same about each axis, and one picture. Half a turn shows the back about each, but rolled by
+    a quarter of a turn from one axis to the next: four pictures. So 144 views are 141 pictures from 138 directions.
     """
     steps = views // len(AXES)
     chosen: list[Quaternion] = [(0.0, 0.0, 0.0, 1.0)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -33,6 +33,28 @@ def whole_numbers(name: str, value: ArrayLike, dtype: type[np.integer], count: i
     if numbers.shape != (count,):
         raise ValueError(f"{name}: expected shape ({count},), got {numbers.shape}")
     return numbers
+
+
+def models_of(
+    models: Sequence[MeasuredLevels] | Mapping[str, MeasuredLevels], model_index: ArrayLike
+) -> tuple[Sequence[MeasuredLevels], ArrayLike]:
+    """Put the models of a mapping in a row, in its order, and turn names in `model_index` into numbers of this row.
+
+    Models that are in a row already, and indices of other kinds, come back as they are.
+    """
+    if not isinstance(models, Mapping):
+        return models, model_index
+    number_of = {name: number for number, name in enumerate(check.mapping("models", models, "LodModels by name"))}
+    row, index = list(models.values()), check.plain("model_index", model_index)
+    # Text of fixed and of any length, and objects, which may be text.
+    if index.dtype.kind not in "UTO" or not all(isinstance(name, str) for name in index.flat):
+        return row, model_index
+    asked: list[str] = index.ravel().tolist()
+    unknown = [name for name in asked if name not in number_of]
+    if unknown:
+        listed = check.shortened(list(number_of))
+        raise ValueError(f"model_index: expected names of models, {listed}, got {check.shortened(unknown[0])}")
+    return row, np.array([number_of[name] for name in asked], np.int64).reshape(index.shape)
 
 
 def curves_of(

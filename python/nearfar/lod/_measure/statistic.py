@@ -1,0 +1,53 @@
+"""The statistic of the views that is a level's score at a size, and the curves through such scores."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar.lod._measure.fit import Curve4PL, fit_4pl
+from nearfar.lod._measure.samples import Samples
+
+MEAN = "mean"
+
+
+def checked(percentile: float | str) -> float | str:
+    """Return a percentile, or "mean"; ValueError or TypeError that names the argument otherwise."""
+    if not isinstance(percentile, str):
+        return check.within("percentile", percentile, 0.0, 100.0)
+    if percentile != MEAN:
+        raise ValueError(f'percentile: expected a number from 0 to 100, or "{MEAN}", got {check.shown(percentile)}')
+    return MEAN
+
+
+def of_views(scores: NDArray[Any], percentile: float | str) -> NDArray[np.float64]:
+    """Reduce scores (…, V) to a percentile of the views, or their mean (…); NaN where a view is unknown."""
+    found = np.full(scores.shape[:-1], np.nan)
+    is_known = np.isfinite(scores).all(axis=-1)
+    # Rows that lie in one piece are added up in one order, whatever array they come from.
+    rows = np.ascontiguousarray(scores[is_known], np.float64)
+    if isinstance(percentile, str):
+        found[is_known] = rows.mean(axis=1)
+    else:
+        found[is_known] = np.percentile(rows, percentile, axis=1, method="averaged_inverted_cdf")
+    return found
+
+
+def curves_through(samples: Samples) -> Curve4PL:
+    """Fit a curve to the scores of each level but the base."""
+    scores = samples.filled[1:]
+    # Levels fall to their curve's plateau, and sizes that are not measured look no worse than those that are.
+    return cautious(fit_4pl(samples.sigma, scores), scores)
+
+
+def cautious(curves: Curve4PL, scores: NDArray[np.float64]) -> Curve4PL:
+    """Put flat curves at their least score: the mean that was fitted promises more than some sizes have shown."""
+    if not len(scores):
+        return curves
+    is_flat = curves.status == "flat"
+    least = scores.min(axis=1)
+    return replace(curves, a=np.where(is_flat, least, curves.a), d=np.where(is_flat, least, curves.d))

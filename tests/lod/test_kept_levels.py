@@ -1,0 +1,158 @@
+"""The levels that a measurement keeps, how far it measures them, and what is no work at all."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar.lod._measure.one_object import coarsest_of_steps
+from nearfar.lod._measure.score_table import ScoreTable
+from tests.support.lod_cases import FOV, SMALL, ball, count_renders, levels, scene
+
+
+@pytest.fixture(autouse=True)
+def _fresh_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
+
+
+def test_each_step_keeps_its_coarsest_level() -> None:
+    assert coarsest_of_steps(np.array([1.0, 0.99, 0.96, 0.93, 0.80]), 0.05) == [0, 2, 3, 4]
+    assert coarsest_of_steps(np.array([1.0, 0.95, 0.90, 0.85]), 0.05) == [
+        0,
+        1,
+        2,
+        3,
+    ]  # at a step is above it
+    assert coarsest_of_steps(np.array([1.0, 0.7, 0.9, 0.5]), 0.05) == [0, 2, 3]  # coarser and better
+    assert coarsest_of_steps(np.array([1.0, 0.7, 0.9, 0.5]), None) == [0, 1, 2, 3]
+    assert coarsest_of_steps(np.array([1.0, 1.0, 1.0]), 0.05) == [0, 2]
+    assert coarsest_of_steps(np.array([1.0, -0.2]), 0.05) == [0, 1]
+    random = np.random.default_rng(0)
+    for _ in range(200):
+        found = np.concatenate([[1.0], random.uniform(-0.1, 1, random.integers(1, 9))])
+        kept = {0}
+        for n in range(1, 30):
+            above = [k for k in range(1, len(found)) if found[k] >= 1 - 0.05 * n]
+            kept |= {max(above)} if above else set()
+        assert coarsest_of_steps(found, 0.05) == sorted(kept)
+
+
+def test_levels_left_out_are_measured_no_further() -> None:
+    own, how = levels(40, 38, 36, 10), SMALL | {"distances": 7, "saturated": None}
+    model = nf.lod.measure(own, **how, step=0.3)
+    whole = nf.lod.measure(own, **how, step=None, cache=False)
+    assert model.samples is not None
+    assert whole.samples is not None
+    kept = [list(whole.triangles).index(count) for count in model.triangles]
+    assert len(kept) < 4
+    assert set(kept) == {0}.union(*(coarsest_of_steps(whole.samples.score[:, size], 0.3) for size in range(4)))
+    assert model.levels is not None
+    assert [level.triangle_count for level in model.levels] == list(model.triangles)
+    np.testing.assert_array_equal(model.errors, whole.errors[kept])
+    known = ~np.isnan(model.samples.score)
+    np.testing.assert_array_equal(model.samples.score[known], whole.samples.score[kept][known])
+    left = model.measured["left_out"]
+    assert [one["triangles"] for one in left] == [n for n in whole.triangles if n not in model.triangles]
+    # Of levels that cannot be kept one view is seen at the first four distances.
+    assert whole.measured["scores"] == 8 * 7 * 3
+    assert whole.measured["renders"] == 8 * 7 * 4
+    assert model.measured["scores"] == 8 * 7 * (len(kept) - 1) + 4 * (4 - len(kept))
+    assert all(one["score"] is None for one in left)
+    for one in (model, whole):
+        done = one.measured
+        assert done["scores"] + done["cached"] + done["skipped"] == 3 * 7 * 8
+
+
+@pytest.mark.parametrize("saturated", [None, 0.9])
+def test_levels_are_those_of_all_scores_though_some_are_not_asked_for(
+    saturated: float | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    random = np.random.default_rng(0)
+    own, skipped = levels(8, 7, 6, 5, 4), 0
+    how: dict[str, Any] = SMALL | {"views": 96, "distances": 6, "saturated": saturated, "cache": False}
+    for _ in range(30):
+        # Levels fall, but now and then a coarser one scores more, and SSIM dips where they are smaller.
+        fall = np.cumsum(random.uniform(-0.02, 0.04, (5, 6)), axis=0)
+        true = np.clip(1 - fall[:, :, None] - random.uniform(0, 0.05, (5, 6, 96)), 0, 1)
+        true[0] = 1.0
+
+        def fill(
+            table: ScoreTable, size: int, numbers: list[int], among: Any = None, true: NDArray[np.float64] = true
+        ) -> None:
+            rows = np.ix_(np.array(numbers, int), np.array([size - 1]), np.arange(96) if among is None else among)
+            table.is_used[rows] = True
+            table.scores[rows] = true[rows]
+
+        monkeypatch.setattr(ScoreTable, "fill", fill)
+        model = nf.lod.measure(own, **how, step=0.05)
+        whole = nf.lod.measure(own, **how, step=None)
+        assert model.samples is not None
+        assert whole.samples is not None
+        # Where a level looks like the base twice, it counts as the base at smaller sizes.
+        scores = np.where(np.isnan(whole.samples.score), 1.0, whole.samples.score)
+        kept = sorted({0}.union(*(coarsest_of_steps(scores[:, size], 0.05) for size in range(4))))
+        assert list(model.triangles) == list(whole.triangles[kept])
+        np.testing.assert_array_equal(model.samples.score, whole.samples.score[kept])
+        skipped += 96 * 4 * 6 - model.measured["scores"]
+    assert skipped > 30 * 96
+
+
+def test_what_looks_like_the_base_is_measured_no_further() -> None:
+    vertices, faces = ball(12)
+    moved = nf.Scene.from_arrays(vertices + 5e-5 * np.sin(7 * vertices), faces)
+    own = nf.lod.Levels([nf.lod.Level(scene=scene(12)), nf.lod.Level(scene=moved), nf.lod.Level(scene=scene(6))])
+    options: dict[str, Any] = SMALL | {"distances": 8, "step": None, "cache": False}
+    model = nf.lod.measure(own, **options)
+    whole = nf.lod.measure(own, **options, saturated=None)
+    assert model.samples is not None
+    assert whole.samples is not None
+    assert np.isnan(whole.samples.score).sum() == 0
+    missing = np.isnan(model.samples.score)
+    assert missing[1, 2:].all()
+    assert not missing[2].any()
+    assert model.measured["scores"] < whole.measured["scores"]
+    # It stays where it was when it was measured last: at 0.999 or more, and so within 0.001 of what is left out.
+    sigma = np.geomspace(*model.sigma, 50)
+    np.testing.assert_allclose(model.curves(sigma), whole.curves(sigma), rtol=0, atol=1e-3)
+    np.testing.assert_array_equal(model.samples.filled[1, 2:], model.samples.score[1, 1])
+
+
+def test_one_level_is_no_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    counted = count_renders(monkeypatch)
+    model = nf.lod.measure(levels(12), hmd=nf.hmd.VIVE_PRO)
+    assert counted == []
+    assert (model.measured["renders"], model.measured["scores"], model.measured["skipped"]) == (0, 0, 0)
+    assert len(model) == 1
+    assert len(model.curves) == 0
+    assert model.samples is not None
+    np.testing.assert_array_equal(model.samples.score, np.ones((1, 16)))
+
+
+def test_the_same_again_is_no_work_either(monkeypatch: pytest.MonkeyPatch) -> None:
+    counted = count_renders(monkeypatch)
+    own = nf.lod.Levels([nf.lod.Level(scene=scene(12)), nf.lod.Level(scene=scene(12))])
+    model = nf.lod.measure(own, **SMALL)
+    assert counted == []
+    assert model.samples is not None
+    np.testing.assert_array_equal(model.samples.score, 1.0)
+    assert list(model.curves.status) == ["flat"]
+    np.testing.assert_array_equal(model.curves([0.01, 0.1]), 1.0)
+
+
+def test_few_distances_give_no_curve() -> None:
+    model = nf.lod.measure(levels(12, 6), **SMALL | {"distances": 2})
+    assert list(model.curves.status) == ["unfittable"]
+    assert "4 different x" in model.curves.reason[0]
+    assert model.samples is not None
+    assert np.isfinite(model.samples.score).all()
+
+
+def test_an_object_may_be_smaller_than_a_pixel() -> None:
+    model = nf.lod.measure(levels(8, 4), fov=FOV, size=(2, 2), views=4, distances=3, saturated=None)
+    assert model.samples is not None
+    assert np.isfinite(model.samples.score).all()

@@ -1,0 +1,83 @@
+"""Models by name, as `measure` returns those of a mapping, where they are placed."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.lod._select.kernel_inputs import models_of
+from tests.support.leveled_cases import frames, leveled
+from tests.support.lod_cases import SMALL, levels
+
+NAMES = ["egg", "ball", "egg"]
+
+
+@pytest.fixture
+def by_name(models: list[nf.lod.LodModel]) -> dict[str, nf.lod.LodModel]:
+    return {"ball": models[0], "egg": models[1]}
+
+
+@pytest.mark.parametrize(
+    "index", [NAMES, np.array(NAMES), np.array(NAMES, object), [1, 0, 1], np.array([1, 0, 1], np.uint8)]
+)
+def test_models_by_name_are_placed_as_those_in_a_row(
+    models: list[nf.lod.LodModel], by_name: dict[str, nf.lod.LodModel], index: Any
+) -> None:
+    places = frames(3, seed=2)
+    scene, truth = nf.lod.place(by_name, index, places), nf.lod.place(models, [1, 0, 1], places)
+    np.testing.assert_array_equal(leveled(scene).model_index, leveled(truth).model_index)
+    np.testing.assert_array_equal(leveled(scene).radii, leveled(truth).radii)
+    shown = scene.at_levels([1, 2, 0]).triangles()
+    np.testing.assert_array_equal(shown, truth.at_levels([1, 2, 0]).triangles())
+
+
+def test_measured_objects_are_placed_as_they_come(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
+    measured = nf.lod.measure({"a": levels(8, 4), "b": levels(6)}, **SMALL)
+    scene = nf.lod.place(measured, ["b", "a"], frames(2, seed=1))
+    assert scene.triangle_count == measured["a"].triangles[0] + measured["b"].triangles[0]
+
+
+@pytest.mark.parametrize("index", [[], np.array([], str), np.array([], object)])
+def test_none_may_be_placed(by_name: dict[str, nf.lod.LodModel], index: Any) -> None:
+    assert nf.lod.place(by_name, index, np.zeros((0, 4, 4))).triangle_count == 0
+    assert nf.lod.place({}, index, np.zeros((0, 4, 4))).triangle_count == 0
+
+
+@pytest.mark.parametrize(
+    ("change", "index", "error", "message"),
+    [
+        ({}, ["egg", "yolk"], ValueError, "model_index: expected names of models, ['ball', 'egg'], got 'yolk'"),
+        ({}, ["", "egg"], ValueError, "model_index: expected names of models, ['ball', 'egg'], got ''"),
+        ({}, [0, 2], ValueError, "model_index: expected 0 to 1, got 0 to 2"),
+        ({}, [0.5, 1], TypeError, "model_index: expected"),
+        ({}, [b"egg", b"ball"], TypeError, "model_index: expected"),
+        ({}, np.array(["egg", 1], object), TypeError, "model_index: expected"),
+        ({}, ["egg"], ValueError, "model_index: expected one for each of 2 transforms, got shape (1,)"),
+        ({}, [["egg", "egg"]], ValueError, "model_index: expected one for each of 2 transforms, got shape (1, 2)"),
+        ({3: None}, [0, 0], TypeError, "models: expected LodModels by name, got the key int 3"),
+        ({"none": 3}, ["none", "none"], TypeError, "model"),
+    ],
+)
+def test_other_names_are_refused(
+    by_name: dict[str, nf.lod.LodModel], change: Any, index: Any, error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=re.escape(message)):
+        nf.lod.place(by_name | change, index, frames(2, seed=0))
+
+
+def test_names_belong_to_a_mapping(models: list[nf.lod.LodModel]) -> None:
+    with pytest.raises(TypeError, match="model_index: expected"):
+        nf.lod.place(models, ["ball"], frames(1, seed=0))
+
+
+def test_models_in_a_row_and_their_numbers_come_back_untouched(models: list[nf.lod.LodModel]) -> None:
+    index = np.zeros(5, np.int64)
+    assert models_of(models, index) == (models, index)
+    row, same = models_of({"ball": models[0]}, index)
+    assert same is index
+    assert row == models[:1]
