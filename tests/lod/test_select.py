@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -86,7 +87,7 @@ def by_numpy(
             reached = one.curves[step - 1](np.maximum(seen[mine], least))
             level[mine[reached >= wanted[mine]]] = step
             near[mine] = np.fmin(near[mine], np.abs(reached - wanted[mine]))
-        level[mine[(sigma[mine] > min(reference, greatest)) | (seen[mine] > greatest)]] = 0
+        level[mine[(seen[mine] > min(reference, greatest)) | (sigma[mine] == 4 * np.pi)]] = 0
     return level, near
 
 
@@ -236,7 +237,7 @@ def test_curves_that_no_level_reaches() -> None:
         )
         assert (strict <= 0).all() if k < 1 else (strict == 0).mean() > 0.4
     lax = nf.lod.select([usual()], np.zeros(2000, int), centers, radii, camera=VIEW, d=-1.0, full=True)
-    assert (lax.level[~np.isnan(lax.sigma_seen)] == 7).all()
+    assert (lax.level[lax.sigma_seen <= 0.18] == 7).all()
 
 
 # errors --------------------------------------------------------------------------------------------------------------
@@ -290,14 +291,29 @@ def test_bad_arguments(changed: dict[str, Any], error: type[Exception], message:
         nf.lod.select(*positional, **arguments)
 
 
-def test_models_whose_curves_are_too_few() -> None:
-    short = usual()
-    object.__setattr__(short, "curves", curves([(1, 1, 1, 0)]))
-    with pytest.raises(ValueError, match="models: expected 7 curves in 'object', got 1"):
-        nf.lod.select([short], [0], [(0, 0, -5)], 1.0, camera=VIEW)
-    single = model([(1.0, 1.0, 1.0, 0.99)])
-    object.__setattr__(single, "curves", curves([(1.0, 1.0, 1.0, 0.99)])[0])
-    assert nf.lod.select([single], [0], [(0, 1, -9)], 0.1, camera=VIEW)[0] == 1
+def test_models_of_curves_alone() -> None:
+    with pytest.raises(ValueError, match="curves: expected 7, one for each level but level 0, got 1"):
+        replace(usual(), curves=curves([(1, 1, 1, 0)]))
+    one = nf.lod.LodModel(triangles=np.array([100, 10]), curves=nf.lod.Curve4PL(1.0, 1.0, 1.0, 0.99))
+    many = nf.lod.LodModel(triangles=np.array([100, 10]), curves=nf.lod.Curve4PL([1.0], [1.0], [1.0], [0.99]))
+    for known in (one, many):
+        assert nf.lod.select([known], [0], [(0, 1, -9)], 0.1, camera=VIEW)[0] == 1
+        assert (known.sigma, known.radius, known.pixel, known.errors.tolist()) == ((0, 4 * math.pi), 1, None, [0, 0])
+        assert (known.curves.status[0], known.curves.reason[0]) == ("fitted", "")
+        assert "LodModel" in str(known._repr_html_())
+
+
+@pytest.mark.parametrize(
+    ("parameters", "message"),
+    [
+        (([1.0], [1.0], [1.0, 2.0], [0.5]), r"c: expected shape \(1,\), as a has, got \(2,\)"),
+        (([[1.0]], [[1.0]], [[1.0]], [[0.5]]), r"a: expected a number or shape \(K,\), got \(1, 1\)"),
+        ((1.0, 1.0, 0.0, 0.5), "c: expected sizes above 0, got 0.0"),
+    ],
+)
+def test_curves_of_other_parameters_are_refused(parameters: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        nf.lod.Curve4PL(*parameters)
 
 
 BITS = """

@@ -96,7 +96,7 @@ def test_without_hysteresis_the_frame_before_does_not_matter() -> None:
 
 # what is shown -------------------------------------------------------------------------------------------------------
 def swept(one: nf.lod.LodModel, count: int, **options: Any) -> nf.lod.Selection:
-    sigma = np.geomspace(5e-5, 1.1 * REFERENCE, count)
+    sigma = np.geomspace(5e-5, 4 * REFERENCE, count)
     centers, radii = sized(sigma, 0.4)
     return nf.lod.select([one], np.zeros(count, int), centers, radii, camera=VIEW, full=True, **options)
 

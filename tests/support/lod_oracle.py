@@ -23,7 +23,9 @@ def curves(rows: Sequence[Sequence[float]]) -> nf.lod.Curve4PL:
     return nf.lod.Curve4PL(a, b, c, d, 0 * a, status, np.full(len(a), ""))
 
 
-def model(rows: Sequence[Sequence[float]], sigma: tuple[float, float] = (1e-4, 0.18)) -> nf.lod.LodModel:
+def model(
+    rows: Sequence[Sequence[float]], sigma: tuple[float, float] = (1e-4, 0.18), pixel: float | None = None
+) -> nf.lod.LodModel:
     """A model of these curves."""
     count = len(rows) + 1
     return nf.lod.LodModel(
@@ -33,6 +35,7 @@ def model(rows: Sequence[Sequence[float]], sigma: tuple[float, float] = (1e-4, 0
         radius=1.0,
         sigma=sigma,
         errors=np.zeros(count),
+        pixel=pixel,
     )
 
 
@@ -73,9 +76,14 @@ def line(threshold: str, k: float, d: float, reference: float, sigma: Any) -> An
 
 
 def size(
-    center: Array, radius: float, camera: nf.Camera, lens: nf.RadialLens | None, tan_omega: float
+    center: Array,
+    radius: float,
+    camera: nf.Camera,
+    lens: nf.RadialLens | None,
+    tan_omega: float,
+    kind: str = "axis",
 ) -> tuple[Any, Any, Any]:
-    """Exact σ, σ′ and μ by 40 digits; the lens's inverse by bisection."""
+    """Exact σ, σ′ and μ by 40 digits; the lens's inverse by bisection. σ′ is of the kind "axis", "area" or "panel"."""
     position = [mpf(float(c)) - mpf(float(e)) for c, e in zip(center, camera.position, strict=True)]
     distance = mpmath.sqrt(sum(v * v for v in position))
     if distance <= radius:
@@ -84,15 +92,14 @@ def size(
     sigma = 2 * mpmath.pi * (1 - mpmath.cos(mu))
     ahead = -sum(mpf(float(a)) * v for a, v in zip(rotation(camera)[:, 2], position, strict=True))
     alpha = mpmath.acos(ahead / distance)
-    if lens is None or not any(lens.k) or mu == 0 or alpha + mu >= mpmath.pi / 2:
-        return sigma, sigma, mu
+    coefficients = () if lens is None else lens.k
 
     def value(r: Any) -> Any:
-        return r + sum(mpf(c) * r ** (2 * n + 3) for n, c in enumerate(lens.k))
+        return r + sum(mpf(c) * r ** (2 * n + 3) for n, c in enumerate(coefficients))
 
     def shown(angle: Any) -> Any:
         x = mpmath.tan(angle) / tan_omega
-        low, high = mpf(0), min(mpf(lens.r_max), abs(x) * 8 + 1)
+        low, high = mpf(0), min(mpf(math.inf if lens is None else lens.r_max), abs(x) * 8 + 1)
         if value(high) < abs(x):
             return None
         for _ in range(120):
@@ -100,10 +107,24 @@ def size(
             low, high = (middle, high) if value(middle) < abs(x) else (low, middle)
         return mpmath.atan(tan_omega * low) * mpmath.sign(x)
 
+    if kind == "panel":
+        assert isinstance(camera.fov, nf.Fov)
+        left, right, down, up = (abs(side) for side in camera.fov._sides)
+        corner = mpmath.hypot(max(left, right), max(down, up))
+        tangent = min(mpmath.tan(alpha), corner) if alpha < mpmath.pi / 2 else corner
+        angle = shown(mpmath.atan(tangent))
+        if angle is None:
+            return sigma, mpf(math.inf), mu
+        r, inner = tangent / tan_omega, mpmath.tan(angle) / tan_omega
+        share = inner / r if r else mpf(1)
+        return sigma, sigma * share / mpmath.diff(value, inner) * mpmath.hypot(1, tangent) ** 3, mu
+    if not any(coefficients) or mu == 0 or alpha + mu >= mpmath.pi / 2:
+        return sigma, sigma, mu
     far, near = shown(alpha + mu), shown(alpha - mu)
     if far is None or near is None:
         return sigma, sigma, mu
-    return sigma, sigma * (far - near) / (2 * mu), mu
+    around = mpmath.sin(shown(alpha)) / mpmath.sin(alpha) if kind == "area" and alpha else mpf(1)
+    return sigma, sigma * (far - near) / (2 * mu) * around, mu
 
 
 def chosen(
@@ -118,6 +139,8 @@ def chosen(
     threshold: str = "anchored",
     fovea: tuple[float, float] | None = None,
     gaze: Array | None = None,
+    kind: str = "axis",
+    limit: str = "seen",
 ) -> tuple[int, float]:
     """Level of an object regardless of visibility, and how close the decision was."""
     with mpmath.workdps(40):
@@ -125,29 +148,45 @@ def chosen(
         assert isinstance(fov, nf.Fov)
         tan_omega = max(abs(fov.left), abs(fov.right))
         reference = 2 * mpmath.pi * (1 - mpmath.cos(mpmath.asin(mpf(tan_omega) / 4)))
-        sigma, seen, mu = size(center, radius, camera, lens, tan_omega)
+        sigma, seen, mu = size(center, radius, camera, lens, tan_omega, kind)
         if fovea is not None and mu < mpmath.pi:
-            slope, limit = fovea
+            slope, least_angle = fovea
             look = -rotation(camera)[:, 2] if gaze is None else gaze
             way = center - np.array(camera.position)
             cosine = float(way @ look / np.linalg.norm(way) / np.linalg.norm(look))
             away = max(0.0, math.degrees(math.acos(max(-1.0, min(1.0, cosine))) - float(mu)))
             pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
-            best = max(limit, math.degrees(math.atan(pitch)))
-            seen = seen * min(1.0, best / (slope * away + limit)) ** 2
+            best = max(least_angle, math.degrees(math.atan(pitch)))
+            seen = seen * min(1.0, best / (slope * away + least_angle)) ** 2
         least, greatest = model.sigma
-        near = min(abs(float(sigma / reference - 1)), abs(float(sigma / greatest - 1)), abs(float(seen / greatest - 1)))
-        if len(model) == 1 or sigma > reference or sigma > greatest or seen > greatest:
+        read: Any = seen * pixel_area(model, camera, lens if kind == "panel" else None, tan_omega)
+        limited: Any = seen if limit == "seen" else sigma
+        near = min(abs(float(limited / reference - 1)), abs(float(read / greatest - 1)))
+        if len(model) == 1 or limited > reference or read > greatest or mu == mpmath.pi:
             return 0, near
         wanted = line(threshold, k, d, reference, sigma)
         level = 0
         for number in range(1, len(model)):
             row = [float(values[number - 1]) for values in model.curves]
             if not any(math.isnan(value) for value in row):
-                reached = score(row, max(seen, mpf(least)))
+                reached = score(row, max(read, mpf(least)))
                 near = min(near, abs(float(reached - wanted)))
                 level = number if reached >= wanted else level
         return level, near
+
+
+def pixel_area(model: nf.lod.LodModel, camera: nf.Camera, panel: nf.RadialLens | None, tan_omega: float) -> float:
+    """Area of the model's pixels as a multiple of the camera's, which are those of a panel behind a lens, if one is."""
+    if model.pixel is None:
+        return 1.0
+    assert isinstance(camera.fov, nf.Fov)
+    sides = np.array(camera.fov._sides)
+    if panel is not None:
+        radii = panel.undistort(sides / tan_omega, outside="nan")
+        # Beyond the fold nothing is shown.
+        sides = tan_omega * np.where(np.isnan(radii), np.sign(sides) * panel.r_max, radii)
+    left, right, down, up = sides
+    return float(model.pixel**2 * camera.width / (right - left) * camera.height / (up - down))
 
 
 def distance_to_view(points: Array, fov: nf.Fov) -> Array:

@@ -34,6 +34,7 @@ from nearfar._core.lod import (
     fit_4pl as fit_4pl,
     pieces as pieces,
     select_levels as select_levels,
+    spend_triangles as spend_triangles,
 )
 from nearfar._core.orthoview import (
     OrthoCells as OrthoCells,

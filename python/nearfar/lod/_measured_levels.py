@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar.lod._levels import Levels, level_numbers
+from nearfar.lod._measure import statistic
 from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.samples import Samples
 
@@ -25,10 +26,11 @@ class MeasuredLevels:
 
     triangles: NDArray[np.int64]
     curves: Curve4PL
-    center: NDArray[np.float64]
-    radius: float
-    sigma: tuple[float, float]
-    errors: NDArray[np.float64]
+    center: NDArray[np.float64] = field(default_factory=lambda: np.zeros(3))
+    radius: float = 1.0
+    sigma: tuple[float, float] = (0.0, 4 * math.pi)
+    errors: NDArray[np.float64] = field(default_factory=lambda: np.empty(0))
+    pixel: float | None = None
     name: str = "object"
     levels: Levels | None = None
     measured: dict[str, Any] = field(default_factory=dict)
@@ -52,7 +54,9 @@ class MeasuredLevels:
         check.instance("curves", self.curves, Curve4PL)
         curves = self.curves if self.curves.is_many else self.curves.as_many()
         if len(curves) != len(triangles) - 1:
-            raise ValueError(f"curves: expected {len(triangles) - 1}, one for each level but level 0, got {len(curves)}")
+            raise ValueError(
+                f"curves: expected {len(triangles) - 1}, one for each level but level 0, got {len(curves)}"
+            )
         check.instance("measured", self.measured, dict)
         if self.levels is not None:
             check.instance("levels", self.levels, Levels, "Levels")
@@ -77,7 +81,8 @@ class MeasuredLevels:
         samples = self.samples
         if samples is None or samples.views is None or not len(self.curves):
             return self
-        return replace(self, curves=fitted(samples.sigma, samples.of("mean")))
+        mean = replace(samples, score=statistic.of_views(samples.views, statistic.MEAN))
+        return replace(self, curves=statistic.curves_through(mean))
 
     def of_levels(self, numbers: ArrayLike) -> MeasuredLevels:
         """Return the model with some of its levels, by their ascending numbers (N,), of which the first is 0."""

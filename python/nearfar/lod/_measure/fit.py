@@ -141,7 +141,9 @@ class Curve4PL:
 def _given(*parameters: Any) -> dict[str, Any]:
     """The fields of curves that are known by a, b, c and d alone."""
     names = ("a", "b", "c", "d")
-    arrays = [check.array(name, value, columns=None, dtype=np.float64) for name, value in zip(names, parameters)]
+    arrays = [
+        check.array(name, value, columns=None, dtype=np.float64) for name, value in zip(names, parameters, strict=True)
+    ]
     shape = arrays[0].shape
     if len(shape) > 1:
         raise ValueError(f"a: expected a number or shape (K,), got {shape}")
@@ -153,7 +155,9 @@ def _given(*parameters: Any) -> dict[str, Any]:
         raise ValueError(f"c: expected sizes above 0, got {np.nanmin(c)}")
     status = np.where(np.isnan(arrays).any(axis=0), "unfittable", np.where(a == d, "flat", "fitted"))
     reason = np.where(status == "unfittable", "a parameter is NaN", "")
-    fields = dict(zip((*names, "rms", "status", "reason"), (*arrays, np.full(shape, np.nan), status, reason)))
+    fields = dict(
+        zip((*names, "rms", "status", "reason"), (*arrays, np.full(shape, np.nan), status, reason), strict=True)
+    )
     return fields if shape else {name: field.item() for name, field in fields.items()}
 
 

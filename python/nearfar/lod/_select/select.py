@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from numpy.typing import ArrayLike
 
@@ -16,7 +16,7 @@ from nearfar.lod._select.threshold import LodThreshold
 
 
 def select(
-    models: Sequence[LodModel],
+    models: Sequence[LodModel] | Mapping[str, LodModel],
     model_index: ArrayLike,
     centers: ArrayLike,
     radii: ArrayLike,
@@ -56,9 +56,9 @@ def select(
     Parameters
     ----------
     models
-        One for each kind of object.
+        One for each kind of object, in a row or by name.
     model_index
-        (N,) whole numbers: the model of each object.
+        (N,) the model of each object: whole numbers, by name names or numbers in the mapping's order.
     centers
         (N, 3), world metres: middles of the objects' bounding spheres.
     radii
@@ -111,11 +111,11 @@ def select(
     budget
         Triangles that all objects in view may have together. Then no threshold and no limit applies: levels have the
         greatest sum of weight times score that the budget allows, to within one step between two levels. Of an object
-        the upper hull of (triangles, weight × score) counts: at a price λ it takes the finest level of the hull to which
-        each triangle adds at least λ, and λ is the least price at which all fit. Steps at this price are taken in the
-        order of the objects while they fit, then smaller ones. Scores are means over the views where a model has them,
-        and beyond the sizes that were measured those at the ends. Objects count once for all cameras, with the greatest
-        of their sizes.
+        the upper hull of (triangles, weight × score) counts: at a price λ it takes the finest level of the hull to
+        which each triangle adds at least λ, and λ is the least price at which all fit. Steps at this price are taken in
+        the order of the objects while they fit, then smaller ones. Scores are means over the views where a model has
+        them, and beyond the sizes that were measured those at the ends. Objects count once for all cameras, with the
+        greatest of their sizes.
     weight
         Of a budget: "object", all the same; "pixels", σ′ / (tangent of a pixel)²; or (N,) numbers of at least 0.
     floor

@@ -35,9 +35,9 @@ class Selection(NDArrayOperatorsMixin):
     """The level of each object, 0 the finest; −1 outside of the view."""
     counts: Mapping[str, int]
     """Number of objects by the way in which they were decided. Each is one of these for each camera: "culled" (not in
-    view), "one_level" (in view, nothing to choose), "settled" (another camera asked for level 0 already), "large"
-    (so large that no curve reaches the threshold) or "asked". Of those asked: "lens" (σ′ was computed), "table" (the level stood in
-    a table of the model), "formula" (curves were evaluated)."""
+    view), "one_level" (in view, nothing to choose), "settled" (another camera asked for level 0 already), "large" (so
+    large that no curve reaches the threshold) or "asked". Of those asked: "lens" (σ′ was computed), "table" (the level
+    stood in a table of the model), "formula" (curves were evaluated)."""
     columns: InitVar[Mapping[str, Array]]
     spent: Spent | None = None
     """What a budget was spent on; None without one."""

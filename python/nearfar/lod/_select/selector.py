@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,7 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.lens import RadialLens
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.budget import MOST_TRIANGLES, Spent, triangles_of, weight_of, weights_for
-from nearfar.lod._select.kernel_inputs import cameras_of, curves_of, eye_of, gaze_of, whole_numbers
+from nearfar.lod._select.kernel_inputs import cameras_of, curves_of, eye_of, gaze_of, models_of, whole_numbers
 from nearfar.lod._select.selection import COLUMNS, Selection
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE, checked_lens, reference_solid_angle, widest
 from nearfar.lod._select.threshold import LodThreshold, threshold_of
@@ -117,7 +117,7 @@ class Selector:
 
     def select(
         self,
-        models: Sequence[MeasuredLevels],
+        models: Sequence[MeasuredLevels] | Mapping[str, MeasuredLevels],
         model_index: ArrayLike,
         centers: ArrayLike,
         radii: ArrayLike,
@@ -129,8 +129,11 @@ class Selector:
         full: bool = False,
     ) -> Selection:
         """Choose a level for each object; arguments, results and errors are those of `nearfar.lod.select`."""
+        models, model_index = models_of(models, model_index)
         if self.budget is not None:
-            models = [model.of_mean for model in check.items("models", models, MeasuredLevels, "a sequence of LodModel")]
+            models = [
+                model.of_mean for model in check.items("models", models, MeasuredLevels, "a sequence of LodModel")
+            ]
         curves = curves_of(models)
         places, sizes = check.spheres(centers, radii)
         index = whole_numbers("model_index", model_index, np.int64, len(places))
@@ -143,7 +146,6 @@ class Selector:
         is_fovea, is_panel = self.mode == "fovea", self.mode == "panel"
         panel = (lens, tan_omega) if is_panel and lens is not None else None
         direction = gaze_of(cameras, gaze) if is_fovea or gaze is not None else None
-        objects = (curves, index, places, sizes)
         seen: dict[str, Any] = {
             "previous": before,
             "eyes": [eye_of(one, direction, panel) for one in cameras],
@@ -159,23 +161,34 @@ class Selector:
         }
         spent = None
         if self.budget is None:
-            limits = {"reference": reference, "limits_seen": self.limit == "seen"}
-            rules = limits | {"off": self.mode == "off", "fade": self.fade}
-            level, columns, counts = _core.select_levels(*objects, **seen, **rules)
-        else:
-            own = {"budget": self.budget, "floor": self.floor, "price": _price(price)}
-            weights = weights_for(self.weight, len(places))
-            level, columns, counts, (paid, triangles, score) = _core.spend_triangles(
-                curves, triangles_of(models), *objects[1:], **seen, **own, **weights
+            level, columns, counts = _core.select_levels(
+                curves,
+                index,
+                places,
+                sizes,
+                reference=reference,
+                limits_seen=self.limit == "seen",
+                off=self.mode == "off",
+                fade=self.fade,
+                **seen,
             )
-            spent = Spent(paid, triangles, score)
+        else:
+            level, columns, counts, paid = _core.spend_triangles(
+                curves,
+                triangles_of(models),
+                index,
+                places,
+                sizes,
+                budget=self.budget,
+                floor=self.floor,
+                price=None if price is None else check.at_least_zero("price", price),
+                **weights_for(self.weight, len(places)),
+                **seen,
+            )
+            spent = Spent(*paid)
         return Selection(
             level=level,
             counts=dict(zip(_COUNTS, counts, strict=True)),
             columns=dict(zip(COLUMNS, columns, strict=True)) if full else {},
             spent=spent,
         )
-
-
-def _price(price: float | None) -> float | None:
-    return None if price is None else check.at_least_zero("price", price)

@@ -145,9 +145,7 @@ def _pixel_area(model: MeasuredLevels, view: Hmd | Camera | Fov) -> float:
     return model.pixel**2 / ((fov.right - fov.left) / size[0] * ((fov.up - fov.down) / size[1]))
 
 
-def _good_sizes(
-    model: MeasuredLevels, reference: float, line: tuple[float, float], area: float
-) -> NDArray[np.float64]:
+def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, float], area: float) -> NDArray[np.float64]:
     """Solid angle up to which each level is good enough, steradians; 4π for level 0."""
     sizes = np.full(len(model), 4 * math.pi)
     if len(model) == 1:

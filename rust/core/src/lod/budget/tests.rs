@@ -1,1 +1,112 @@
+use super::super::select::Model;
+use super::fill::{Step, fill};
+use super::hull::{Choice, LANES, Lanes, slopes};
+use super::prices::{ALWAYS, NEVER, class};
+use super::rated::{Ladder, RatedModel};
 
+/// Numbers from 0 to 1, the same in each run.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// A ladder of levels with some triangles.
+fn ladder(triangles: &[i64]) -> Ladder {
+    let curves = vec![[1.0, 1.0, 1.0, 0.5]; triangles.len() - 1];
+    let model = Model { curves: &curves, range: [0.0, 1.0], pixel: f64::NAN };
+    Ladder::new(&RatedModel { model, triangles }, 0).unwrap()
+}
+
+/// The slope of the least concave function above the points, just left of place `step`, by all pairs around it.
+fn slope(triangles: &[i64], scores: &[f64], step: usize) -> f64 {
+    let height = |triangles: &[i64], at: f64| {
+        let mut most = f64::NEG_INFINITY;
+        for j in 0..triangles.len() {
+            for k in 0..triangles.len() {
+                let (right, left) = (triangles[j] as f64, triangles[k] as f64);
+                if left <= at && at <= right && left < right {
+                    most = most.max(scores[k] + (scores[j] - scores[k]) * (at - left) / (right - left));
+                }
+            }
+        }
+        most
+    };
+    let (right, left) = (triangles[step] as f64, triangles[step + 1] as f64);
+    ((height(triangles, right) - height(triangles, left)) / (right - left)).max(0.0)
+}
+
+#[test]
+fn slopes_are_those_of_the_upper_hull() {
+    let mut numbers = Numbers(1);
+    for _ in 0..200 {
+        let mut triangles: Vec<i64> = (0..2 + (numbers.next() * 9.0) as i64).map(|n| n * 100 + (numbers.next() * 90.0) as i64).collect();
+        triangles.reverse();
+        let ladder = ladder(&triangles);
+        let scores: Vec<Lanes> = triangles.iter().map(|_| std::array::from_fn(|_| numbers.next())).collect();
+        let mut found = Vec::new();
+        slopes(&ladder, &scores, &[0.0; LANES], Choice::All, &mut found);
+        for lane in 0..LANES {
+            let own: Vec<f64> = scores.iter().map(|scores| scores[lane]).collect();
+            for step in 0..ladder.steps() {
+                let expected = slope(&triangles, &own, step);
+                assert!((found[step][lane] - expected).abs() <= 1e-12, "{} {expected}", found[step][lane]);
+            }
+            assert!(found.windows(2).all(|steps| steps[0][lane] <= steps[1][lane]));
+        }
+    }
+}
+
+#[test]
+fn steps_of_an_edge_have_the_same_bits() {
+    // The middle level lies below the edge between the others.
+    let (ladder, mut found) = (ladder(&[1000, 300, 10]), Vec::new());
+    let scores = [[1.0; LANES], [0.4; LANES], [0.3; LANES]];
+    slopes(&ladder, &scores, &[0.0; LANES], Choice::All, &mut found);
+    assert_eq!(found[0][0].to_bits(), found[1][0].to_bits());
+    assert!((found[0][0] - 0.7 / 990.0).abs() < 1e-15);
+}
+
+#[test]
+fn floors_part_the_hull() {
+    let (ladder, mut found) = (ladder(&[1000, 300, 10]), Vec::new());
+    let scores = [[1.0; LANES], [0.4; LANES], [0.3; LANES]];
+    slopes(&ladder, &scores, &[1.0; LANES], Choice::FromFloor, &mut found);
+    assert_eq!(found[1][0], f64::INFINITY);
+    assert!((found[0][0] - 0.6 / 700.0).abs() < 1e-15);
+    slopes(&ladder, &scores, &[1.0; LANES], Choice::ToFloor, &mut found);
+    assert_eq!(found[0][0], 0.0);
+    assert!((found[1][0] - 0.1 / 290.0).abs() < 1e-15);
+}
+
+#[test]
+fn levels_without_curves_are_left_out() {
+    let curves = [[1.0, 1.0, 1.0, 0.5], [f64::NAN; 4], [1.0, 1.0, 1.0, 0.2]];
+    let model = Model { curves: &curves, range: [0.0, 1.0], pixel: f64::NAN };
+    let ladder = Ladder::new(&RatedModel { model, triangles: &[40, 30, 20, 10] }, 0).unwrap();
+    assert_eq!((ladder.level.as_slice(), ladder.triangles.as_slice()), (&[0, 1, 3][..], &[40, 30, 10][..]));
+    assert!(Ladder::new(&RatedModel { model, triangles: &[40, 30, 20, 35] }, 0).is_err());
+}
+
+#[test]
+fn classes_rise_with_slopes() {
+    let mut slopes: Vec<f64> = (-1074..1024).map(|n| 2f64.powi(n)).collect();
+    let mut numbers = Numbers(2);
+    slopes.extend((0..10_000).map(|_| 2f64.powf(60.0 * numbers.next() - 50.0)));
+    slopes.sort_by(f64::total_cmp);
+    assert!(slopes.windows(2).all(|pair| class(pair[0]) <= class(pair[1])));
+    assert!(slopes.iter().all(|&slope| (NEVER + 1..ALWAYS).contains(&class(slope))));
+    assert_eq!((class(0.0), class(-1.0), class(f64::INFINITY)), (NEVER, NEVER, ALWAYS));
+}
+
+#[test]
+fn after_a_step_that_does_not_fit_come_smaller_ones_of_others() {
+    let step = |object, to, triangles| Step { slope: 1.0 / f64::from(object + 1), object, to, triangles, gain: 1.0 };
+    let steps = [step(0, 1, 50), step(1, 1, 60), step(1, 0, 1), step(2, 1, 40), step(3, 1, 30)];
+    let filled = fill(&steps, 100);
+    assert_eq!((filled.triangles, filled.gain, filled.slope), (90, 2.0, 0.5));
+    assert_eq!(filled.levels, [(0, 1), (2, 1)]);
+}

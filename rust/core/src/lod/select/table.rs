@@ -10,14 +10,18 @@ use super::objects::TILE;
 use super::rules::{Rules, ThresholdLine};
 
 /// log₂ of the number of cells over σ. The cells have equal widths, because f is linear.
-const SIGMA_DIGITS: u32 = 3;
+const SIGMA_DIGITS: u32 = 4;
 const SIGMAS: u64 = 1 << SIGMA_DIGITS;
 /// log₂ of the number of σ cells for σ′ up to the least measured σ′. There each score is one number, so f alone
 /// decides.
-const SMALL_DIGITS: u32 = 8;
+const SMALL_DIGITS: u32 = 9;
 const SMALLS: u64 = 1 << SMALL_DIGITS;
+/// Greatest σ of the cells as a multiple of the reference; few objects are larger and have other levels than 0.
+const REACH: f64 = 2.0;
 /// Relative widening of the cells over σ, so that no σ lies beyond the last cell.
 const WIDENING: f64 = 1e-12;
+/// The greatest number below 1 to which adding 1 gives less than 2.
+const BELOW_1: f64 = 1.0 - f64::EPSILON;
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 /// Cells over σ′: bits of its mantissa per cell number, and the greatest number of octaves.
 const DIGITS: u32 = 4;
@@ -79,7 +83,9 @@ impl Tables {
         for (((&place, &sigma), &read), to) in places.iter().zip(sigma).zip(read).zip(to) {
             let Head { fineness, least, greatest, first, base, last } = heads[models[usize::from(place)] as usize];
             // The leading mantissa bits of a number from 1 to below 2.
-            let small = (1.0 + sigma * fineness).to_bits() >> (MANTISSA - SMALL_DIGITS) & (SMALLS - 1);
+            let share = sigma * fineness;
+            let share = if share < BELOW_1 { share } else { BELOW_1 };
+            let small = (1.0 + share).to_bits() >> (MANTISSA - SMALL_DIGITS) & (SMALLS - 1);
             let row = small >> (SMALL_DIGITS - SIGMA_DIGITS);
             let cell = ((read.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
             let large = SMALLS + row * (u64::from(last) + 1) + cell;
@@ -93,7 +99,7 @@ impl Tables {
 /// A model's cells and their head. A model with one level has one cell for each σ cell.
 fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     let count = model.curves.len();
-    let limit = model.limit(rules);
+    let limit = model.limit(rules).min(REACH * rules.reference);
     if count == 0 {
         let head = Head { fineness: 0.0, least: 0.0, greatest: 0.0, first: 0, base: 0, last: 0 };
         return Some((head, vec![0; (SMALLS + SIGMAS) as usize]));
@@ -131,6 +137,15 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     for sigma in 0..SIGMAS {
         let [low, high] = range(&rules.line, limit, sigma, SIGMAS);
         cells.extend((0..width).map(|cell| level(&bounds, count, cell, low, high)));
+    }
+    if limit < model.limit(rules) {
+        // Larger objects share the last cells.
+        let is_last = |cell: usize| {
+            if cell < SMALLS as usize { cell + 1 == SMALLS as usize } else { cell + width >= cells.len() }
+        };
+        for cell in (0..cells.len()).filter(|&cell| is_last(cell)).collect::<Vec<_>>() {
+            cells[cell] = count as u8 | UNSURE;
+        }
     }
     let fineness = (1.0 - WIDENING) / limit;
     // If the limit is 0 or a few of the smallest floats, there is one cell.

@@ -1,0 +1,328 @@
+"""Levels under a budget: against an exact dynamic programme, and the cases of nothing to choose."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+from numpy.typing import NDArray
+
+import nearfar as nf
+from tests.support import printed_by_threads
+from tests.support.lod_oracle import around, model, rotation, usual
+
+Array = NDArray[np.float64]
+
+LENS = nf.RadialLens((0.22, 0.24))
+FOV = nf.Fov(-1.0, 0.9, -1.1, 1.05)
+VIEW = nf.Camera.look_at((0.5, 1.5, -2.0), (4.0, 0.5, -9.0), fov=FOV, size=(1440, 1600))
+
+
+def small_models(random: np.random.Generator) -> list[nf.lod.LodModel]:
+    """Models of few triangles, so that all sums can be tried; curves may cross and some are missing."""
+    found = []
+    for seed in range(4):
+        one = usual(int(random.integers(0, 5)), seed)
+        triangles = np.sort(random.integers(1, 60, len(one)))[::-1]
+        found.append(replace(one, triangles=triangles))
+    nothing = (np.nan,) * 4
+    return [*found, replace(model([(1, 1, 0.1, 0.5), nothing, (1, 1, 0.01, 0.2)]), triangles=np.array([40, 20, 20, 5]))]
+
+
+def scores_of(one: nf.lod.LodModel, size: float) -> Array:
+    """Score of each level at a size (K,); NaN for levels without a curve."""
+    least, most = one.sigma
+    return np.array([1.0, *(one.curves(np.array([np.clip(size, least, most)]))[:, 0] if len(one) > 1 else ())])
+
+
+def best(models: list[nf.lod.LodModel], index: Any, sizes: Array, weights: Array, budget: int) -> float:
+    """Greatest Σ w·M of all choices within a budget, by trying all sums."""
+    reached = np.full(budget + 1, -np.inf)
+    reached[0] = 0.0
+    for number, size, weight in zip(index, sizes, weights, strict=True):
+        one = models[number]
+        after = np.full(budget + 1, -np.inf)
+        for triangles, score in zip(one.triangles.tolist(), scores_of(one, size), strict=True):
+            if not np.isnan(score) and triangles <= budget:
+                after[triangles:] = np.maximum(after[triangles:], reached[: budget + 1 - triangles] + weight * score)
+        reached = after
+    return float(reached.max())
+
+
+def ahead(count: int, seed: int) -> tuple[Array, Array]:
+    """Spheres in view, which the eye is outside of."""
+    random = np.random.default_rng(seed)
+    away = np.exp(random.uniform(0, 3, count))
+    own = np.stack([random.uniform(-0.7, 0.7, count) * away, random.uniform(-0.7, 0.7, count) * away, -away], axis=1)
+    return own @ rotation(VIEW).T + VIEW.position, away * np.exp(random.uniform(-5, -1.5, count))
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(1, 8), st.sampled_from(["object", "pixels", "each"]))
+@settings(max_examples=60, deadline=None)
+def test_sums_are_within_a_step_of_the_best(seed: int, count: int, kind: str) -> None:
+    random = np.random.default_rng(seed)
+    models = small_models(random)
+    index = random.integers(0, len(models), count)
+    centers, radii = ahead(count, seed)
+    weight = random.uniform(0, 3, count) * (random.random(count) < 0.8) if kind == "each" else kind
+    options: dict[str, Any] = {"camera": VIEW, "lens": LENS, "weight": weight, "full": True}
+    least = sum(int(models[number].triangles[-1]) for number in index)
+    most = sum(int(models[number].triangles[0]) for number in index)
+    sizes = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=LENS)
+    pixel = (1.9 / 1440) * (2.15 / 1600)
+    weights = np.asarray({"object": np.ones(count), "pixels": sizes / pixel}.get(kind, weight), np.float64)
+    gains = []
+    for number, size, one in zip(index, sizes, weights, strict=True):
+        scores = scores_of(models[number], size)
+        gains.append(one * (np.nanmax(scores) - np.nanmin(scores)))
+    for budget in sorted({least, most, most + 100, *random.integers(least, most + 1, 4).tolist()}):
+        found = nf.lod.select(models, index, centers, radii, budget=budget, **options)
+        spent = found.spent
+        assert spent is not None
+        triangles = sum(int(models[n].triangles[level]) for n, level in zip(index, found.level, strict=True))
+        reached = [scores_of(models[n], s)[k] for n, s, k in zip(index, sizes, found.level, strict=True)]
+        assert spent.triangles == triangles <= budget
+        np.testing.assert_allclose(found.score, reached, rtol=1e-7)
+        total = float(weights @ reached)
+        exact = best(models, index, sizes, weights, budget)
+        assert total <= exact + 1e-9 * abs(exact)
+        assert total >= exact - max(gains) - 1e-9 * abs(exact)
+        if weights.sum() > 0:
+            assert spent.score == pytest.approx(total / weights.sum(), rel=1e-7)
+        if budget >= most:
+            assert spent.price == 0.0
+            assert total == pytest.approx(exact, rel=1e-9)
+
+
+def crowd(count: int, seed: int = 0) -> tuple[list[nf.lod.LodModel], Any, Array, Array]:
+    models = [usual(7, number) for number in range(6)]
+    centers, radii = around(count, seed, VIEW)
+    return models, np.random.default_rng(seed).integers(0, 6, count), centers, radii
+
+
+def triangles_of(models: list[nf.lod.LodModel], index: Any, levels: Any) -> int:
+    return sum(int(models[n].triangles[level]) for n, level in zip(index, levels, strict=True) if level >= 0)
+
+
+def test_a_greater_budget_is_never_worse_and_is_spent() -> None:
+    scene = crowd(5000)
+    before = -1.0
+    for budget in (2_000_000, 4_000_000, 10_000_000, 50_000_000):
+        found = nf.lod.select(*scene, camera=VIEW, budget=budget, full=True)
+        assert found.spent is not None
+        assert 0.999 * budget < found.spent.triangles <= budget
+        assert found.spent.triangles == triangles_of(scene[0], scene[1], found.level)
+        assert found.spent.score == pytest.approx(np.nanmean(found.score), rel=1e-9)
+        assert found.spent.score > before
+        before = found.spent.score
+    assert found.counts["culled"] == (found.level == -1).sum() > 0
+
+
+def test_levels_at_the_price_are_those_of_each_hull() -> None:
+    models, index, centers, radii = crowd(4000, 3)
+    found = nf.lod.select(models, index, centers, radii, camera=VIEW, budget=3_000_000, full=True)
+    assert found.spent is not None
+    price = found.spent.price
+    others = 0
+    for n in np.flatnonzero(found.level >= 0):
+        one = models[index[n]]
+        value = scores_of(one, found.sigma_seen[n]) - price * one.triangles
+        # Those that were tried in turn beside the price may have less.
+        others += value[found.level[n]] < value.max() - 1e-9
+    assert others < 0.02 * (found.level >= 0).sum()
+
+
+def test_weights_of_pixels_favour_what_is_large() -> None:
+    scene = crowd(3000, 1)
+    plain, pixels = (
+        nf.lod.select(*scene, camera=VIEW, budget=1_500_000, weight=weight, full=True)
+        for weight in ("object", "pixels")
+    )
+    seen = plain.level >= 0
+    by_size = [np.average(one.score[seen], weights=one.sigma_seen[seen]) for one in (plain, pixels)]
+    assert by_size[1] > by_size[0] + 0.01
+    assert plain.spent is not None
+    assert pixels.spent is not None
+    assert pixels.spent.score == pytest.approx(by_size[1], rel=1e-9)
+    assert np.nanmean(plain.score) > np.nanmean(pixels.score)
+
+
+def test_floors_hold_where_the_budget_allows_them() -> None:
+    models, index, centers, radii = crowd(2000, 2)
+    options: dict[str, Any] = {"camera": VIEW, "full": True}
+    options |= {"threshold": "literal", "k": 0.0, "reference": 4.0}
+    by_threshold = nf.lod.select(models, index, centers, radii, d=0.8, **options)
+    needed = int(1.05 * triangles_of(models, index, by_threshold.level))
+    held = nf.lod.select(models, index, centers, radii, d=0.9, floor=0.1, budget=needed, **options)
+    plain = nf.lod.select(models, index, centers, radii, d=0.9, budget=needed, **options)
+    seen = held.level >= 0
+    reached = held.score[seen] >= held.threshold[seen] - 0.1 - 1e-9
+    assert (reached | (held.level[seen] == 0)).all()
+    assert (plain.score[seen] < plain.threshold[seen] - 0.1).any()
+    assert held.spent is not None
+    assert plain.spent is not None
+    assert held.spent.score <= plain.spent.score
+    # Too little for all: none has more than its floor.
+    poor = nf.lod.select(models, index, centers, radii, d=0.9, floor=0.1, budget=needed // 2, **options)
+    assert (poor.level[seen] >= by_threshold.level[seen]).all()
+    assert (poor.level[seen] > by_threshold.level[seen]).any()
+
+
+def test_two_eyes_count_once() -> None:
+    models, index, centers, radii = crowd(3000, 4)
+    other = replace(VIEW, position=(0.7, 1.5, -2.1))
+    both = nf.lod.select(models, index, centers, radii, camera=[VIEW, other], budget=2_000_000, full=True)
+    alone = nf.lod.select(models, index, centers, radii, camera=[VIEW, VIEW], budget=2_000_000)
+    single = nf.lod.select(models, index, centers, radii, camera=VIEW, budget=2_000_000)
+    assert np.array_equal(alone, single)
+    assert both.spent is not None
+    assert both.spent.triangles == triangles_of(models, index, both.level) <= 2_000_000
+    sizes = [nf.solid_angle(centers, radii, eye=eye.position) for eye in (VIEW, other)]
+    seen = both.level >= 0
+    assert (both.sigma_seen[seen] <= np.maximum(*sizes)[seen] * (1 + 1e-12)).all()
+
+
+# frame after frame ---------------------------------------------------------------------------------------------------
+def turns(hysteresis: float, *, keeps: bool) -> tuple[int, list[int]]:
+    """Changes of levels while sizes tremble, and the triangles of each frame."""
+    models, index, centers, radii = crowd(3000, 5)
+    random = np.random.default_rng(6)
+    level, price, changes, drawn = None, None, 0, []
+    for _ in range(12):
+        trembling = radii * random.uniform(0.99, 1.01, len(radii))
+        found = nf.lod.select(
+            models, index, centers, trembling, camera=VIEW, budget=2_000_000, hysteresis=hysteresis,
+            previous=level if keeps else None, price=price if keeps else None,
+        )  # fmt: skip
+        assert found.spent is not None
+        changes += 0 if level is None else int((found.level != level).sum())
+        level, price = found.level, found.spent.price
+        drawn.append(found.spent.triangles)
+    return changes, drawn
+
+
+def test_levels_stay_while_sizes_tremble() -> None:
+    free, _ = turns(0.0, keeps=False)
+    held, drawn = turns(0.2, keeps=True)
+    assert held < 0.2 * free
+    assert all(1_600_000 <= triangles <= 2_000_000 for triangles in drawn)
+
+
+def test_a_price_is_kept_where_it_spends_most_of_the_budget() -> None:
+    scene = crowd(3000, 7)
+    first = nf.lod.select(*scene, camera=VIEW, budget=2_000_000)
+    assert first.spent is not None
+    price = first.spent.price
+    for budget, is_kept in ((2_000_000, True), (2_100_000, True), (2_500_000, False), (1_900_000, False)):
+        found = nf.lod.select(*scene, camera=VIEW, budget=budget, price=price, hysteresis=0.1)
+        assert found.spent is not None
+        assert (found.spent.price == price) == is_kept
+        assert found.spent.triangles <= budget
+
+
+# cases of nothing to choose -------------------------------------------------------------------------------------------
+def test_budgets_below_the_coarsest_levels_name_the_least() -> None:
+    models, index, centers, radii = crowd(500)
+    seen = nf.lod.select(models, index, centers, radii, camera=VIEW).level >= 0
+    least = sum(int(models[n].triangles[-1]) for n in index[seen])
+    found = nf.lod.select(models, index, centers, radii, camera=VIEW, budget=least)
+    assert found.spent is not None
+    assert (found.level[seen] == 7).all()
+    with pytest.raises(ValueError, match=f"budget: expected at least {least} triangles.*, got {least - 1}"):
+        nf.lod.select(models, index, centers, radii, camera=VIEW, budget=least - 1)
+
+
+def test_one_object_takes_the_finest_level_that_fits() -> None:
+    one = usual(4)
+    for budget in (*one.triangles.tolist(), int(one.triangles[1]) - 1):
+        found = nf.lod.select([one], [0], [VIEW.position + 5 * -rotation(VIEW)[:, 2]], 0.5, camera=VIEW, budget=budget)
+        fits = np.flatnonzero(one.triangles <= budget)
+        assert found.level[0] == fits[0]
+
+
+def test_equal_slopes_are_taken_in_the_order_of_objects() -> None:
+    one = replace(model([(1.0, 1.0, 0.01, 0.5)]), triangles=np.array([110, 10]))
+    place = np.tile(VIEW.position + 5 * -rotation(VIEW)[:, 2], (10, 1))
+    found = nf.lod.select([one], np.zeros(10, int), place, 0.5, camera=VIEW, budget=100 + 350)
+    assert found.level.tolist() == [0, 0, 0, 1, 1, 1, 1, 1, 1, 1]
+    assert found.spent is not None
+    assert found.spent.triangles == 400
+
+
+def test_nothing_is_spent_on_what_has_no_weight_or_is_out_of_view() -> None:
+    models, index, centers, radii = crowd(1000)
+    weight = np.ones(1000)
+    weight[::2] = 0
+    found = nf.lod.select(models, index, centers, radii, camera=VIEW, budget=10**9, weight=weight)
+    seen = found.level >= 0
+    assert (found.level[::2][seen[::2]] == 7).all()
+    assert (found.level[1::2][seen[1::2]] < 7).mean() > 0.9
+    nobody = nf.lod.select(models, index, centers, radii, camera=VIEW, budget=10**9, weight=np.zeros(1000))
+    assert nobody.spent is not None
+    assert np.isnan(nobody.spent.score)
+    none = nf.lod.select(models, [], np.zeros((0, 3)), np.zeros(0), camera=VIEW, budget=0)
+    assert none.spent is not None
+    assert (len(none), none.spent.triangles, none.spent.price) == (0, 0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "message"),
+    [
+        ({"weight": [1.0, np.nan]}, ValueError, "weight: expected finite numbers of at least 0, got NaN at index 1"),
+        ({"weight": [1.0, -1.0]}, ValueError, "weight: expected finite numbers of at least 0, got -1 at index 1"),
+        ({"weight": [1.0]}, ValueError, r"weight: expected shape \(2,\), one for each object, got \(1,\)"),
+        ({"weight": "area"}, ValueError, "weight: expected"),
+        ({"budget": -1}, ValueError, "budget: expected"),
+        ({"budget": 1.5}, TypeError, "budget: expected"),
+        ({"floor": -0.1}, ValueError, "floor: expected"),
+        ({"price": -0.1}, ValueError, "price: expected"),
+        ({"mode": "off"}, ValueError, "budget: expected None for the mode 'off'"),
+    ],
+)
+def test_other_arguments_are_refused(options: dict[str, Any], error: type[Exception], message: str) -> None:
+    given: dict[str, Any] = {"budget": 10**9} | options
+    with pytest.raises(error, match=message):
+        nf.lod.select([usual()], [0, 0], VIEW.position + np.array([[0, 0, -5], [0, 0, -6]]), 1.0, camera=VIEW, **given)
+
+
+def test_scores_of_views_count_by_their_mean() -> None:
+    one = usual(2)
+    sizes = np.geomspace(0.18, 1e-3, 12)
+    views = np.stack(
+        [np.ones((12, 4)), *(np.column_stack([low, low, high, high]) for low, high in _halves(one, sizes))]
+    )
+    samples = nf.lod.Samples(sizes, views.min(axis=2), views.astype(np.float32))
+    measured = replace(one, samples=samples, curves=nf.lod.fit_4pl(sizes, views.min(axis=2)[1:]))
+    place = [VIEW.position + 5 * -rotation(VIEW)[:, 2]]
+    found = nf.lod.select([measured], [0], place, 0.5, camera=VIEW, budget=int(one.triangles[1]), full=True)
+    assert found.level[0] == 1
+    assert found.score[0] == pytest.approx(measured.refit("mean").curves(found.sigma_seen)[0, 0], abs=1e-9)
+    assert found.score[0] > measured.curves(found.sigma_seen)[0, 0] + 0.01
+
+
+def _halves(one: nf.lod.LodModel, sizes: Array) -> list[tuple[Array, Array]]:
+    return [(scores - 0.05, np.minimum(scores + 0.05, 1.0)) for scores in one.curves(sizes)]
+
+
+BITS = """
+import hashlib
+import numpy as np
+import nearfar as nf
+from tests.lod.test_budget import VIEW, crowd
+found = nf.lod.select(*crowd(60_000), camera=VIEW, budget=30_000_000, weight="pixels", floor=0.3, full=True)
+print(hashlib.sha256(found.level.tobytes() + found.score.tobytes()).hexdigest(), found.spent)
+"""
+
+
+def test_threads_change_no_bit() -> None:
+    assert len(set(printed_by_threads(BITS))) == 1
+
+
+def test_pairs_of_frames_are_the_same() -> None:
+    scene = crowd(3000, 8)
+    found = [nf.lod.select(*scene, camera=VIEW, budget=2_000_000, full=True) for _ in range(3)]
+    assert all(np.array_equal(one.level, other.level) for one, other in itertools.pairwise(found))

@@ -1,0 +1,150 @@
+"""Sizes that are seen through both axes of a lens and on its panel, limits on them, and pixels of models."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+import nearfar as nf
+from tests.support.lod_oracle import around, chosen, model, rotation, size, usual
+
+LENSES = {
+    "rift": nf.RadialLens((0.22, 0.24)),
+    "vive": nf.RadialLens((0.2063, 0.0576)),
+    "barrel": nf.RadialLens((-0.2,)),
+}
+FOV = nf.Fov(-1.0, 0.9, -1.1, 1.05)
+VIEW = nf.Camera.look_at((0.5, 1.5, -2.0), (4.0, 0.5, -9.0), fov=FOV, size=(1440, 1600))
+KINDS: dict[str, dict[str, Any]] = {
+    "axis": {},
+    "area": {"size": "area"},
+    "panel": {"mode": "panel"},
+}
+CLOSE = 1e-7
+"""Share of a size or a score within which the table of the inverse may decide otherwise than 40 digits."""
+
+
+@pytest.mark.parametrize("limit", ["seen", "own"])
+@pytest.mark.parametrize("pixel", [None, 0.8e-3, 2.6e-3])
+@pytest.mark.parametrize("lens", [None, *LENSES])
+@pytest.mark.parametrize("kind", KINDS)
+def test_levels_are_those_of_the_formulas(kind: str, lens: str | None, pixel: float | None, limit: str) -> None:
+    glass = None if lens is None else LENSES[lens]
+    own = replace(usual(5, seed=3), pixel=pixel)
+    centers, radii = around(60, 17, VIEW)
+    options = KINDS[kind] | {"camera": VIEW, "lens": glass, "limit": limit, "cull": False}
+    expected = [chosen(own, *one, VIEW, lens=glass, kind=kind, limit=limit) for one in zip(centers, radii, strict=True)]
+    for inverse in ("lut", "newton"):
+        found = nf.lod.select([own], np.zeros(60, int), centers, radii, inverse=inverse, **options)
+        sure = np.array([near > CLOSE for _, near in expected])
+        assert sure.mean() > 0.9
+        assert np.array_equal(found.level[sure], np.array([level for level, _ in expected])[sure])
+
+
+@pytest.mark.parametrize("lens", [None, *LENSES])
+@pytest.mark.parametrize("kind", ["area", "panel"])
+def test_sizes_are_those_of_the_formulas(kind: str, lens: str | None) -> None:
+    glass = None if lens is None else LENSES[lens]
+    centers, radii = around(60, 5, VIEW)
+    with mpmath.workdps(40):
+        spheres = zip(centers, radii, strict=True)
+        exact = [float(size(center, radius, VIEW, glass, 1.0, kind)[1]) for center, radius in spheres]
+    # A threshold below all scores: every object is asked for.
+    options: dict[str, Any] = KINDS[kind] | {"camera": VIEW, "lens": glass, "d": -9.0, "cull": False, "full": True}
+    for inverse, off in (("lut", 1e-7), ("newton", 1e-12)):
+        found = nf.lod.select([usual()], np.zeros(60, int), centers, radii, inverse=inverse, **options)
+        seen = found.sigma_seen
+        assert np.isfinite(exact).mean() > 0.4
+        np.testing.assert_allclose(seen, np.where(np.isnan(seen), np.nan, exact), rtol=off)
+
+
+def test_both_axes_are_the_area_of_small_things() -> None:
+    random = np.random.default_rng(0)
+    ahead = random.uniform(2, 30, 400)
+    own = np.stack([random.uniform(-0.8, 0.8, 400) * ahead, random.uniform(-0.8, 0.8, 400) * ahead, -ahead], axis=1)
+    centers = own @ rotation(VIEW).T + VIEW.position
+    lens = LENSES["rift"]
+    for share, off in ((1e-3, 1e-5), (0.1, 0.02)):
+        radii = share * np.linalg.norm(own, axis=1)
+        exact = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=lens, exact=True)
+        found = nf.lod.select(
+            [usual()], np.zeros(400, int), centers, radii, camera=VIEW, lens=lens, size="area", d=-9.0, full=True
+        )
+        assert np.abs(found.sigma_seen / exact - 1).max() < off
+
+
+def test_near_objects_lose_detail_where_they_look_small_alone() -> None:
+    # At the edge of the Rift's view, larger than σ₁/₁₆ and smaller behind the lens; its curve is good at all sizes.
+    good = model([[1, 1, 1, 0.99]], sigma=(1e-4, 1.0))
+    edge = np.array([0.85, 0.0, -1.0])
+    place = rotation(VIEW) @ (3 * edge / np.linalg.norm(edge)) + np.array(VIEW.position)
+    found = {
+        limit: nf.lod.select([good], [0], place[None], 0.75, camera=VIEW, lens=LENSES["rift"], limit=limit, full=True)
+        for limit in ("seen", "own")
+    }
+    reference = nf.lod.reference_solid_angle(VIEW)
+    assert found["seen"].sigma_seen[0] < reference < found["seen"].sigma[0]
+    assert (found["seen"].level[0], found["own"].level[0]) == (1, 0)
+    assert found["own"].counts["large"] == 1
+
+
+def test_finer_pixels_show_more() -> None:
+    centers, radii = around(500, 2, VIEW)
+    own = replace(usual(), pixel=2 / 1440)
+    levels = []
+    for factor in (0.5, 1, 2, 4):
+        camera = replace(VIEW, size=(int(1440 * factor), int(1600 * factor)))
+        levels.append(nf.lod.select([own], np.zeros(500, int), centers, radii, camera=camera).level)
+    seen = levels[0] > 0
+    assert all((finer <= coarser).all() for coarser, finer in itertools.pairwise(levels))
+    assert levels[-1][seen].mean() < levels[0][seen].mean() - 0.5
+
+
+def test_curves_of_pixels_that_are_not_known_hold_for_all() -> None:
+    centers, radii = around(500, 2, VIEW)
+    small, large = (
+        nf.lod.select([usual()], np.zeros(500, int), centers, radii, camera=replace(VIEW, size=size)).level
+        for size in ((720, 800), (2880, 3200))
+    )
+    assert np.array_equal(small, large)
+
+
+@pytest.mark.parametrize("lens", [None, *LENSES])
+def test_panel_magnification(lens: str | None) -> None:
+    glass = None if lens is None else LENSES[lens]
+    angles = np.array([0.0, 10.0, 30.0, 40.0])
+    found = nf.lod.panel_magnification(angles, lens=glass, view=FOV)
+    assert found[0] == 1.0
+    for angle, value in zip(angles[1:], found[1:], strict=True):
+        # Pixels by counting: how a small square around the direction maps to the panel.
+        step, direction = 1e-5, np.radians(angle)
+        away = np.array([[direction - step, 0], [direction + step, 0], [direction, -step], [direction, step]])
+        rays = np.stack([np.sin(away[:, 0]), away[:, 1], np.cos(away[:, 0])], axis=1)
+        points = rays[:, :2] / rays[:, 2:]
+        if glass is not None:
+            radii = np.hypot(*points.T)
+            points *= (glass.undistort(radii) / radii)[:, None]
+        area = np.linalg.norm(points[1] - points[0]) * np.linalg.norm(points[3] - points[2]) / (2 * step) ** 2
+        assert value == pytest.approx(area, rel=1e-7)
+    assert nf.lod.panel_magnification([90.0, 120.0], lens=glass, view=FOV).tolist() == [np.inf, np.inf]
+
+
+def test_published_lenses_never_save_on_the_panel() -> None:
+    for name in ("rift", "vive"):
+        found = nf.lod.panel_magnification(np.linspace(0, 45, 100), lens=LENSES[name], view=FOV)
+        assert found.min() >= 1.0
+        assert found.max() > 1.0
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [({"limit": "both"}, "limit: expected"), ({"size": "length"}, "size: expected"), ({"mode": "screen"}, "mode: ")],
+)
+def test_other_settings_are_refused(options: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=f"^{message}"):
+        nf.lod.Selector(**options)
