@@ -167,9 +167,16 @@ def test_floors_hold_where_the_budget_allows_them() -> None:
     assert plain.spent is not None
     assert held.spent.score <= plain.spent.score
     # Too little for all: none has more than its floor.
-    poor = nf.lod.select(models, index, centers, radii, d=0.9, floor=0.1, budget=needed // 2, **options)
-    assert (poor.level[seen] >= by_threshold.level[seen]).all()
-    assert (poor.level[seen] > by_threshold.level[seen]).any()
+    floors = np.full(len(seen), -1)
+    for n in np.flatnonzero(seen):
+        floors[n] = np.flatnonzero(scores_of(models[index[n]], held.sigma_seen[n]) >= 0.8)[-1]
+    least, enough = triangles_of(models, index, np.where(seen, 7, -1)), triangles_of(models, index, floors)
+    for budget in (enough - 1, (least + enough) // 2):
+        poor = nf.lod.select(models, index, centers, radii, d=0.9, floor=0.1, budget=budget, **options)
+        assert (poor.level[seen] >= floors[seen]).all()
+        assert (poor.level[seen] > floors[seen]).any()
+    just = nf.lod.select(models, index, centers, radii, d=0.9, floor=0.1, budget=enough, **options)
+    assert np.array_equal(just.level[seen], floors[seen])
 
 
 def test_two_eyes_count_once() -> None:

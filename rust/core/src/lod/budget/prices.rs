@@ -24,12 +24,18 @@ pub(super) fn class(slope: f64) -> u16 {
     }
 }
 
+/// What the steps of a class add.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Entry {
+    pub triangles: u64,
+    /// Weighted score.
+    pub gain: f64,
+    pub steps: u32,
+}
+
 /// Sums over steps by class, and over objects at their coarsest level.
 pub(super) struct Ledger {
-    /// Triangles, steps and weighted score that each class adds.
-    pub triangles: Vec<u64>,
-    pub steps: Vec<u32>,
-    pub gain: Vec<f64>,
+    pub classes: Vec<Entry>,
     /// Triangles, weighted score and weight of all objects before any step.
     pub first_triangles: u64,
     pub first_score: f64,
@@ -38,24 +44,17 @@ pub(super) struct Ledger {
 
 impl Default for Ledger {
     fn default() -> Self {
-        Self {
-            triangles: vec![0; CLASSES],
-            steps: vec![0; CLASSES],
-            gain: vec![0.0; CLASSES],
-            first_triangles: 0,
-            first_score: 0.0,
-            weight: 0.0,
-        }
+        Self { classes: vec![Entry::default(); CLASSES], first_triangles: 0, first_score: 0.0, weight: 0.0 }
     }
 }
 
 impl Ledger {
     /// Adds another one; in a fixed order, so that rounding does not depend on threads.
     pub fn add(&mut self, other: &Ledger) {
-        for n in 0..CLASSES {
-            self.triangles[n] += other.triangles[n];
-            self.steps[n] += other.steps[n];
-            self.gain[n] += other.gain[n];
+        for (own, other) in self.classes.iter_mut().zip(&other.classes) {
+            own.triangles += other.triangles;
+            own.gain += other.gain;
+            own.steps += other.steps;
         }
         self.first_triangles += other.first_triangles;
         self.first_score += other.first_score;

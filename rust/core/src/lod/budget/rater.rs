@@ -3,13 +3,14 @@
 use super::super::select::Objects;
 use super::hull::{Choice, LANES, Lanes, scores, slopes};
 use super::rated::Ladder;
-use super::sizes::SeenObjects;
+use super::sizes::{SeenObjects, Weights};
 
 /// Rates objects in view.
 pub(super) struct Rater<'a> {
     pub ladders: &'a [Ladder],
     pub objects: &'a Objects<'a>,
     pub seen: &'a SeenObjects,
+    weights: Weights<'a>,
     pub choice: Choice,
     /// Power of 2 by which slopes are multiplied, so that no weight exceeds 1.
     pub scale: f64,
@@ -51,19 +52,21 @@ impl<'a> Rater<'a> {
         ladders: &'a [Ladder],
         objects: &'a Objects<'a>,
         seen: &'a SeenObjects,
+        weights: Weights<'a>,
         hysteresis: f64,
         floor: Option<f64>,
     ) -> Self {
-        let most = seen.weight.iter().copied().fold(0.0, f64::max);
+        let most = match weights {
+            Weights::Each(all) => all.iter().copied().fold(0.0, f64::max),
+            _ => 1.0,
+        };
         let exponent = if most > 0.0 { most.log2().ceil() } else { 0.0 };
-        Self { ladders, objects, seen, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
+        Self { ladders, objects, seen, weights, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
     }
 
     /// Calls a function with each of some objects that is in view, in the order of their models.
     pub fn each(&self, objects: impl IntoIterator<Item = u32>, mut then: impl FnMut(&Rated<'_>)) {
-        let visible = objects.into_iter().filter(|&object| self.seen.read[object as usize] >= 0.0);
-        let mut order: Vec<u32> = visible.collect();
-        order.sort_by_key(|&object| self.objects.model[object as usize]);
+        let order = self.by_model(objects);
         let (mut of_levels, mut of_steps) = (Vec::new(), Vec::new());
         for run in order.chunk_by(|&a, &b| self.objects.model[a as usize] == self.objects.model[b as usize]) {
             let ladder = &self.ladders[self.objects.model[run[0] as usize] as usize];
@@ -71,6 +74,24 @@ impl<'a> Rater<'a> {
                 self.block(ladder, block, &mut of_levels, &mut of_steps, &mut then);
             }
         }
+    }
+
+    /// The objects in view, sorted by their models.
+    fn by_model(&self, objects: impl IntoIterator<Item = u32>) -> Vec<u32> {
+        let visible: Vec<u32> = objects.into_iter().filter(|&object| self.seen.read[object as usize] >= 0.0).collect();
+        let mut ends = vec![0; self.ladders.len() + 1];
+        let model = |object: u32| self.objects.model[object as usize] as usize;
+        visible.iter().for_each(|&object| ends[model(object) + 1] += 1);
+        for n in 1..ends.len() {
+            ends[n] += ends[n - 1];
+        }
+        let mut order = vec![0; visible.len()];
+        for object in visible {
+            let place = &mut ends[model(object)];
+            order[*place] = object;
+            *place += 1;
+        }
+        order
     }
 
     fn block(
@@ -96,7 +117,7 @@ impl<'a> Rater<'a> {
         slopes(ladder, of_levels, &floors, self.choice, of_steps);
         for (lane, &object) in block.iter().enumerate() {
             let n = object as usize;
-            let weight = self.seen.weight[n];
+            let weight = if let Weights::Each(all) = self.weights { all[n] } else { 1.0 };
             let previous = self.objects.previous.map_or(-1, |levels| levels[n]);
             let held = ladder.level.iter().position(|&level| previous >= 0 && level >= previous);
             then(&Rated {

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::super::select::{COLUMNS, EyeSizes, HIDDEN, Model, Objects, OpenSizes, Sight, TILE, ThresholdLine};
+use crate::base::error::number;
 use crate::base::{Error, Progress, Result};
 
 /// Solid angle of all directions.
@@ -19,55 +20,82 @@ pub enum Weights<'a> {
     Each(&'a [f64]),
 }
 
+impl Weights<'_> {
+    pub(super) fn check(&self) -> Result<()> {
+        let Weights::Each(all) = self else { return Ok(()) };
+        match all.iter().position(|weight| !(*weight >= 0.0 && weight.is_finite())) {
+            None => Ok(()),
+            Some(n) => {
+                Err(Error::value("weight", "finite numbers of at least 0", format!("{} at index {n}", number(all[n]))))
+            }
+        }
+    }
+}
+
+/// Which numbers are kept beside the sizes at which curves are read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Kept {
+    pub sizes: bool,
+    pub pixels: bool,
+    pub thresholds: bool,
+}
+
+/// Objects and eyes.
+pub(super) struct SizesOf<'a> {
+    pub models: &'a [Model<'a>],
+    pub objects: &'a Objects<'a>,
+    pub eyes: &'a EyeSizes<'a>,
+    /// Whether objects outside the view get no level.
+    pub cull: bool,
+    pub line: ThresholdLine,
+}
+
 /// Sizes of objects; those outside the view have a `read` below 0.
 pub(super) struct SeenObjects {
-    /// σ
-    pub sigma: Vec<f64>,
-    /// σ_eff, the size that is seen.
-    pub seen: Vec<f64>,
     /// The size at which curves are read.
     pub read: Vec<f64>,
-    pub weight: Vec<f64>,
-    /// Greatest f(σ) of all eyes.
+    /// σ, σ_eff, σ_eff/pixel² and the greatest f(σ) of all eyes; empty if they are not kept.
+    pub sigma: Vec<f64>,
+    pub seen: Vec<f64>,
+    pub pixels: Vec<f64>,
     pub threshold: Vec<f64>,
 }
 
-/// The parts of a tile.
+/// The numbers of a tile.
 struct SeenTile<'a> {
     first: usize,
-    parts: [&'a mut [f64]; 5],
+    read: &'a mut [f64],
+    sigma: &'a mut [f64],
+    seen: &'a mut [f64],
+    pixels: &'a mut [f64],
+    threshold: &'a mut [f64],
 }
 
 impl SeenObjects {
-    pub fn new(
-        models: &[Model<'_>],
-        objects: &Objects<'_>,
-        eyes: &EyeSizes<'_>,
-        cull: bool,
-        line: &ThresholdLine,
-        weights: &Weights<'_>,
-        progress: &Progress,
-    ) -> Result<Self> {
-        let count = objects.radii.len();
-        let hidden = || vec![HIDDEN; count];
-        let mut all =
-            Self { sigma: hidden(), seen: hidden(), read: hidden(), weight: vec![0.0; count], threshold: hidden() };
-        let columns = [&mut all.sigma, &mut all.seen, &mut all.read, &mut all.weight, &mut all.threshold];
-        let mut chunks = columns.map(|column| column.chunks_mut(TILE));
-        let tiles: Vec<_> = (0..count.div_ceil(TILE))
-            .map(|n| SeenTile {
-                first: n * TILE,
-                parts: chunks.each_mut().map(|column| column.next().unwrap_or_default()),
-            })
-            .collect();
+    pub fn new(of: &SizesOf<'_>, kept: Kept, progress: &Progress) -> Result<Self> {
+        let count = of.objects.radii.len();
+        let column = |is_kept: bool| vec![HIDDEN; if is_kept { count } else { 0 }];
+        let (sigma, seen) = (column(kept.sizes), column(kept.sizes));
+        let (pixels, threshold) = (column(kept.pixels), column(kept.thresholds));
+        let mut all = Self { read: column(true), sigma, seen, pixels, threshold };
+        let mut sigma = all.sigma.chunks_mut(TILE);
+        let mut seen = all.seen.chunks_mut(TILE);
+        let mut pixels = all.pixels.chunks_mut(TILE);
+        let mut threshold = all.threshold.chunks_mut(TILE);
+        let tile = |(number, read)| SeenTile {
+            first: number * TILE,
+            read,
+            sigma: sigma.next().unwrap_or_default(),
+            seen: seen.next().unwrap_or_default(),
+            pixels: pixels.next().unwrap_or_default(),
+            threshold: threshold.next().unwrap_or_default(),
+        };
+        let tiles: Vec<_> = all.read.chunks_mut(TILE).enumerate().map(tile).collect();
         let room = || (Box::<Sight>::default(), Box::<OpenSizes>::default());
-        tiles
-            .into_par_iter()
-            .map_init(room, |(sight, open), tile| {
-                progress.check()?;
-                see(models, objects, eyes, cull, line, weights, sight, open, tile)
-            })
-            .collect::<Result<()>>()?;
+        let see = |room: &mut (Box<Sight>, Box<OpenSizes>), tile: SeenTile<'_>| {
+            progress.check().and_then(|()| of.see(&mut room.0, &mut room.1, tile))
+        };
+        tiles.into_par_iter().map_init(room, see).collect::<Result<()>>()?;
         Ok(all)
     }
 
@@ -85,51 +113,37 @@ impl SeenObjects {
     }
 }
 
-#[expect(clippy::too_many_arguments, reason = "the scene, the eyes, and a thread's buffers")]
-fn see(
-    models: &[Model<'_>],
-    objects: &Objects<'_>,
-    eyes: &EyeSizes<'_>,
-    cull: bool,
-    line: &ThresholdLine,
-    weights: &Weights<'_>,
-    sight: &mut Sight,
-    open: &mut OpenSizes,
-    tile: SeenTile<'_>,
-) -> Result<()> {
-    let SeenTile { first, parts: [sigma, seen, read, weight, threshold] } = tile;
-    let own = objects.part(first..first + sigma.len());
-    own.check(models, first)?;
-    for (number, eye) in eyes.eyes.iter().enumerate() {
-        eye.view.see(own.centers, own.radii, first, cull, sight)?;
-        let mut count = 0;
-        for n in 0..sigma.len() {
-            open.place[count % TILE] = n as u16;
-            count += usize::from(sight.sigma[n] != HIDDEN);
-        }
-        eyes.see(number, &own, sight, open, count, f64::INFINITY);
-        let pixel = 1.0 / (eye.pixel * eye.pixel);
-        for k in 0..count {
-            let n = usize::from(open.place[k]);
-            threshold[n] = threshold[n].max(line.at(open.sigma[k]));
-            if open.read[k] > read[n] {
-                (sigma[n], seen[n], read[n]) = (open.sigma[k], open.seen[k], open.read[k]);
-                weight[n] = open.seen[k].min(ALL_AROUND) * pixel;
+impl SizesOf<'_> {
+    fn see(&self, sight: &mut Sight, open: &mut OpenSizes, tile: SeenTile<'_>) -> Result<()> {
+        let SeenTile { first, read, sigma, seen, pixels, threshold } = tile;
+        let own = self.objects.part(first..first + read.len());
+        own.check(self.models, first)?;
+        for (number, eye) in self.eyes.eyes.iter().enumerate() {
+            eye.view.see(own.centers, own.radii, first, self.cull, sight)?;
+            let mut count = 0;
+            for n in 0..read.len() {
+                open.place[count % TILE] = n as u16;
+                count += usize::from(sight.sigma[n] != HIDDEN);
             }
-        }
-    }
-    match weights {
-        Weights::Pixels => {}
-        Weights::Object => weight.fill(1.0),
-        Weights::Each(all) => {
-            for (n, (to, &given)) in weight.iter_mut().zip(&all[first..]).enumerate() {
-                if !(given >= 0.0 && given.is_finite()) {
-                    let got = format!("{given} at index {}", first + n);
-                    return Err(Error::value("weight", "finite numbers of at least 0", got));
+            self.eyes.see(number, &own, sight, open, count, f64::INFINITY);
+            let pixel = 1.0 / (eye.pixel * eye.pixel);
+            for k in 0..count {
+                let n = usize::from(open.place[k]);
+                if let Some(threshold) = threshold.get_mut(n) {
+                    *threshold = threshold.max(self.line.at(open.sigma[k]));
                 }
-                *to = given;
+                if open.read[k] <= read[n] {
+                    continue;
+                }
+                read[n] = open.read[k];
+                if let (Some(sigma), Some(seen)) = (sigma.get_mut(n), seen.get_mut(n)) {
+                    (*sigma, *seen) = (open.sigma[k], open.seen[k]);
+                }
+                if let Some(pixels) = pixels.get_mut(n) {
+                    *pixels = open.seen[k].min(ALL_AROUND) * pixel;
+                }
             }
         }
+        Ok(())
     }
-    Ok(())
 }

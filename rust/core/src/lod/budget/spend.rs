@@ -8,7 +8,7 @@ use super::hull::Choice;
 use super::prices::{ALWAYS, CLASSES, Ledger, NEVER, class};
 use super::rated::{Ladder, RatedModel};
 use super::rater::{Rated, Rater};
-use super::sizes::{SeenObjects, Weights};
+use super::sizes::{Kept, SeenObjects, SizesOf, Weights};
 use crate::base::{Error, Progress, Result};
 
 /// Number of objects in one task: fixed, so that sums are rounded the same for any number of threads.
@@ -70,8 +70,20 @@ pub fn spend(
     let ladders = models.iter().enumerate().map(|(n, rated)| Ladder::new(rated, n)).collect::<Result<Vec<_>>>()?;
     let plain: Vec<_> = models.iter().map(|rated| rated.model).collect();
     let sizes = EyeSizes::new(&plain, eyes, rules.apparent);
-    let seen = SeenObjects::new(&plain, objects, &sizes, rules.cull, &rules.line, &budget.weights, progress)?;
-    let mut rater = Rater::new(&ladders, objects, &seen, rules.hysteresis, budget.floor);
+    budget.weights.check()?;
+    let is_full = columns.is_some();
+    let kept = Kept {
+        sizes: is_full,
+        pixels: matches!(budget.weights, Weights::Pixels),
+        thresholds: is_full || budget.floor.is_some(),
+    };
+    let of = SizesOf { models: &plain, objects, eyes: &sizes, cull: rules.cull, line: rules.line };
+    let seen = SeenObjects::new(&of, kept, progress)?;
+    let weights = match budget.weights {
+        Weights::Pixels => Weights::Each(&seen.pixels),
+        other => other,
+    };
+    let mut rater = Rater::new(&ladders, objects, &seen, weights, rules.hysteresis, budget.floor);
     let stride = ladders.iter().map(Ladder::steps).max().unwrap_or(0).max(1);
     let mut classes = vec![NEVER; to.len() * stride];
     if budget.floor.is_some() {
@@ -141,10 +153,10 @@ fn enter(rated: &Rated<'_>, classes: &mut [u16], ledger: &mut Ledger) {
         let class = if step >= rated.first { ALWAYS } else { class(rated.slope(step)) };
         classes[step] = class;
         if step < rated.first {
-            let number = usize::from(class);
-            ledger.triangles[number] += rated.ladder.added(step);
-            ledger.steps[number] += 1;
-            ledger.gain[number] += rated.weight * (rated.score(step) - rated.score(step + 1));
+            let entry = &mut ledger.classes[usize::from(class) % CLASSES];
+            entry.triangles += rated.ladder.added(step);
+            entry.gain += rated.weight * (rated.score(step) - rated.score(step + 1));
+            entry.steps += 1;
         }
     }
 }
@@ -170,9 +182,9 @@ impl Plan<'_> {
     /// Triangles and score of all steps of classes above one.
     fn above(&self, class: u16) -> (u64, f64) {
         let (mut triangles, mut score) = (self.ledger.first_triangles, self.ledger.first_score);
-        for number in (usize::from(class) + 1..CLASSES).rev() {
-            triangles += self.ledger.triangles[number];
-            score += self.ledger.gain[number];
+        for entry in self.ledger.classes[usize::from(class) + 1..].iter().rev() {
+            triangles += entry.triangles;
+            score += entry.gain;
         }
         (triangles, score)
     }
@@ -234,18 +246,19 @@ impl Plan<'_> {
     fn buy(&self, budget: u64) -> Bought {
         let (mut triangles, mut score) = (self.ledger.first_triangles, self.ledger.first_score);
         let mut most = ALWAYS;
-        while most > NEVER && triangles + self.ledger.triangles[usize::from(most)] <= budget {
-            triangles += self.ledger.triangles[usize::from(most)];
-            score += self.ledger.gain[usize::from(most)];
+        let entry = |class: u16| &self.ledger.classes[usize::from(class)];
+        while most > NEVER && triangles + entry(most).triangles <= budget {
+            triangles += entry(most).triangles;
+            score += entry(most).gain;
             most -= 1;
         }
         if most == NEVER {
             return Bought { price: 0.0, above: NEVER, triangles, score, levels: Vec::new() };
         }
-        let (mut least, mut tried) = (most, self.ledger.steps[usize::from(most)]);
-        while least > 1 && tried + self.ledger.steps[usize::from(least) - 1] <= MOST_TRIED {
+        let (mut least, mut tried) = (most, entry(most).steps);
+        while least > 1 && tried + entry(least - 1).steps <= MOST_TRIED {
             least -= 1;
-            tried += self.ledger.steps[usize::from(least)];
+            tried += entry(least).steps;
         }
         let filled = fill(&self.steps(least, most), budget - triangles);
         Bought {

@@ -43,7 +43,8 @@ fn slope(triangles: &[i64], scores: &[f64], step: usize) -> f64 {
 fn slopes_are_those_of_the_upper_hull() {
     let mut numbers = Numbers(1);
     for _ in 0..200 {
-        let mut triangles: Vec<i64> = (0..2 + (numbers.next() * 9.0) as i64).map(|n| n * 100 + (numbers.next() * 90.0) as i64).collect();
+        let mut triangles: Vec<i64> =
+            (0..2 + (numbers.next() * 9.0) as i64).map(|n| n * 100 + (numbers.next() * 90.0) as i64).collect();
         triangles.reverse();
         let ladder = ladder(&triangles);
         let scores: Vec<Lanes> = triangles.iter().map(|_| std::array::from_fn(|_| numbers.next())).collect();
