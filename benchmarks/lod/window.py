@@ -33,7 +33,7 @@ WINDOWS: dict[str, dict[str, Any]] = {
 OBJECTS = ("bunny", "armadillo", "FlightHelmet", "knot")
 RATIOS = (0.25, 0.06, 0.015)
 DISTANCES = (1, 2, 3, 5, 9, 16)
-VIEWS, SAMPLES = 48, 4
+VIEWS, SAMPLES = 24, 4
 LUMA = (0.2126, 0.7152, 0.0722)
 
 

@@ -66,6 +66,7 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.lod.Curve4PL": lambda: model.curves,
         "nearfar.lod.Levels": lambda: valid.levels,
         "nearfar.lod.LodModel": lambda: model,
+        "nearfar.lod.LodModel.refit": lambda: valid.measured,
         "nearfar.lod.LodThreshold": nf.lod.LodThreshold,
         "nearfar.lod.Selection": lambda: _selection(valid),
         "nearfar.lod.Selector": nf.lod.Selector,
@@ -448,6 +449,7 @@ def _levels(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.lod.LodModel.load": {"path": valid.file("LodModel")},
         "nearfar.lod.LodModel.of_levels": {"numbers": np.array([0])},
         "nearfar.lod.LodModel.plot": {},
+        "nearfar.lod.LodModel.refit": {"percentile": 50.0},
         "nearfar.lod.LodModel.save": {"path": valid.folder / "model.json"},
         "nearfar.lod.LodModel.selector": {"mode": "depth"},
         "nearfar.lod.LodThreshold": {},
@@ -469,6 +471,9 @@ def _levels(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.lod.measure": {"levels": nf.lod.Levels([valid.levels[1]]), **settings, "backend": "cpu"},
         "nearfar.lod.measure @many": {"levels": {"a": nf.lod.Levels([valid.levels[1]])}, **settings, "backend": "cpu"},
         "nearfar.lod.place": {"models": [model], "model_index": [0, 0], "transforms": valid.transforms},
+        "nearfar.lod.place @named": {
+            "models": {"ball": model}, "model_index": ["ball", "ball"], "transforms": valid.transforms,
+        },
         "nearfar.lod.reference_solid_angle": {"view": camera},
         "nearfar.lod.select": select,
         "nearfar.lod.select @fovea": {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -46,6 +47,12 @@ class Valid:
     def model(self) -> nf.lod.LodModel:
         """Two levels with geometry."""
         return leveled_cases.model_of((1, 0))
+
+    @functools.cached_property
+    def measured(self) -> nf.lod.LodModel:
+        """The model with scores of single views."""
+        views = np.full((2, 8, 4), 0.9, np.float32)
+        return replace(self.model, samples=nf.lod.Samples(np.geomspace(1e-4, 0.3, 8), np.full((2, 8), 0.9), views))
 
     @functools.cached_property
     def leveled(self) -> nf.Scene:
