@@ -95,9 +95,54 @@ def by_numpy(
         size = np.maximum(seen[these], one.sigma[0])
         for step, (a, b, c, d) in enumerate(zip(*one.curves, strict=True), 1):
             chosen[these[d + (a - d) / (1 + (size / c) ** b) >= wanted[these]]] = step
-    chosen[sigma > reference] = 0
+    chosen[seen > reference] = 0
     level[mine] = chosen
     return level
+
+
+def budget_by_numpy(
+    made: list[nf.lod.LodModel], index: NDArray[np.int64], sizes: Array, budget: int
+) -> tuple[NDArray[np.int64], float]:
+    """Levels and mean score under a budget: all steps between neighbouring levels, sorted. Hulls are not looked for."""
+    count, steps = len(index), len(made[0]) - 1
+    scores, added = np.ones((count, steps + 1)), np.zeros((count, steps), np.int64)
+    first = 0
+    for number, one in enumerate(made):
+        mine = np.flatnonzero(index == number)
+        size = np.clip(sizes[mine], *one.sigma)
+        for level, (a, b, c, d) in enumerate(zip(*one.curves, strict=True), 1):
+            scores[mine, level] = d + (a - d) / (1 + (size / c) ** b)
+        added[mine] = -np.diff(one.triangles)
+        first += len(mine) * int(one.triangles[-1])
+    slopes = -np.diff(scores, axis=1) / added
+    # A step comes no sooner than the coarser ones of its object.
+    slopes = np.minimum.accumulate(slopes[:, ::-1], axis=1)[:, ::-1]
+    order = np.argsort(-slopes, axis=None, kind="stable")
+    taken = order[np.cumsum(added.ravel()[order]) <= budget - first]
+    levels = steps - np.bincount(taken // steps, minlength=count)
+    return levels, float(scores[np.arange(count), levels].mean())
+
+
+def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
+    """Budgets of 2 and 20 times the coarsest levels; errors are the mean score below that of the kernel."""
+    made = models(least)
+    index = np.random.default_rng(2).integers(0, MODELS, COUNT)
+    select = functools.partial(nf.lod.select, made, index, centers, radii, camera=CAMERA, lens=RIFT_S, cull=False)
+    sizes = nf.corrected_solid_angle(centers, radii, camera=CAMERA, lens=RIFT_S)
+    coarsest = int(np.array([one.triangles[-1] for one in made])[index].sum())
+    cases = [Case(f"{OURS}, threshold", select, peer=False)]
+    notes = []
+    for factor in (2, 20):
+        ours = functools.partial(select, budget=factor * coarsest)
+        spent = ours().spent
+        if spent is None:
+            raise RuntimeError("expected a budget that is spent")
+        theirs = functools.partial(budget_by_numpy, made, index, sizes, factor * coarsest)
+        cases.append(Case(f"{OURS}, {factor} x the coarsest levels", ours, peer=False))
+        cases.append(Case(f"NumPy, sorted steps, {factor} x", theirs))
+        notes.append(f"{factor} x: {spent}, NumPy's mean score {theirs()[1]:.6f}")
+    text = compare(f"Budgets for 10⁶ objects, {title}", cases, work=Work(bytes=BYTES * COUNT), repeat=3)
+    return "\n".join([text, *notes, ""])
 
 
 def table(title: str, centers: Array, radii: Array, least: float) -> str:
@@ -114,6 +159,7 @@ def table(title: str, centers: Array, radii: Array, least: float) -> str:
         Case(f"{OURS}, lut", select, error, peer=False),
         Case(f"{OURS}, newton", functools.partial(select, inverse="newton"), error, peer=False),
         Case(f"{OURS}, depth", functools.partial(select, mode="depth"), peer=False),
+        Case(f"{OURS}, panel", functools.partial(select, mode="panel"), peer=False),
         Case(f"{OURS}, fovea", functools.partial(select, mode="fovea"), peer=False),
         Case(f"{OURS}, two eyes", functools.partial(select, camera=[CAMERA, CAMERA]), error, peer=False),
         Case("NumPy, interp over 4,096", lambda: by_numpy(made, index, centers, radii, 4096), error),
@@ -142,6 +188,7 @@ def main() -> None:
     print(f"{os.environ.get('NEARFAR_NUM_THREADS', 'all')} threads; a millisecond is a nanosecond an object")
     for title, scene in scenes().items():
         print(table(title, *scene), flush=True)
+        print(budget_table(title, *scene), flush=True)
 
 
 if __name__ == "__main__":

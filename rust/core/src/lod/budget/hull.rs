@@ -1,6 +1,7 @@
 //! Scores of a model's levels for a block of objects, and the slopes of their upper hulls.
 
 use super::super::exponential::exp;
+use super::prices::class;
 use super::rated::Ladder;
 use crate::base::simd::vectorized;
 
@@ -24,6 +25,16 @@ pub(super) enum Choice {
 vectorized! {
     fn scores_of(ladder: &Ladder, logarithms: &Lanes, to: &mut [Lanes]) = rate;
     fn slopes_of(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) = slope;
+    fn weigh_all(slopes: &mut [Lanes], worth: &Worth, classes: &mut [[u16; LANES]]) = weigh;
+}
+
+/// What slopes are multiplied by: the objects' weights; from a step of each object on also a factor that holds the level
+/// of the frame before.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Worth {
+    pub weights: Lanes,
+    pub held: Lanes,
+    pub hold: f64,
 }
 
 /// Writes the scores of all levels at sizes given by their logarithms. Level 0 has 1.
@@ -38,6 +49,23 @@ pub(super) fn scores(ladder: &Ladder, logarithms: &Lanes, to: &mut Vec<Lanes>) {
 pub(super) fn slopes(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut Vec<Lanes>) {
     to.resize(ladder.steps(), [0.0; LANES]);
     slopes_of(ladder, scores, floors, choice, to);
+}
+
+/// Multiplies slopes by what they are worth, and writes their classes.
+pub(super) fn worths(slopes: &mut [Lanes], worth: &Worth, classes: &mut Vec<[u16; LANES]>) {
+    classes.resize(slopes.len(), [0; LANES]);
+    weigh_all(slopes, worth, classes);
+}
+
+#[inline(always)]
+fn weigh(slopes: &mut [Lanes], worth: &Worth, classes: &mut [[u16; LANES]]) {
+    for (step, (slopes, classes)) in slopes.iter_mut().zip(classes).enumerate() {
+        for n in 0..LANES {
+            let hold = if step as f64 >= worth.held[n] { worth.hold } else { 1.0 };
+            slopes[n] *= worth.weights[n] * hold;
+            classes[n] = class(slopes[n]);
+        }
+    }
 }
 
 #[inline(always)]

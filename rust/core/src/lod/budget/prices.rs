@@ -12,16 +12,15 @@ const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - DIGITS;
 const LEAST: f64 = 1.0 / (1u128 << 112) as f64;
 
 /// The class of a slope; it never falls while slopes rise.
+#[inline(always)]
 pub(super) fn class(slope: f64) -> u16 {
-    let number = (slope.to_bits() >> SHIFT) as i64 - (LEAST.to_bits() >> SHIFT) as i64;
-    let own = number.clamp(1, i64::from(ALWAYS) - 1) as u16;
-    if slope == f64::INFINITY {
-        ALWAYS
-    } else if slope > 0.0 {
-        own
-    } else {
-        NEVER
-    }
+    const FIRST: i64 = (LEAST.to_bits() >> SHIFT) as i64;
+    const LAST: i64 = ALWAYS as i64 - 1;
+    let number = (slope.to_bits() >> SHIFT) as i64 - FIRST;
+    let number = if number < 1 { 1 } else { number };
+    let number = if number > LAST { LAST } else { number };
+    let number = if slope > 0.0 { number } else { NEVER as i64 };
+    (if slope == f64::INFINITY { ALWAYS as i64 } else { number }) as u16
 }
 
 /// What the steps of a class add.

@@ -18,6 +18,8 @@ pub(super) struct Ladder {
     /// Number of each level in the model.
     pub level: Vec<i32>,
     pub triangles: Vec<u64>,
+    /// Triangles that each step adds; step n leads from level n + 1 to level n.
+    pub added: Vec<u64>,
     /// a, b, ln c and d of each level but the first.
     pub curves: Vec<[f64; 4]>,
     /// Row by row for each coarser level k: 1/(triangles of j − triangles of k) for the finer levels j < k; +∞ for equal
@@ -34,6 +36,7 @@ impl Ladder {
         let mut ladder = Self {
             level: vec![0],
             triangles: vec![triangles[0] as u64],
+            added: Vec::new(),
             curves: Vec::new(),
             per_triangle: Vec::new(),
             range: [model.range[0], model.greatest()],
@@ -49,6 +52,7 @@ impl Ladder {
                 })?;
                 ladder.per_triangle.push(1.0 / more as f64);
             }
+            ladder.added.push(ladder.triangles[ladder.triangles.len() - 1] - own);
             ladder.level.push(n as i32 + 1);
             ladder.triangles.push(own);
             ladder.curves.push([a, b, c.ln(), d]);
@@ -59,11 +63,6 @@ impl Ladder {
     /// Steps from one level to the next finer one.
     pub fn steps(&self) -> usize {
         self.curves.len()
-    }
-
-    /// Triangles that a step adds; step n leads from level n + 1 to level n.
-    pub fn added(&self, step: usize) -> u64 {
-        self.triangles[step] - self.triangles[step + 1]
     }
 
     /// 1/(triangles of `finer` − triangles of `coarser`).

@@ -1,7 +1,7 @@
 //! Slopes of objects, many of one model at a time.
 
 use super::super::select::Objects;
-use super::hull::{Choice, LANES, Lanes, scores, slopes};
+use super::hull::{Choice, LANES, Lanes, Worth, scores, slopes, worths};
 use super::rated::Ladder;
 use super::sizes::{SeenObjects, Weights};
 
@@ -18,32 +18,34 @@ pub(super) struct Rater<'a> {
     floor: Option<f64>,
 }
 
-/// An object with its slopes.
-pub(super) struct Rated<'a> {
-    pub object: u32,
+/// Objects of one model with their slopes, by lane.
+pub(super) struct RatedBlock<'a> {
+    pub objects: &'a [u32],
     pub ladder: &'a Ladder,
-    /// Place on the ladder where it begins.
-    pub first: usize,
-    pub weight: f64,
-    lane: usize,
-    scores: &'a [Lanes],
-    slopes: &'a [Lanes],
-    factor: f64,
-    /// Steps from this place on lead to the level of the frame before, and count more.
-    held: usize,
-    hold: f64,
+    /// Places on the ladder where the objects begin.
+    pub first: [usize; LANES],
+    pub weights: Lanes,
+    /// By place on the ladder: scores.
+    pub scores: &'a [Lanes],
+    /// By step: slopes by the objects' weights, scaled, and their classes.
+    pub slopes: &'a [Lanes],
+    pub classes: &'a [[u16; LANES]],
 }
 
-impl Rated<'_> {
-    /// Score at a place on the ladder.
-    pub fn score(&self, place: usize) -> f64 {
-        self.scores[place][self.lane]
-    }
+/// Buffers for a block.
+#[derive(Default)]
+struct Room {
+    scores: Vec<Lanes>,
+    slopes: Vec<Lanes>,
+    classes: Vec<[u16; LANES]>,
+}
 
-    /// Slope of a step, scaled.
-    pub fn slope(&self, step: usize) -> f64 {
-        let own = self.slopes[step][self.lane] * self.factor;
-        if step >= self.held { own * self.hold } else { own }
+impl RatedBlock<'_> {
+    /// Weighted scores that a step adds.
+    #[inline(always)]
+    pub fn gains(&self, step: usize) -> Lanes {
+        let (finer, coarser) = (&self.scores[step], &self.scores[step + 1]);
+        std::array::from_fn(|n| self.weights[n] * (finer[n] - coarser[n]))
     }
 }
 
@@ -64,14 +66,14 @@ impl<'a> Rater<'a> {
         Self { ladders, objects, seen, weights, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
     }
 
-    /// Calls a function with each of some objects that is in view, in the order of their models.
-    pub fn each(&self, objects: impl IntoIterator<Item = u32>, mut then: impl FnMut(&Rated<'_>)) {
+    /// Calls a function with those of some objects that are in view, block by block in the order of their models.
+    pub fn each(&self, objects: impl IntoIterator<Item = u32>, mut then: impl FnMut(&RatedBlock<'_>)) {
         let order = self.by_model(objects);
-        let (mut of_levels, mut of_steps) = (Vec::new(), Vec::new());
+        let mut room = Room::default();
         for run in order.chunk_by(|&a, &b| self.objects.model[a as usize] == self.objects.model[b as usize]) {
             let ladder = &self.ladders[self.objects.model[run[0] as usize] as usize];
             for block in run.chunks(LANES) {
-                self.block(ladder, block, &mut of_levels, &mut of_steps, &mut then);
+                self.block(ladder, block, &mut room, &mut then);
             }
         }
     }
@@ -94,44 +96,50 @@ impl<'a> Rater<'a> {
         order
     }
 
-    fn block(
-        &self,
-        ladder: &Ladder,
-        block: &[u32],
-        of_levels: &mut Vec<Lanes>,
-        of_steps: &mut Vec<Lanes>,
-        then: &mut impl FnMut(&Rated<'_>),
-    ) {
+    fn block(&self, ladder: &Ladder, block: &[u32], room: &mut Room, then: &mut impl FnMut(&RatedBlock<'_>)) {
         let mut logarithms = [0.0; LANES];
         for (to, &object) in logarithms.iter_mut().zip(block) {
             *to = self.seen.read[object as usize].max(ladder.range[0]).min(ladder.range[1]).ln();
         }
-        scores(ladder, &logarithms, of_levels);
+        scores(ladder, &logarithms, &mut room.scores);
         let mut floors = [0.0; LANES];
         if let Some(floor) = self.floor {
             for (lane, (to, &object)) in floors.iter_mut().zip(block).enumerate() {
                 let least = self.seen.threshold[object as usize] - floor;
-                *to = of_levels.iter().rposition(|scores| scores[lane] >= least).unwrap_or(0) as f64;
+                *to = room.scores.iter().rposition(|scores| scores[lane] >= least).unwrap_or(0) as f64;
             }
         }
-        slopes(ladder, of_levels, &floors, self.choice, of_steps);
-        for (lane, &object) in block.iter().enumerate() {
-            let n = object as usize;
-            let weight = if let Weights::Each(all) = self.weights { all[n] } else { 1.0 };
-            let previous = self.objects.previous.map_or(-1, |levels| levels[n]);
-            let held = ladder.level.iter().position(|&level| previous >= 0 && level >= previous);
-            then(&Rated {
-                object,
-                ladder,
-                first: if self.choice == Choice::FromFloor { floors[lane] as usize } else { ladder.steps() },
-                weight,
-                lane,
-                scores: of_levels,
-                slopes: of_steps,
-                factor: weight * self.scale,
-                held: held.unwrap_or(usize::MAX),
-                hold: 1.0 + self.hysteresis,
-            });
+        slopes(ladder, &room.scores, &floors, self.choice, &mut room.slopes);
+        worths(&mut room.slopes, &self.worth(ladder, block), &mut room.classes);
+        let mut weights = [0.0; LANES];
+        weights.iter_mut().zip(block).for_each(|(to, &object)| *to = self.weight(object));
+        let is_floored = self.choice == Choice::FromFloor;
+        then(&RatedBlock {
+            objects: block,
+            ladder,
+            first: floors.map(|floor| if is_floored { floor as usize } else { ladder.steps() }),
+            weights,
+            scores: &room.scores,
+            slopes: &room.slopes,
+            classes: &room.classes,
+        });
+    }
+
+    fn weight(&self, object: u32) -> f64 {
+        if let Weights::Each(all) = self.weights { all[object as usize] } else { 1.0 }
+    }
+
+    fn worth(&self, ladder: &Ladder, block: &[u32]) -> Worth {
+        let mut worth = Worth { weights: [0.0; LANES], held: [f64::INFINITY; LANES], hold: 1.0 + self.hysteresis };
+        for (to, &object) in worth.weights.iter_mut().zip(block) {
+            *to = self.weight(object) * self.scale;
         }
+        let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return worth };
+        for (to, &object) in worth.held.iter_mut().zip(block) {
+            let level = previous[object as usize];
+            let place = ladder.level.iter().position(|&own| level >= 0 && own >= level);
+            *to = place.map_or(f64::INFINITY, |place| place as f64);
+        }
+        worth
     }
 }

@@ -1,5 +1,7 @@
 //! The price of a triangle at which a budget is spent, and the levels at that price.
 
+use std::ops::RangeInclusive;
+
 use rayon::prelude::*;
 
 use super::super::select::{Apparent, COLUMNS, Eye, EyeSizes, HIDDEN, Objects, SelectionCounts, ThresholdLine};
@@ -7,14 +9,14 @@ use super::fill::{Step, fill};
 use super::hull::Choice;
 use super::prices::{ALWAYS, CLASSES, Ledger, NEVER, class};
 use super::rated::{Ladder, RatedModel};
-use super::rater::{Rated, Rater};
+use super::rater::{RatedBlock, Rater};
 use super::sizes::{Kept, SeenObjects, SizesOf, Weights};
 use crate::base::{Error, Progress, Result};
 
 /// Number of objects in one task: fixed, so that sums are rounded the same for any number of threads.
 const TASK: usize = 1 << 14;
 /// Steps below the price that are tried in the order of their slopes, so that little of the budget is left.
-const MOST_TRIED: u32 = 1 << 16;
+const MOST_TRIED: u32 = 1 << 14;
 
 /// How much may be drawn, and what counts.
 #[derive(Clone, Copy, Debug)]
@@ -132,10 +134,7 @@ fn ledger(rater: &Rater<'_>, stride: usize, classes: &mut [u16], progress: &Prog
             let count = classes.len() / stride;
             classes.fill(NEVER);
             let mut ledger = Ledger::default();
-            rater.each(first as u32..(first + count) as u32, |rated| {
-                let own = &mut classes[(rated.object as usize - first) * stride..][..stride];
-                enter(rated, own, &mut ledger);
-            });
+            rater.each(first as u32..(first + count) as u32, |block| enter(block, first, stride, classes, &mut ledger));
             Ok(ledger)
         })
         .collect::<Result<_>>()?;
@@ -144,19 +143,41 @@ fn ledger(rater: &Rater<'_>, stride: usize, classes: &mut [u16], progress: &Prog
     Ok(sum)
 }
 
-/// Enters the steps of an object.
-fn enter(rated: &Rated<'_>, classes: &mut [u16], ledger: &mut Ledger) {
-    ledger.first_triangles += rated.ladder.triangles[rated.first];
-    ledger.first_score += rated.weight * rated.score(rated.first);
-    ledger.weight += rated.weight;
-    for step in (0..rated.ladder.steps()).rev() {
-        let class = if step >= rated.first { ALWAYS } else { class(rated.slope(step)) };
-        classes[step] = class;
-        if step < rated.first {
-            let entry = &mut ledger.classes[usize::from(class) % CLASSES];
-            entry.triangles += rated.ladder.added(step);
-            entry.gain += rated.weight * (rated.score(step) - rated.score(step + 1));
-            entry.steps += 1;
+/// Enters the steps of a block; `origin` is the first object of the classes.
+fn enter(block: &RatedBlock<'_>, origin: usize, stride: usize, classes: &mut [u16], ledger: &mut Ledger) {
+    for (lane, &first) in block.first[..block.objects.len()].iter().enumerate() {
+        ledger.first_triangles += block.ladder.triangles[first];
+        ledger.first_score += block.weights[lane] * block.scores[first][lane];
+        ledger.weight += block.weights[lane];
+    }
+    for (step, (of_step, &added)) in block.classes.iter().zip(&block.ladder.added).enumerate() {
+        let gains = block.gains(step);
+        for (lane, &object) in block.objects.iter().enumerate() {
+            let is_had = step >= block.first[lane];
+            classes[(object as usize - origin) * stride + step] = if is_had { ALWAYS } else { of_step[lane] };
+            if !is_had {
+                let entry = &mut ledger.classes[usize::from(of_step[lane]) % CLASSES];
+                entry.triangles += added;
+                entry.gain += gains[lane];
+                entry.steps += 1;
+            }
+        }
+    }
+}
+
+/// Adds the edges of an object's hull whose classes are in a range.
+fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: &mut Vec<Step>) {
+    let mut before = f64::NAN;
+    for step in (0..block.first[lane]).rev().filter(|&step| classes.contains(&block.classes[step][lane])) {
+        let slope = block.slopes[step][lane];
+        if slope != before {
+            to.push(Step { slope, object: block.objects[lane], to: 0, triangles: 0, gain: 0.0 });
+        }
+        before = slope;
+        if let Some(last) = to.last_mut() {
+            last.to = step as u16;
+            last.triangles += block.ladder.added[step];
+            last.gain += block.gains(step)[lane];
         }
     }
 }
@@ -198,23 +219,9 @@ impl Plan<'_> {
         };
         let objects: Vec<u32> = (0..count as u32).into_par_iter().filter(is_theirs).collect();
         let mut steps = Vec::new();
-        self.rater.each(objects, |rated| {
-            let mut slope = f64::NAN;
-            for step in (0..rated.first).rev() {
-                let own = rated.slope(step);
-                if !(least..=most).contains(&class(own)) {
-                    continue;
-                }
-                let (triangles, gain) = (rated.ladder.added(step), rated.score(step) - rated.score(step + 1));
-                if own != slope {
-                    steps.push(Step { slope: own, object: rated.object, to: step as u16, triangles: 0, gain: 0.0 });
-                }
-                slope = own;
-                if let Some(last) = steps.last_mut() {
-                    last.to = step as u16;
-                    last.triangles += triangles;
-                    last.gain += rated.weight * gain;
-                }
+        self.rater.each(objects, |block| {
+            for lane in 0..block.objects.len() {
+                edges(block, lane, least..=most, &mut steps);
             }
         });
         steps.sort_by(|a, b| b.slope.total_cmp(&a.slope).then(a.object.cmp(&b.object)).then(b.to.cmp(&a.to)));

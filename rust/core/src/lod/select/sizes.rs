@@ -14,8 +14,14 @@ use crate::lens::{Magnification, STRETCHED, Sizes, Spheres};
 pub(crate) struct EyeSizes<'a> {
     pub eyes: &'a [Eye],
     apparent: Apparent<'a>,
-    /// By eye and model: area of the model's pixels as a multiple of the eye's.
-    pixel_areas: Vec<Vec<f64>>,
+    /// By eye.
+    pixel_areas: Vec<PixelAreas>,
+}
+
+/// Area of the models' pixels as a multiple of an eye's.
+enum PixelAreas {
+    Same(f64),
+    OfModels(Vec<f64>),
 }
 
 /// Packed data of some objects of a tile.
@@ -48,7 +54,13 @@ fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
 
 impl<'a> EyeSizes<'a> {
     pub fn new(models: &[Model<'_>], eyes: &'a [Eye], apparent: Apparent<'a>) -> Self {
-        let areas = |eye: &Eye| models.iter().map(|model| model.pixel_area(eye.pixel)).collect();
+        let areas = |eye: &Eye| {
+            let each: Vec<f64> = models.iter().map(|model| model.pixel_area(eye.pixel)).collect();
+            match each.first() {
+                Some(&first) if each.iter().all(|&area| area == first) => PixelAreas::Same(first),
+                _ => PixelAreas::OfModels(each),
+            }
+        };
         Self { eyes, apparent, pixel_areas: eyes.iter().map(areas).collect() }
     }
 
@@ -88,11 +100,17 @@ impl<'a> EyeSizes<'a> {
                 open.seen[k] *= scale * scale;
             }
         }
-        let areas = &self.pixel_areas[eye][..];
         let OpenSizes { place, seen, read, .. } = open;
-        for ((&place, &seen), read) in place[..count].iter().zip(&*seen).zip(read) {
-            let area = areas[objects.model[usize::from(place)] as usize];
-            *read = if seen > limit { f64::INFINITY } else { seen * area };
+        let read_at = |seen: f64, area: f64| if seen > limit { f64::INFINITY } else { seen * area };
+        match &self.pixel_areas[eye] {
+            PixelAreas::Same(area) => {
+                seen[..count].iter().zip(read).for_each(|(&seen, read)| *read = read_at(seen, *area));
+            }
+            PixelAreas::OfModels(areas) => {
+                for ((&place, &seen), read) in place[..count].iter().zip(&*seen).zip(read) {
+                    *read = read_at(seen, areas[objects.model[usize::from(place)] as usize]);
+                }
+            }
         }
     }
 }
