@@ -37,7 +37,7 @@ pub(super) fn eye(
     let view = Frustum::new(position.into(), axes, &Fov { left, right, down, up });
     let gaze = gaze.map_or(view.forward(), |gaze| direction(gaze.into()));
     let acuity = acuity.map(|(slope, limit)| Acuity { gaze, slope, limit, best: degrees.max(limit) });
-    Eye { view, acuity, corner: left.abs().max(right.abs()).hypot(down.abs().max(up.abs())), pixel }
+    Eye { view, acuity, pixel }
 }
 
 /// How sizes appear, by its name.

@@ -90,7 +90,7 @@ impl<'a> EyeSizes<'a> {
                 lens.look(view, objects, sight, open, count);
                 lens.widen(sight, open, count);
             }
-            Apparent::Panel(lens) => spread(lens.as_ref(), view.corner, sight, open, count),
+            Apparent::Panel(lens) => spread(lens.as_ref(), view.view.corner(), sight, open, count),
         }
         if let Some(acuity) = &view.acuity {
             for k in 0..count {

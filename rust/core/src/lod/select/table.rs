@@ -10,14 +10,12 @@ use super::objects::TILE;
 use super::rules::{Rules, ThresholdLine};
 
 /// log₂ of the number of cells over σ. The cells have equal widths, because f is linear.
-const SIGMA_DIGITS: u32 = 4;
+const SIGMA_DIGITS: u32 = 3;
 const SIGMAS: u64 = 1 << SIGMA_DIGITS;
 /// log₂ of the number of σ cells for σ′ up to the least measured σ′. There each score is one number, so f alone
 /// decides.
-const SMALL_DIGITS: u32 = 9;
+const SMALL_DIGITS: u32 = 8;
 const SMALLS: u64 = 1 << SMALL_DIGITS;
-/// Greatest σ of the cells as a multiple of the reference; few objects are larger and have other levels than 0.
-const REACH: f64 = 2.0;
 /// Relative widening of the cells over σ, so that no σ lies beyond the last cell.
 const WIDENING: f64 = 1e-12;
 /// The greatest number below 1 to which adding 1 gives less than 2.
@@ -99,7 +97,8 @@ impl Tables {
 /// A model's cells and their head. A model with one level has one cell for each σ cell.
 fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     let count = model.curves.len();
-    let limit = model.limit(rules).min(REACH * rules.reference);
+    // Few objects are larger and have other levels than 0.
+    let limit = model.limit(rules).min(rules.reference);
     if count == 0 {
         let head = Head { fineness: 0.0, least: 0.0, greatest: 0.0, first: 0, base: 0, last: 0 };
         return Some((head, vec![0; (SMALLS + SIGMAS) as usize]));

@@ -29,6 +29,8 @@ pub struct Frustum {
     axes: [[f64; 3]; 3],
     /// Outward normals of the view's four sides and its back, in the eye's axes.
     sides: [[f64; 3]; 5],
+    /// Tangent of the angle between the axis and the view's farthest corner.
+    corner: f64,
 }
 
 impl Frustum {
@@ -43,12 +45,18 @@ impl Frustum {
             unit(0.0, 0.0, -1.0),
         ];
         let axes = [axes.x_axis, axes.y_axis, -axes.z_axis].map(|axis| axis.to_array());
-        Self { position, axes, sides }
+        let corner = fov.left.abs().max(fov.right.abs()).hypot(fov.down.abs().max(fov.up.abs()));
+        Self { position, axes, sides, corner }
     }
 
     /// Position of the eye.
     pub fn position(&self) -> DVec3 {
         self.position
+    }
+
+    /// Tangent of the angle between the axis and the view's farthest corner.
+    pub(super) fn corner(&self) -> f64 {
+        self.corner
     }
 
     /// Unit viewing direction.
@@ -103,8 +111,6 @@ pub struct Eye {
     pub view: Frustum,
     /// Acuity as a function of eccentricity, if it is used.
     pub acuity: Option<Acuity>,
-    /// Tangent of the angle between the axis and the view's farthest corner.
-    pub corner: f64,
     /// Tangent of a pixel in the middle of the picture.
     pub pixel: f64,
 }
