@@ -275,7 +275,7 @@ def test_damaged_files_are_format_errors(glb: Path, tmp_path: Path) -> None:
         "other": b"glTF" + bytes(40),
         "fewer levels": data.replace(b'"ids": [1, 2, 3]', b'"ids": [1, 2]   '),
         "no extras": data.replace(b'"nearfar": {"format"', b'"farnear": {"format"'),
-        "newer": data.replace(b'"version": 1,', b'"version": 9,'),
+        "newer": data.replace(b'"version": 2,', b'"version": 9,'),
         "wrong ids": data.replace(b'"ids": [1, 2, 3]', b'"ids": [1, 2, 9]'),
     }
     for name, content in damaged.items():

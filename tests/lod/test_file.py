@@ -126,8 +126,8 @@ def test_files_of_others_and_of_the_future_are_refused(model: nf.lod.LodModel, t
     path = tmp_path / "a.json"
     model.save(path)
     document = json.loads(path.read_text(encoding="utf-8"))
-    path.write_text(json.dumps(document | {"version": 2}), encoding="utf-8")
-    with pytest.raises(nf.FormatError, match="version 2"):
+    path.write_text(json.dumps(document | {"version": 3}), encoding="utf-8")
+    with pytest.raises(nf.FormatError, match="version 3"):
         nf.lod.LodModel.load(path)
     path.write_text(json.dumps(document | {"format": "nearfar.hmd"}), encoding="utf-8")
     with pytest.raises(nf.FormatError, match="expected format"):
