@@ -125,3 +125,21 @@ def test_scenes_travel_with_their_levels(models: list[nf.lod.LodModel]) -> None:
     pictures = [nf.render(s, view(), lod=levels, backend="cpu") for s in (scene, back)]
     assert bytes_of(pictures[0]) == bytes_of(pictures[1])
     assert leveled(back).radii.tolist() == leveled(scene).radii.tolist()
+
+
+def test_budgets_hold_in_each_picture_and_keep_their_price(models: list[nf.lod.LodModel]) -> None:
+    scene = nf.lod.place(models, np.arange(12) % 2, frames(12, seed=4))
+    cameras = [view(), view(), view()]
+    coarsest = nf.render(scene, view(), lod=nf.lod.Selector(budget=10**9, weight=np.zeros(12)), backend="cpu").lod
+    full = nf.render(scene, view(), lod="off", backend="cpu").lod
+    assert coarsest is not None
+    assert full is not None
+    assert coarsest.triangles < full.triangles
+    budget = (coarsest.triangles + full.triangles) // 2
+    selector = nf.lod.Selector(budget=budget, hysteresis=0.9)
+    shown = [frame.lod for frame in nf.render_path(scene, cameras, lod=selector, backend="cpu")]
+    prices = [each.selection.spent.price for each in shown if each is not None]
+    assert len(set(prices)) == 1
+    for each in shown:
+        assert each is not None
+        assert coarsest.triangles <= each.triangles == each.selection.spent.triangles <= budget

@@ -19,7 +19,7 @@ Lod = str | Selector | Callable[..., Any] | ArrayLike | Mapping[str, int]
 
 
 class LevelChoice:
-    """Chooses levels for one picture after another and remembers the last levels, which hysteresis needs."""
+    """Chooses levels for one picture after another and remembers the last picture's, which hysteresis needs."""
 
     def __init__(self, source: Renderable, lod: Lod) -> None:
         self._lod = rule_of(lod, _leveled(source, (0.0, 0.0, 0.0)))
@@ -28,8 +28,7 @@ class LevelChoice:
     def __call__(self, source: Renderable, shot: Shot) -> tuple[Renderable, Shown]:
         """Choose levels for a shot; returns the source, which may be in any pose, at these levels."""
         leveled = _leveled(source, shot.eye)
-        previous = None if self._last is None else self._last.levels
-        chosen, selection = choose_levels(self._lod, leveled, shot.cameras, previous)
+        chosen, selection = choose_levels(self._lod, leveled, shot.cameras, self._last)
         drawn = source.at_levels(chosen)
         self._last = Shown(chosen, drawn.triangle_count, source.triangle_count, selection)
         return drawn, self._last
@@ -48,7 +47,7 @@ def rule_of(lod: Lod, leveled: Leveled) -> Any:
 
 
 def choose_levels(
-    rule: Any, leveled: Leveled, cameras: Sequence[Camera], previous: NDArray[np.int64] | None = None
+    rule: Any, leveled: Leveled, cameras: Sequence[Camera], last: Shown | None = None
 ) -> tuple[NDArray[np.int64], Any]:
     """Levels of objects (N,) by what `rule_of` returned, and the selector's result, None if the caller set levels."""
     if not (isinstance(rule, Selector) or callable(rule)):
@@ -57,10 +56,16 @@ def choose_levels(
     camera = cameras[0] if len(cameras) == 1 else tuple(cameras)
     if isinstance(rule, Selector):
         # Only a selector that fades needs the weights, which `full` computes.
-        selection = rule.select(*objects, camera=camera, previous=previous, full=rule.fade > 0)
+        selection = rule.select(*objects, camera=camera, full=rule.fade > 0, **_before(last))
     else:
         selection = rule(*objects, camera=camera)
     return levels_of("lod", getattr(selection, "level", selection), leveled), selection
+
+
+def _before(last: Shown | None) -> dict[str, Any]:
+    """The picture before as arguments of `nearfar.lod.select`; a price if it had a budget."""
+    spent = None if last is None else getattr(last.selection, "spent", None)
+    return {"previous": None if last is None else last.levels} | ({} if spent is None else {"price": spent.price})
 
 
 def _selector(leveled: Leveled, mode: str) -> Any:
