@@ -1,6 +1,6 @@
 """The thesis' window of 10 × 10 pixels beside Wang's of 11 × 11, which `measure` takes: how far scores are apart.
 
-`python -m benchmarks.lod.window [--views N]`. The same pictures of three objects' levels, from even directions at six
+`python -m benchmarks.lod.window [--views N]`. The same pictures of four objects' levels, from even directions at six
 of the 16 distances of `measure`, are scored with three windows. The thesis gives the side of its window and not its
 weights: the likely reading is Wang's Gaussian, σ 1.5, cut to 10 × 10; a uniform one is the other extreme. An even
 window extends one pixel further up and left.

@@ -246,7 +246,6 @@ def test_curves_that_no_level_reaches() -> None:
     [
         ({"models": usual()}, TypeError, "models: expected a sequence of LodModel, got LodModel"),
         ({"models": [3]}, TypeError, "models: expected a sequence of LodModel, got int 3 at index 0"),
-        ({"models": [model([(1, 1, 1, 0)], (0.2, 0.1))]}, ValueError, "models: .* the least first, got 0.2 and 0.1"),
         ({"models": []}, ValueError, "model_index: expected no objects where there are no models, got 0 at index 0"),
         ({"model_index": [1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got 1 at index 0"),
         ({"model_index": [-1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got -1 at index 0"),
@@ -300,7 +299,15 @@ def test_models_of_curves_alone() -> None:
         assert nf.lod.select([known], [0], [(0, 1, -9)], 0.1, camera=VIEW)[0] == 1
         assert (known.sigma, known.radius, known.pixel, known.errors.tolist()) == ((0, 4 * math.pi), 1, None, [0, 0])
         assert (known.curves.status[0], known.curves.reason[0]) == ("fitted", "")
-        assert "LodModel" in str(known._repr_html_())
+        assert "<svg" in str(known._repr_html_())
+
+
+def test_models_of_other_sizes_and_samples_are_refused() -> None:
+    with pytest.raises(ValueError, match="sigma: expected the least and the greatest solid angle"):
+        replace(usual(), sigma=(1.0, 0.1))
+    samples = nf.lod.Samples(np.array([0.1, 0.01]), np.ones((3, 2)))
+    with pytest.raises(ValueError, match=r"samples: expected scores of 8 levels at 2 sizes, got shape \(3, 2\)"):
+        replace(usual(), samples=samples)
 
 
 @pytest.mark.parametrize(
@@ -308,7 +315,10 @@ def test_models_of_curves_alone() -> None:
     [
         (([1.0], [1.0], [1.0, 2.0], [0.5]), r"c: expected shape \(1,\), as a has, got \(2,\)"),
         (([[1.0]], [[1.0]], [[1.0]], [[0.5]]), r"a: expected a number or shape \(K,\), got \(1, 1\)"),
-        ((1.0, 1.0, 0.0, 0.5), "c: expected sizes above 0, got 0.0"),
+        ((1.0, 1.0, 0.0, 0.5), "c: expected numbers above 0, got 0.0"),
+        ((1.0, -1.0, 1.0, 0.5), "b: expected numbers above 0, got -1.0"),
+        ((math.inf, 1.0, 1.0, 0.5), "a: expected finite numbers, or NaN for no curve, got inf"),
+        ((1.0, 1.0, 1.0, 0.5, 0.01), "status: expected one beside rms and reason, got None"),
     ],
 )
 def test_curves_of_other_parameters_are_refused(parameters: Any, message: str) -> None:

@@ -47,12 +47,12 @@ class MeasuredLevels:
         if errors.shape != triangles.shape:
             raise ValueError(f"errors: expected shape {triangles.shape}, one for each level, got {errors.shape}")
         sigma = check.array("sigma", self.sigma, columns=None, dtype=np.float64)
-        if sigma.shape != (2,) or not (sigma >= 0.0).all():
+        if sigma.shape != (2,) or not 0.0 <= sigma[0] <= sigma[1]:
             raise ValueError(
                 f"sigma: expected the least and the greatest solid angle, got {check.shown(sigma.tolist())}"
             )
         check.instance("curves", self.curves, Curve4PL)
-        curves = self.curves if self.curves.is_many else self.curves.as_many()
+        curves = self.curves if self.curves.is_many else _as_many(self.curves)
         if len(curves) != len(triangles) - 1:
             raise ValueError(
                 f"curves: expected {len(triangles) - 1}, one for each level but level 0, got {len(curves)}"
@@ -61,7 +61,10 @@ class MeasuredLevels:
         if self.levels is not None:
             check.instance("levels", self.levels, Levels, "Levels")
         if self.samples is not None:
-            check.instance("samples", self.samples, Samples, "Samples")
+            shape = check.instance("samples", self.samples, Samples, "Samples").score.shape
+            if shape != (len(triangles), len(self.samples.sigma)):
+                expected = f"scores of {len(triangles)} levels at {len(self.samples.sigma)} sizes"
+                raise ValueError(f"samples: expected {expected}, got shape {shape}")
         checked: dict[str, Any] = {
             "triangles": triangles,
             "curves": curves,
@@ -106,3 +109,9 @@ class MeasuredLevels:
     def __len__(self) -> int:
         """Return the number of levels, level 0 included."""
         return len(self.triangles)
+
+
+def _as_many(curve: Curve4PL) -> Curve4PL:
+    """One curve as many, of which there is one."""
+    parts = (*curve, curve.rms, curve.status, curve.reason)
+    return Curve4PL(*(np.atleast_1d(np.asarray(part)) for part in parts))

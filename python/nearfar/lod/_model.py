@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nearfar._base import card, check, formats, plot
 from nearfar._camera.camera import Camera, Fov
@@ -171,8 +172,7 @@ class LodModel(MeasuredLevels):
         ----------
         Liebisch (2021): Figure 3.3.
         """
-        low, high = self.sigma
-        sigma = np.geomspace(low, high, 256)
+        sigma = self._drawn_sizes(256)
         curves = self.curves(sigma) if len(self.curves) else np.empty((0, 256))
         scores = None if self.samples is None else (self.samples.sigma, self.samples.score[1:])
         return plot.score_curves(ax, sigma, curves, [f"{count:,}" for count in self.triangles[1:]], scores)
@@ -180,8 +180,7 @@ class LodModel(MeasuredLevels):
     @card.repr_html
     def _repr_html_(self) -> str:
         """Table of the levels and plot of their curves for notebooks."""
-        low, high = self.sigma
-        sigma = np.geomspace(low, high, 128)
+        sigma = self._drawn_sizes(128)
         curves = self.curves(sigma) if len(self.curves) else np.empty((0, 128))
         dots = (
             [None] * len(curves) if self.samples is None else [(self.samples.sigma, s) for s in self.samples.score[1:]]
@@ -192,6 +191,11 @@ class LodModel(MeasuredLevels):
         drawn = [card.plot(lines, "solid angle, sr", "SSIM")] if lines else []
         title = f"LodModel {self.name}, radius {self.radius:.4g} m"
         return card.page(title, (), *drawn, card.table(rows, header))
+
+    def _drawn_sizes(self, count: int) -> NDArray[np.float64]:
+        """Sizes over which curves are drawn: those measured, or six decades where there is no least."""
+        low, high = self.sigma
+        return np.geomspace(low if low > 0 else 1e-6 * high, high, count)
 
     def _rows(self) -> tuple[list[str], list[list[str]]]:
         """Header and rows of the table of levels, as text."""

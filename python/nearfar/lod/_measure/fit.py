@@ -39,7 +39,8 @@ class Curve4PL:
     Raises
     ------
     ValueError, TypeError
-        For parameters of different shapes, other things than real numbers, and c that is not above 0.
+        For parameters of different shapes, infinite ones, other things than real numbers, and b and c that are not
+        above 0.
     """
 
     a: Any
@@ -60,6 +61,8 @@ class Curve4PL:
 
     def __post_init__(self) -> None:
         if self.status is None:
+            if self.rms is not None or self.reason is not None:
+                raise ValueError("status: expected one beside rms and reason, got None")
             for name, value in _given(self.a, self.b, self.c, self.d).items():
                 object.__setattr__(self, name, value)
 
@@ -67,10 +70,6 @@ class Curve4PL:
     def is_many(self) -> bool:
         """Whether these are many curves, of any number; False for one."""
         return isinstance(self.a, np.ndarray)
-
-    def as_many(self) -> Curve4PL:
-        """One curve as many, of which there is one."""
-        return Curve4PL(*(np.atleast_1d(np.asarray(field)) for field in (*self, self.rms, self.status, self.reason)))
 
     @property
     def ok(self) -> Any:
@@ -150,9 +149,14 @@ def _given(*parameters: Any) -> dict[str, Any]:
     for name, array in zip(names, arrays, strict=True):
         if array.shape != shape:
             raise ValueError(f"{name}: expected shape {shape}, as a has, got {array.shape}")
-    a, _, c, d = arrays
-    if (c <= 0).any():
-        raise ValueError(f"c: expected sizes above 0, got {np.nanmin(c)}")
+        if np.isinf(array).any():
+            raise ValueError(
+                f"{name}: expected finite numbers, or NaN for no curve, got {array.flat[np.isinf(array).argmax()]}"
+            )
+    a, b, c, d = arrays
+    for name, array in (("b", b), ("c", c)):
+        if (array <= 0).any():
+            raise ValueError(f"{name}: expected numbers above 0, got {np.nanmin(array)}")
     status = np.where(np.isnan(arrays).any(axis=0), "unfittable", np.where(a == d, "flat", "fitted"))
     reason = np.where(status == "unfittable", "a parameter is NaN", "")
     fields = dict(

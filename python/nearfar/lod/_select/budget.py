@@ -21,7 +21,8 @@ class Spent:
     """How a budget was spent."""
 
     price: float
-    """λ: the weighted score that one more triangle would add. 0 where all that looks better is drawn."""
+    """λ: the weighted score that each triangle of the first step adds that did not fit, or the price that was kept. 0
+    where all that looks better is drawn."""
     triangles: int
     """Triangles of the levels of all objects in view."""
     score: float
@@ -32,7 +33,25 @@ def weight_of(weight: str | ArrayLike) -> str | NDArray[np.float64]:
     """Check the kind of weights, or weights (N,) themselves."""
     if isinstance(weight, str):
         return check.choice("weight", weight, WEIGHTS)
-    return check.array("weight", weight, columns=None, dtype=np.float64)
+    weights = np.array(check.array("weight", weight, columns=None, dtype=np.float64))
+    weights.flags.writeable = False
+    return weights
+
+
+def check_budget(
+    budget: int | None, weight: str | NDArray[np.float64], floor: float | None, *, mode: str, fade: float
+) -> None:
+    """Refuse what has no meaning without a budget, or with one."""
+    if budget is None:
+        if floor is not None:
+            raise ValueError(f"floor: expected None without a budget, got {floor}")
+        if not isinstance(weight, str) or weight != "object":
+            raise ValueError(f"weight: expected 'object' without a budget, got {check.shown(weight)}")
+        return
+    if mode == "off":
+        raise ValueError("budget: expected None for the mode 'off', which draws all at level 0")
+    if fade > 0:
+        raise ValueError(f"fade: expected 0 with a budget, under which levels do not blend, got {fade}")
 
 
 def weights_for(weight: str | NDArray[np.float64], count: int) -> dict[str, Any]:

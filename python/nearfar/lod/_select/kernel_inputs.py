@@ -61,7 +61,7 @@ def curves_of(
     models: Sequence[MeasuredLevels],
 ) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
     """Curves of all models (C, 4), the first of each model (M + 1,), and (M, 3) least and greatest size and pixel."""
-    check.items("models", models, MeasuredLevels, "a sequence of LodModel")
+    models = check.items("models", models, MeasuredLevels, "a sequence of LodModel")
     rows = [_curve_rows(model) for model in models]
     firsts = np.zeros(len(rows) + 1, np.int64)
     np.cumsum([len(part) for part in rows], out=firsts[1:])

@@ -78,7 +78,8 @@ def select(
         the solid angle behind the lens (`corrected_solid_angle`), without a lens that of "depth". "fovea": that solid
         angle times the squared `acuity` at its angle from the gaze. "panel": σ′ = σ D(α) counts pixels of the panel,
         as a multiple of those that the same object takes on the axis: `panel_magnification` at the angle α of the
-        sphere's middle, at most that of the view's corner. The camera's pixels are then those of the panel.
+        sphere's middle, at most that of the view's corner. The camera's pixels are then those of the panel: a headset's
+        `camera(…, size=hmd.panel_size)`.
     size
         Through a lens: "axis", the published product σ (α⁺ − α⁻)/2μ, in which the lens shrinks one axis, or "area",
         that times sin α′/sin α of the middle, in which it shrinks both.
@@ -110,14 +111,16 @@ def select(
         Of the lens: "lut", whose σ′ is within 10⁻⁸ of itself, or "newton", which is `corrected_solid_angle`.
     budget
         Triangles that all objects in view may have together. Then no threshold and no limit applies: levels have the
-        greatest sum of weight times score that the budget allows, to within one step between two levels. Of an object
+        greatest sum of weight times score that the budget allows, to within one step between two levels, but for what a
+        `price`, `hysteresis` and a `floor` that does not fit hold back. Of an object
         the upper hull of (triangles, weight × score) counts: at a price λ it takes the finest level of the hull to
         which each triangle adds at least λ, and λ is the least price at which all fit. Steps at this price are taken in
         the order of the objects while they fit, then smaller ones. Scores are means over the views where a model has
         them, and beyond the sizes that were measured those at the ends. Objects count once for all cameras, with the
         greatest of their sizes.
     weight
-        Of a budget: "object", all the same; "pixels", σ′ / (tangent of a pixel)²; or (N,) numbers of at least 0.
+        Of a budget: "object", all the same; "pixels", σ′ / (tangent of a pixel)², 0 beyond a lens's fold; or (N,)
+        numbers, each 0 or from 10⁻¹⁵⁰ to 10¹⁵⁰.
     floor
         Of a budget: objects get at least the score f(σ) − floor where it suffices for all; where it does not, none gets
         more than that.

@@ -28,16 +28,18 @@ class Selection(NDArrayOperatorsMixin):
     about twice the time. Without it they raise an AttributeError.
 
     Of several cameras a column has the numbers of the one that asked for the level, the first of them where several
-    did. NaN marks numbers that were not needed.
+    did; under a budget those of the one with the greatest size, and the greatest threshold. NaN marks numbers that were
+    not needed.
     """
 
     level: NDArray[np.int32]
     """The level of each object, 0 the finest; −1 outside of the view."""
     counts: Mapping[str, int]
-    """Number of objects by the way in which they were decided. Each is one of these for each camera: "culled" (not in
-    view), "one_level" (in view, nothing to choose), "settled" (another camera asked for level 0 already), "large" (so
-    large that no curve reaches the threshold) or "asked". Of those asked: "lens" (σ′ was computed), "table" (the level
-    stood in a table of the model), "formula" (curves were evaluated)."""
+    """Number of objects by the way in which they were decided. Each is one of these for each camera, under a budget
+    once for all: "culled" (not in view), "one_level" (in view, nothing to choose), "settled" (another camera asked for
+    level 0 already), "large" (so large that no curve reaches the threshold, or with `limit="own"` above σ₁/₁₆) or
+    "asked". Of those asked: "lens" (σ′ was computed), "table" (the level stood in a table of the model), "formula"
+    (curves were evaluated)."""
     columns: InitVar[Mapping[str, Array]]
     spent: Spent | None = None
     """What a budget was spent on; None without one."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.lens import RadialLens
 from nearfar.lod._measured_levels import MeasuredLevels
-from nearfar.lod._select.budget import MOST_TRIANGLES, Spent, triangles_of, weight_of, weights_for
+from nearfar.lod._select.budget import MOST_TRIANGLES, Spent, check_budget, triangles_of, weight_of, weights_for
 from nearfar.lod._select.kernel_inputs import cameras_of, curves_of, eye_of, gaze_of, models_of, whole_numbers
 from nearfar.lod._select.selection import COLUMNS, Selection
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE, checked_lens, reference_solid_angle, widest
@@ -29,7 +29,7 @@ _COUNTS = ("culled", "one_level", "settled", "large", "asked", "lens", "table", 
 """Keys of `Selection.counts`, in the kernel's order."""
 
 
-@dataclass(frozen=True, kw_only=True, init=False)
+@dataclass(frozen=True, kw_only=True, init=False, eq=False)
 class Selector:
     """Settings of `select`, which documents each, for use in frame after frame.
 
@@ -100,10 +100,21 @@ class Selector:
             "weight": weight_of(weight),
             "floor": None if floor is None else check.at_least_zero("floor", floor),
         }
-        if mode == "off" and budget is not None:
-            raise ValueError("budget: expected None for the mode 'off', which draws all at level 0")
+        check_budget(budget, checked["weight"], checked["floor"], mode=mode, fade=checked["fade"])
         for name, value in checked.items():
             object.__setattr__(self, name, value)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Selector) and self._content == other._content
+
+    def __hash__(self) -> int:
+        return hash(self._content)
+
+    @property
+    def _content(self) -> tuple[Any, ...]:
+        """Values of all fields, those of an array of weights as bytes."""
+        values = (getattr(self, field.name) for field in fields(self))
+        return tuple(value.tobytes() if isinstance(value, np.ndarray) else value for value in values)
 
     @property
     def k(self) -> float:
@@ -130,6 +141,8 @@ class Selector:
     ) -> Selection:
         """Choose a level for each object; arguments, results and errors are those of `nearfar.lod.select`."""
         models, model_index = models_of(models, model_index)
+        if self.budget is None and price is not None:
+            raise ValueError(f"price: expected None without a budget, got {check.shown(price)}")
         if self.budget is not None:
             models = [
                 model.of_mean for model in check.items("models", models, MeasuredLevels, "a sequence of LodModel")

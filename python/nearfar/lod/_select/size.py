@@ -177,7 +177,8 @@ def panel_magnification(
         half_tangent(view)  # raises for anything but a view
         return np.asarray(spread)
     scale = checked_lens(lens, view, lens_radius)
-    r = lens.undistort(tangent / scale, outside="nan")
+    with np.errstate(over="ignore"):
+        r = lens.undistort(tangent / scale, outside="nan")
     shrinks = np.polynomial.polynomial.polyval(np.nan_to_num(r) ** 2, (1.0, *lens.k))
     slope = lens.derivative(np.nan_to_num(r), outside="nan")
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -51,11 +51,11 @@ impl Ledger {
     /// Adds another one; in a fixed order, so that rounding does not depend on threads.
     pub fn add(&mut self, other: &Ledger) {
         for (own, other) in self.classes.iter_mut().zip(&other.classes) {
-            own.triangles += other.triangles;
+            own.triangles = own.triangles.saturating_add(other.triangles);
             own.gain += other.gain;
             own.steps += other.steps;
         }
-        self.first_triangles += other.first_triangles;
+        self.first_triangles = self.first_triangles.saturating_add(other.first_triangles);
         self.first_score += other.first_score;
         self.weight += other.weight;
     }

@@ -5,6 +5,9 @@ use super::hull::{Choice, LANES, Lanes, Worth, scores, slopes, worths};
 use super::rated::Ladder;
 use super::sizes::{SeenObjects, Weights};
 
+/// Greatest power of 2 by which weights are scaled; its inverse is a float, too.
+const MOST_EXPONENT: f64 = 1000.0;
+
 /// Rates objects in view.
 pub(super) struct Rater<'a> {
     pub ladders: &'a [Ladder],
@@ -62,7 +65,7 @@ impl<'a> Rater<'a> {
             Weights::Each(all) => all.iter().copied().fold(0.0, f64::max),
             _ => 1.0,
         };
-        let exponent = if most > 0.0 { most.log2().ceil() } else { 0.0 };
+        let exponent = if most > 0.0 { most.log2().ceil().clamp(-MOST_EXPONENT, MOST_EXPONENT) } else { 0.0 };
         Self { ladders, objects, seen, weights, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
     }
 
@@ -110,7 +113,8 @@ impl<'a> Rater<'a> {
             }
         }
         slopes(ladder, &room.scores, &floors, self.choice, &mut room.slopes);
-        worths(&mut room.slopes, &self.worth(ladder, block), &mut room.classes);
+        let worth = self.worth(ladder, block, &room.slopes);
+        worths(&mut room.slopes, &worth, &mut room.classes);
         let mut weights = [0.0; LANES];
         weights.iter_mut().zip(block).for_each(|(to, &object)| *to = self.weight(object));
         let is_floored = self.choice == Choice::FromFloor;
@@ -129,16 +133,19 @@ impl<'a> Rater<'a> {
         if let Weights::Each(all) = self.weights { all[object as usize] } else { 1.0 }
     }
 
-    fn worth(&self, ladder: &Ladder, block: &[u32]) -> Worth {
+    fn worth(&self, ladder: &Ladder, block: &[u32], slopes: &[Lanes]) -> Worth {
         let mut worth = Worth { weights: [0.0; LANES], held: [f64::INFINITY; LANES], hold: 1.0 + self.hysteresis };
         for (to, &object) in worth.weights.iter_mut().zip(block) {
             *to = self.weight(object) * self.scale;
         }
         let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return worth };
-        for (to, &object) in worth.held.iter_mut().zip(block) {
+        for (lane, (to, &object)) in worth.held.iter_mut().zip(block).enumerate() {
             let level = previous[object as usize];
             let place = ladder.level.iter().position(|&own| level >= 0 && own >= level);
-            *to = place.map_or(f64::INFINITY, |place| place as f64);
+            // A level below the hull is not held: the edge above it would be parted.
+            let is_corner =
+                |&place: &usize| place == 0 || place == slopes.len() || slopes[place - 1][lane] != slopes[place][lane];
+            *to = place.filter(is_corner).map_or(f64::INFINITY, |place| place as f64);
         }
         worth
     }

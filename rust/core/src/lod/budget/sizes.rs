@@ -1,13 +1,15 @@
 //! Sizes and weights of the objects in view; of several eyes the one that sees an object largest counts.
 
+use std::ops::RangeInclusive;
+
 use rayon::prelude::*;
 
 use super::super::select::{COLUMNS, EyeSizes, HIDDEN, Model, Objects, OpenSizes, Sight, TILE, ThresholdLine};
 use crate::base::error::number;
 use crate::base::{Error, Progress, Result};
 
-/// Solid angle of all directions.
-const ALL_AROUND: f64 = 4.0 * std::f64::consts::PI;
+/// Weights within which sums and slopes neither overflow nor vanish.
+const USUAL_WEIGHTS: RangeInclusive<f64> = 1e-150..=1e150;
 
 /// What an object counts for.
 #[derive(Clone, Copy, Debug)]
@@ -23,10 +25,11 @@ pub enum Weights<'a> {
 impl Weights<'_> {
     pub(super) fn check(&self) -> Result<()> {
         let Weights::Each(all) = self else { return Ok(()) };
-        match all.iter().position(|weight| !(*weight >= 0.0 && weight.is_finite())) {
+        match all.iter().position(|weight| *weight != 0.0 && !USUAL_WEIGHTS.contains(weight)) {
             None => Ok(()),
             Some(n) => {
-                Err(Error::value("weight", "finite numbers of at least 0", format!("{} at index {n}", number(all[n]))))
+                let got = format!("{} at index {n}", number(all[n]));
+                Err(Error::value("weight", "0, or numbers from 1e-150 to 1e150", got))
             }
         }
     }
@@ -140,7 +143,9 @@ impl SizesOf<'_> {
                     (*sigma, *seen) = (open.sigma[k], open.seen[k]);
                 }
                 if let Some(pixels) = pixels.get_mut(n) {
-                    *pixels = open.seen[k].min(ALL_AROUND) * pixel;
+                    // Beyond the lens's fold the panel shows nothing.
+                    let shown = if open.seen[k] < f64::INFINITY { open.seen[k] } else { 0.0 };
+                    *pixels = shown * pixel;
                 }
             }
         }

@@ -146,7 +146,7 @@ fn ledger(rater: &Rater<'_>, stride: usize, classes: &mut [u16], progress: &Prog
 /// Enters the steps of a block; `origin` is the first object of the classes.
 fn enter(block: &RatedBlock<'_>, origin: usize, stride: usize, classes: &mut [u16], ledger: &mut Ledger) {
     for (lane, &first) in block.first[..block.objects.len()].iter().enumerate() {
-        ledger.first_triangles += block.ladder.triangles[first];
+        ledger.first_triangles = ledger.first_triangles.saturating_add(block.ladder.triangles[first]);
         ledger.first_score += block.weights[lane] * block.scores[first][lane];
         ledger.weight += block.weights[lane];
     }
@@ -157,7 +157,7 @@ fn enter(block: &RatedBlock<'_>, origin: usize, stride: usize, classes: &mut [u1
             classes[(object as usize - origin) * stride + step] = if is_had { ALWAYS } else { of_step[lane] };
             if !is_had {
                 let entry = &mut ledger.classes[usize::from(of_step[lane]) % CLASSES];
-                entry.triangles += added;
+                entry.triangles = entry.triangles.saturating_add(added);
                 entry.gain += gains[lane];
                 entry.steps += 1;
             }
@@ -204,7 +204,7 @@ impl Plan<'_> {
     fn above(&self, class: u16) -> (u64, f64) {
         let (mut triangles, mut score) = (self.ledger.first_triangles, self.ledger.first_score);
         for entry in self.ledger.classes[usize::from(class) + 1..].iter().rev() {
-            triangles += entry.triangles;
+            triangles = triangles.saturating_add(entry.triangles);
             score += entry.gain;
         }
         (triangles, score)
@@ -230,22 +230,21 @@ impl Plan<'_> {
 
     /// Buy what a price of the frame before buys, if that is within the budget and most of it.
     fn keep(&self, price: f64, budget: u64, hysteresis: f64) -> Option<Bought> {
-        let price = price * self.rater.scale;
-        let own = class(price);
+        let scaled = price * self.rater.scale;
+        let own = class(scaled);
         let (mut triangles, mut score) = self.above(own);
         if triangles > budget {
             return None;
         }
         let mut levels = Vec::new();
         if own != NEVER {
-            for step in self.steps(own, own).into_iter().take_while(|step| step.slope > price) {
-                triangles += step.triangles;
+            for step in self.steps(own, own).into_iter().take_while(|step| step.slope > scaled) {
+                triangles = triangles.saturating_add(step.triangles);
                 score += step.gain;
                 levels.push((step.object, step.to));
             }
         }
         let is_enough = triangles as f64 >= (1.0 - hysteresis) * budget as f64 || own == NEVER;
-        let price = price / self.rater.scale;
         (triangles <= budget && is_enough).then_some(Bought { price, above: own, triangles, score, levels })
     }
 
@@ -254,7 +253,7 @@ impl Plan<'_> {
         let (mut triangles, mut score) = (self.ledger.first_triangles, self.ledger.first_score);
         let mut most = ALWAYS;
         let entry = |class: u16| &self.ledger.classes[usize::from(class)];
-        while most > NEVER && triangles + entry(most).triangles <= budget {
+        while most > NEVER && triangles.saturating_add(entry(most).triangles) <= budget {
             triangles += entry(most).triangles;
             score += entry(most).gain;
             most -= 1;

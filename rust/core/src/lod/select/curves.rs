@@ -9,7 +9,7 @@ const STEP: f64 = 0.05;
 /// of 1; it is proportional to the fade.
 const FADE_RANGE: f64 = 0.25;
 /// Solid angle of all directions, slightly reduced: a sphere around the eye exceeds it.
-const ALL_AROUND: f64 = 4.0 * std::f64::consts::PI * (1.0 - 1e-12);
+const BELOW_ALL_AROUND: f64 = 4.0 * std::f64::consts::PI * (1.0 - 1e-12);
 /// Relative widening of the size from which no level is good enough, more than rounding moves it.
 const WIDENING: f64 = 1e-9;
 
@@ -65,9 +65,9 @@ impl Model<'_> {
         }
         let best = self.curves.iter().map(|&[a, _, _, d]| a.max(d)).fold(f64::NEG_INFINITY, f64::max);
         let end = (best - rules.line.level) / rules.line.rise * (1.0 + WIDENING);
-        let end = if rules.line.rise > 0.0 { end.max(0.0) } else { ALL_AROUND };
-        let own = if rules.limit == SizeLimit::Own { rules.reference } else { ALL_AROUND };
-        end.min(own).min(ALL_AROUND)
+        let end = if rules.line.rise > 0.0 { end.max(0.0) } else { BELOW_ALL_AROUND };
+        let own = if rules.limit == SizeLimit::Own { rules.reference } else { BELOW_ALL_AROUND };
+        end.min(own).min(BELOW_ALL_AROUND)
     }
 
     /// The greatest size at which curves are read; no sphere is larger than all directions.

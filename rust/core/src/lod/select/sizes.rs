@@ -171,7 +171,8 @@ fn spread(lens: Option<&EyeLens<'_>>, corner: f64, sight: &Sight, open: &mut Ope
         None => to.iter_mut().zip(from).for_each(|(to, t)| *to = (1.0 + t * t) * (1.0 + t * t).sqrt()),
     }
     for (seen, factor) in open.seen[..count].iter_mut().zip(&open.factor) {
-        *seen *= factor;
+        // A point stays one where D is infinite.
+        *seen = if *seen > 0.0 { *seen * factor } else { *seen };
     }
 }
 
