@@ -42,7 +42,7 @@ class Selection(NDArrayOperatorsMixin):
     (curves were evaluated)."""
     columns: InitVar[Mapping[str, Array]]
     spent: Spent | None = None
-    """What a budget was spent on; None without one."""
+    """Price, triangles and mean score under a budget; None without one."""
     sigma: Array = field(init=False)
     """σ, steradians; 4π around the eye. NaN where the object is not in view or has one level."""
     sigma_seen: Array = field(init=False)

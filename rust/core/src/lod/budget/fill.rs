@@ -15,7 +15,7 @@ pub(super) struct Step {
     pub gain: f64,
 }
 
-/// What was taken.
+/// The steps that were taken, summed up.
 pub(super) struct Filled {
     /// Slope of the first step that did not fit; 0 if all did.
     pub slope: f64,

@@ -28,8 +28,8 @@ vectorized! {
     fn weigh_all(slopes: &mut [Lanes], worth: &Worth, classes: &mut [[u16; LANES]]) = weigh;
 }
 
-/// What slopes are multiplied by: the objects' weights; from a step of each object on also a factor that holds the level
-/// of the frame before.
+/// Factors of slopes: the objects' weights; from a step of each object on also one that holds the level of the frame
+/// before.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Worth {
     pub weights: Lanes,

@@ -23,7 +23,7 @@ pub(super) fn class(slope: f64) -> u16 {
     (if slope == f64::INFINITY { ALWAYS as i64 } else { number }) as u16
 }
 
-/// What the steps of a class add.
+/// Sums over the steps of a class.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Entry {
     pub triangles: u64,

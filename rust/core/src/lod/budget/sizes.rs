@@ -11,7 +11,7 @@ use crate::base::{Error, Progress, Result};
 /// Weights within which sums and slopes neither overflow nor vanish.
 const USUAL_WEIGHTS: RangeInclusive<f64> = 1e-150..=1e150;
 
-/// What an object counts for.
+/// Weights of the objects.
 #[derive(Clone, Copy, Debug)]
 pub enum Weights<'a> {
     /// Every object the same.

@@ -23,7 +23,7 @@ const MOST_TRIED: u32 = 1 << 14;
 pub struct Budget<'a> {
     /// Triangles of all objects in view.
     pub triangles: u64,
-    /// What an object counts for.
+    /// Weights of the objects.
     pub weights: Weights<'a>,
     /// Objects have at least f(σ) − floor where the budget allows it.
     pub floor: Option<f64>,
@@ -53,7 +53,7 @@ pub struct Spent {
     pub triangles: u64,
     /// Mean score of the objects in view by their weights; NaN without any.
     pub score: f64,
-    /// What decided.
+    /// Number of objects by the stage that decided their level.
     pub counts: SelectionCounts,
 }
 
@@ -182,7 +182,7 @@ fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: 
     }
 }
 
-/// What a price buys: all steps of classes above one, and some levels beside.
+/// The levels that a price buys: all steps of classes above one, and some levels beside.
 struct Bought {
     price: f64,
     above: u16,
