@@ -88,9 +88,7 @@ def acuity(
     ----------
     Guenter, Finch, Drucker, Tan, Snyder (2012), Eq. 1.
     """
-    away = check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
-    if not (away >= 0).all():
-        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
+    away = _eccentricities(eccentricity_deg)
     rise, pixel = check.at_least_zero("slope", slope), check.at_least_zero("pixel_deg", pixel_deg)
     least = check.positive("limit_deg", limit_deg)
     with np.errstate(over="ignore"):
@@ -128,9 +126,7 @@ def distortion(
     ----------
     Liebisch (2021), Eq. 4.10–4.12, where the half angle goes to 0.
     """
-    away = check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
-    if not (away >= 0).all():
-        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
+    away = _eccentricities(eccentricity_deg)
     scale = checked_lens(lens, view, lens_radius)
     tangent = np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.nan)
     with np.errstate(over="ignore"):
@@ -167,10 +163,12 @@ def panel_magnification(
     ------
     ValueError, TypeError
         For other numbers and lenses.
+
+    References
+    ----------
+    Liebisch (2021), Eq. 4.10, for r and f; D is the ratio of areas that follows from it.
     """
-    away = check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
-    if not (away >= 0).all():
-        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
+    away = _eccentricities(eccentricity_deg)
     tangent = np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.inf)
     spread = (1 + tangent**2) ** 1.5
     if lens is None:
@@ -183,6 +181,14 @@ def panel_magnification(
     slope = lens.derivative(np.nan_to_num(r), outside="nan")
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(np.where(np.isfinite(r), spread / (shrinks * slope), np.inf))
+
+
+def _eccentricities(value: ArrayLike) -> NDArray[np.float64]:
+    """Check angles from the axis or the gaze, degrees of any shape."""
+    away = check.array("eccentricity_deg", value, columns=None, dtype=np.float64)
+    if not (away >= 0).all():
+        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
+    return away
 
 
 def half_tangent(view: Hmd | Camera | Fov) -> float:
