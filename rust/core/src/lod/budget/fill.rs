@@ -35,7 +35,7 @@ pub(super) fn fill(steps: &[Step], left: u64) -> Filled {
         if is_over.contains(&step.object) {
             continue;
         }
-        if filled.triangles.saturating_add(step.triangles) > left {
+        if filled.triangles + step.triangles > left {
             if is_over.is_empty() {
                 filled.slope = step.slope;
             }

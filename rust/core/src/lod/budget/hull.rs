@@ -1,15 +1,17 @@
 //! Scores of a model's levels for a block of objects, and the slopes of their upper hulls.
 
-use super::super::exponential::exp;
-use super::prices::class;
+use super::super::exponential::{exp, ln};
+use super::prices::{ALWAYS, class};
 use super::rated::Ladder;
 use crate::base::simd::vectorized;
 
 /// Number of objects in a block.
-pub(super) const LANES: usize = 16;
+pub(super) const LANES: usize = 32;
 
 /// A number for each object of a block.
 pub(super) type Lanes = [f64; LANES];
+/// The class of a step of each object of a block.
+pub(super) type Classes = [u16; LANES];
 
 /// Levels among which a block's objects may choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,24 +25,32 @@ pub(super) enum Choice {
 }
 
 vectorized! {
-    fn scores_of(ladder: &Ladder, logarithms: &Lanes, to: &mut [Lanes]) = rate;
+    fn scores_of(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) = fused rate;
     fn slopes_of(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) = slope;
-    fn weigh_all(slopes: &mut [Lanes], worth: &Worth, classes: &mut [[u16; LANES]]) = weigh;
+    fn gains_of(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) = gain;
+    fn weigh_all(slopes: &mut [Lanes], worth: &Worth, classes: &mut [Classes]) = weigh;
 }
 
 /// Factors of slopes: the objects' weights; from a step of each object on also one that holds the level of the frame
-/// before.
+/// before. From the step `first` on, steps are taken whatever they are worth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Worth {
     pub weights: Lanes,
     pub held: Lanes,
     pub hold: f64,
+    pub first: Lanes,
 }
 
-/// Writes the scores of all levels at sizes given by their logarithms. Level 0 has 1.
-pub(super) fn scores(ladder: &Ladder, logarithms: &Lanes, to: &mut Vec<Lanes>) {
+/// Writes the scores of all levels at some sizes. Level 0 has 1.
+pub(super) fn scores(ladder: &Ladder, sizes: &Lanes, to: &mut Vec<Lanes>) {
     to.resize(ladder.triangles.len(), [1.0; LANES]);
-    scores_of(ladder, logarithms, to);
+    scores_of(ladder, sizes, to);
+}
+
+/// Writes the weighted score that each step adds.
+pub(super) fn gains(scores: &[Lanes], weights: &Lanes, to: &mut Vec<Lanes>) {
+    to.resize(scores.len() - 1, [0.0; LANES]);
+    gains_of(scores, weights, to);
 }
 
 /// Writes the slope of each step: the score that the hull gains with a triangle between levels n + 1 and n. Slopes fall
@@ -52,33 +62,48 @@ pub(super) fn slopes(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: 
 }
 
 /// Multiplies slopes by what they are worth, and writes their classes.
-pub(super) fn worths(slopes: &mut [Lanes], worth: &Worth, classes: &mut Vec<[u16; LANES]>) {
+pub(super) fn worths(slopes: &mut [Lanes], worth: &Worth, classes: &mut Vec<Classes>) {
     classes.resize(slopes.len(), [0; LANES]);
     weigh_all(slopes, worth, classes);
 }
 
 #[inline(always)]
-fn weigh(slopes: &mut [Lanes], worth: &Worth, classes: &mut [[u16; LANES]]) {
+fn weigh(slopes: &mut [Lanes], worth: &Worth, classes: &mut [Classes]) {
     for (step, (slopes, classes)) in slopes.iter_mut().zip(classes).enumerate() {
         for n in 0..LANES {
             let hold = if step as f64 >= worth.held[n] { worth.hold } else { 1.0 };
             slopes[n] *= worth.weights[n] * hold;
-            classes[n] = class(slopes[n]);
+            classes[n] = if step as f64 >= worth.first[n] { ALWAYS } else { class(slopes[n]) };
         }
     }
 }
 
 #[inline(always)]
-fn rate(ladder: &Ladder, logarithms: &Lanes, to: &mut [Lanes]) {
+fn rate<const FUSED: bool>(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) {
+    let [least, greatest] = ladder.range;
+    let mut logarithms = [0.0; LANES];
+    for n in 0..LANES {
+        let size = if sizes[n] < least { least } else { sizes[n] };
+        logarithms[n] = ln::<FUSED>(if size > greatest { greatest } else { size });
+    }
     to[0] = [1.0; LANES];
     for (&[a, b, middle, d], to) in ladder.curves.iter().zip(&mut to[1..]) {
         for n in 0..LANES {
             let steps = b * (logarithms[n] - middle);
             // From the nearer plateau, so that no digits cancel.
-            let small = exp(-steps.abs());
+            let small = exp::<FUSED>(-steps.abs());
             let share = small / (1.0 + small);
             let (near, far) = if steps < 0.0 { (a, d) } else { (d, a) };
             to[n] = near + (far - near) * share;
+        }
+    }
+}
+
+#[inline(always)]
+fn gain(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) {
+    for ((finer, coarser), to) in scores.iter().zip(&scores[1..]).zip(to) {
+        for n in 0..LANES {
+            to[n] = weights[n] * (finer[n] - coarser[n]);
         }
     }
 }

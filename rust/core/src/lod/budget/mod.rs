@@ -6,9 +6,11 @@
 
 mod fill;
 mod hull;
+mod plan;
 mod prices;
 mod rated;
 mod rater;
+mod ratings;
 mod sizes;
 mod spend;
 #[cfg(test)]

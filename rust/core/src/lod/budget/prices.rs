@@ -23,8 +23,9 @@ pub(super) fn class(slope: f64) -> u16 {
     (if slope == f64::INFINITY { ALWAYS as i64 } else { number }) as u16
 }
 
-/// Sums over the steps of a class.
+/// Sums over the steps of a class, at an address that a shift gives.
 #[derive(Clone, Copy, Default)]
+#[repr(align(32))]
 pub(super) struct Entry {
     pub triangles: u64,
     /// Weighted score.
@@ -32,9 +33,18 @@ pub(super) struct Entry {
     pub steps: u32,
 }
 
+impl Entry {
+    #[inline(always)]
+    pub fn add(&mut self, triangles: u64, gain: f64) {
+        self.triangles += triangles;
+        self.gain += gain;
+        self.steps += 1;
+    }
+}
+
 /// Sums over steps by class, and over objects at their coarsest level.
 pub(super) struct Ledger {
-    pub classes: Vec<Entry>,
+    pub classes: Box<[Entry; CLASSES]>,
     /// Triangles, weighted score and weight of all objects before any step.
     pub first_triangles: u64,
     pub first_score: f64,
@@ -43,19 +53,19 @@ pub(super) struct Ledger {
 
 impl Default for Ledger {
     fn default() -> Self {
-        Self { classes: vec![Entry::default(); CLASSES], first_triangles: 0, first_score: 0.0, weight: 0.0 }
+        Self { classes: Box::new([Entry::default(); CLASSES]), first_triangles: 0, first_score: 0.0, weight: 0.0 }
     }
 }
 
 impl Ledger {
     /// Adds another one; in a fixed order, so that rounding does not depend on threads.
     pub fn add(&mut self, other: &Ledger) {
-        for (own, other) in self.classes.iter_mut().zip(&other.classes) {
-            own.triangles = own.triangles.saturating_add(other.triangles);
+        for (own, other) in self.classes.iter_mut().zip(other.classes.iter()) {
+            own.triangles += other.triangles;
             own.gain += other.gain;
             own.steps += other.steps;
         }
-        self.first_triangles = self.first_triangles.saturating_add(other.first_triangles);
+        self.first_triangles += other.first_triangles;
         self.first_score += other.first_score;
         self.weight += other.weight;
     }

@@ -1,7 +1,7 @@
 //! Slopes of objects, many of one model at a time.
 
 use super::super::select::Objects;
-use super::hull::{Choice, LANES, Lanes, Worth, scores, slopes, worths};
+use super::hull::{Choice, Classes, LANES, Lanes, Worth, gains, scores, slopes, worths};
 use super::rated::Ladder;
 use super::sizes::{SeenObjects, Weights};
 
@@ -25,31 +25,30 @@ pub(super) struct Rater<'a> {
 pub(super) struct RatedBlock<'a> {
     pub objects: &'a [u32],
     pub ladder: &'a Ladder,
-    /// Places on the ladder where the objects begin.
-    pub first: [usize; LANES],
     pub weights: Lanes,
     /// By place on the ladder: scores.
     pub scores: &'a [Lanes],
+    /// By step: the weighted score that it adds.
+    pub gains: &'a [Lanes],
     /// By step: slopes by the objects' weights, scaled, and their classes.
     pub slopes: &'a [Lanes],
-    pub classes: &'a [[u16; LANES]],
+    pub classes: &'a [Classes],
+}
+
+/// Objects sorted by their models.
+pub(super) struct Order {
+    pub objects: Vec<u32>,
+    /// By model: the place where its objects end.
+    ends: Vec<usize>,
 }
 
 /// Buffers for a block.
 #[derive(Default)]
-struct Room {
+pub(super) struct Room {
     scores: Vec<Lanes>,
+    gains: Vec<Lanes>,
     slopes: Vec<Lanes>,
-    classes: Vec<[u16; LANES]>,
-}
-
-impl RatedBlock<'_> {
-    /// Weighted scores that a step adds.
-    #[inline(always)]
-    pub fn gains(&self, step: usize) -> Lanes {
-        let (finer, coarser) = (&self.scores[step], &self.scores[step + 1]);
-        std::array::from_fn(|n| self.weights[n] * (finer[n] - coarser[n]))
-    }
+    classes: Vec<Classes>,
 }
 
 impl<'a> Rater<'a> {
@@ -69,42 +68,41 @@ impl<'a> Rater<'a> {
         Self { ladders, objects, seen, weights, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
     }
 
-    /// Calls a function with those of some objects that are in view, block by block in the order of their models.
-    pub fn each(&self, objects: impl IntoIterator<Item = u32>, mut then: impl FnMut(&RatedBlock<'_>)) {
-        let order = self.by_model(objects);
-        let mut room = Room::default();
-        for run in order.chunk_by(|&a, &b| self.objects.model[a as usize] == self.objects.model[b as usize]) {
-            let ladder = &self.ladders[self.objects.model[run[0] as usize] as usize];
-            for block in run.chunks(LANES) {
-                self.block(ladder, block, &mut room, &mut then);
-            }
-        }
-    }
-
     /// The objects in view, sorted by their models.
-    fn by_model(&self, objects: impl IntoIterator<Item = u32>) -> Vec<u32> {
-        let visible: Vec<u32> = objects.into_iter().filter(|&object| self.seen.read[object as usize] >= 0.0).collect();
+    pub fn order(&self, objects: impl Iterator<Item = u32> + Clone) -> Order {
+        let visible = objects.filter(|&object| self.seen.read[object as usize] >= 0.0);
         let mut ends = vec![0; self.ladders.len() + 1];
         let model = |object: u32| self.objects.model[object as usize] as usize;
-        visible.iter().for_each(|&object| ends[model(object) + 1] += 1);
+        visible.clone().for_each(|object| ends[model(object) + 1] += 1);
         for n in 1..ends.len() {
             ends[n] += ends[n - 1];
         }
-        let mut order = vec![0; visible.len()];
+        let mut sorted = vec![0; ends[ends.len() - 1]];
         for object in visible {
             let place = &mut ends[model(object)];
-            order[*place] = object;
+            sorted[*place] = object;
             *place += 1;
         }
-        order
+        ends.pop();
+        Order { objects: sorted, ends }
     }
 
-    fn block(&self, ladder: &Ladder, block: &[u32], room: &mut Room, then: &mut impl FnMut(&RatedBlock<'_>)) {
-        let mut logarithms = [0.0; LANES];
-        for (to, &object) in logarithms.iter_mut().zip(block) {
-            *to = self.seen.read[object as usize].max(ladder.range[0]).min(ladder.range[1]).ln();
-        }
-        scores(ladder, &logarithms, &mut room.scores);
+    /// Parts of objects that are of one model and fit a block, in their order.
+    pub fn blocks<'o>(&self, order: &'o Order) -> impl Iterator<Item = (&'a Ladder, &'o [u32])> {
+        let mut start = 0;
+        self.ladders.iter().zip(&order.ends).flat_map(move |(ladder, &end)| {
+            let own = &order.objects[start..end];
+            start = end;
+            own.chunks(LANES).map(move |block| (ladder, block))
+        })
+    }
+
+    /// Scores and slopes of a block.
+    pub fn rate<'r>(&self, ladder: &'r Ladder, block: &'r [u32], room: &'r mut Room) -> RatedBlock<'r> {
+        let (mut sizes, mut weights) = ([0.0; LANES], [0.0; LANES]);
+        sizes.iter_mut().zip(block).for_each(|(to, &object)| *to = self.seen.read[object as usize]);
+        weights.iter_mut().zip(block).for_each(|(to, &object)| *to = self.weight(object));
+        scores(ladder, &sizes, &mut room.scores);
         let mut floors = [0.0; LANES];
         if let Some(floor) = self.floor {
             for (lane, (to, &object)) in floors.iter_mut().zip(block).enumerate() {
@@ -113,33 +111,27 @@ impl<'a> Rater<'a> {
             }
         }
         slopes(ladder, &room.scores, &floors, self.choice, &mut room.slopes);
-        let worth = self.worth(ladder, block, &room.slopes);
+        let worth = Worth {
+            weights: weights.map(|weight| weight * self.scale),
+            held: self.held(ladder, block, &room.slopes),
+            hold: 1.0 + self.hysteresis,
+            first: if self.choice == Choice::FromFloor { floors } else { [f64::INFINITY; LANES] },
+        };
         worths(&mut room.slopes, &worth, &mut room.classes);
-        let mut weights = [0.0; LANES];
-        weights.iter_mut().zip(block).for_each(|(to, &object)| *to = self.weight(object));
-        let is_floored = self.choice == Choice::FromFloor;
-        then(&RatedBlock {
-            objects: block,
-            ladder,
-            first: floors.map(|floor| if is_floored { floor as usize } else { ladder.steps() }),
-            weights,
-            scores: &room.scores,
-            slopes: &room.slopes,
-            classes: &room.classes,
-        });
+        gains(&room.scores, &weights, &mut room.gains);
+        let Room { scores, gains, slopes, classes } = room;
+        RatedBlock { objects: block, ladder, weights, scores, gains, slopes, classes }
     }
 
     fn weight(&self, object: u32) -> f64 {
         if let Weights::Each(all) = self.weights { all[object as usize] } else { 1.0 }
     }
 
-    fn worth(&self, ladder: &Ladder, block: &[u32], slopes: &[Lanes]) -> Worth {
-        let mut worth = Worth { weights: [0.0; LANES], held: [f64::INFINITY; LANES], hold: 1.0 + self.hysteresis };
-        for (to, &object) in worth.weights.iter_mut().zip(block) {
-            *to = self.weight(object) * self.scale;
-        }
-        let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return worth };
-        for (lane, (to, &object)) in worth.held.iter_mut().zip(block).enumerate() {
+    /// Steps from which on the level of the frame before is held; +∞ for none.
+    fn held(&self, ladder: &Ladder, block: &[u32], slopes: &[Lanes]) -> Lanes {
+        let mut held = [f64::INFINITY; LANES];
+        let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return held };
+        for (lane, (to, &object)) in held.iter_mut().zip(block).enumerate() {
             let level = previous[object as usize];
             let place = ladder.level.iter().position(|&own| level >= 0 && own >= level);
             // A level below the hull is not held: the edge above it would be parted.
@@ -147,6 +139,6 @@ impl<'a> Rater<'a> {
                 |&place: &usize| place == 0 || place == slopes.len() || slopes[place - 1][lane] != slopes[place][lane];
             *to = place.filter(is_corner).map_or(f64::INFINITY, |place| place as f64);
         }
-        worth
+        held
     }
 }

@@ -192,11 +192,11 @@ fn exp_all_kernel(values: &mut [f64]) {
     let (packs, rest) = values.as_chunks_mut::<LANES>();
     for pack in packs {
         for value in pack {
-            *value = exp(*value);
+            *value = exp::<false>(*value);
         }
     }
     for value in rest {
-        *value = exp(*value);
+        *value = exp::<false>(*value);
     }
 }
 

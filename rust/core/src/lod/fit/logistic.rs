@@ -119,7 +119,7 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratc
         let (mut away, mut share) = ([0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
             away[i] = v[k][i] - line.origin;
-            let e = exp(line.level + line.rise * away[i]);
+            let e = exp::<false>(line.level + line.rise * away[i]);
             share[i] = e / (1.0 + e);
         }
         (u[k], p[k]) = (away, share);

@@ -164,7 +164,7 @@ fn range(line: &ThresholdLine, limit: f64, cell: u64, count: u64) -> [f64; 2] {
 fn scored(&[a, b, c, d]: &Parameters, logarithms: &[f64], to: &mut [f64]) -> f64 {
     let middle = c.ln();
     for (to, logarithm) in to.iter_mut().zip(logarithms) {
-        let ratio = exp(b * (logarithm - middle));
+        let ratio = exp::<false>(b * (logarithm - middle));
         *to = d + (a - d) / (1.0 + ratio);
     }
     // An error of one ulp in a logarithm, multiplied by b, changes the ratio by that share and the score by a quarter

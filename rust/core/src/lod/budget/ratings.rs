@@ -1,0 +1,133 @@
+//! The classes of all objects' steps, and what they add up to.
+
+use rayon::prelude::*;
+
+use super::super::select::{HIDDEN, SelectionCounts};
+use super::hull::{Classes, LANES};
+use super::prices::{ALWAYS, CLASSES, Ledger};
+use super::rated::Ladder;
+use super::rater::{Order, RatedBlock, Rater, Room};
+use crate::base::{Progress, Result};
+
+/// Number of objects in one task: fixed, so that sums are rounded the same for any number of threads.
+const TASK: usize = 1 << 14;
+
+/// Classes of all objects in view.
+pub(super) struct Ratings {
+    pub ledger: Ledger,
+    pages: Vec<Page>,
+}
+
+/// Classes of the objects of a task.
+struct Page {
+    /// The objects in view.
+    order: Order,
+    /// Block by block, step by step.
+    classes: Vec<Classes>,
+}
+
+impl Ratings {
+    /// Rates all objects.
+    pub fn new(rater: &Rater<'_>, progress: &Progress) -> Result<Self> {
+        let count = rater.objects.radii.len();
+        let tasks: Vec<_> = (0..count.div_ceil(TASK))
+            .into_par_iter()
+            .map(|task| {
+                progress.check()?;
+                let order = rater.order(task as u32 * TASK as u32..(count.min((task + 1) * TASK)) as u32);
+                let steps = rater.blocks(&order).map(|(ladder, _)| ladder.steps()).sum();
+                let (mut ledger, mut classes, mut room) =
+                    (Ledger::default(), Vec::with_capacity(steps), Room::default());
+                for (ladder, objects) in rater.blocks(&order) {
+                    let block = rater.rate(ladder, objects, &mut room);
+                    enter(&block, &mut ledger);
+                    classes.extend_from_slice(block.classes);
+                }
+                Ok((ledger, Page { order, classes }))
+            })
+            .collect::<Result<_>>()?;
+        let mut ratings = Self { ledger: Ledger::default(), pages: Vec::with_capacity(tasks.len()) };
+        for (ledger, page) in tasks {
+            ratings.ledger.add(&ledger);
+            ratings.pages.push(page);
+        }
+        Ok(ratings)
+    }
+
+    /// Triangles of all objects at the coarsest levels that may be chosen.
+    pub fn least(&self) -> u64 {
+        self.ledger.first_triangles + self.ledger.classes[usize::from(ALWAYS)].triangles
+    }
+
+    /// Objects with steps in a range of classes.
+    pub fn between(&self, rater: &Rater<'_>, least: u16, most: u16) -> Vec<u32> {
+        let pages = self.pages.par_iter().map(|page| {
+            let mut objects = Vec::new();
+            for (_, block, classes) in page.blocks(rater) {
+                let (with, without) = (places(classes, least - 1), places(classes, most));
+                objects.extend((0..block.len()).filter(|&lane| with[lane] != without[lane]).map(|lane| block[lane]));
+            }
+            objects
+        });
+        pages.collect::<Vec<_>>().concat()
+    }
+
+    /// Writes the levels after all steps of classes above one, and counts the objects by the stage that decided.
+    pub fn write(&self, rater: &Rater<'_>, above: u16, to: &mut [i32]) -> SelectionCounts {
+        let tasks = self.pages.par_iter().zip(to.par_chunks_mut(TASK)).enumerate().map(|(task, (page, to))| {
+            let mut counts = SelectionCounts::default();
+            to.fill(HIDDEN as i32);
+            counts.culled = (to.len() - page.order.objects.len()) as u64;
+            for (ladder, block, classes) in page.blocks(rater) {
+                let of_steps = if ladder.steps() == 0 { &mut counts.one_level } else { &mut counts.asked };
+                *of_steps += block.len() as u64;
+                for (&object, place) in block.iter().zip(places(classes, above)) {
+                    to[object as usize - task * TASK] = ladder.level[usize::from(place)];
+                }
+            }
+            counts
+        });
+        tasks.reduce(SelectionCounts::default, |mut sum, counts| {
+            sum += counts;
+            sum
+        })
+    }
+}
+
+impl Page {
+    /// The objects, their ladders and the classes of their steps, block by block.
+    fn blocks<'p>(&'p self, rater: &Rater<'p>) -> impl Iterator<Item = (&'p Ladder, &'p [u32], &'p [Classes])> {
+        let mut left = self.classes.as_slice();
+        rater.blocks(&self.order).map(move |(ladder, block)| {
+            let (own, others) = left.split_at(ladder.steps());
+            left = others;
+            (ladder, block, own)
+        })
+    }
+}
+
+/// Places on the ladder after all steps of classes above one.
+fn places(classes: &[Classes], above: u16) -> Classes {
+    let mut places = [0; LANES];
+    for classes in classes {
+        for n in 0..LANES {
+            places[n] += u16::from(classes[n] <= above);
+        }
+    }
+    places
+}
+
+/// Enters a block: its coarsest levels and its steps.
+fn enter(block: &RatedBlock<'_>, ledger: &mut Ledger) {
+    let coarsest = block.ladder.steps();
+    ledger.first_triangles += block.ladder.triangles[coarsest] * block.objects.len() as u64;
+    for (&weight, &score) in block.weights.iter().zip(&block.scores[coarsest]).take(block.objects.len()) {
+        ledger.first_score += weight * score;
+        ledger.weight += weight;
+    }
+    for ((classes, gains), &added) in block.classes.iter().zip(block.gains).zip(&block.ladder.added) {
+        for (&class, &gain) in classes.iter().zip(gains).take(block.objects.len()) {
+            ledger.classes[usize::from(class) % CLASSES].add(added, gain);
+        }
+    }
+}
