@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import io
 import zipfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from benchmarks.lod import _printed_turns
+from benchmarks.lod._dense import densified
+from benchmarks.lod._printed_turns import PrintedTurn
 from nearfar._base import data
 
 RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003, 0.0015, 0.0007, 0.0003)
@@ -38,8 +41,8 @@ class Headset:
     lens: nf.RadialLens
     size: tuple[int, int]
     """Pixels drawn for an eye."""
-    printed: dict[int, float]
-    """Per cent of triangles that eccentricity saved beyond depth, by the scene's radius in metres."""
+    printed: dict[int, PrintedTurn]
+    """What was measured with it, by the scene's radius in metres."""
 
     @property
     def fov(self) -> nf.Fov:
@@ -53,11 +56,9 @@ class Headset:
         return nf.Camera(position, turned, fov=self.fov, size=self.size)
 
 
-RIFT_S = Headset(
-    "Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), nf.hmd.RIFT_S.render_size, {10: 29.5, 15: 24, 20: 14, 30: 9}
-)
+RIFT_S = Headset("Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), nf.hmd.RIFT_S.render_size, _printed_turns.RIFT_S)
 VIVE_PRO = Headset(
-    "Vive Pro", (95, 95), nf.RadialLens((0.2063, 0.0576)), nf.hmd.VIVE_PRO.render_size, {10: 22, 15: 19, 20: 11, 30: 9}
+    "Vive Pro", (95, 95), nf.RadialLens((0.2063, 0.0576)), nf.hmd.VIVE_PRO.render_size, _printed_turns.VIVE_PRO
 )
 
 
@@ -79,6 +80,13 @@ VIEWS = 36
 """Sides from which objects are measured: a quarter of the default of `measure`, and of its time."""
 
 
+@functools.cache
+def simplified(name: str, *, dense: bool) -> nf.lod.Levels:
+    """Levels of an object, which may be `densified` before."""
+    scene, method = sources()[name](), "meshopt" if name in BY_MESHOPT else "fast"
+    return nf.lod.simplify(densified(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
+
+
 def measured(
     headset: Headset,
     names: Iterable[str] = (),
@@ -87,21 +95,19 @@ def measured(
     step: float | None = 0.05,
     wider: int = 1,
     views: int = VIEWS,
+    directions: str = "even",
+    dense: bool = False,
 ) -> list[nf.lod.LodModel]:
     """Levels of the objects, measured for a headset; kept in nearfar's cache.
 
-    For a screen that is so many times `wider`, with as large pixels, curves begin at larger sizes.
+    `dense` objects have half a million triangles and more. For a screen that is so many times `wider`, with as large
+    pixels, curves begin at larger sizes.
     """
-    every = sources()
-    chosen = {name: every[name] for name in names or every}
-    levels = [
-        nf.lod.simplify(load(), RATIOS, method="meshopt" if name in BY_MESHOPT else "fast", normals="smooth", name=name)
-        for name, load in chosen.items()
-    ]
+    levels = [simplified(name, dense=dense) for name in names or sources()]
     fov = nf.Fov(*(wider * side for side in (headset.fov.left, headset.fov.right, headset.fov.down, headset.fov.up)))
     size = wider * headset.size[0], wider * headset.size[1]
     how = functools.partial(nf.lod.measure, fov=fov, size=size, distances=16 * wider)
-    return [how(each, views=views, percentile=percentile, step=step) for each in levels]
+    return [how(each, views=views, directions=directions, percentile=percentile, step=step) for each in levels]
 
 
 @dataclass(frozen=True)
@@ -115,7 +121,7 @@ class Crowd:
     radii: NDArray[np.float64]
 
 
-def crowd(models: list[nf.lod.LodModel], *, size: float, count: int, radius: float = 0.5, seed: int = 0) -> Crowd:
+def crowd(models: Sequence[nf.lod.LodModel], *, size: float, count: int, radius: float = 0.5, seed: int = 0) -> Crowd:
     """Scatter as many objects of one radius, all within `size` metres."""
     random = np.random.default_rng(seed)
     index = random.integers(len(models), size=count)

@@ -1,167 +1,163 @@
 """Triangles and time that chosen levels save in scenes built as Liebisch (2021) built them, beside his printed numbers.
 
-python -m benchmarks.lod.tables [--quick] [--views N] [--backend B]
+python -m benchmarks.lod.tables [--quick] [--times] [--backend B]
 """
 
 from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.timing import machine, table
-from benchmarks.lod._objects import RIFT_S, VIEWS, VIVE_PRO, Crowd, Headset, crowd, measured
+from benchmarks.lod._objects import RATIOS, RIFT_S, VIVE_PRO, Headset, crowd, measured
+from benchmarks.lod._printed_turns import COUNTS, SIZES
+from benchmarks.lod._turns import DRAWS, FRAMES, RADIUS, Draws, turns
 
-SIZES = (10, 15, 20, 30)
-"""Radii of the balls, metres."""
-COUNTS = (100, 500, 1000)
-"""Objects in a ball."""
-FRAMES = 2500
-"""Frames of a turn."""
-THRESHOLDS = ("anchored", "literal", "normalized")
+LEVELS = 10
+"""Levels of an object, as published: here down to 0.15 % of its triangles."""
+RADII = (0.5, 1.0)
+"""Of objects, metres; the thesis does not print it."""
+TWO_LEVELS = 0.008
+"""Share of the triangles that the coarser one of two levels has."""
 MODES = ("depth", "depth+eccentricity", "fovea")
-PRINTED_DEPTH = "91.7 to 99.1"
-"""Per cent of triangles that depth saves, as published."""
+TIMED = 4
+"""Frames of a turn that are drawn."""
+
+Models = Sequence[nf.lod.LodModel]
 
 
-@dataclass(frozen=True)
-class Turn:
-    """Triangles of a full turn of the camera in the middle of a scene."""
-
-    off: float
-    """Triangles of a mean frame at full detail."""
-    drawn: dict[tuple[str, str], float]
-    """Triangles of a mean frame by threshold and mode."""
-
-    def saved(self, threshold: str, mode: str, over: str | None = None) -> float:
-        """Per cent of triangles that a mode saves beyond another one, or of full detail."""
-        before = self.off if over is None else self.drawn[threshold, over]
-        return 100 * (1 - self.drawn[threshold, mode] / before)
+def ways(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
+    """By size alone, and through the lens."""
+    depth = nf.lod.Selector(mode="depth", **settings)
+    return {"depth": depth, "lens": nf.lod.Selector(lens=headset.lens, **settings)}
 
 
-def turn(models: list[nf.lod.LodModel], scene: Crowd, headset: Headset, frames: int) -> Turn:
-    """Choose levels in every frame; objects out of view are not drawn in any mode."""
-    counts = np.zeros((len(models), max(map(len, models))))
-    for n, model in enumerate(models):
-        counts[n, : len(model)] = model.triangles
-    drawn = dict.fromkeys(((threshold, mode) for threshold in THRESHOLDS for mode in MODES), 0.0)
-    off = 0.0
-    for frame in range(frames):
-        camera = headset.camera(2 * np.pi * frame / frames)
-        for threshold, mode in drawn:
-            levels = choose(models, scene, camera, headset, mode, threshold)
-            drawn[threshold, mode] += triangles(counts, scene, levels)
-        off += triangles(counts, scene, np.minimum(levels, 0))
-    return Turn(off / frames, {key: value / frames for key, value in drawn.items()})
+def saved(headset: Headset, models: Models, counts: tuple[int, ...], draws: int, frames: int) -> Iterator[str]:
+    """Tables 5.12 to 5.15: per cent of triangles that are saved, and millions that are drawn."""
+    shares, millions = [], []
+    for size in SIZES:
+        for count in counts:
+            printed, place, row = headset.printed[size], COUNTS.index(count), [f"{size}", f"{count:,}"]
+            how = Draws(size=size, count=count, draws=draws, frames=frames)
+            every = [turns(models, headset, ways(headset), replace(how, radius=radius)) for radius in RADII]
+            depth, lens = ([str(one.saved(*way)) for one in every] for way in (["depth"], ["lens", "depth"]))
+            shares.append([*row, *depth, f"{printed.depth[place]:g}", *lens, f"{printed.lens[place]:g}"])
+            for radius, one in zip(RADII, every, strict=True):
+                drawn = (one.off, one.drawn["depth"], one.drawn["lens"])
+                theirs = (printed.millions_off, printed.millions_depth, printed.millions_lens)
+                beside = [
+                    f"{mean.mean() / 1e6:.3g} ({each[place]:g})" for mean, each in zip(drawn, theirs, strict=True)
+                ]
+                millions.append([*row, f"{radius:g}", *beside])
+    full = np.mean([model.triangles[0] for model in models])
+    titles = [
+        f"{what}{column}" for what in ("depth", "lens") for column in (*(f", r = {r:g}" for r in RADII), ", printed")
+    ]
+    title = f"{headset.name}: {len(models)} objects of {full:,.0f} triangles on average, {frames} frames, {draws} draws"
+    yield table(title, ["radius m", "objects", *titles], shares)
+    yield "Per cent of triangles that depth saves of full detail, and that the lens saves of what depth left.\n"
+    titles = ["radius m", "objects", "r", "off (printed)", "depth (printed)", "lens (printed)"]
+    yield table(f"{headset.name}: millions of triangles of a mean frame", titles, millions)
 
 
-def choose(
-    models: list[nf.lod.LodModel],
-    scene: Crowd,
-    camera: nf.Camera,
-    headset: Headset,
-    mode: str,
-    threshold: str,
-) -> NDArray[np.int32]:
-    """Levels of a frame."""
-    return nf.lod.select(
-        models,
-        scene.model_index,
-        scene.centers,
-        scene.radii,
-        camera=camera,
-        lens=headset.lens,
-        mode=mode,
-        threshold=threshold,
-    ).level
+def ablation(headset: Headset, models: Models, sparse: Models, draws: int, frames: int) -> str:
+    """What the share that the lens saves depends on, for the most objects."""
+    ten = [model.of_levels(range(LEVELS)) for model in models]
+    curve = nf.lod.Curve4PL([1.0], [1.0], [1e-3], [1.0])
+    two = [
+        nf.lod.LodModel(
+            triangles=np.array([model.triangles[0], TWO_LEVELS * model.triangles[0]], np.int64),
+            curves=curve,
+            sigma=model.sigma,
+            pixel=model.pixel,
+        )
+        for model in models
+    ]
+    cases: list[tuple[str, Models, float, dict[str, Any]]] = [
+        ("ten levels", ten, RADIUS, {}),
+        ("ten levels, r = 1", ten, 1.0, {}),
+        ("limit on the object's own size", ten, RADIUS, {"limit": "own"}),
+        ("limit on the object's own size, r = 1", ten, 1.0, {"limit": "own"}),
+        (f"twelve levels, down to {100 * RATIOS[-1]:g} %", models, RADIUS, {}),
+        ("a tenth as many triangles", sparse, RADIUS, {}),
+        (f"two levels, the coarser {100 * TWO_LEVELS:g} %, r = 0.9", two, 0.9, {}),
+        ("literal threshold", ten, RADIUS, {"threshold": "literal"}),
+        ("normalized threshold", ten, RADIUS, {"threshold": "normalized"}),
+    ]
+    rows = []
+    for name, own, radius, settings in cases:
+        row = [name]
+        for size in SIZES:
+            how = Draws(size=size, count=COUNTS[-1], radius=radius, draws=draws, frames=frames)
+            one = turns(own, headset, ways(headset, **settings), how)
+            row += [f"{one.saved('depth').mean:.1f}", str(one.saved("lens", "depth"))]
+        rows.append(row)
+    printed = [headset.printed[size] for size in SIZES]
+    rows.append(["printed", *(f"{value:g}" for one in printed for value in (one.depth[-1], one.lens[-1]))])
+    titles = [f"{size} m, {what}" for size in SIZES for what in ("depth", "lens")]
+    return table(f"{headset.name}: per cent saved with {COUNTS[-1]:,} objects", ["", *titles], rows)
 
 
-def triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int32]) -> float:
-    """Triangles in view."""
-    seen = levels >= 0
-    return float(counts[scene.model_index[seen], levels[seen]].sum())
-
-
-def times(models: list[nf.lod.LodModel], scene: Crowd, headset: Headset, frames: int, backend: str) -> dict[str, float]:
+def times(models: Models, size: int, count: int, headset: Headset, backend: str) -> dict[str, float]:
     """Seconds of a mean frame by mode, colour only, choosing included; the least of two turns."""
+    scene = crowd(models, size=size, count=count)
     world = nf.lod.place(models, scene.model_index, scene.transforms)
     seconds = {}
     for mode in ("off", *MODES):
         how = nf.lod.Selector(lens=headset.lens, mode=mode)
-        turns = []
+        turned = []
         for _ in range(2):
             started = time.perf_counter()
-            for frame in range(frames):
-                camera = headset.camera(2 * np.pi * frame / frames)
+            for frame in range(TIMED):
+                camera = headset.camera(2 * np.pi * frame / TIMED)
                 nf.render(world, camera, lod=how, channels=("color",), backend=backend)
-            turns.append((time.perf_counter() - started) / frames)
-        seconds[mode] = min(turns)
+            turned.append((time.perf_counter() - started) / TIMED)
+        seconds[mode] = min(turned)
     return seconds
 
 
-def report(headset: Headset, models: list[nf.lod.LodModel], frames: int, counts: tuple[int, ...]) -> Iterator[str]:
-    """Tables for a headset."""
-    full = np.mean([model.triangles[0] for model in models])
+def timings(headset: Headset, models: Models, counts: tuple[int, ...], backend: str) -> str:
+    """Tables 5.16 and 5.17: render times."""
     rows = []
     for size in SIZES:
         for count in counts:
-            drawn = turn(models, crowd(models, size=size, count=count, seed=size * count), headset, frames)
-            rows.append(
-                [
-                    f"{size}",
-                    f"{count:,}",
-                    f"{drawn.off:,.0f}",
-                    *(f"{drawn.saved(threshold, 'depth'):.1f}" for threshold in THRESHOLDS),
-                    *(f"{drawn.saved(threshold, MODES[1], 'depth'):.1f}" for threshold in THRESHOLDS),
-                    f"{headset.printed[size]:g}",
-                    f"{drawn.saved('anchored', 'fovea', MODES[1]):.1f}",
-                ]
-            )
-    titles = ["radius m", "objects", "full detail", *(f"depth, {threshold}" for threshold in THRESHOLDS)]
-    titles += [*(f"lens, {threshold}" for threshold in THRESHOLDS), "lens, printed", "fovea"]
-    title = f"{headset.name}: {len(models)} objects of {full:,.0f} triangles on average, {frames:,} frames a turn"
-    yield table(title, titles, rows)
-    yield f"Per cent of triangles saved: by depth of full detail (printed: {PRINTED_DEPTH}), by the lens of what depth"
-    yield "left, by the falloff of acuity of what the lens left (threshold anchored).\n"
-
-
-def timings(
-    headset: Headset, models: list[nf.lod.LodModel], frames: int, counts: tuple[int, ...], backend: str
-) -> Iterator[str]:
-    """Render times for a headset."""
-    rows = []
-    for size in SIZES:
-        for count in counts:
-            seconds = times(models, crowd(models, size=size, count=count, seed=size * count), headset, frames, backend)
-            saved = [100 * (1 - seconds[mode] / seconds["off"]) for mode in MODES]
-            further = 100 * (1 - seconds[MODES[1]] / seconds["depth"])
-            milliseconds = [f"{1000 * seconds[mode]:.0f}" for mode in ("off", *MODES)]
-            rows.append([f"{size}", f"{count:,}", *milliseconds, f"{saved[0]:.1f}", f"{further:.1f}"])
+            seconds, printed = times(models, size, count, headset, backend), headset.printed[size]
+            by_depth = 100 * (1 - seconds["depth"] / seconds["off"])
+            by_lens = 100 * (1 - seconds[MODES[1]] / seconds["depth"])
+            place, milliseconds = COUNTS.index(count), [f"{1000 * seconds[mode]:.0f}" for mode in ("off", *MODES)]
+            theirs = [printed.time_depth[place], printed.time_lens[place] if printed.time_lens else "< 1.5"]
+            shares = [f"{by_depth:.1f} ({theirs[0]})", f"{by_lens:.1f} ({theirs[1]})"]
+            rows.append([f"{size}", f"{count:,}", *milliseconds, *shares])
     width, height = headset.size
-    titles = ["radius m", "objects", "off", *MODES, "saved by depth %", "further by lens %"]
+    titles = ["radius m", "objects", "off", *MODES, "saved by depth % (printed)", "further by lens % (printed)"]
+    full = np.mean([model.triangles[0] for model in models])
     title = f"{headset.name}: milliseconds of a frame of {width} x {height}, colour, backend={backend!r}"
-    yield table(title, titles, rows)
-    yield "Printed: 90 to 97 % by depth, and from 20 to less than 1.5 % by the lens."
+    return table(f"{title}, objects of {full:,.0f} triangles", titles, rows)
 
 
 def main() -> None:
     """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="few frames of the smaller scenes")
-    parser.add_argument("--views", type=int, default=VIEWS, help="from how many sides objects are measured")
+    parser.add_argument("--quick", action="store_true", help="the objects as they are, and fewer scenes and frames")
+    parser.add_argument("--times", action="store_true", help="draw frames, too, of the objects as they are")
     parser.add_argument("--backend", default="auto", choices=("auto", "cpu", "gpu"))
     options = parser.parse_args()
-    counts, frames = ((100,), 50) if options.quick else (COUNTS, FRAMES)
+    counts, draws, frames = (COUNTS[:1], 3, 25) if options.quick else (COUNTS, DRAWS, FRAMES)
     print(machine())
     for headset in (RIFT_S, VIVE_PRO):
-        models = measured(headset, views=options.views)
-        print("\n".join(report(headset, models, frames, counts)), flush=True)
-        print("\n".join(timings(headset, models, 4, counts, options.backend)), flush=True)
+        sparse = measured(headset, step=None)
+        dense = sparse if options.quick else measured(headset, step=None, views=144, directions="published", dense=True)
+        ten = [model.of_levels(range(LEVELS)) for model in dense]
+        print("\n".join(saved(headset, ten, counts, draws, frames)), flush=True)
+        print(ablation(headset, dense, sparse, draws, frames), flush=True)
+        if options.times:
+            print(timings(headset, measured(headset), counts, options.backend), flush=True)
 
 
 if __name__ == "__main__":

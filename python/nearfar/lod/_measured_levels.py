@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -79,7 +79,7 @@ class MeasuredLevels:
             object.__setattr__(self, name, value)
 
     @cached_property
-    def of_mean(self) -> MeasuredLevels:
+    def of_mean(self) -> Self:
         """The model whose curves go through the mean over the views; itself where it has no scores of views."""
         samples = self.samples
         if samples is None or samples.views is None or not len(self.curves):
@@ -87,7 +87,7 @@ class MeasuredLevels:
         mean = replace(samples, score=statistic.of_views(samples.views, statistic.MEAN))
         return replace(self, curves=statistic.curves_through(mean))
 
-    def of_levels(self, numbers: ArrayLike) -> MeasuredLevels:
+    def of_levels(self, numbers: ArrayLike) -> Self:
         """Return the model with some of its levels, by their ascending numbers (N,), of which the first is 0."""
         numbers = level_numbers("numbers", numbers, len(self))
         samples = self.samples

@@ -1,6 +1,6 @@
 //! Steps that are taken one by one while they fit.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 /// One edge of an object's hull.
 #[derive(Clone, Copy, Debug)]
@@ -29,8 +29,8 @@ pub(super) struct Filled {
 /// no further one.
 pub(super) fn fill(steps: &[Step], left: u64) -> Filled {
     let mut filled = Filled { slope: 0.0, triangles: 0, gain: 0.0, levels: Vec::new() };
-    let mut places = HashMap::new();
     let mut is_over = HashSet::new();
+    let least = steps.iter().map(|step| step.triangles).min().unwrap_or(0);
     for step in steps {
         if is_over.contains(&step.object) {
             continue;
@@ -40,13 +40,17 @@ pub(super) fn fill(steps: &[Step], left: u64) -> Filled {
                 filled.slope = step.slope;
             }
             is_over.insert(step.object);
+            if left - filled.triangles < least {
+                break;
+            }
             continue;
         }
         filled.triangles += step.triangles;
         filled.gain += step.gain;
-        places.insert(step.object, step.to);
+        filled.levels.push((step.object, step.to));
     }
-    filled.levels = places.into_iter().collect();
+    // The last step of an object leads to its finest place, which has the least number.
     filled.levels.sort_unstable();
+    filled.levels.dedup_by_key(|level| level.0);
     filled
 }

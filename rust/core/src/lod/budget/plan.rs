@@ -1,5 +1,6 @@
 //! The price of a triangle at which a budget is spent, and the levels at that price.
 
+use std::cmp::Reverse;
 use std::ops::RangeInclusive;
 
 use super::super::select::SelectionCounts;
@@ -65,7 +66,8 @@ impl Plan<'_> {
                 edges(&block, lane, least..=most, &mut steps);
             }
         }
-        steps.sort_by(|a, b| b.slope.total_cmp(&a.slope).then(a.object.cmp(&b.object)).then(b.to.cmp(&a.to)));
+        // Bits of numbers of at least 0 are in the order of the numbers.
+        steps.sort_unstable_by_key(|step| (Reverse(step.slope.to_bits()), step.object, Reverse(step.to)));
         steps
     }
 

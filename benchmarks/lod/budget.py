@@ -1,0 +1,169 @@
+"""Mean SSIM behind the lens under a budget of triangles, beside rules of screen-space error.
+
+python -m benchmarks.lod.budget [--quick]
+
+All rules choose among the same levels; our curves begin at a quarter of the screen. The budget is spent on all objects
+of all views of a scene at once.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.lod._objects import RIFT_S, measured
+from benchmarks.lod._views import Case, Levels
+
+PIXELS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
+"""Screen-space error that tile viewers allow, pixels; 16 is the default of most."""
+SCENES = [(10, 100), (15, 500), (20, 500), (30, 1000)]
+"""Radius of the ball in metres, and number of objects."""
+STEPS = 40
+"""Halvings of the interval in which a budget is looked for."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Triangles of all views, the scores of all objects that show enough of themselves, and the mean foreseen."""
+
+    triangles: int
+    scores: NDArray[np.float64]
+    foreseen: float = np.nan
+
+    @property
+    def mean(self) -> float:
+        """Over objects."""
+        return float(self.scores.mean())
+
+
+@dataclass(frozen=True)
+class View:
+    """One view of a case."""
+
+    case: Case
+    camera: nf.Camera
+    of_levels: NDArray[np.float64]
+    """Score of each object at each level (K, N)."""
+
+    @property
+    def is_scored(self) -> NDArray[np.bool_]:
+        """Objects that show enough of themselves (N,)."""
+        scored: NDArray[np.bool_] = np.isfinite(self.of_levels[1])
+        return scored
+
+    def outcome(self, levels: Levels, foreseen: NDArray[np.float64] | None = None) -> Outcome:
+        """Look up the scores of some levels."""
+        scored = (levels >= 0) & self.is_scored
+        reached = self.of_levels[levels[scored], np.flatnonzero(scored)]
+        mean = np.nan if foreseen is None else float(foreseen[scored].mean())
+        return Outcome(self.case.triangles(levels), reached, mean)
+
+    def by_screen_error(self, pixels: float) -> Levels:
+        """The coarsest level whose error covers no more than some pixels."""
+        full = self.case.in_full(self.camera)
+        is_good = self.case.screen_errors(self.camera) <= pixels
+        coarsest = len(is_good) - 1 - np.argmax(is_good[::-1], axis=0)
+        return np.where(full < 0, full, coarsest).astype(np.int32)
+
+    def by_greedy_error(self, budget: int) -> Levels:
+        """From the coarsest levels on, always refine the object whose error covers most pixels, while that fits."""
+        errors, full = self.case.screen_errors(self.camera), self.case.in_full(self.camera)
+        levels = np.where(full < 0, full, np.isfinite(errors).sum(axis=0) - 1).astype(np.int32)
+        models, index = self.case.models, self.case.crowd.model_index
+        left = budget - self.case.triangles(levels)
+        now = np.where(levels > 0, errors[np.maximum(levels, 0), np.arange(len(levels))], -np.inf)
+        while np.isfinite(now).any():
+            worst = int(np.argmax(now))
+            own, level = models[index[worst]], levels[worst]
+            added = int(own.triangles[level - 1] - own.triangles[level])
+            if added > left:
+                now[worst] = -np.inf
+                continue
+            left -= added
+            levels[worst] -= 1
+            now[worst] = errors[level - 1, worst] if level > 1 else -np.inf
+        return levels
+
+    def under_budget(self, budget: int) -> Outcome:
+        """Ours."""
+        case = self.case
+        chosen = nf.lod.select(*case.spheres, camera=self.camera, lens=case.headset.lens, budget=budget, full=True)
+        return self.outcome(chosen.level, chosen.score)
+
+
+Rule = Callable[[View, int], Outcome]
+
+
+def joined(parts: Sequence[Outcome]) -> Outcome:
+    """Outcomes of several views as one."""
+    counts = [len(part.scores) for part in parts]
+    foreseen = float(np.average([part.foreseen for part in parts], weights=counts))
+    return Outcome(sum(part.triangles for part in parts), np.concatenate([part.scores for part in parts]), foreseen)
+
+
+def ours(views: Sequence[View], budgets: Sequence[int]) -> Outcome:
+    """A budget for each view."""
+    return joined([view.under_budget(budget) for view, budget in zip(views, budgets, strict=True)])
+
+
+def at_equal_mean(views: Sequence[View], budgets: Sequence[int], mean: float) -> Outcome:
+    """The least share of the budgets with which our mean is no worse."""
+    low, high = 0.0, 1.0
+    least = [view.case.triangles(coarsest(view)) for view in views]
+    best = ours(views, budgets)
+    for _ in range(STEPS):
+        share = 0.5 * (low + high)
+        found = ours(views, [max(int(share * each), few) for each, few in zip(budgets, least, strict=True)])
+        if found.mean >= mean:
+            high, best = share, found
+        else:
+            low = share
+    return best
+
+
+def coarsest(view: View) -> Levels:
+    """Of all that is in view."""
+    full, last = view.case.in_full(view.camera), np.array([len(model) - 1 for model in view.case.models])
+    return np.where(full < 0, full, last[view.case.crowd.model_index]).astype(np.int32)
+
+
+def report(*, quick: bool) -> str:
+    """For each rule: its mean, ours with as many triangles, and our triangles for its mean."""
+    models = measured(RIFT_S, step=None, wider=2)
+    cases = [Case.of(models, RIFT_S, *scene) for scene in (SCENES[:1] if quick else SCENES)]
+    views = [
+        View(case, camera, scores) for case in cases for camera, scores in zip(case.cameras, case.scores, strict=True)
+    ]
+    rows = []
+    for pixels in PIXELS:
+        parts = [view.outcome(view.by_screen_error(pixels)) for view in views]
+        rule, budgets = joined(parts), [part.triangles for part in parts]
+        greedy = joined(
+            [view.outcome(view.by_greedy_error(budget)) for view, budget in zip(views, budgets, strict=True)]
+        )
+        own, equal = ours(views, budgets), at_equal_mean(views, budgets, rule.mean)
+        fewer = 100 * (1 - equal.triangles / rule.triangles)
+        means = [f"{value:.3f}" for value in (rule.mean, greedy.mean, own.mean, own.foreseen)]
+        rows.append([f"{pixels:g}", f"{rule.triangles:,}", *means, f"{equal.triangles:,}", f"{fewer:.0f}"])
+    titles = ["pixels", "triangles", "SSIM, rule", "greedy", "budget", "foreseen", "triangles at equal SSIM", "fewer %"]
+    count = sum(int(view.is_scored.sum()) for view in views)
+    return table(f"Rift S: mean SSIM of {count:,} objects behind the lens, with as many triangles", titles, rows)
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="the smallest scene")
+    options = parser.parse_args()
+    print(machine())
+    print(report(quick=options.quick), flush=True)
+
+
+if __name__ == "__main__":
+    main()
