@@ -67,7 +67,7 @@ class Case:
 
     def in_full(self, camera: nf.Camera) -> Levels:
         """Level 0 of all that is in view."""
-        return nf.lod.select(*self.spheres, camera=camera, mode="off").level
+        return np.minimum(nf.lod.select(*self.spheres, camera=camera, mode="depth").level, 0)
 
     def screen_errors(self, camera: nf.Camera) -> NDArray[np.float64]:
         """Pixels that the geometric error of each level (K, N) covers at the sphere's nearest point; +inf for none."""
