@@ -1,6 +1,6 @@
 """Mean SSIM behind the lens under a budget of triangles, beside rules of screen-space error.
 
-python -m benchmarks.lod.budget [--quick]
+python -m benchmarks.lod.budget [--quick] [--flat]
 
 All rules choose among the same levels; our curves begin at a quarter of the screen. The budget is spent on all objects
 of all views of a scene at once.
@@ -10,14 +10,14 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.timing import machine, table
-from benchmarks.lod._objects import RIFT_S, measured
+from benchmarks.lod._objects import RIFT_S, Headset, measured
 from benchmarks.lod._views import Case, Levels
 
 PIXELS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
@@ -133,10 +133,10 @@ def coarsest(view: View) -> Levels:
     return np.where(full < 0, full, last[view.case.crowd.model_index]).astype(np.int32)
 
 
-def report(*, quick: bool) -> str:
+def report(headset: Headset, *, quick: bool) -> str:
     """For each rule: its mean, ours with as many triangles, and our triangles for its mean."""
     models = measured(RIFT_S, step=None, wider=2)
-    cases = [Case.of(models, RIFT_S, *scene) for scene in (SCENES[:1] if quick else SCENES)]
+    cases = [Case.of(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
     views = [
         View(case, camera, scores) for case in cases for camera, scores in zip(case.cameras, case.scores, strict=True)
     ]
@@ -153,16 +153,18 @@ def report(*, quick: bool) -> str:
         rows.append([f"{pixels:g}", f"{rule.triangles:,}", *means, f"{equal.triangles:,}", f"{fewer:.0f}"])
     titles = ["pixels", "triangles", "SSIM, rule", "greedy", "budget", "foreseen", "triangles at equal SSIM", "fewer %"]
     count = sum(int(view.is_scored.sum()) for view in views)
-    return table(f"Rift S: mean SSIM of {count:,} objects behind the lens, with as many triangles", titles, rows)
+    return table(f"Rift S: mean SSIM of {count:,} objects, with as many triangles", titles, rows)
 
 
 def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="the smallest scene")
+    parser.add_argument("--flat", action="store_true", help="without the lens, whose warp resamples pictures")
     options = parser.parse_args()
     print(machine())
-    print(report(quick=options.quick), flush=True)
+    headset = replace(RIFT_S, lens=nf.RadialLens((0.0,))) if options.flat else RIFT_S
+    print(report(headset, quick=options.quick), flush=True)
 
 
 if __name__ == "__main__":
