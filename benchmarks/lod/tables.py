@@ -32,6 +32,11 @@ TIMED = 4
 Models = Sequence[nf.lod.LodModel]
 
 
+def of_ten(models: Models) -> Models:
+    """With the finest `LEVELS` levels, or all where simplifying ended before."""
+    return [model.of_levels(range(min(LEVELS, len(model)))) for model in models]
+
+
 def ways(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
     """By size alone, and through the lens."""
     depth = nf.lod.Selector(mode="depth", **settings)
@@ -68,7 +73,7 @@ def saved(headset: Headset, models: Models, counts: tuple[int, ...], draws: int,
 
 def ablation(headset: Headset, models: Models, sparse: Models, draws: int, frames: int) -> str:
     """What the share that the lens saves depends on, for the most objects."""
-    ten = [model.of_levels(range(LEVELS)) for model in models]
+    ten = of_ten(models)
     curve = nf.lod.Curve4PL([1.0], [1.0], [1e-3], [1.0])
     two = [
         nf.lod.LodModel(
@@ -153,8 +158,7 @@ def main() -> None:
     for headset in (RIFT_S, VIVE_PRO):
         sparse = measured(headset, step=None)
         dense = sparse if options.quick else measured(headset, step=None, views=144, directions="published", dense=True)
-        ten = [model.of_levels(range(LEVELS)) for model in dense]
-        print("\n".join(saved(headset, ten, counts, draws, frames)), flush=True)
+        print("\n".join(saved(headset, of_ten(dense), counts, draws, frames)), flush=True)
         print(ablation(headset, dense, sparse, draws, frames), flush=True)
         if options.times:
             print(timings(headset, measured(headset), counts, options.backend), flush=True)
