@@ -41,6 +41,8 @@ class Headset:
     lens: nf.RadialLens
     size: tuple[int, int]
     """Pixels drawn for an eye."""
+    panel_size: tuple[int, int]
+    """Pixels of an eye's panel."""
     printed: dict[int, PrintedTurn]
     """What was measured with it, by the scene's radius in metres."""
 
@@ -50,15 +52,30 @@ class Headset:
         x, y = (float(np.tan(np.radians(angle) / 2)) for angle in self.degrees)
         return nf.Fov(-x, x, -y, y)
 
+    @property
+    def panel_fov(self) -> nf.Fov:
+        """Tangents of the part of the panel that the lens spreads over the view."""
+        x, y = (
+            float(self.fov.right * self.lens.undistort(side / self.fov.right)) for side in (self.fov.right, self.fov.up)
+        )
+        return nf.Fov(-x, x, -y, y)
+
     def camera(self, yaw: float = 0.0, *, position: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> nf.Camera:
         """Turned to the left by an angle in radians."""
         turned = (0.0, float(np.sin(yaw / 2)), 0.0, float(np.cos(yaw / 2)))
         return nf.Camera(position, turned, fov=self.fov, size=self.size)
 
 
-RIFT_S = Headset("Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), nf.hmd.RIFT_S.render_size, _printed_turns.RIFT_S)
+RIFT_S = Headset(
+    "Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), nf.hmd.RIFT_S.render_size, (1280, 1440), _printed_turns.RIFT_S
+)
 VIVE_PRO = Headset(
-    "Vive Pro", (95, 95), nf.RadialLens((0.2063, 0.0576)), nf.hmd.VIVE_PRO.render_size, _printed_turns.VIVE_PRO
+    "Vive Pro",
+    (95, 95),
+    nf.RadialLens((0.2063, 0.0576)),
+    nf.hmd.VIVE_PRO.render_size,
+    (1440, 1600),
+    _printed_turns.VIVE_PRO,
 )
 
 
@@ -121,7 +138,9 @@ class Crowd:
     radii: NDArray[np.float64]
 
 
-def crowd(models: Sequence[nf.lod.LodModel], *, size: float, count: int, radius: float = 0.5, seed: int = 0) -> Crowd:
+def crowd(
+    models: Sequence[nf.lod.LodModel], *, size: float, count: int, radius: float = 0.5, seed: int | Sequence[int] = 0
+) -> Crowd:
     """Scatter as many objects of one radius, all within `size` metres."""
     random = np.random.default_rng(seed)
     index = random.integers(len(models), size=count)

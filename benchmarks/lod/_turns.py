@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -74,7 +75,9 @@ def turns(
     for n, model in enumerate(models):
         counts[n, : len(model)] = model.triangles
     cameras = [headset.camera(2 * np.pi * frame / how.frames) for frame in range(how.frames)]
-    balls = [crowd(models, size=how.size, count=how.count, radius=how.radius, seed=draw) for draw in range(how.draws)]
+    scatter = functools.partial(crowd, models, size=how.size, count=how.count, radius=how.radius)
+    # Without size and radius in the seed, a ball twice as large of objects twice as large is the same scene.
+    balls = [scatter(seed=(draw, round(how.size), round(1000 * how.radius))) for draw in range(how.draws)]
     every = [_turn(models, counts, ball, cameras, ways) for ball in balls]
     return Turns(
         np.array([off for off, _ in every]),

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import functools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.lod._objects import Crowd, Headset, crowd
+from nearfar._scene.srgb import to_srgb
 
 LUMA = np.array([0.2126, 0.7152, 0.0722])
 """Rec. 709 weights of red, green and blue."""
 LEAST_PIXELS = 16
 """Pixels of an object below which it is not scored: a mean over fewer pixels than two rows of a window is noise."""
-VIEWS = 2
+FINER = 2
+"""Pixels that are drawn along each side of one that is shown, so that warping does not blur."""
+TURNS = 2
 """Directions of the camera in a scene."""
 
 Levels = NDArray[np.int32]
@@ -31,9 +34,9 @@ class Case:
     cameras: list[nf.Camera]
 
     @classmethod
-    def of(cls, models: list[nf.lod.LodModel], headset: Headset, size: int, count: int) -> Case:
+    def of(cls, models: list[nf.lod.LodModel], headset: Headset, size: int, count: int, *, turns: int = TURNS) -> Case:
         """As in the thesis, seen from the middle."""
-        cameras = [headset.camera(2 * np.pi * n / VIEWS) for n in range(VIEWS)]
+        cameras = [headset.camera(2 * np.pi * n / turns) for n in range(turns)]
         return cls(models, crowd(models, size=size, count=count, seed=size * count), headset, cameras)
 
     @functools.cached_property
@@ -46,24 +49,18 @@ class Case:
         """Pictures at full detail."""
         return [View.of(self, camera, self.in_full(camera)) for camera in self.cameras]
 
-    @functools.cached_property
-    def scores(self) -> list[NDArray[np.float64]]:
-        """Score of each object at each level, for each view (K, N): all objects are drawn at that level at once."""
-        most, last = max(map(len, self.models)), np.array([len(model) - 1 for model in self.models])
-        of_views = []
-        for camera, truth in zip(self.cameras, self.truths, strict=True):
-            full, rows = self.in_full(camera), [np.ones(len(self.crowd.radii))]
-            for level in range(1, most):
-                levels = np.where(full < 0, full, np.minimum(level, last[self.crowd.model_index])).astype(np.int32)
-                rows.append(scores(truth, View.of(self, camera, levels), len(levels)))
-            rows[0] = np.where(np.isfinite(rows[1]), rows[0], np.nan)
-            of_views.append(np.array(rows))
-        return of_views
+    def scores(self, number: int, levels: Levels) -> NDArray[np.float64]:
+        """Score of each object (N,) in a view with some levels; NaN for objects that show too little of themselves."""
+        return scores(self.truths[number], View.of(self, self.cameras[number], levels), len(levels))
 
     @property
     def spheres(self) -> tuple[list[nf.lod.LodModel], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
         """Arguments of `select`."""
         return self.models, self.crowd.model_index, self.crowd.centers, self.crowd.radii
+
+    def counting(self, camera: nf.Camera, mode: str) -> nf.Camera:
+        """A view in the pixels that a mode counts: those of the panel, or those that a headset draws."""
+        return replace(camera, size=self.headset.panel_size) if mode == "panel" else camera
 
     def in_full(self, camera: nf.Camera) -> Levels:
         """Level 0 of all that is in view."""
@@ -96,17 +93,20 @@ class View:
 
     @staticmethod
     def of(case: Case, camera: nf.Camera, levels: Levels) -> View:
-        """Draw and warp a view, so that the lens puts it right."""
-        frame = nf.render(case.scene, camera, lod=levels, samples=4, channels=("color", "object_id"))
-        luma, numbers = frame.to_image()[..., :3] @ LUMA, np.asarray(frame.object_id)
-        warp = functools.partial(case.headset.lens.warp, inverse=True, fov=case.headset.fov)
-        height, width = luma.shape
-        rows, columns = np.mgrid[:height, :width].astype(np.float64)
-        places = warp(np.stack([rows, columns], axis=-1), fill=-1.0)
+        """Draw a view in fine pixels, warp it so that the lens puts it right, and average it to the panel's pixels."""
+        headset = case.headset
+        width, height = headset.panel_size
+        fine = replace(camera, size=(FINER * headset.size[0], FINER * headset.size[1]))
+        frame = nf.render(case.scene, fine, lod=levels, channels=("color", "object_id"))
+        warp = functools.partial(headset.lens.warp, inverse=True, output_fov=headset.panel_fov)
+        color = warp(frame, size=(FINER * width, FINER * height))
+        color = color.reshape(height, FINER, width, FINER, 3).mean(axis=(1, 3))
+        rows, columns = np.mgrid[: fine.height, : fine.width].astype(np.float64)
+        places = warp(np.stack([rows, columns], axis=-1), fov=headset.fov, size=headset.panel_size, fill=-1.0)
         inside = np.all(places >= 0, axis=-1)
         at = np.rint(np.where(inside[..., None], places, 0)).astype(np.int64)
-        objects = np.where(inside, numbers[at[..., 0], at[..., 1]], -1)
-        return View(np.where(inside, warp(luma), 0.0), objects.astype(np.int32))
+        objects = np.where(inside, np.asarray(frame.object_id)[at[..., 0], at[..., 1]], -1)
+        return View(np.rint(255 * to_srgb(color)) @ LUMA, objects.astype(np.int32))
 
 
 def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:

@@ -12,24 +12,12 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import printed_by_threads
-from tests.support.lod_oracle import around, model, rotation, usual
+from tests.support.lod_budget import VIEW, ahead, crowd, small_models
+from tests.support.lod_oracle import model, rotation, usual
 
 Array = NDArray[np.float64]
 
 LENS = nf.RadialLens((0.22, 0.24))
-FOV = nf.Fov(-1.0, 0.9, -1.1, 1.05)
-VIEW = nf.Camera.look_at((0.5, 1.5, -2.0), (4.0, 0.5, -9.0), fov=FOV, size=(1440, 1600))
-
-
-def small_models(random: np.random.Generator) -> list[nf.lod.LodModel]:
-    """Models of few triangles, so that all sums can be tried; curves may cross and some are missing."""
-    found = []
-    for seed in range(4):
-        one = usual(int(random.integers(0, 5)), seed)
-        triangles = np.sort(random.integers(1, 60, len(one)))[::-1]
-        found.append(replace(one, triangles=triangles))
-    nothing = (np.nan,) * 4
-    return [*found, replace(model([(1, 1, 0.1, 0.5), nothing, (1, 1, 0.01, 0.2)]), triangles=np.array([40, 20, 20, 5]))]
 
 
 def scores_of(one: nf.lod.LodModel, size: float) -> Array:
@@ -79,14 +67,6 @@ def first_that_fails(parts: list[tuple[float, int]], left: int) -> float:
     return 0.0
 
 
-def ahead(count: int, seed: int) -> tuple[Array, Array]:
-    """Spheres in view, which the eye is outside of."""
-    random = np.random.default_rng(seed)
-    away = np.exp(random.uniform(0, 3, count))
-    own = np.stack([random.uniform(-0.7, 0.7, count) * away, random.uniform(-0.7, 0.7, count) * away, -away], axis=1)
-    return own @ rotation(VIEW).T + VIEW.position, away * np.exp(random.uniform(-5, -1.5, count))
-
-
 @given(st.integers(0, 2**32 - 1), st.integers(1, 8), st.sampled_from(["object", "pixels", "each"]))
 @settings(max_examples=60, deadline=None)
 def test_sums_are_within_a_step_of_the_best(seed: int, count: int, kind: str) -> None:
@@ -124,12 +104,6 @@ def test_sums_are_within_a_step_of_the_best(seed: int, count: int, kind: str) ->
         if budget >= most:
             assert spent.price == 0.0
             assert total == pytest.approx(exact, rel=1e-9)
-
-
-def crowd(count: int, seed: int = 0) -> tuple[list[nf.lod.LodModel], Any, Array, Array]:
-    models = [usual(7, number) for number in range(6)]
-    centers, radii = around(count, seed, VIEW)
-    return models, np.random.default_rng(seed).integers(0, 6, count), centers, radii
 
 
 def triangles_of(models: list[nf.lod.LodModel], index: Any, levels: Any) -> int:
@@ -221,55 +195,6 @@ def test_two_eyes_count_once() -> None:
     assert (both.sigma_seen[seen] <= np.maximum(*sizes)[seen] * (1 + 1e-12)).all()
 
 
-# frame after frame ---------------------------------------------------------------------------------------------------
-def turns(hysteresis: float, *, keeps: bool) -> tuple[int, list[int]]:
-    """Changes of levels while sizes tremble, and the triangles of each frame."""
-    models, index, centers, radii = crowd(3000, 5)
-    random = np.random.default_rng(6)
-    level, price, changes, drawn = None, None, 0, []
-    for _ in range(12):
-        trembling = radii * random.uniform(0.99, 1.01, len(radii))
-        found = nf.lod.select(
-            models, index, centers, trembling, camera=VIEW, budget=2_000_000, hysteresis=hysteresis,
-            previous=level if keeps else None, price=price if keeps else None,
-        )  # fmt: skip
-        assert found.spent is not None
-        changes += 0 if level is None else int((found.level != level).sum())
-        level, price = found.level, found.spent.price
-        drawn.append(found.spent.triangles)
-    return changes, drawn
-
-
-def test_levels_stay_while_sizes_tremble() -> None:
-    free, _ = turns(0.0, keeps=False)
-    held, drawn = turns(0.2, keeps=True)
-    assert held < 0.2 * free
-    assert all(1_600_000 <= triangles <= 2_000_000 for triangles in drawn)
-
-
-def test_a_price_is_kept_where_it_spends_most_of_the_budget() -> None:
-    scene = crowd(3000, 7)
-    first = nf.lod.select(*scene, camera=VIEW, budget=2_000_000)
-    assert first.spent is not None
-    price = first.spent.price
-    for budget, is_kept in ((2_000_000, True), (2_100_000, True), (2_500_000, False), (1_900_000, False)):
-        found = nf.lod.select(*scene, camera=VIEW, budget=budget, price=price, hysteresis=0.1)
-        assert found.spent is not None
-        assert (found.spent.price == price) == is_kept
-        assert found.spent.triangles <= budget
-
-
-def test_levels_below_the_hull_are_not_held() -> None:
-    # The middle level costs more than the coarsest and looks worse.
-    crossed = replace(model([(0.2, 1, 1, 0.2), (0.3, 1, 1, 0.3)]), triangles=np.array([1000, 300, 10]))
-    place = np.tile(VIEW.position + 5 * -rotation(VIEW)[:, 2], (2, 1))
-    for previous in (None, [1, 1], [2, 2], [0, 0]):
-        found = nf.lod.select(
-            [crossed], [0, 0], place, 0.5, camera=VIEW, budget=600, previous=previous, hysteresis=0.1 if previous else 0
-        )
-        assert found.level.tolist() == [2, 2]
-
-
 def test_selectors_compare_their_weights() -> None:
     weight = np.array([1.0, 2.0])
     one = nf.lod.Selector(budget=9, weight=weight)
@@ -323,6 +248,27 @@ def test_equal_slopes_are_taken_in_the_order_of_objects() -> None:
     assert found.level.tolist() == [0, 0, 0, 1, 1, 1, 1, 1, 1, 1]
     assert found.spent is not None
     assert found.spent.triangles == 400
+
+
+def test_one_object_stops_between_equal_slopes() -> None:
+    scores = np.arange(8)[::-1] / 8
+    one = replace(model([(score, 1, 1, score) for score in scores]), triangles=np.arange(9, 0, -1) * 100)
+    place = [VIEW.position + 5 * -rotation(VIEW)[:, 2]]
+    for budget, level in ((100, 8), (199, 8), (200, 7), (899, 1), (900, 0)):
+        assert nf.lod.select([one], [0], place, 0.5, camera=VIEW, budget=budget).level.tolist() == [level]
+    held = nf.lod.select([one], [0], place, 0.5, camera=VIEW, budget=650, previous=[3], hysteresis=0.1)
+    assert held.level.tolist() == [3]
+
+
+def test_after_a_great_step_come_as_many_small_ones_as_fit() -> None:
+    great, small = (
+        replace(model([(low, 1, 1, low)]), triangles=np.array([top, 10])) for top, low in ((10**7, 0.0), (60, 0.5))
+    )
+    for count in (1000, 2**14, 3 * 2**14):
+        place = np.tile(VIEW.position + 5 * -rotation(VIEW)[:, 2], (count + 1, 1))
+        index, weight = np.r_[0, np.ones(count, int)], np.r_[1.2e5, np.ones(count)]
+        found = nf.lod.select([great, small], index, place, 0.5, camera=VIEW, budget=10 + 60 * count, weight=weight)
+        assert found.level.tolist() == [1] + [0] * count
 
 
 def test_nothing_is_spent_on_what_has_no_weight_or_is_out_of_view() -> None:
@@ -394,7 +340,7 @@ BITS = """
 import hashlib
 import numpy as np
 import nearfar as nf
-from tests.lod.test_budget import VIEW, crowd
+from tests.support.lod_budget import VIEW, crowd
 found = nf.lod.select(*crowd(60_000), camera=VIEW, budget=30_000_000, weight="pixels", floor=0.3, full=True)
 print(hashlib.sha256(found.level.tobytes() + found.score.tobytes()).hexdigest(), found.spent)
 """

@@ -29,6 +29,7 @@ from nearfar._core.gpu import (
 )
 from nearfar._core.lod import (
     carry as carry,
+    check_weights as check_weights,
     collapse as collapse,
     first_alike as first_alike,
     fit_4pl as fit_4pl,

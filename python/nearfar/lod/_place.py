@@ -56,8 +56,8 @@ def place(
     TypeError
         For other things than models, numbers and names.
     """
-    if isinstance(models, str | bytes) or not isinstance(models, Sequence | Mapping):
-        raise TypeError(f"models: expected a sequence of LodModels or a mapping to them, got {check.described(models)}")
+    if not isinstance(models, Mapping):
+        models = check.items("models", models, MeasuredLevels, "a sequence of LodModels or a mapping to them")
     row, numbers = models_of(models, model_index)
     frames = transforms_of("transforms", transforms)
     if frames.ndim != 3:

@@ -48,7 +48,7 @@ mod _core {
         gpu::device::{GpuDevice, gpu_adapters, gpu_close, gpu_forked, gpu_is_hardware},
         gpu::frame::{GpuFrame, GpuJob, gpu_keep},
         lens::{RadialLens, corrected_solid_angles, warp, warp_mesh},
-        lod::budget::spend_triangles,
+        lod::budget::{check_weights, spend_triangles},
         lod::fit::fit_4pl,
         lod::select::select_levels,
         lod::simplify::{carry, collapse, first_alike, pieces},

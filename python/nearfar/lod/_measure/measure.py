@@ -122,7 +122,8 @@ def _objects(levels: object) -> tuple[list[str] | None, list[Levels]]:
     if isinstance(levels, Levels):
         return names, [levels]
     if isinstance(levels, Mapping):
-        names, objects = list(levels), list(levels.values())
+        by_name = check.mapping("levels", levels, "Levels by name")
+        names, objects = list(by_name), list(by_name.values())
     elif isinstance(levels, Sequence) and not isinstance(levels, str | bytes):
         objects = list(levels)
     else:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nearfar import _core
 from nearfar._base import check
 from nearfar.lod._measured_levels import MeasuredLevels
 
@@ -26,7 +27,8 @@ class Spent:
     triangles: int
     """Triangles of the levels of all objects in view."""
     score: float
-    """Mean of the levels' scores over the objects in view by their weights, as curves predict it. NaN for none."""
+    """Mean of the levels' scores over the objects in view by their weights, as curves predict it. NaN where no object
+    in view has a weight."""
 
 
 def weight_of(weight: str | ArrayLike) -> str | NDArray[np.float64]:
@@ -34,7 +36,10 @@ def weight_of(weight: str | ArrayLike) -> str | NDArray[np.float64]:
     if isinstance(weight, str):
         return check.choice("weight", weight, WEIGHTS)
     weights = np.array(check.array("weight", weight, columns=None, dtype=np.float64))
+    if weights.ndim != 1:
+        raise ValueError(f"weight: expected shape (N,), one for each object, got {weights.shape}")
     weights.flags.writeable = False
+    _core.check_weights(weights)
     return weights
 
 

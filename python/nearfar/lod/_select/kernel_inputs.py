@@ -15,6 +15,7 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar._camera.rotation import rotation
 from nearfar._lens.lens import RadialLens
 from nearfar.lod._measured_levels import MeasuredLevels
+from nearfar.lod._select.size import pixel_area
 
 _CURVE_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDictionary()
 """Parameters of each model's curves, so that a frame does not collect them again."""
@@ -110,15 +111,16 @@ def eye_of(camera: Camera, gaze: tuple[float, float, float] | None, panel: tuple
     """
     fov = _fov_of(camera)
     pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
-    left, right, down, up = fov._sides if panel is None else _on_panel(fov, *panel)
-    pixel = math.sqrt((right - left) / camera.width * ((up - down) / camera.height))
+    sides = fov._sides if panel is None else _on_panel(fov, *panel)
+    pixel = math.sqrt(pixel_area(sides, camera.size))
     return camera.position, camera.orientation, fov._sides, gaze, math.degrees(math.atan(pitch)), pixel
 
 
-def _on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> NDArray[np.float64]:
+def _on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Four:
     """The sides of the part of the panel that shows a view; a view that reaches beyond the fold ends there."""
     radii = lens.undistort(np.array(fov._sides) / tan_omega, outside="nan")
-    return np.asarray(tan_omega * np.where(np.isnan(radii), np.copysign(lens.r_max, fov._sides), radii))
+    left, right, down, up = tan_omega * np.where(np.isnan(radii), np.copysign(lens.r_max, fov._sides), radii)
+    return left, right, down, up
 
 
 def _fov_of(camera: Camera) -> Fov:

@@ -108,16 +108,16 @@ def select(
     acuity_slope, acuity_limit_deg
         The eye's least visible angle, as in `acuity`; pixels are the camera's. The sphere's nearest edge counts.
     inverse
-        Of the lens: "lut", whose σ′ is within 10⁻⁸ of itself, or "newton", which is `corrected_solid_angle`.
+        Of the lens: "lut", whose σ′ is within 10⁻⁸ of itself, or "newton", within rounding.
     budget
         Triangles that all objects in view may have together. Then no threshold and no limit applies: levels have the
         greatest sum of weight times score that the budget allows, to within one step between two levels, but for what a
-        `price`, `hysteresis` and a `floor` that does not fit hold back. Of an object
-        the upper hull of (triangles, weight × score) counts: at a price λ it takes the finest level of the hull to
-        which each triangle adds at least λ, and λ is the least price at which all fit. Steps at this price are taken in
-        the order of the objects while they fit, then smaller ones. Scores are means over the views where a model has
-        them, and beyond the sizes that were measured those at the ends. Objects count once for all cameras, with the
-        greatest of their sizes.
+        `price`, `hysteresis` and a `floor` that does not fit hold back. Of an object the upper hull of (triangles,
+        weight × score) counts: at a price λ it takes the finest level of the hull to which each triangle adds at least
+        λ, and λ is the least price at which all fit. Steps at this price are taken in the order of the objects while
+        they fit, then smaller ones. Of more than 16,384 steps those are tried until a thousandth of the budget is left.
+        Scores are means over the views where a model has them, and beyond the sizes that were measured those at the
+        ends. Objects count once for all cameras, with the greatest of their sizes.
     weight
         Of a budget: "object", all the same; "pixels", σ′ / (tangent of a pixel)², 0 beyond a lens's fold; or (N,)
         numbers, each 0 or from 10⁻¹⁵⁰ to 10¹⁵⁰.
@@ -126,8 +126,9 @@ def select(
         more than that.
     price
         Of a budget: λ of the frame before, `Selection.spent.price`. It is kept, so that levels stay, where it spends no
-        more than the budget and at least 1 − hysteresis of it. With `previous`, an object loses its level only to a
-        score per triangle that is better by the share `hysteresis`.
+        more than the budget and at least 1 − hysteresis of it. What it leaves goes to the levels in `previous`, as far
+        as they fit; without `previous` to smaller steps. With `previous`, an object loses its level only to a score per
+        triangle that is better by the share `hysteresis`, or because it no longer fits.
     full
         Whether to fill the columns of the selection too: sizes, thresholds, scores and fades.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import SupportsFloat
 
 import numpy as np
@@ -49,6 +49,12 @@ def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
         raise ValueError(f"view: expected a tangent to the side below 4, got {4 * sine:g}")
     # 1 − cos by sin² / (1 + cos), which loses no digits.
     return 2 * math.pi * sine * sine / (1 + math.sqrt((1 - sine) * (1 + sine)))
+
+
+def pixel_area(sides: Sequence[float], size: tuple[int, int]) -> float:
+    """Area of a pixel in tangents squared, for a view with the sides (left, right, down, up) and its pixels."""
+    left, right, down, up = sides
+    return (right - left) / size[0] * ((up - down) / size[1])
 
 
 def acuity(
@@ -98,7 +104,7 @@ def acuity(
 def distortion(
     eccentricity_deg: ArrayLike, *, lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: float | None = None
 ) -> NDArray[np.float64]:
-    """Share of its solid angle that a lens leaves of a small thing, as `select` counts it: σ′/σ.
+    """Share of its solid angle that a lens leaves of a small thing, as `select` counts it with `size="axis"`: σ′/σ.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._levels import level_numbers
 from nearfar.lod._measured_levels import MeasuredLevels
-from nearfar.lod._select.size import half_tangent, reference_solid_angle
+from nearfar.lod._select.size import half_tangent, pixel_area, reference_solid_angle
 from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
 _SAMPLED_SIZES = 1024
@@ -123,7 +123,7 @@ def switches(
     check.instance("model", model, MeasuredLevels, "a LodModel")
     fov = _fov(view)
     reference = reference_solid_angle(view)
-    area = _pixel_area(model, view)
+    area = _relative_pixel_area(model, view)
     sizes = _good_sizes(model, reference, threshold_of(threshold, k, d).line(reference), area)
     is_limit = (sizes * area >= model.sigma[1] * (1 - _ROUNDING)) & (np.arange(len(model)) > 0)
     sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
@@ -137,12 +137,12 @@ def switches(
     return Switches(sizes, distance, coverage, tall, is_limit)
 
 
-def _pixel_area(model: MeasuredLevels, view: Hmd | Camera | Fov) -> float:
+def _relative_pixel_area(model: MeasuredLevels, view: Hmd | Camera | Fov) -> float:
     """Area of the model's pixels as a multiple of the view's; 1 where one of them is not known."""
     if model.pixel is None or isinstance(view, Fov):
         return 1.0
     fov, size = (view.left.fov, view.render_size) if isinstance(view, Hmd) else (_fov(view), view.size)
-    return model.pixel**2 / ((fov.right - fov.left) / size[0] * ((fov.up - fov.down) / size[1]))
+    return model.pixel**2 / pixel_area(fov._sides, size)
 
 
 def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, float], area: float) -> NDArray[np.float64]:

@@ -4,7 +4,7 @@
 //! Liebisch: Level of Detail Selection for Foveated Rendering in Virtual Reality, TU Graz 2021; y = d + (a−d)/(1+(x/c)^b).
 
 mod budget;
-mod exponential;
+mod elementary;
 mod fit;
 mod select;
 mod simplify;

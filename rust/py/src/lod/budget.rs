@@ -1,10 +1,11 @@
 //! Bindings of `lod`: levels under a budget of triangles.
 
-use nearfar_core::lod::{self, Budget, BudgetRules, EyeLens, Objects, RatedModel, ThresholdLine, Weights};
+use nearfar_core::lod::{self, Budget, BudgetRules, RatedModel, ThresholdLine, Weights};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use super::select::{Column, EyeParts, Levels, Models, apparent, eye, filled, listed, models};
+use super::inputs::{self, EyeParts, Models};
+use super::outputs::{self, Column, Levels};
 use crate::convert::run;
 use crate::lens::RadialLens;
 
@@ -42,21 +43,16 @@ pub(crate) fn spend_triangles<'py>(
 ) -> PyResult<Bought<'py>> {
     let mut triangles = triangles.as_slice()?;
     let mut rated = Vec::new();
-    for model in self::models(&models)? {
+    for model in inputs::models(&models)? {
         let (own, rest) = triangles.split_at(model.curves.len() + 1);
         rated.push(RatedModel { model, triangles: own });
         triangles = rest;
     }
-    let objects = Objects {
-        model: model_index.as_slice()?,
-        centers: centers.as_slice()?.as_chunks::<3>().0,
-        radii: radii.as_slice()?,
-        previous: previous.as_ref().map(|previous| previous.as_slice()).transpose()?,
-    };
-    let eyes: Vec<_> = eyes.into_iter().map(|parts| eye(parts, acuity)).collect();
-    let glass = lens.as_ref().map(|lens| EyeLens { lens: lens.inner(), tan_omega, exact });
+    let objects = inputs::objects(&model_index, &centers, &radii, previous.as_ref())?;
+    let eyes = inputs::eyes(eyes, acuity);
+    let apparent = inputs::apparent(apparent, lens.as_deref(), tan_omega, exact);
     let line = ThresholdLine { level: line.0, rise: line.1 };
-    let rules = BudgetRules { line, apparent: self::apparent(apparent, glass), cull, hysteresis };
+    let rules = BudgetRules { line, apparent, cull, hysteresis };
     let weights = match &weight {
         Some(each) => Weights::Each(each.as_slice()?),
         None if by_pixels => Weights::Pixels,
@@ -64,8 +60,15 @@ pub(crate) fn spend_triangles<'py>(
     };
     let budget = Budget { triangles: budget, weights, floor, price };
 
-    let (level, columns, spent) = filled(py, radii.len(), full, |to, beside| {
+    let (level, columns, spent) = outputs::filled(py, radii.len(), full, |to, beside| {
         run::long(py, None, |progress| lod::spend(&rated, &objects, &eyes, &rules, &budget, to, beside, progress))
     })?;
-    Ok((level, columns, listed(&spent.counts), (spent.price, spent.triangles, spent.score)))
+    Ok((level, columns, outputs::listed(&spent.counts), (spent.price, spent.triangles, spent.score)))
+}
+
+/// An error unless all are weights.
+#[pyfunction]
+pub(crate) fn check_weights(py: Python<'_>, weight: PyReadonlyArray1<'_, f64>) -> PyResult<()> {
+    let weights = Weights::Each(weight.as_slice()?);
+    run::short(py, || weights.check())
 }

@@ -15,42 +15,68 @@ pub(super) struct Step {
     pub gain: f64,
 }
 
-/// The steps that were taken, summed up.
-pub(super) struct Filled {
+/// Steps that are taken in their order. After one that does not fit come those that do; an object whose step did not fit
+/// takes no further one.
+#[derive(Default)]
+pub(super) struct Filling {
+    /// Triangles that are left.
+    pub left: u64,
+    /// Triangles that may be left in the end.
+    spare: u64,
     /// Slope of the first step that did not fit; 0 if all did.
     pub slope: f64,
-    pub triangles: u64,
     pub gain: f64,
-    /// Objects and the places on their ladders.
-    pub levels: Vec<(u32, u16)>,
+    levels: Vec<(u32, u16)>,
+    is_over: HashSet<u32>,
 }
 
-/// Takes steps in their order. After one that does not fit come those that do; an object whose step did not fit takes
-/// no further one.
-pub(super) fn fill(steps: &[Step], left: u64) -> Filled {
-    let mut filled = Filled { slope: 0.0, triangles: 0, gain: 0.0, levels: Vec::new() };
-    let mut is_over = HashSet::new();
-    let least = steps.iter().map(|step| step.triangles).min().unwrap_or(0);
-    for step in steps {
-        if is_over.contains(&step.object) {
-            continue;
-        }
-        if filled.triangles + step.triangles > left {
-            if is_over.is_empty() {
-                filled.slope = step.slope;
-            }
-            is_over.insert(step.object);
-            if left - filled.triangles < least {
-                break;
-            }
-            continue;
-        }
-        filled.triangles += step.triangles;
-        filled.gain += step.gain;
-        filled.levels.push((step.object, step.to));
+impl Filling {
+    pub fn new(left: u64, spare: u64) -> Self {
+        Self { left, spare, ..Self::default() }
     }
-    // The last step of an object leads to its finest place, which has the least number.
-    filled.levels.sort_unstable();
-    filled.levels.dedup_by_key(|level| level.0);
-    filled
+
+    /// Whether little enough is left.
+    pub fn is_done(&self) -> bool {
+        self.left <= self.spare
+    }
+
+    /// Whether a step did not fit.
+    pub fn has_missed(&self) -> bool {
+        !self.is_over.is_empty()
+    }
+
+    /// Takes those of some steps that fit.
+    pub fn take(&mut self, steps: &[Step]) {
+        let least = steps.iter().map(|step| step.triangles).min().unwrap_or(0);
+        for (n, step) in steps.iter().enumerate() {
+            if self.is_over.contains(&step.object) {
+                continue;
+            }
+            if step.triangles > self.left {
+                if self.is_over.is_empty() {
+                    self.slope = step.slope;
+                }
+                self.is_over.insert(step.object);
+                if self.left < least {
+                    // None of the others fits. Finer steps of their objects would come later.
+                    if !self.is_done() {
+                        self.is_over.extend(steps[n..].iter().map(|step| step.object));
+                    }
+                    return;
+                }
+            } else {
+                self.left -= step.triangles;
+                self.gain += step.gain;
+                self.levels.push((step.object, step.to));
+            }
+        }
+    }
+
+    /// Objects that took steps, and the finest place on its ladder of each.
+    pub fn levels(mut self) -> Vec<(u32, u16)> {
+        // The last step of an object leads to its finest place, which has the least number.
+        self.levels.sort_unstable();
+        self.levels.dedup_by_key(|level| level.0);
+        self.levels
+    }
 }

@@ -1,12 +1,15 @@
 //! Scores of a model's levels for a block of objects, and the slopes of their upper hulls.
 
-use super::super::exponential::{exp, ln};
+use super::super::elementary::{exp, ln};
 use super::prices::{ALWAYS, class};
 use super::rated::Ladder;
 use crate::base::simd::vectorized;
 
 /// Number of objects in a block.
 pub(super) const LANES: usize = 32;
+
+/// Relative difference of two slopes that may be rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// A number for each object of a block.
 pub(super) type Lanes = [f64; LANES];
@@ -65,6 +68,14 @@ pub(super) fn slopes(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: 
 pub(super) fn worths(slopes: &mut [Lanes], worth: &Worth, classes: &mut Vec<Classes>) {
     classes.resize(slopes.len(), [0; LANES]);
     weigh_all(slopes, worth, classes);
+}
+
+/// Whether a level lies on the edge of the hull between two others, and not below it.
+pub(super) fn is_on_edge(ladder: &Ladder, scores: &[Lanes], lane: usize, edge: [usize; 2], place: usize) -> bool {
+    let [coarse, fine] = edge;
+    let gain = |place: usize| scores[place][lane] - scores[coarse][lane];
+    let triangles = |place: usize| (ladder.triangles[place] - ladder.triangles[coarse]) as f64;
+    gain(place) * triangles(fine) >= gain(fine) * triangles(place) * (1.0 - ROUNDING)
 }
 
 #[inline(always)]

@@ -48,7 +48,8 @@ impl Ladder {
             let own = triangles[n + 1] as u64;
             for &finer in &ladder.triangles {
                 let more = finer.checked_sub(own).ok_or_else(|| {
-                    Error::value("models", "no more triangles in coarser levels", format!("{own} after {finer}"))
+                    let expected = format!("no more triangles in coarser levels of model {number}");
+                    Error::value("models", expected, format!("{own} after {finer}"))
                 })?;
                 ladder.per_triangle.push(1.0 / more as f64);
             }

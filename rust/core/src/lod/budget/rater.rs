@@ -1,7 +1,7 @@
 //! Slopes of objects, many of one model at a time.
 
 use super::super::select::Objects;
-use super::hull::{Choice, Classes, LANES, Lanes, Worth, gains, scores, slopes, worths};
+use super::hull::{Choice, Classes, LANES, Lanes, Worth, gains, is_on_edge, scores, slopes, worths};
 use super::rated::Ladder;
 use super::sizes::{SeenObjects, Weights};
 
@@ -68,6 +68,15 @@ impl<'a> Rater<'a> {
         Self { ladders, objects, seen, weights, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
     }
 
+    pub fn ladder(&self, object: u32) -> &'a Ladder {
+        &self.ladders[self.objects.model[object as usize] as usize]
+    }
+
+    /// The fewest triangles that a step of any model adds.
+    pub fn fewest(&self) -> u64 {
+        self.ladders.iter().flat_map(|ladder| &ladder.added).copied().min().unwrap_or(0)
+    }
+
     /// The objects in view, sorted by their models.
     pub fn order(&self, objects: impl Iterator<Item = u32> + Clone) -> Order {
         let visible = objects.filter(|&object| self.seen.read[object as usize] >= 0.0);
@@ -113,7 +122,7 @@ impl<'a> Rater<'a> {
         slopes(ladder, &room.scores, &floors, self.choice, &mut room.slopes);
         let worth = Worth {
             weights: weights.map(|weight| weight * self.scale),
-            held: self.held(ladder, block, &room.slopes),
+            held: self.held(ladder, block, room),
             hold: 1.0 + self.hysteresis,
             first: if self.choice == Choice::FromFloor { floors } else { [f64::INFINITY; LANES] },
         };
@@ -128,17 +137,34 @@ impl<'a> Rater<'a> {
     }
 
     /// Steps from which on the level of the frame before is held; +∞ for none.
-    fn held(&self, ladder: &Ladder, block: &[u32], slopes: &[Lanes]) -> Lanes {
+    fn held(&self, ladder: &Ladder, block: &[u32], room: &Room) -> Lanes {
         let mut held = [f64::INFINITY; LANES];
         let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return held };
         for (lane, (to, &object)) in held.iter_mut().zip(block).enumerate() {
             let level = previous[object as usize];
             let place = ladder.level.iter().position(|&own| level >= 0 && own >= level);
             // A level below the hull is not held: the edge above it would be parted.
-            let is_corner =
-                |&place: &usize| place == 0 || place == slopes.len() || slopes[place - 1][lane] != slopes[place][lane];
+            let is_corner = |&place: &usize| {
+                let [coarse, fine] = edge_around(&room.slopes, lane, place);
+                place == coarse || place == fine || is_on_edge(ladder, &room.scores, lane, [coarse, fine], place)
+            };
             *to = place.filter(is_corner).map_or(f64::INFINITY, |place| place as f64);
         }
         held
     }
+}
+
+/// The ends of the edge of the hull that a place lies on or below: those of steps of one slope.
+fn edge_around(slopes: &[Lanes], lane: usize, place: usize) -> [usize; 2] {
+    let (mut coarse, mut fine) = (place, place);
+    if (1..slopes.len()).contains(&place) && slopes[place - 1][lane] == slopes[place][lane] {
+        let slope = slopes[place][lane];
+        while coarse < slopes.len() && slopes[coarse][lane] == slope {
+            coarse += 1;
+        }
+        while fine > 0 && slopes[fine - 1][lane] == slope {
+            fine -= 1;
+        }
+    }
+    [coarse, fine]
 }

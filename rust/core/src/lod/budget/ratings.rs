@@ -61,11 +61,33 @@ impl Ratings {
 
     /// Objects with steps in a range of classes.
     pub fn between(&self, rater: &Rater<'_>, least: u16, most: u16) -> Vec<u32> {
+        self.pick(rater, least, most, |_, _, is_between| is_between)
+    }
+
+    /// Objects with steps in a class, and those that have a coarser level after all steps of it than they had before.
+    pub fn behind(&self, rater: &Rater<'_>, class: u16, before: &[i32]) -> Vec<u32> {
+        self.pick(rater, class, class, |object, level, is_between| {
+            is_between || (0..level).contains(&before[object as usize])
+        })
+    }
+
+    /// Objects that are picked for their level after all steps from a class on, and for having steps up to another one.
+    fn pick(
+        &self,
+        rater: &Rater<'_>,
+        least: u16,
+        most: u16,
+        is_picked: impl Fn(u32, i32, bool) -> bool + Sync,
+    ) -> Vec<u32> {
         let pages = self.pages.par_iter().map(|page| {
             let mut objects = Vec::new();
-            for (_, block, classes) in page.blocks(rater) {
-                let (with, without) = (places(classes, least - 1), places(classes, most));
-                objects.extend((0..block.len()).filter(|&lane| with[lane] != without[lane]).map(|lane| block[lane]));
+            for (ladder, block, classes) in page.blocks(rater) {
+                let (after, before) = (places(classes, least - 1), places(classes, most));
+                objects.extend(block.iter().zip(after.into_iter().zip(before)).filter_map(
+                    |(&object, (after, before))| {
+                        is_picked(object, ladder.level[usize::from(after)], after != before).then_some(object)
+                    },
+                ));
             }
             objects
         });

@@ -23,7 +23,8 @@ pub enum Weights<'a> {
 }
 
 impl Weights<'_> {
-    pub(super) fn check(&self) -> Result<()> {
+    /// Refuses numbers that sums could lose.
+    pub fn check(&self) -> Result<()> {
         let Weights::Each(all) = self else { return Ok(()) };
         match all.iter().position(|weight| *weight != 0.0 && !USUAL_WEIGHTS.contains(weight)) {
             None => Ok(()),

@@ -38,7 +38,7 @@ pub struct BudgetRules<'a> {
 /// How a budget was spent.
 #[derive(Clone, Copy, Debug)]
 pub struct Spent {
-    /// Weighted score that the last triangle adds; 0 if all that gains anything is drawn.
+    /// Weighted score for each triangle of the first step that did not fit; 0 if all that gains anything is drawn.
     pub price: f64,
     /// Triangles of the levels.
     pub triangles: u64,

@@ -1,5 +1,5 @@
 use super::super::select::Model;
-use super::fill::{Step, fill};
+use super::fill::{Filling, Step};
 use super::hull::{Choice, LANES, Lanes, slopes};
 use super::prices::{ALWAYS, NEVER, class};
 use super::rated::{Ladder, RatedModel};
@@ -107,7 +107,10 @@ fn classes_rise_with_slopes() {
 fn after_a_step_that_does_not_fit_come_smaller_ones_of_others() {
     let step = |object, to, triangles| Step { slope: 1.0 / f64::from(object + 1), object, to, triangles, gain: 1.0 };
     let steps = [step(0, 1, 50), step(1, 1, 60), step(1, 0, 1), step(2, 1, 40), step(3, 1, 30)];
-    let filled = fill(&steps, 100);
-    assert_eq!((filled.triangles, filled.gain, filled.slope), (90, 2.0, 0.5));
-    assert_eq!(filled.levels, [(0, 1), (2, 1)]);
+    let mut filling = Filling::new(100, 0);
+    filling.take(&steps);
+    // An object whose step did not fit takes none of those that come later.
+    filling.take(&[step(3, 0, 1), step(4, 1, 10)]);
+    assert_eq!((filling.left, filling.gain, filling.slope), (0, 3.0, 0.5));
+    assert_eq!(filling.levels(), [(0, 1), (2, 1), (4, 1)]);
 }

@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use super::super::exponential::exp;
+use super::super::elementary::exp;
 use super::descend::{LEAST_RISE, TAIL};
 use super::logistic::{LANES, Line};
 use crate::base::simd::vectorized;

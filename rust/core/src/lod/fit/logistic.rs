@@ -1,6 +1,6 @@
 //! The logistic function at an array of samples, and the sums that a fit needs, eight samples at a time.
 
-use super::super::exponential::exp;
+use super::super::elementary::exp;
 use crate::base::Progress;
 use crate::base::simd::vectorized;
 

@@ -4,7 +4,7 @@ use std::hint::select_unpredictable;
 
 use rayon::prelude::*;
 
-use super::super::exponential::exp;
+use super::super::elementary::exp;
 use super::curves::{Model, Parameters, score};
 use super::objects::TILE;
 use super::rules::{Rules, ThresholdLine};
