@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import functools
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.lod._objects import Crowd, Headset, crowd
-from nearfar._scene.srgb import to_srgb
+from nearfar import _core
 
 LUMA = np.array([0.2126, 0.7152, 0.0722])
 """Rec. 709 weights of red, green and blue."""
@@ -48,6 +49,26 @@ class Case:
     def truths(self) -> list[View]:
         """Pictures at full detail."""
         return [View.of(self, camera, self.in_full(camera)) for camera in self.cameras]
+
+    @property
+    def fine_size(self) -> tuple[int, int]:
+        """Width and height of the pictures that are warped."""
+        return FINER * self.headset.size[0], FINER * self.headset.size[1]
+
+    def warp(self, picture: nf.Frame | NDArray[np.float64], **settings: Any) -> NDArray[Any]:
+        """From the view to the panel."""
+        return self.headset.lens.warp(picture, inverse=True, output_fov=self.headset.panel_fov, **settings)
+
+    @functools.cached_property
+    def places(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:
+        """Row and column of the fine picture that each pixel of the panel shows (H, W), and whether it shows one."""
+        width, height = self.fine_size
+        rows, columns = np.mgrid[:height, :width].astype(np.float64)
+        size = self.headset.panel_size
+        places = self.warp(np.stack([rows, columns], axis=-1), fov=self.headset.fov, size=size, fill=-1.0)
+        inside = np.all(places >= 0, axis=-1)
+        at = np.rint(np.where(inside[..., None], places, 0)).astype(np.int64)
+        return at[..., 0], at[..., 1], inside
 
     def scores(self, number: int, levels: Levels) -> NDArray[np.float64]:
         """Score of each object (N,) in a view with some levels; NaN for objects that show too little of themselves."""
@@ -94,19 +115,14 @@ class View:
     @staticmethod
     def of(case: Case, camera: nf.Camera, levels: Levels) -> View:
         """Draw a view in fine pixels, warp it so that the lens puts it right, and average it to the panel's pixels."""
-        headset = case.headset
-        width, height = headset.panel_size
-        fine = replace(camera, size=(FINER * headset.size[0], FINER * headset.size[1]))
+        width, height = case.headset.panel_size
+        fine = replace(camera, size=case.fine_size)
         frame = nf.render(case.scene, fine, lod=levels, channels=("color", "object_id"))
-        warp = functools.partial(headset.lens.warp, inverse=True, output_fov=headset.panel_fov)
-        color = warp(frame, size=(FINER * width, FINER * height))
+        color = case.warp(frame, size=(FINER * width, FINER * height))
         color = color.reshape(height, FINER, width, FINER, 3).mean(axis=(1, 3))
-        rows, columns = np.mgrid[: fine.height, : fine.width].astype(np.float64)
-        places = warp(np.stack([rows, columns], axis=-1), fov=headset.fov, size=headset.panel_size, fill=-1.0)
-        inside = np.all(places >= 0, axis=-1)
-        at = np.rint(np.where(inside[..., None], places, 0)).astype(np.int64)
-        objects = np.where(inside, np.asarray(frame.object_id)[at[..., 0], at[..., 1]], -1)
-        return View(np.rint(255 * to_srgb(color)) @ LUMA, objects.astype(np.int32))
+        rows, columns, inside = case.places
+        objects = np.where(inside, np.asarray(frame.object_id)[rows, columns], -1)
+        return View(_core.encode_srgb(color).reshape(color.shape) @ LUMA, objects.astype(np.int32))
 
 
 def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:
