@@ -90,7 +90,8 @@ def promises(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: str
             chosen = how.select(models, *case.spheres[1:], camera=case.counting(camera, mode), full=True)
             reached = case.scores(number, chosen.level)
             scored = np.isfinite(reached) & (chosen.level >= 0)
-            kept.append(reached[scored] >= chosen.threshold[scored])
+            # Of objects at level 0 by a limit no threshold is known.
+            kept.append((reached[scored] >= chosen.threshold[scored]) | (chosen.level[scored] == 0))
             way = case.crowd.centers[scored] - camera.position
             ahead = -way @ rotation(camera.orientation)[:, 2] / np.linalg.norm(way, axis=1)
             degrees.append(np.degrees(np.arccos(np.clip(ahead, -1, 1))))
