@@ -134,11 +134,13 @@ def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
     notes = []
     for factor in (2, 20):
         ours = functools.partial(select, budget=factor * coarsest)
-        spent = ours().spent
-        if spent is None:
+        before = ours()
+        if (spent := before.spent) is None:
             raise RuntimeError("expected a budget that is spent")
         theirs = functools.partial(budget_by_numpy, made, index, sizes, factor * coarsest)
+        again = functools.partial(ours, previous=before.level, price=spent.price, hysteresis=0.1)
         cases.append(Case(f"{OURS}, {factor} x the coarsest levels", ours, peer=False))
+        cases.append(Case(f"{OURS}, {factor} x, the frame after", again, peer=False))
         cases.append(Case(f"NumPy, sorted steps, {factor} x", theirs))
         notes.append(f"{factor} x: {spent}, NumPy's mean score {theirs()[1]:.6f}")
     text = compare(f"Budgets for 10⁶ objects, {title}", cases, work=Work(bytes=BYTES * COUNT), repeat=3)

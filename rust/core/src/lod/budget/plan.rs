@@ -87,8 +87,8 @@ impl Plan<'_> {
         least
     }
 
-    /// The steps of some objects in some classes, in the order in which they are tried.
-    fn steps(&self, objects: Vec<u32>, classes: RangeInclusive<u16>) -> Vec<Step> {
+    /// The wanted steps of some objects in some classes, in the order in which they are tried.
+    fn steps(&self, objects: Vec<u32>, classes: RangeInclusive<u16>, is_wanted: impl Fn(&Step) -> bool) -> Vec<Step> {
         let (mut steps, mut room) = (Vec::new(), Room::default());
         let order = self.rater.order(objects.into_iter());
         for (ladder, objects) in self.rater.blocks(&order) {
@@ -97,6 +97,7 @@ impl Plan<'_> {
                 edges(&block, lane, classes.clone(), &mut steps);
             }
         }
+        steps.retain(is_wanted);
         // Bits of numbers of at least 0 are in the order of the numbers.
         steps.sort_unstable_by_key(|step| (Reverse(step.slope.to_bits()), step.object, Reverse(step.to)));
         steps
@@ -104,18 +105,16 @@ impl Plan<'_> {
 
     /// All steps of some classes.
     fn between(&self, least: u16, most: u16) -> Vec<Step> {
-        self.steps(self.ratings.between(self.rater, least, most), least..=most)
+        self.steps(self.ratings.between(self.rater, least, most), least..=most, |_| true)
     }
 
     /// Steps of a class that are worth more than a slope, and those down to it that lead no further than the levels of
     /// the frame before.
     fn regained(&self, own: u16, slope: f64, before: &[i32]) -> Vec<Step> {
-        let mut steps = self.steps(self.ratings.behind(self.rater, own, before), NEVER + 1..=own);
-        steps.retain(|step| {
+        self.steps(self.ratings.behind(self.rater, own, before), NEVER + 1..=own, |step| {
             let level = self.rater.ladder(step.object).level[usize::from(step.to)];
             step.slope > slope || (0..=level).contains(&before[step.object as usize])
-        });
-        steps
+        })
     }
 
     /// Tries steps from a class on, more each time, until little enough is left.
