@@ -75,10 +75,11 @@ def test_large_scenes_that_stand_still_keep_all_levels() -> None:
     scene = crowd(60_000, 8)
     first = nf.lod.select(*scene, camera=VIEW, budget=30_000_000)
     assert first.spent is not None
-    again = nf.lod.select(
-        *scene, camera=VIEW, budget=30_000_000, previous=first.level, price=first.spent.price, hysteresis=0.1
-    )
-    assert np.array_equal(again.level, first.level)
+    for previous in (first.level, None):
+        again = nf.lod.select(
+            *scene, camera=VIEW, budget=30_000_000, previous=previous, price=first.spent.price, hysteresis=0.1
+        )
+        assert np.array_equal(again.level, first.level)
 
 
 def test_what_a_kept_price_leaves_goes_to_the_levels_before() -> None:
