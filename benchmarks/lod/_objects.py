@@ -19,6 +19,7 @@ from benchmarks.lod import _printed_turns
 from benchmarks.lod._dense import densified
 from benchmarks.lod._printed_turns import PrintedTurn
 from nearfar._base import data
+from nearfar.lod._select.kernel_inputs import on_panel
 
 RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003, 0.0015, 0.0007, 0.0003)
 
@@ -55,10 +56,7 @@ class Headset:
     @property
     def panel_fov(self) -> nf.Fov:
         """Tangents of the part of the panel that the lens spreads over the view."""
-        x, y = (
-            float(self.fov.right * self.lens.undistort(side / self.fov.right)) for side in (self.fov.right, self.fov.up)
-        )
-        return nf.Fov(-x, x, -y, y)
+        return nf.Fov(*on_panel(self.fov, self.lens, self.fov.right))
 
     def camera(self, yaw: float = 0.0, *, position: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> nf.Camera:
         """Turned to the left by an angle in radians."""
@@ -66,15 +64,27 @@ class Headset:
         return nf.Camera(position, turned, fov=self.fov, size=self.size)
 
 
+def _panel(hmd: nf.Hmd) -> tuple[int, int]:
+    """Pixels of a panel that a profile states."""
+    if hmd.panel_size is None:
+        raise RuntimeError(f"expected a profile with the pixels of the panel: {hmd.name}")
+    return hmd.panel_size
+
+
 RIFT_S = Headset(
-    "Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), nf.hmd.RIFT_S.render_size, (1280, 1440), _printed_turns.RIFT_S
+    "Rift S",
+    (87, 90),
+    nf.RadialLens((0.22, 0.24)),
+    nf.hmd.RIFT_S.render_size,
+    _panel(nf.hmd.RIFT_S),
+    _printed_turns.RIFT_S,
 )
 VIVE_PRO = Headset(
     "Vive Pro",
     (95, 95),
     nf.RadialLens((0.2063, 0.0576)),
     nf.hmd.VIVE_PRO.render_size,
-    (1440, 1600),
+    _panel(nf.hmd.VIVE_PRO),
     _printed_turns.VIVE_PRO,
 )
 

@@ -111,12 +111,12 @@ def eye_of(camera: Camera, gaze: tuple[float, float, float] | None, panel: tuple
     """
     fov = _fov_of(camera)
     pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
-    sides = fov._sides if panel is None else _on_panel(fov, *panel)
+    sides = fov._sides if panel is None else on_panel(fov, *panel)
     pixel = math.sqrt(pixel_area(sides, camera.size))
     return camera.position, camera.orientation, fov._sides, gaze, math.degrees(math.atan(pitch)), pixel
 
 
-def _on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Four:
+def on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Four:
     """The sides of the part of the panel that shows a view; a view that reaches beyond the fold ends there."""
     radii = lens.undistort(np.array(fov._sides) / tan_omega, outside="nan")
     left, right, down, up = tan_omega * np.where(np.isnan(radii), np.copysign(lens.r_max, fov._sides), radii)
