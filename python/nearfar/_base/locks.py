@@ -1,45 +1,62 @@
-"""Locks of folders that one process writes at a time."""
+"""Locks between processes: files that one process holds at a time, on every system."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-try:
-    import fcntl
-except ImportError:  # Windows, where nothing is locked
-    fcntl = None  # type: ignore[assignment]
+from filelock import FileLock, Timeout
 
 
 @contextmanager
-def alone(path: Path, deed: str | None) -> Iterator[None]:
-    """Hold a lock file; the system frees it when the process ends, however it does.
+def hold(path: Path, other_task: str | None) -> Iterator[None]:
+    """Hold a lock file; the system frees it when the process ends, even if it is killed.
+
+    On a file system without locks the lock is the existence of the file, which names the process that made it. If that
+    process has ended, the next one on the same machine removes the file.
 
     Parameters
     ----------
     path
-        The lock file, which stays. Its folder is made.
-    deed
+        The lock file. Its folder is made.
+    other_task
         What another holder does, such as "another build writes into world.zarr"; None waits for its end.
 
     Raises
     ------
     BlockingIOError
-        Another process holds it, and `deed` is given.
+        Another process holds it, and `other_task` is given.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    lock = os.open(path, os.O_CREAT | os.O_RDWR, 0o666)
+    lock = _lock(path)
     try:
-        if fcntl is not None:
-            try:
-                fcntl.flock(lock, fcntl.LOCK_EX | (fcntl.LOCK_NB if deed else 0))
-            except BlockingIOError:
-                raise BlockingIOError(f"{path}: {deed}") from None
-            except OSError:
-                pass  # some network file systems have no locks
+        lock.acquire(blocking=other_task is None)
+    except Timeout:
+        raise BlockingIOError(f"{path}: {other_task}") from None
+    try:
         yield
     finally:
-        with suppress(OSError):
-            os.close(lock)
+        lock.release()
+
+
+def try_hold(path: Path) -> FileLock | None:
+    """Hold a lock file until `remove`; None if another process holds it."""
+    lock = _lock(path)
+    try:
+        lock.acquire(blocking=False)
+    except Timeout:
+        return None
+    return lock
+
+
+def remove(lock: FileLock) -> None:
+    """Release a lock for which nobody waits, and remove its file."""
+    lock.release()
+    with suppress(OSError):
+        Path(lock.lock_file).unlink(missing_ok=True)
+
+
+def _lock(path: Path) -> FileLock:
+    # Several users may build into one folder.
+    return FileLock(path, mode=0o666)

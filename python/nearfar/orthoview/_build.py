@@ -138,7 +138,7 @@ def build(
     count = _count(directions, world, grid, target)
     layout = begin(grid, directions_of(count), *numbers, SUBTREE)
     _store.begin(target, layout)
-    with locks.alone(target / FOLDER / "lock", f"another build writes into {target}"):
+    with locks.hold(target / FOLDER / "lock", f"another build writes into {target}"):
         outcome = _built(world, target, layout, cluster)
         _store.end(target, failed=outcome.failed, done=outcome.counts)
     return OrthoTree(target)

@@ -68,7 +68,7 @@ class Leaves:
 
     def _subtree(self, place: Place) -> Outcome:
         """Build a subtree of leaves. A worker that was taken for lost may be at it still: wait for its end."""
-        with locks.alone(self.folder / FOLDER / LOCKS / _store.name_of(place), None):
+        with locks.hold(self.folder / FOLDER / LOCKS / _store.name_of(place), None):
             return Subtree(self.layout, self.folder, 0, place, self).run()
 
     def base(self, tier: int, place: Place) -> Outcome:

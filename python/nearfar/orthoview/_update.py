@@ -30,7 +30,7 @@ from nearfar.orthoview._subtree import Outcome
 
 def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
     """Write a new generation in which a box of the world is as a source has it now; `OrthoTree.update` tells more."""
-    with locks.alone(path / FOLDER / "lock", f"another build writes into {path}"):
+    with locks.hold(path / FOLDER / "lock", f"another build writes into {path}"):
         store = Local(path)
         attributes = _store.read(store)
         if not attributes["complete"]:
