@@ -11,6 +11,7 @@ from hypothesis import HealthCheck, settings
 
 from tests.support import PARTS, marks, need, required
 from tests.support.browser import started
+from tests.support.skips import untested
 
 # No deadline, because other work on the machine would decide the result. The thorough profile is for `make stress`.
 settings.register_profile("fast", deadline=None, max_examples=50, suppress_health_check=[HealthCheck.too_slow])
@@ -31,6 +32,13 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     """Tell `need` which marks the test has."""
     marks.clear()
     marks.update(mark.name for mark in item.iter_markers())
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say in one line what was not tested."""
+    reasons = [report.longrepr[2] for report in terminalreporter.stats.get("skipped", ())]
+    if line := untested(reasons):
+        terminalreporter.line(line)
 
 
 @pytest.fixture(autouse=True)

@@ -12,7 +12,8 @@ from PIL import Image
 from benchmarks.harness import compare
 from benchmarks.harness.compare import Case, Comparison, Limits, Result, Work
 from benchmarks.harness.timing import Timing
-from tests.support import need
+from tests.support import PARTS, need
+from tests.support.skips import INSTALLERS, untested
 
 
 def test_cases_are_timed_and_compared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -62,3 +63,13 @@ def test_limits_are_of_what_takes_longer() -> None:
     assert here.seconds(Work(multiply_adds=1000, bytes=10)) == 10
     assert here.seconds(Work(multiply_adds=1000, double=True)) == 20
     assert here.seconds(Work(multiply_adds=10, bytes=1000)) == 100
+
+
+def test_skipped_tests_are_counted_by_what_they_need() -> None:
+    reasons = ["Skipped: vulkan: no adapter", "Skipped: vulkan: no adapter", "Skipped: data: none", "Skipped: rare"]
+    assert untested([]) == ""
+    assert untested(reasons) == (
+        "not tested: 4, which need vulkan (2), data (1), rare (1); "
+        "to test them: sudo scripts/system-packages.sh, NEARFAR_DATA=FOLDER, make setup"
+    )
+    assert set().union(*INSTALLERS.values()) <= PARTS.keys()
