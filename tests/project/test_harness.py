@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from benchmarks.harness import compare, timing
+from benchmarks.harness import compare
 from benchmarks.harness.compare import Case, Comparison, Limits, Result, Work
 from benchmarks.harness.timing import Timing
 from tests.support import PARTS, need
@@ -22,7 +22,7 @@ def test_cases_are_timed_and_compared(tmp_path: Path, monkeypatch: pytest.Monkey
     calls: list[str] = []
     clock = [0.0]
     clocks = SimpleNamespace(perf_counter=lambda: clock[0], process_time=lambda: clock[0])
-    monkeypatch.setattr(timing, "time", clocks)
+    monkeypatch.setattr(compare, "time", clocks)
 
     def job(name: str, seconds: float, value: float) -> Case:
         def run() -> float:
