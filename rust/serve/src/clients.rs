@@ -1,8 +1,10 @@
-//! Clients by their addresses, and how many connections each has.
+//! Clients by their addresses, and places for their connections.
 
 use std::collections::HashMap;
 use std::net::{IpAddr, Ipv6Addr};
 use std::sync::{Arc, Mutex, PoisonError};
+
+use tokio::sync::{AcquireError, OwnedSemaphorePermit, Semaphore};
 
 /// Connections by the addresses of clients, or all else that clients have so many of.
 #[derive(Debug, Default)]
@@ -56,6 +58,46 @@ impl Drop for Entered {
                 counts.remove(&self.client);
             }
         }
+    }
+}
+
+/// Places among the connections, of all clients and of each.
+#[derive(Clone)]
+pub struct Gate {
+    open: Arc<Semaphore>,
+    all: usize,
+    clients: Arc<Clients>,
+    per_client: usize,
+}
+
+/// A connection's place among the connections.
+pub type Entry = (Entered, OwnedSemaphorePermit);
+
+impl Gate {
+    /// Places for all clients and for each, all of them free.
+    pub fn new(all: usize, per_client: usize) -> Self {
+        Gate { open: Arc::new(Semaphore::new(all)), all, clients: Arc::default(), per_client }
+    }
+
+    /// Wait for a place.
+    pub async fn wait(&self) -> Result<OwnedSemaphorePermit, AcquireError> {
+        Arc::clone(&self.open).acquire_owned().await
+    }
+
+    /// Wait until nobody has a place.
+    pub async fn empty(&self) {
+        let _all = self.open.acquire_many(u32::try_from(self.all).unwrap_or(u32::MAX)).await;
+    }
+
+    /// A place for a client's connection, if there is one now.
+    pub fn enter(&self, client: IpAddr) -> Option<Entry> {
+        let place = Arc::clone(&self.open).try_acquire_owned().ok()?;
+        self.enter_at(client, place)
+    }
+
+    /// The same for a place that was waited for.
+    pub fn enter_at(&self, client: IpAddr, place: OwnedSemaphorePermit) -> Option<Entry> {
+        Some((Clients::enter(&self.clients, counted(client), self.per_client)?, place))
     }
 }
 

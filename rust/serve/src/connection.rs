@@ -23,9 +23,9 @@ use tokio_rustls::TlsAcceptor;
 use tokio_rustls::server::TlsStream;
 
 use crate::flow::Flow;
+use crate::limits::Limits;
 use crate::rooms::{self, Entering, Session};
 use crate::router::Router;
-use crate::server::Limits;
 use crate::{record, respond};
 
 /// First byte of a connection that is encrypted: the handshake's record.

@@ -3,27 +3,32 @@
 //! Nothing here knows Python; a binding gives what makes regions.
 
 mod clients;
-mod connection;
-pub mod demand;
-mod file;
 mod flow;
+mod limits;
 pub mod log;
-mod metrics;
 mod open;
+mod file;
 mod packed;
-mod quic;
+mod pinned;
 mod ranges;
-mod record;
-mod regions;
-mod respond;
-pub mod rooms;
-mod router;
-mod server;
-pub mod site;
 pub mod tls;
+pub mod demand;
+pub mod site;
+mod respond;
+mod regions;
+mod webtransport;
+pub mod rooms;
+mod metrics;
+mod offer;
+mod router;
+mod record;
+mod connection;
+mod quic;
+mod server;
 
 pub use axum::http::{HeaderName, HeaderValue};
-#[cfg(fuzzing)]
-pub use quic::trial as session_trial;
+pub use limits::Limits;
 pub use router::{Answering, Router};
-pub use server::{Limits, Server, Settings};
+pub use server::{Server, Settings};
+#[cfg(fuzzing)]
+pub use webtransport::trial as session_trial;

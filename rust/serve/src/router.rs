@@ -11,8 +11,8 @@ use axum::http::{Method, Request, Response, StatusCode};
 use percent_encoding::percent_decode_str;
 
 use crate::metrics::{self, Metrics};
+use crate::offer::Offer;
 use crate::packed::Packed;
-use crate::quic::Offer;
 use crate::respond::Asked;
 use crate::rooms::door::Door;
 use crate::rooms::{Datagrams, Entering, Rooms};

@@ -1,18 +1,20 @@
 //! Listens, and keeps connections within their limits until the server ends.
 
 use std::io;
-use std::net::{IpAddr, SocketAddr};
+use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
 use tokio::net::{TcpListener, TcpStream};
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot, watch};
+use tokio::sync::{OwnedSemaphorePermit, oneshot, watch};
 use tokio_rustls::TlsAcceptor;
 
-use crate::clients::{Clients, Entered, counted};
+use crate::clients::Gate;
 use crate::connection::{self, Shared};
+use crate::limits::Limits;
+use crate::offer::Offer;
 use crate::quic;
 use crate::rooms::{self, Datagrams};
 use crate::router::Router;
@@ -22,38 +24,6 @@ use crate::tls::Current;
 const PAUSE: Duration = Duration::from_millis(100);
 /// Time between two looks at the files of a certificate.
 const LOOK: Duration = Duration::from_secs(60);
-
-/// How long and how many connections are kept.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// Connections at the same time; others wait until one ends.
-    pub connections: usize,
-    /// Connections of one client at the same time; more are closed at once. Programs on this machine, such as a proxy,
-    /// may have all.
-    pub per_client: usize,
-    /// Time for a handshake, for the headers of a request, and between two requests.
-    pub headers: Duration,
-    /// Time in which a client takes no byte of an answer.
-    pub silence: Duration,
-    /// Bytes of a request's headers.
-    pub header_bytes: usize,
-    /// Time that answers get to end when the server does.
-    pub grace: Duration,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        let seconds = Duration::from_secs;
-        Limits {
-            connections: 1024,
-            per_client: 256,
-            headers: seconds(30),
-            silence: seconds(60),
-            header_bytes: 1 << 15,
-            grace: seconds(3),
-        }
-    }
-}
 
 /// Where and how a server listens.
 pub struct Settings {
@@ -138,35 +108,6 @@ impl Drop for Server {
     }
 }
 
-/// Places among the connections, of all clients and of each.
-#[derive(Clone)]
-pub struct Gate {
-    open: Arc<Semaphore>,
-    clients: Arc<Clients>,
-    per_client: usize,
-}
-
-/// A connection's place among the connections.
-pub type Entry = (Entered, OwnedSemaphorePermit);
-
-impl Gate {
-    fn new(limits: Limits) -> Self {
-        let (open, clients) = (Arc::new(Semaphore::new(limits.connections)), Arc::default());
-        Gate { open, clients, per_client: limits.per_client }
-    }
-
-    /// A place for a client's connection, if there is one now.
-    pub fn enter(&self, client: IpAddr) -> Option<Entry> {
-        let place = Arc::clone(&self.open).try_acquire_owned().ok()?;
-        self.enter_at(client, place)
-    }
-
-    /// The same for a place that was waited for.
-    fn enter_at(&self, client: IpAddr, place: OwnedSemaphorePermit) -> Option<Entry> {
-        Some((Clients::enter(&self.clients, counted(client), self.per_client)?, place))
-    }
-}
-
 async fn listen(
     listener: TcpListener,
     quic: Option<Arc<quic::Listener>>,
@@ -174,13 +115,13 @@ async fn listen(
     mut ended: oneshot::Receiver<()>,
 ) {
     let limits = shared.limits;
-    let (gate, (ending, ends)) = (Gate::new(limits), watch::channel(()));
+    let (gate, (ending, ends)) = (Gate::new(limits.connections, limits.per_client), watch::channel(()));
     if let Some(quic) = &quic {
         tokio::spawn(Arc::clone(quic).listen(Arc::clone(&shared), gate.clone(), ends.clone()));
     }
     loop {
         let accepted = tokio::select! {
-            accepted = next(&listener, &gate.open) => accepted,
+            accepted = next(&listener, &gate) => accepted,
             _ = &mut ended => break,
         };
         let (stream, address, place) = match accepted {
@@ -209,9 +150,7 @@ async fn listen(
     drop(listener);
     let _ = ending.send(());
     let finished = async {
-        // Each connection has a place until it ends.
-        let all = u32::try_from(limits.connections).unwrap_or(u32::MAX);
-        let _all = gate.open.acquire_many(all).await;
+        gate.empty().await;
         if let Some(quic) = quic {
             quic.finish().await;
         }
@@ -220,11 +159,8 @@ async fn listen(
 }
 
 /// Wait for a place among the connections, then for one.
-async fn next(
-    listener: &TcpListener,
-    open: &Arc<Semaphore>,
-) -> io::Result<(TcpStream, SocketAddr, OwnedSemaphorePermit)> {
-    let place = Arc::clone(open).acquire_owned().await.map_err(io::Error::other)?;
+async fn next(listener: &TcpListener, gate: &Gate) -> io::Result<(TcpStream, SocketAddr, OwnedSemaphorePermit)> {
+    let place = gate.wait().await.map_err(io::Error::other)?;
     let (stream, address) = listener.accept().await?;
     Ok((stream, address, place))
 }
@@ -234,7 +170,7 @@ fn datagrams(
     address: SocketAddr,
     limits: rooms::Limits,
     current: Option<&Arc<Current>>,
-) -> Option<(quic::Listener, quic::Offer)> {
+) -> Option<(quic::Listener, Offer)> {
     let bound = quic::Listener::bind(address, limits, current);
     bound.inspect_err(|error| tracing::warn!(%error, "rooms have no datagrams")).ok()
 }

@@ -7,7 +7,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use bytes::Bytes;
 use tokio::sync::watch;
 
-use super::{Part, Place};
+use super::maker::Part;
+use super::place::Place;
 
 /// How the work on a region ended.
 #[derive(Clone, Debug, PartialEq)]

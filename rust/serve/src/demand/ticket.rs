@@ -6,8 +6,8 @@ use std::sync::Arc;
 use bytes::Bytes;
 use tokio::sync::watch;
 
-use super::Place;
 use super::cache::Whole;
+use super::place::Place;
 use super::region::{Outcome, Region};
 use super::workers::Shared;
 

@@ -1,13 +1,6 @@
 //! Listens for sessions of WebTransport, over QUIC, and keeps them within the limits of connections.
 
-mod fields;
 mod greeters;
-mod pinned;
-pub mod session;
-#[cfg(any(test, fuzzing))]
-#[path = "tests/trial.rs"]
-pub mod trial;
-mod wire;
 
 #[cfg(test)]
 mod tests;
@@ -26,14 +19,15 @@ use rustls::server::ResolvesServerCert;
 use time::OffsetDateTime;
 use tokio::time::{Instant, timeout_at};
 
+use crate::clients::Gate;
 use crate::connection::{Ends, Shared, watched};
-use crate::rooms::{self, Datagrams, Limits, Session};
+use crate::offer::Offer;
+use crate::pinned::Pinned;
+use crate::rooms::{self, Limits, Session};
 use crate::router;
-use crate::server::Gate;
 use crate::tls::Current;
+use crate::webtransport::session::{self, Asking, Broken, Link};
 use greeters::{Found, GREETINGS, Greeters};
-use pinned::Pinned;
-use session::{Asking, Broken, Link};
 
 /// Ports that are tried after that of TCP; then any that is free.
 const PORTS: u16 = 16;
@@ -56,24 +50,6 @@ pub struct Listener {
     /// The port of HTTP, by which pages name their origin.
     port: u16,
     limits: Limits,
-}
-
-/// Where sessions are taken, as pages are told.
-pub struct Offer {
-    port: u16,
-    pinned: Option<Arc<Pinned>>,
-}
-
-impl Offer {
-    /// Tell pages of it.
-    pub fn told(&self) -> Datagrams {
-        Datagrams { port: self.port, hashes: self.pinned.iter().map(|pinned| pinned.hash()).collect() }
-    }
-
-    /// Make the next certificate if it is time.
-    pub fn refresh(&self) -> Result<(), String> {
-        self.pinned.as_ref().map_or(Ok(()), |pinned| pinned.refresh(OffsetDateTime::now_utc()))
-    }
 }
 
 impl Listener {

@@ -13,10 +13,10 @@ use rustls::pki_types::CertificateDer;
 use tokio::time::timeout;
 
 use super::greeters::GREETINGS;
-use super::{session, trial};
 use crate::Server;
 use crate::rooms::Limits;
 use crate::rooms::tests::support::{HANGS, HOURS, Numbers, answering, limits, start_within};
+use crate::webtransport::{session, trial, wire};
 
 /// A server whose certificate an authority has signed, and a client that trusts it.
 struct Bench {
@@ -98,7 +98,7 @@ fn request(path: &str, origin: &str) -> Vec<u8> {
         body.extend_from_slice(origin.as_bytes());
     }
     let mut bytes = Vec::new();
-    super::wire::put_frame(&mut bytes, super::wire::frame::HEADERS, &body);
+    wire::put_frame(&mut bytes, wire::frame::HEADERS, &body);
     bytes
 }
 

@@ -14,8 +14,9 @@ use tokio::time::{Instant, Sleep, interval, sleep_until, timeout, timeout_at};
 use super::frame::{FromServer, HEAD};
 use super::outbox::{Part, Taken};
 use super::reason::{End, Reason, gone};
-use super::session::{READ, ROW, Session};
-use crate::quic::session::{Link, datagram, payload};
+use super::session::Session;
+use crate::limits::{READ, ROW};
+use crate::webtransport::session::{Link, datagram, payload};
 
 /// Most bytes of a datagram's frames; few networks take larger packets.
 pub const DATAGRAM: usize = 1200;

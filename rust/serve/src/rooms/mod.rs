@@ -35,6 +35,6 @@ pub use hub::Rooms;
 pub(crate) use hub::ending;
 pub use limits::Limits;
 pub use reason::Reason;
-pub(crate) use session::{Entering, READ, ROW, Session};
+pub(crate) use session::{Entering, Session};
 pub(crate) use socket::serve;
 pub use token::{Key, Number};

@@ -19,10 +19,6 @@ const BURST: usize = 4;
 const AROUND: usize = HEAD + 2 + 1;
 /// Bytes for which a shorter frame counts.
 const LEAST: usize = 64;
-/// Bytes that are read at once.
-pub const READ: usize = 1 << 12;
-/// Messages, and pieces of a stream, that are read in a row; then other connections have their turn.
-pub const ROW: usize = 16;
 
 /// A connection to a room: without a place in it until the first frame has come.
 pub struct Session {

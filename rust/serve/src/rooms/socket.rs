@@ -17,8 +17,9 @@ use super::frame::{FromServer, HEAD};
 use super::outbox::{Part, Taken};
 use super::pose;
 use super::reason::{End, Reason, gone};
-use super::session::{READ, ROW, Session};
+use super::session::Session;
 use super::tap::Tap;
+use crate::limits::{READ, ROW};
 
 /// One connection.
 struct Socket<S> {

@@ -1,93 +1,48 @@
-//! Clients' requests for regions, and the threads that make them.
+//! Regions that clients wait for, and the work of the threads that make them.
 
 use std::collections::{HashMap, VecDeque};
 use std::net::IpAddr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread::JoinHandle;
 use std::time::Instant;
 
-use super::cache::{Cache, Kept, Whole};
+use super::cache::Cache;
 use super::figures::Figures;
 use super::leftover::Leftover;
+use super::maker::{Maker, Making, Part, Wanted};
+use super::place::Place;
 use super::queue::{Queue, Waiting};
 use super::region::{Outcome, Region};
-use super::ticket::Ticket;
-use super::{Maker, Making, Part, Place, Wanted};
 
-/// Steps of heights, metres: eyes of many heights share regions.
-const HEIGHT_STEP: f64 = 0.125;
-
-/// How much work is taken.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// Threads; the first one makes only first stages, so that a new client never waits for a late stage of others.
-    pub workers: usize,
-    /// Regions that are waited for, at most.
-    pub regions: usize,
-    /// Regions that one client may wait for.
-    pub per_client: usize,
-    /// Bytes of complete regions that stay in memory because the disk does not take them.
-    pub memory: u64,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Limits { workers: 2, regions: 64, per_client: 4, memory: 256 << 20 }
-    }
-}
-
-/// Why a request is not taken.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Refusal {
-    /// The client waits for as many regions as it may.
-    TooManyOfClient(usize),
-    /// As many regions are waited for as may be.
-    TooMany(usize),
-    /// The server ends.
-    Closing,
-}
-
-/// How a request is served.
-pub enum Answer {
-    /// The region is complete.
-    Whole(Whole),
-    /// It is being made.
-    Coming(Ticket),
-}
-
-/// Makes regions for clients.
-pub struct Demand {
-    shared: Arc<Shared>,
-    grid: f64,
-    threads: Mutex<Vec<JoinHandle<()>>>,
-}
-
-pub(super) struct Shared {
+/// State that requests and threads share.
+pub struct Shared {
     maker: Box<dyn Maker>,
-    cache: Option<Cache>,
-    limits: Limits,
+    pub cache: Option<Cache>,
+    /// Bytes of complete regions that stay in memory because the disk does not take them.
+    memory: u64,
     state: Mutex<State>,
     wake: Condvar,
     is_closing: AtomicBool,
 }
 
+/// Regions that are waited for, and complete ones that are in memory.
 #[derive(Default)]
-struct State {
-    entries: HashMap<String, Entry>,
+pub struct State {
+    /// By place.
+    pub entries: HashMap<String, Entry>,
     queue: Queue<Work, IpAddr>,
     /// Complete regions that the disk did not take, oldest first.
-    in_memory: VecDeque<Arc<Region>>,
-    leftover: Leftover,
+    pub in_memory: VecDeque<Arc<Region>>,
+    pub leftover: Leftover,
     requests: u64,
-    figures: Figures,
+    pub figures: Figures,
 }
 
 /// A region that is waited for.
-struct Entry {
-    region: Arc<Region>,
-    clients: Vec<IpAddr>,
+pub struct Entry {
+    pub region: Arc<Region>,
+    pub clients: Vec<IpAddr>,
 }
 
 struct Work {
@@ -95,125 +50,9 @@ struct Work {
     making: Option<Box<dyn Making>>,
 }
 
-impl Demand {
-    /// Start the threads. Places move to a horizontal grid with a spacing in metres.
-    pub fn start(maker: Box<dyn Maker>, grid: f64, cache: Option<Cache>, limits: Limits) -> std::io::Result<Self> {
-        let shared = Arc::new(Shared {
-            maker,
-            cache,
-            limits,
-            state: Mutex::default(),
-            wake: Condvar::new(),
-            is_closing: AtomicBool::new(false),
-        });
-        let demand = Demand { shared, grid, threads: Mutex::default() };
-        for number in 0..limits.workers.max(1) {
-            let shared = Arc::clone(&demand.shared);
-            let last_stage = if number == 0 && limits.workers > 1 { 0 } else { u8::MAX };
-            let thread = std::thread::Builder::new().name(format!("nearfar maker {number}"));
-            let started = thread.spawn(move || shared.work(last_stage))?;
-            demand.threads.lock().unwrap_or_else(PoisonError::into_inner).push(started);
-        }
-        Ok(demand)
-    }
-
-    /// The place whose region serves a place (`nf.stream.snap`, of heights too).
-    fn snapped(&self, Place([x, y, z]): Place) -> Place {
-        let nearest = |value: f64, step: f64| step * (value / step).round_ties_even();
-        Place([nearest(x, self.grid), nearest(y, HEIGHT_STEP), nearest(z, self.grid)])
-    }
-
-    /// Ask for the region of a place.
-    pub fn ask(&self, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
-        let place = self.snapped(place);
-        let key = place.to_string();
-        let kept = self.shared.cache.as_ref().and_then(|cache| cache.find(&key));
-        let limits = self.shared.limits;
-        let mut state = self.shared.state();
-        if let Some(manifest) = kept {
-            state.figures.found += 1;
-            return Ok(Answer::Whole(Whole::Manifest(manifest)));
-        }
-        if self.shared.is_closing() {
-            return Err(Refusal::Closing);
-        }
-        if let Some(region) = state.in_memory.iter().find(|region| region.place == place).cloned() {
-            state.figures.found += 1;
-            return Ok(Answer::Whole(Whole::InMemory(region)));
-        }
-        let own = state.entries.values().filter(|entry| entry.clients.contains(&client)).count();
-        let is_new = !state.entries.contains_key(&key);
-        if is_new && own >= limits.per_client {
-            state.figures.refused += 1;
-            return Err(Refusal::TooManyOfClient(limits.per_client));
-        }
-        if is_new && state.entries.len() >= limits.regions {
-            state.figures.refused += 1;
-            return Err(Refusal::TooMany(limits.regions));
-        }
-        let region = state.add(client, key, place);
-        drop(state);
-        self.shared.wake.notify_all();
-        Ok(Answer::Coming(Ticket::new(Arc::clone(&self.shared), region, client)))
-    }
-
-    /// The content of a file of a region that is being made or complete.
-    pub fn file(&self, name: &str) -> Option<Kept> {
-        let state = self.shared.state();
-        let in_memory = state.entries.values().map(|entry| &entry.region).chain(&state.in_memory);
-        let found = in_memory.filter_map(|region| region.file(name)).next().or_else(|| state.leftover.file(name));
-        drop(state);
-        found.map(Kept::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
-    }
-
-    /// The tileset of a region on disk, by its manifest.
-    pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
-        self.shared.cache.as_ref()?.tileset(manifest)
-    }
-
-    /// Regions that are waited for.
-    pub fn waiting(&self) -> usize {
-        self.shared.state().entries.len()
-    }
-
-    /// Counts of what became of requests, and what is there.
-    pub fn figures(&self) -> Figures {
-        let mut figures = self.shared.state().figures;
-        figures.waiting = self.waiting() as u64;
-        figures.cached_bytes = self.shared.cache.as_ref().map_or(0, Cache::bytes);
-        figures
-    }
-
-    /// Take no more requests, stop the work and wait until it has stopped.
-    pub fn close(&self) {
-        // With the lock: a thread that has looked and not yet waits would never hear of it.
-        let state = self.shared.state();
-        self.shared.is_closing.store(true, Ordering::Release);
-        drop(state);
-        self.shared.wake.notify_all();
-        let threads = std::mem::take(&mut *self.threads.lock().unwrap_or_else(PoisonError::into_inner));
-        for thread in threads {
-            // A maker's panic is caught where it happens.
-            let _ = thread.join();
-        }
-        if let Some(cache) = &self.shared.cache {
-            cache.close();
-        }
-        for entry in self.shared.state().entries.values() {
-            entry.region.end(Outcome::Failed("the server ends".into()));
-        }
-    }
-}
-
-impl Drop for Demand {
-    fn drop(&mut self) {
-        self.close();
-    }
-}
-
 impl State {
     /// Note that a client waits for a region, which begins to be made if it was not.
-    fn add(&mut self, client: IpAddr, key: String, place: Place) -> Arc<Region> {
+    pub fn add(&mut self, client: IpAddr, key: String, place: Place) -> Arc<Region> {
         if let Some(entry) = self.entries.get_mut(&key) {
             entry.clients.push(client);
             self.figures.shared += 1;
@@ -259,13 +98,24 @@ impl State {
 }
 
 impl Shared {
+    pub fn new(maker: Box<dyn Maker>, cache: Option<Cache>, memory: u64) -> Self {
+        Shared {
+            maker,
+            cache,
+            memory,
+            state: Mutex::default(),
+            wake: Condvar::new(),
+            is_closing: AtomicBool::new(false),
+        }
+    }
+
     /// Number of regions that are worked on before one that waits.
-    pub(super) fn before(&self, region: &Arc<Region>) -> Option<usize> {
+    pub fn before(&self, region: &Arc<Region>) -> Option<usize> {
         self.state().queue.before(|work| Arc::ptr_eq(&work.region, region))
     }
 
     /// A client waits no more for a region.
-    pub(super) fn leave(&self, client: IpAddr, region: &Arc<Region>) {
+    pub fn leave(&self, client: IpAddr, region: &Arc<Region>) {
         let mut state = self.state();
         let over = state.leave(client, region);
         state.touch_all();
@@ -274,16 +124,30 @@ impl Shared {
         drop(over);
     }
 
-    fn state(&self) -> MutexGuard<'_, State> {
+    pub fn state(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn is_closing(&self) -> bool {
+    pub fn is_closing(&self) -> bool {
         self.is_closing.load(Ordering::Acquire)
     }
 
+    /// Wake the threads, because there is work.
+    pub fn wake(&self) {
+        self.wake.notify_all();
+    }
+
+    /// Tell the threads to end.
+    pub fn close(&self) {
+        // With the lock: a thread that has looked and not yet waits would never hear of it.
+        let state = self.state();
+        self.is_closing.store(true, Ordering::Release);
+        drop(state);
+        self.wake();
+    }
+
     /// Make part after part until the server ends.
-    fn work(self: &Arc<Self>, last_stage: u8) {
+    pub fn work(self: &Arc<Self>, last_stage: u8) {
         while let Some(Waiting { stage: _, number, clients, mut work }) = self.next(last_stage) {
             let started = Instant::now();
             let made = self.step(&mut work);
@@ -316,7 +180,7 @@ impl Shared {
             drop(state);
             // A maker may take its time to end.
             drop(over);
-            self.wake.notify_all();
+            self.wake();
         }
     }
 
@@ -366,7 +230,7 @@ impl Shared {
             let mut state = self.state();
             state.in_memory.push_back(Arc::clone(region));
             let mut held: u64 = state.in_memory.iter().map(|region| region.bytes()).sum();
-            while held > self.limits.memory && state.in_memory.len() > 1 {
+            while held > self.memory && state.in_memory.len() > 1 {
                 held -= state.in_memory.pop_front().map_or(0, |region| region.bytes());
             }
         }
@@ -390,6 +254,3 @@ impl Shared {
         region.end(outcome);
     }
 }
-
-#[cfg(test)]
-mod tests;

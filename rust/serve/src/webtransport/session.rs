@@ -12,7 +12,7 @@ use tokio::time::timeout;
 
 use super::fields::{self, Fields};
 use super::wire::{self, frame};
-use crate::rooms::{READ, ROW};
+use crate::limits::{READ, ROW};
 
 /// Most bytes of a request's head.
 const HEAD: u64 = 1 << 12;

@@ -1,0 +1,170 @@
+//! Clients' requests for regions.
+
+use std::net::IpAddr;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+
+use super::cache::{Cache, Kept, Whole};
+use super::figures::Figures;
+use super::maker::Maker;
+use super::place::Place;
+use super::region::Outcome;
+use super::ticket::Ticket;
+use super::workers::Shared;
+
+/// Steps of heights, metres: eyes of many heights share regions.
+const HEIGHT_STEP: f64 = 0.125;
+
+/// How much work is taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Threads; the first one makes only first stages, so that a new client never waits for a late stage of others.
+    pub workers: usize,
+    /// Regions that are waited for, at most.
+    pub regions: usize,
+    /// Regions that one client may wait for.
+    pub per_client: usize,
+    /// Bytes of complete regions that stay in memory because the disk does not take them.
+    pub memory: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits { workers: 2, regions: 64, per_client: 4, memory: 256 << 20 }
+    }
+}
+
+/// Why a request is not taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refusal {
+    /// The client waits for as many regions as it may.
+    TooManyOfClient(usize),
+    /// As many regions are waited for as may be.
+    TooMany(usize),
+    /// The server ends.
+    Closing,
+}
+
+/// How a request is served.
+pub enum Answer {
+    /// The region is complete.
+    Whole(Whole),
+    /// It is being made.
+    Coming(Ticket),
+}
+
+/// Makes regions for clients.
+pub struct Demand {
+    shared: Arc<Shared>,
+    grid: f64,
+    limits: Limits,
+    threads: Mutex<Vec<JoinHandle<()>>>,
+}
+
+impl Demand {
+    /// Start the threads. Places move to a horizontal grid with a spacing in metres.
+    pub fn start(maker: Box<dyn Maker>, grid: f64, cache: Option<Cache>, limits: Limits) -> std::io::Result<Self> {
+        let shared = Arc::new(Shared::new(maker, cache, limits.memory));
+        let demand = Demand { shared, grid, limits, threads: Mutex::default() };
+        for number in 0..limits.workers.max(1) {
+            let shared = Arc::clone(&demand.shared);
+            let last_stage = if number == 0 && limits.workers > 1 { 0 } else { u8::MAX };
+            let thread = std::thread::Builder::new().name(format!("nearfar maker {number}"));
+            let started = thread.spawn(move || shared.work(last_stage))?;
+            demand.threads.lock().unwrap_or_else(PoisonError::into_inner).push(started);
+        }
+        Ok(demand)
+    }
+
+    /// The place whose region serves a place (`nf.stream.snap`, of heights too).
+    fn snapped(&self, Place([x, y, z]): Place) -> Place {
+        let nearest = |value: f64, step: f64| step * (value / step).round_ties_even();
+        Place([nearest(x, self.grid), nearest(y, HEIGHT_STEP), nearest(z, self.grid)])
+    }
+
+    /// Ask for the region of a place.
+    pub fn ask(&self, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
+        let place = self.snapped(place);
+        let key = place.to_string();
+        let kept = self.shared.cache.as_ref().and_then(|cache| cache.find(&key));
+        let limits = self.limits;
+        let mut state = self.shared.state();
+        if let Some(manifest) = kept {
+            state.figures.found += 1;
+            return Ok(Answer::Whole(Whole::Manifest(manifest)));
+        }
+        if self.shared.is_closing() {
+            return Err(Refusal::Closing);
+        }
+        if let Some(region) = state.in_memory.iter().find(|region| region.place == place).cloned() {
+            state.figures.found += 1;
+            return Ok(Answer::Whole(Whole::InMemory(region)));
+        }
+        let own = state.entries.values().filter(|entry| entry.clients.contains(&client)).count();
+        let is_new = !state.entries.contains_key(&key);
+        if is_new && own >= limits.per_client {
+            state.figures.refused += 1;
+            return Err(Refusal::TooManyOfClient(limits.per_client));
+        }
+        if is_new && state.entries.len() >= limits.regions {
+            state.figures.refused += 1;
+            return Err(Refusal::TooMany(limits.regions));
+        }
+        let region = state.add(client, key, place);
+        drop(state);
+        self.shared.wake();
+        Ok(Answer::Coming(Ticket::new(Arc::clone(&self.shared), region, client)))
+    }
+
+    /// The content of a file of a region that is being made or complete.
+    pub fn file(&self, name: &str) -> Option<Kept> {
+        let state = self.shared.state();
+        let in_memory = state.entries.values().map(|entry| &entry.region).chain(&state.in_memory);
+        let found = in_memory.filter_map(|region| region.file(name)).next().or_else(|| state.leftover.file(name));
+        drop(state);
+        found.map(Kept::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
+    }
+
+    /// The tileset of a region on disk, by its manifest.
+    pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
+        self.shared.cache.as_ref()?.tileset(manifest)
+    }
+
+    /// Regions that are waited for.
+    pub fn waiting(&self) -> usize {
+        self.shared.state().entries.len()
+    }
+
+    /// Counts of what became of requests, and what is there.
+    pub fn figures(&self) -> Figures {
+        let mut figures = self.shared.state().figures;
+        figures.waiting = self.waiting() as u64;
+        figures.cached_bytes = self.shared.cache.as_ref().map_or(0, Cache::bytes);
+        figures
+    }
+
+    /// Take no more requests, stop the work and wait until it has stopped.
+    pub fn close(&self) {
+        self.shared.close();
+        let threads = std::mem::take(&mut *self.threads.lock().unwrap_or_else(PoisonError::into_inner));
+        for thread in threads {
+            // A maker's panic is caught where it happens.
+            let _ = thread.join();
+        }
+        if let Some(cache) = &self.shared.cache {
+            cache.close();
+        }
+        for entry in self.shared.state().entries.values() {
+            entry.region.end(Outcome::Failed("the server ends".into()));
+        }
+    }
+}
+
+impl Drop for Demand {
+    fn drop(&mut self) {
+        self.close();
+    }
+}
+
+#[cfg(test)]
+mod tests;

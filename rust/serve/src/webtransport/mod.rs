@@ -1,0 +1,8 @@
+//! WebTransport over a connection of QUIC: the requests and frames of HTTP/3 that a session needs.
+
+mod fields;
+pub mod session;
+#[cfg(any(test, fuzzing))]
+#[path = "tests/trial.rs"]
+pub mod trial;
+pub mod wire;
