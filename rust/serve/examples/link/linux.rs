@@ -8,7 +8,7 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::Failure;
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
 /// Bytes of a packet, at most.
 const PACKET: usize = 1500;

@@ -7,9 +7,7 @@
 #[cfg(target_os = "linux")]
 mod linux;
 
-type Failure = Box<dyn std::error::Error + Send + Sync>;
-
-fn main() -> Result<(), Failure> {
+fn main() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
     #[cfg(target_os = "linux")]
     return linux::run(&std::env::args().skip(1).collect::<Vec<_>>());
     #[cfg(not(target_os = "linux"))]

@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 
 use nearfar_serve::rooms::frame::{FromServer, FromUser, To};
 
-use crate::Failure;
-use crate::user::pose;
+use crate::failure::Failure;
+use crate::pose::pose;
 use crate::websocket::Socket;
 
 /// Users who misbehave at the same time.

@@ -7,7 +7,7 @@ use wtransport::endpoint::endpoint_side::Client;
 use wtransport::tls::{Sha256Digest, Sha256DigestFmt};
 use wtransport::{ClientConfig, Connection, Endpoint, RecvStream, SendStream};
 
-use crate::Failure;
+use crate::failure::Failure;
 use crate::server::Listens;
 
 /// One session.

@@ -2,8 +2,8 @@
 
 use nearfar_serve::rooms::frame::FromUser;
 
-use crate::Failure;
 use crate::datagrams::Session;
+use crate::failure::Failure;
 use crate::options::{Load, Way};
 use crate::server::Listens;
 use crate::websocket::Socket;

@@ -12,8 +12,10 @@
 
 mod attack;
 mod datagrams;
+mod failure;
 mod line;
 mod options;
+mod pose;
 mod server;
 mod told;
 mod user;
@@ -23,26 +25,16 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use attack::{INTRUDERS, attack};
+use failure::Failure;
 use line::Line;
 use options::Load;
 use server::Process;
 use tokio::sync::Barrier;
-use user::Seen;
+use told::Took;
+use user::{Seen, WARM};
 
-type Failure = Box<dyn std::error::Error + Send + Sync>;
-
-/// Time before anything is counted.
-const WARM: Duration = Duration::from_secs(1);
 /// Times at which the server's memory is looked at.
 const LOOKS: u32 = 10;
-
-/// Figures of the server's process while users are measured.
-struct Took {
-    cpu_seconds: f64,
-    /// Kilobytes of a user, and of the whole process at each look.
-    kilobytes_per_user: f64,
-    kilobytes: Vec<f64>,
-}
 
 fn main() -> Result<(), Failure> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

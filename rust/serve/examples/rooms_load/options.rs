@@ -4,8 +4,8 @@ use std::net::SocketAddr;
 use std::str::FromStr;
 use std::time::Duration;
 
-use crate::Failure;
 use crate::attack::{Attack, NAMES};
+use crate::failure::Failure;
 
 /// Users of a room, if groups are not larger.
 const ROOM: usize = 64;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use nearfar_serve::rooms::{self, Rooms};
 use nearfar_serve::{Answering, Router, Server, Settings};
 
-use crate::Failure;
+use crate::failure::Failure;
 use crate::options::Load;
 
 /// Rooms and connections, at most.

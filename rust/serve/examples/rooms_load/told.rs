@@ -5,9 +5,9 @@ use std::time::Instant;
 use nearfar_serve::rooms::frame::HEAD;
 use serde_json::{Value, json};
 
-use crate::Took;
 use crate::options::Load;
-use crate::user::{Seen, pose};
+use crate::pose::pose;
+use crate::user::Seen;
 
 /// Bytes of `ack` and of `settled`.
 const ACK: usize = HEAD + 6;
@@ -15,6 +15,14 @@ const SETTLED: usize = HEAD + 4;
 /// Bytes that WebSocket adds to a short message of a user and of the server.
 const FROM_USER: usize = 6;
 const FROM_SERVER: usize = 2;
+
+/// Figures of the server's process while users are measured.
+pub struct Took {
+    pub cpu_seconds: f64,
+    /// Kilobytes of a user, and of the whole process at each look.
+    pub kilobytes_per_user: f64,
+    pub kilobytes: Vec<f64>,
+}
 
 /// Figures; times are in milliseconds.
 pub fn figures(load: &Load, seen: &[Seen], took: &Took, (within, bound): (f64, f64)) -> Value {

@@ -10,7 +10,7 @@ use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use tokio_tungstenite::{WebSocketStream, client_async};
 
-use crate::Failure;
+use crate::failure::Failure;
 
 /// One connection, and bytes of its messages with their heads.
 pub struct Socket {

@@ -1,0 +1,3 @@
+//! The error of everything here.
+
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;
