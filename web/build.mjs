@@ -25,7 +25,7 @@ async function page(folder) {
   const { outputFiles } = await build({
     ...common,
     // The page loads the scripts of rooms and of what users do in them where they are named; what they share is more.
-    entryPoints: { page: 'src/page.ts', rooms: 'src/rooms/start.ts', collect: 'src/collect/start.ts' },
+    entryPoints: { page: 'src/page.ts', rooms: 'src/room.ts', collect: 'src/collect/start.ts' },
     outdir: folder,
     splitting: true,
     chunkNames: 'shared-[hash]',

@@ -7,7 +7,7 @@ import { readLink, writeLink } from './control/link';
 import { directionTo, placeFor } from './control/places';
 import type { Pose } from './control/pose';
 import { openAddress } from './opened';
-import type { Room } from './rooms/start';
+import type { Room } from './room';
 import { createMeter } from './show/meter';
 import { strategyOf } from './show/strategy';
 import { createViewer, type Viewer } from './show/viewer';
@@ -43,7 +43,7 @@ async function main(): Promise<void> {
   const strategy = strategyOf(query.get('strategy'));
   const wait = createWait(root);
   // Beside the manifest, so that nothing waits for it.
-  const script = query.has('room') ? import('./rooms/start') : null;
+  const script = query.has('room') ? import('./room') : null;
   // A failure is told once there is a panel to tell it by.
   script?.catch(() => {});
   const opened = await openAddress(base, query, strategy, meter.receive, wait.begin).finally(wait.end);

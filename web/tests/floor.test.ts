@@ -13,7 +13,7 @@ import {
   moved,
   turned,
   worldOf,
-} from '../src/xr/floor';
+} from '../src/control/floor';
 
 const HEAD: Head = { position: [0.4, 1.5, -0.3], yaw: 0.7, pitch: -0.2 };
 const FLOOR = { position: [10, 3, -20], yaw: 1.1 } as const;

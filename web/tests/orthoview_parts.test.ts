@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { REST } from '../src/control/drive';
 import { flown } from '../src/orthoview/controls/fly';
 import { startOf } from '../src/orthoview/controls/start';
-import { Cells, shapesOf } from '../src/orthoview/cut/cells';
+import { Cells } from '../src/orthoview/cut/cells';
 import type { Cut } from '../src/orthoview/cut/cut';
 import { crc32c, statedSize, unpacked } from '../src/orthoview/decode/codecs';
 import { xxh64 } from '../src/orthoview/decode/xxh64';
@@ -12,7 +12,7 @@ import { Queue } from '../src/orthoview/show/queue';
 import { Resident } from '../src/orthoview/show/resident';
 import { choose, type Near } from '../src/orthoview/show/stand_in';
 import type { Failure } from '../src/orthoview/store/error';
-import { type Layout, parseLayout, type Triple } from '../src/orthoview/store/layout';
+import { type Layout, parseLayout, shapesOf, type Triple } from '../src/orthoview/store/layout';
 
 const DESCRIBED = {
   origin: [0, 0, 0],

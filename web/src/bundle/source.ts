@@ -18,6 +18,9 @@ export const MOST_MANIFEST = 64 * 2 ** 20;
 /** Is told how many bytes came; of a broken transfer, which begins anew, how many of them count no longer (below 0). */
 export type Received = (bytes: number) => void;
 
+/** Fetches files of a bundle, checked for their size. */
+export type Fetch = (name: string, signal: AbortSignal, received?: Received) => Promise<ArrayBuffer>;
+
 /** Asks the server for a file. */
 export type Serve = (name: string, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>;
 
@@ -29,7 +32,7 @@ export interface Files {
    * The content of a file, as long as the manifest says. One request serves all who ask for a file at the same time;
    * each gets bytes of its own. Files come in the order in which they are asked for, some at the same time.
    */
-  readonly fetch: (name: string, signal: AbortSignal, received?: Received) => Promise<ArrayBuffer>;
+  readonly fetch: Fetch;
   /** A file was damaged: the next time it is not taken from the browser's cache. */
   readonly distrust: (name: string) => void;
   /** A file as the manifest lists it; undefined of one that it does not list. */

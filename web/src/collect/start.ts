@@ -2,6 +2,7 @@
 import type { Point } from '../bundle/manifest';
 import type { Pose } from '../control/pose';
 import { minus, type Vector } from '../control/vector';
+import type { Host, Room } from '../room';
 import type { Activity } from '../rooms/activity';
 import { FrameError } from '../rooms/bytes';
 import { CLOCK } from '../rooms/clock';
@@ -9,7 +10,6 @@ import type { FromServer } from '../rooms/frames';
 import type { Place } from '../rooms/hold';
 import type { Body } from '../rooms/pose';
 import { rotated } from '../rooms/rotation';
-import type { Host, Room } from '../rooms/start';
 import { make } from '../ui/dom';
 import { pointBeside } from './aim';
 import { createBall } from './ball';

@@ -1,5 +1,5 @@
 /** Fetches files before they are asked for, so that the network does not wait for decoding and uploads. */
-import type { Fetch } from './job';
+import type { Fetch } from '../bundle/source';
 
 /** Bytes that are fetched ahead and not yet asked for, at most. */
 const MOST_AHEAD = 16 * 2 ** 20;

@@ -1,12 +1,21 @@
 /** Composes a frame of pictures: of regions and rings that fade, of both sides of the divider, for both eyes. */
 import type { WebGLRenderer } from 'three';
 import type { Pose } from '../control/pose';
-import type { MapLayer } from '../xr/layer';
 import type { Atlas } from './atlas';
+import type { Cube } from './cubes';
 import type { Leg } from './journey';
 import type { Painter } from './picture';
 import { cubeOf } from './region';
 import type { Viewpoint } from './viewpoint';
+
+/** A layer of the headset's own that can show a map. */
+export interface MapLayer {
+  /**
+   * Hold the map of a cube, for a headset whose space is turned by a yaw in the world. True if the layer shows just
+   * that in this frame; else the map must be drawn.
+   */
+  show(cube: Cube, yaw: number): boolean;
+}
 
 export interface Composer {
   /** Draw what a leg shows to a user. In a headset the pose is what it tells. */

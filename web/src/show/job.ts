@@ -1,7 +1,7 @@
 /** The loading of a region: its means, its course, and the files that it asks for. */
 import type { WebGLRenderer } from 'three';
 import type { Described, Manifest, RingEntry } from '../bundle/manifest';
-import type { Received } from '../bundle/source';
+import type { Fetch, Received } from '../bundle/source';
 import type { FileData } from '../decode/messages';
 import type { Ahead } from './ahead';
 import type { Decoder } from './decoder';
@@ -11,9 +11,6 @@ import type { Programs } from './programs';
 import type { Region } from './region';
 import type { Store } from './store';
 import type { Uploads } from './uploads';
-
-/** Fetches files of the bundle, checked for their size. */
-export type Fetch = (name: string, signal: AbortSignal, received?: Received) => Promise<ArrayBuffer>;
 
 export interface Loading {
   readonly renderer: WebGLRenderer;

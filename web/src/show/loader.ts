@@ -1,7 +1,8 @@
 /** Loads a region ring by ring, in order; each is shown when all of it is on the GPU. */
 import { filesOfRing } from '../bundle/contents';
+import type { Fetch } from '../bundle/source';
 import { createAhead } from './ahead';
-import { type Course, type Fetch, fileOf, type Job, type Loading } from './job';
+import { type Course, fileOf, type Job, type Loading } from './job';
 import { loadFirstMap, loadMap, loadSharper } from './maps';
 import { receiveParts } from './receive';
 

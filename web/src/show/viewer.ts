@@ -2,33 +2,33 @@
 import { type Group, type PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { BundleError } from '../bundle/error';
 import type { RegionEntry } from '../bundle/manifest';
+import type { Fetch } from '../bundle/source';
+import type { Floor } from '../control/floor';
 import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
 import { minus, type Vector } from '../control/vector';
 import type { Triangles } from '../decode/messages';
 import { along } from './along';
 import { createAtlas, type Holding } from './atlas';
-import { createComposer } from './composer';
+import { createComposer, type MapLayer } from './composer';
 import { createCube } from './cubes';
 import { startDecoder, type Worked } from './decoder';
 import { createFlight } from './flight';
 import { createJourney, type Journey, type Leg } from './journey';
-import type { Fetch, Loading } from './job';
+import type { Loading } from './job';
 import { watchLoss } from './loss';
 import { createShared, type Shared } from './materials';
 import { createPicker } from './pick';
 import { createPainter, type Guests, type Picture } from './picture';
 import { createPrograms } from './programs';
 import { trianglesShown } from './region';
+import { resolveOnce } from './samples';
 import type { Manner, Shown } from './stage';
 import { createStore } from './store';
 import { createUploads, type Uploads } from './uploads';
 import { createVeil } from './veil';
 import { createViewpoint } from './viewpoint';
 import type { World } from './world';
-import type { Floor } from '../xr/floor';
-import type { MapLayer } from '../xr/layer';
-import { resolveOnce } from '../xr/samples';
 
 /** Pictures that tell where near geometry is. */
 const NEAR_ALONE = { map: true, guests: true } as const;

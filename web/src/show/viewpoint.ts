@@ -1,8 +1,8 @@
 /** Where the user stands and looks, as a camera of three.js. */
 import { Group, PerspectiveCamera } from 'three';
 import type { Point } from '../bundle/manifest';
+import type { Floor } from '../control/floor';
 import type { Pose } from '../control/pose';
-import type { Floor } from '../xr/floor';
 
 /** Metres at which the picture begins and ends. */
 const NEAR = 0.05;

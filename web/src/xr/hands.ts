@@ -1,6 +1,6 @@
 /** Where the hands of a headset are in the world, and which of them point. */
+import { type Floor, worldOf } from '../control/floor';
 import type { Vector } from '../control/vector';
-import { type Floor, worldOf } from './floor';
 import { isPointing } from './gesture';
 import type { Input } from './inputs';
 

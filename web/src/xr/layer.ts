@@ -3,15 +3,8 @@
  * the resolution of the display.
  */
 import type { WebGLRenderer } from 'three';
+import type { MapLayer } from '../show/composer';
 import { colorOf, type Cube, FACES } from '../show/cubes';
-
-export interface MapLayer {
-  /**
-   * Hold the map of a cube, for a headset whose space is turned by a yaw in the world. True if the layer shows just
-   * that in this frame; else the map must be drawn.
-   */
-  show(cube: Cube, yaw: number): boolean;
-}
 
 /** A layer below the picture of the session that is presented; null where the browser has none. */
 export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLayer | null {

@@ -1,10 +1,4 @@
 /** The immersive mode: the picture for both eyes of a headset, and how its user moves. */
-import type { Bounds } from '../control/limit';
-import type { Pose } from '../control/pose';
-import type { Vector } from '../control/vector';
-import { createWalk } from '../control/walk';
-import type { Viewer } from '../show/viewer';
-import { type Aiming, createAiming } from './aiming';
 import {
   EYE_HEIGHT,
   type Floor,
@@ -18,7 +12,13 @@ import {
   moved,
   turned,
   worldOf,
-} from './floor';
+} from '../control/floor';
+import type { Bounds } from '../control/limit';
+import type { Pose } from '../control/pose';
+import type { Vector } from '../control/vector';
+import { createWalk } from '../control/walk';
+import type { Viewer } from '../show/viewer';
+import { type Aiming, createAiming } from './aiming';
 import { createHands, type HandRay, type Hands } from './hands';
 import { type Input, readInputs } from './inputs';
 import { createMapLayer } from './layer';

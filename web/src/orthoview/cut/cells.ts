@@ -1,18 +1,6 @@
 /** The cells of a tree in which something is, by the subtrees that are known so far. */
-import { type Layout, shardSide, subtreeOf, type Triple } from '../store/layout';
+import { type Layout, nameOf, shardSide, subtreeOf, type Triple } from '../store/layout';
 import type { Subtree } from '../store/records';
-
-/** Numbers of cells of a subtree's levels, the lowest one first. */
-export function shapesOf(layout: Layout, tier: number): number[] {
-  const lowest = tier * layout.subtree;
-  const count = Math.min(layout.subtree, layout.levels - lowest);
-  return Array.from({ length: count }, (_, level) => shardSide(layout, lowest + level) ** 3);
-}
-
-/** A name for a cell. */
-export function nameOf(level: number, [x, y, z]: Triple): string {
-  return `${level}/${x}/${y}/${z}`;
-}
 
 /** The children of a cell, one level below. */
 export function childrenOf([x, y, z]: Triple): Triple[] {

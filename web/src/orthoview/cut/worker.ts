@@ -1,10 +1,10 @@
 /** A worker that reads what a store tells of its cells, and cuts the tree for where the viewer is. */
 import { failureOf, isPassing } from '../store/error';
 import { createFiles } from '../store/files';
-import type { Triple } from '../store/layout';
+import { nameOf, type Triple } from '../store/layout';
 import { openRecords, type Records } from '../store/records';
 import type { Camera } from './camera';
-import { Cells, nameOf } from './cells';
+import { Cells } from './cells';
 import { type Cut, cut, type Settings } from './cut';
 import type { FromCutter, ToCutter } from './messages';
 

@@ -1,6 +1,5 @@
 /** Views, or leaves, on the GPU, those that were used last kept within a number of bytes. */
-import { nameOf } from '../cut/cells';
-import type { Triple } from '../store/layout';
+import { nameOf, type Triple } from '../store/layout';
 
 interface Kept<Layer> {
   readonly level: number;

@@ -1,7 +1,7 @@
 /** Which views a picture is drawn from while others are still missing: never a hole where a coarser view is there. */
-import { type Cells, childrenOf, nameOf, above } from '../cut/cells';
+import { above, type Cells, childrenOf } from '../cut/cells';
 import { countOf, type Cut, type Drawn } from '../cut/cut';
-import type { Triple } from '../store/layout';
+import { nameOf, type Triple } from '../store/layout';
 import type { Box } from '../splats/sight';
 
 /** Levels below a cell on which its descendants are looked for. */

@@ -1,11 +1,10 @@
 /** The part of a tree that lies on the GPU, and pictures of it. */
 import type { Camera } from '../cut/camera';
-import { nameOf } from '../cut/cells';
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
 import type { Drawer, Drawn, Held, Item } from '../draw/drawer';
 import { modelOf } from '../splats/sight';
-import { GEOMETRY, type Layout, type Triple } from '../store/layout';
+import { GEOMETRY, type Layout, nameOf, type Triple } from '../store/layout';
 import { Resident } from './resident';
 import type { Choice } from './stand_in';
 

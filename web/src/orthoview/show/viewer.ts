@@ -1,5 +1,5 @@
 /** Draws a tree for wherever the viewer is: asks for the cut and its views, and shows what has come. */
-import { Cells, nameOf } from '../cut/cells';
+import { Cells } from '../cut/cells';
 import type { Camera } from '../cut/camera';
 import type { Cut, Settings } from '../cut/cut';
 import type { FromCutter, ToCutter } from '../cut/messages';
@@ -11,6 +11,7 @@ import {
   GEOMETRY,
   geometryOf,
   type Layout,
+  nameOf,
   overlay,
   shardOf,
   subtreeOf,

@@ -100,6 +100,18 @@ export function subtreeOf(layout: Layout, level: number, [x, y, z]: Triple): { t
   return { tier: Math.floor(level / layout.subtree), place };
 }
 
+/** Numbers of cells of a subtree's levels, the lowest one first. */
+export function shapesOf(layout: Layout, tier: number): number[] {
+  const lowest = tier * layout.subtree;
+  const count = Math.min(layout.subtree, layout.levels - lowest);
+  return Array.from({ length: count }, (_, level) => shardSide(layout, lowest + level) ** 3);
+}
+
+/** A name for a cell. */
+export function nameOf(level: number, [x, y, z]: Triple): string {
+  return `${level}/${x}/${y}/${z}`;
+}
+
 /** Folder of a generation below the store, with a slash at its end; the first one is the store itself. */
 export function overlay(generation: number): string {
   return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;

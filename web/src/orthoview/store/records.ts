@@ -6,14 +6,15 @@ import {
   fields,
   FOLDER,
   type Layout,
+  nameOf,
   overlay,
   parseLayout,
+  shapesOf,
   shardSide,
   subtreeOf as ownerOf,
   type Triple,
 } from './layout';
 import { checked, documentOf, numbersOf, rowsOf } from './unpack';
-import { nameOf, shapesOf } from '../cut/cells';
 
 /** Stands for a cell that is as in the generations before. */
 const AS_BEFORE = 0x8000_0000;

@@ -1,5 +1,5 @@
-var Ue=Object.defineProperty;var u=(a,e)=>Ue(a,"name",{value:e,configurable:!0});function V({right:a,up:e,back:r,fov:t,width:o,height:n},s,i){let l=t.left+(t.right-t.left)*s/o,c=t.up+(t.down-t.up)*i/n;return[0,1,2].map(d=>{let[f,m,y]=[a[d],e[d],r[d]];return l*f+c*m-y})}u(V,"directionAt");function I(a,e){return a[0]*e[0]+a[1]*e[1]+a[2]*e[2]}u(I,"dot");function Y({cell:a},e){return a*2**e}u(Y,"sideAt");function Z(a,e,[r,t,o]){let[n,[s,i,l]]=[Y(a,e),a.origin];return[s+r*n,i+t*n,l+o*n]}u(Z,"cornerOf");var[j,z]=[1.27,.5],q=.25,_e=8,E=10;function Q(a){let{position:e,right:r,up:t,back:o,fov:n,width:s,height:i}=a,[l,c]=[s/(n.right-n.left),i/(n.up-n.down)],d=u(p=>[p(0),p(1),p(2)],"row"),f=[d(p=>l*(r[p]+n.left*o[p])),d(p=>-c*(t[p]+n.up*o[p])),d(p=>-o[p])],m=V(a,0,0),y=u((p,h)=>{let b=V(a,p,h);return[b[0]-m[0],b[1]-m[1],b[2]-m[2]]},"step");return{eye:e,rows:f,rays:[m,y(1,0),y(0,1)],width:s,height:i}}u(Q,"projectorOf");function J(a,{eye:e,rows:r}){let{start:t,steps:o,pitch:n}=a,s=[t[0]-e[0],t[1]-e[1],t[2]-e[2]],i=u(m=>[I(r[0],m),I(r[1],m),I(r[2],m)],"along"),[l,c]=[j*Math.sqrt(z),ee(a)],d=u(m=>Math.max(l,c/m)-.5,"across"),f=l*(n[0]+n[1])/q;return{start:i(s),steps:[i(o[0]),i(o[1]),i(o[2])],least:Math.max(n[0],n[1]),margin:[d(n[0]),d(n[1]),Math.max(f,c)/n[2]]}}u(J,"sightOf");function ee({pitch:a}){return Math.hypot(a[0],a[1])/2}u(ee,"ballOf");function re({start:a,steps:e,least:r,margin:t},{low:o,high:n},s,i){let[l,c,d,f,m]=[!0,!0,!0,!0,!0],y=Number.POSITIVE_INFINITY,p=[Number.POSITIVE_INFINITY,Number.POSITIVE_INFINITY],h=[Number.NEGATIVE_INFINITY,Number.NEGATIVE_INFINITY];for(let P=0;P<8;P++){let U=o.map((S,B)=>P>>B&1?n[B]+t[B]:S-t[B]),w=u(S=>a[S]+U[0]*e[0][S]+U[1]*e[1][S]+U[2]*e[2][S],"value"),[x,g,v]=[w(0),w(1),w(2)];l&&=x<-v,c&&=x>(s+1)*v,d&&=g<-v,f&&=g>(i+1)*v,m&&=v<r,y=Math.min(y,v),p[0]=Math.min(p[0],x/v),p[1]=Math.min(p[1],g/v),h[0]=Math.max(h[0],x/v),h[1]=Math.max(h[1],g/v)}if(l||c||d||f||m)return null;let b=y<r?Number.POSITIVE_INFINITY:1/y;return y<_e*r?{low:[0,0],high:[s,i],nearness:b}:{low:[Math.max(Math.floor(p[0])-1,0),Math.max(Math.floor(p[1])-1,0)],high:[Math.min(Math.floor(h[0])+2,s),Math.min(Math.floor(h[1])+2,i)],nearness:b}}u(re,"seenOf");function te(a,{low:e,high:r}){return a.every(([t,o,n,s])=>{let i=[t,o,n].map((c,d)=>{let[f,m]=[c*e[d],c*r[d]];return[Math.min(f,m),Math.max(f,m)]}),l=u(c=>i.reduce((d,f)=>d+f[c],s),"sum");return l(0)<1&&l(1)>=0})}u(te,"isIn");function oe(a,e,r){if(!r)return[0,1,2].map(()=>[0,0,0,.5]);let t=Y(e,r.level),o=Z(e,r.level,r.place);return[0,1,2].map(n=>{let s=u(i=>a.steps[i][n]/t,"factor");return[s(0),s(1),s(2),(a.start[n]-o[n])/t]})}u(oe,"rowsOf");function ne(a,e,r,t){let{frame:o,pitch:n}=e,[s,i,l]=o.axes,c=2/(2**e.normalBits-2),d=u((m,[y,p,h],b)=>a.set([y,p,h,b],4*m),"put"),f=u((m,y)=>[m[0]*y,m[1]*y,m[2]*y],"scaled");d(0,r.start,r.least),d(1,r.steps[0],c),d(2,r.steps[1],ee(e)/Math.sqrt(z)),d(3,r.steps[2],0),d(4,f(s,n[0]/n[2]),0),d(5,f(i,n[1]/n[2]),0),d(6,l,0),t.forEach((m,y)=>a.set(m,4*(7+y)))}u(ne,"writeView");function ae(a,e){let r=1e6;for(let{layer:t}of a)r=Math.min(r,Math.max(t.model.pitch[0],t.model.pitch[1]));return e?Math.min(r/2,.05):r/2}u(ae,"nearestOf");function se(a,e,r){return Math.max(Math.min(a,Math.floor(r/e)),1)}u(se,"gridOf");var N=class{constructor(e){this.device=e}device;static{u(this,"Arena")}#e=[];put(e){let r=Math.max(Math.ceil(e.length/64),1)*64,{page:t,gap:o}=this.#t(r)??this.#o(r),n={page:t,first:o.first,words:r,bytes:4*r};return o.first+=r,o.words-=r,o.words===0&&t.gaps.splice(t.gaps.indexOf(o),1),this.device.queue.writeBuffer(t.buffer,4*n.first,e),n}free({page:e,first:r,words:t}){let{gaps:o}=e,n=o.findIndex(i=>i.first>r),s=n<0?o.length:n;o.splice(s,0,{first:r,words:t}),this.#r(o,s),this.#r(o,s-1),o[0]?.words===e.words&&(e.buffer.destroy(),this.#e.splice(this.#e.indexOf(e),1))}#r(e,r){let[t,o]=[e[r],e[r+1]];!t||!o||t.first+t.words!==o.first||(t.words+=o.words,e.splice(r+1,1))}#t(e){for(let r of this.#e){let t=r.gaps.find(o=>o.words>=e);if(t)return{page:r,gap:t}}return null}#o(e){let{maxBufferSize:r,maxStorageBufferBindingSize:t}=this.device.limits,o=Math.floor(Math.min(r,t)/4/64)*64;if(e>o)throw new Error(`a view of ${4*e} bytes is larger than the graphics allow`);let n=Math.min(Math.max(e,8388608),o),s=GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_DST,i=this.device.createBuffer({label:"page of views",size:4*n,usage:s}),l={first:0,words:n},c={buffer:i,words:n,gaps:[l]};return this.#e.push(c),{page:c,gap:l}}};var Ge={SUN_DIRECTION:[.5263158,.7894737,.3157895],SUN:[.6,.56,.5],SKY_DIRECTION:[-.2062843,.9282791,.3094264],SKY_LOW:[.13,.135,.15],SKY_HIGH:[.38,.42,.48],HORIZON:[.66,.74,.82],ZENITH:[.16,.34,.66],NADIR:[.24,.25,.26]},ie=["SUN_DIRECTION","SUN","SKY_DIRECTION","SKY_LOW","SKY_HIGH"],le=["HORIZON","ZENITH","NADIR"],O=u(a=>Number.isInteger(a)?a.toFixed(1):String(a),"float"),ue=u(a=>Ge[a].map(O).join(", "),"vector"),ce=u(a=>a.map(e=>`const vec3 ${e} = vec3(${ue(e)});`).join(`
-`),"glsl"),Se=u(a=>a.map(e=>`const ${e} = vec3<f32>(${ue(e)});`).join(`
+var Ue=Object.defineProperty;var u=(a,e)=>Ue(a,"name",{value:e,configurable:!0});function V({right:a,up:e,back:r,fov:t,width:o,height:n},s,i){let l=t.left+(t.right-t.left)*s/o,c=t.up+(t.down-t.up)*i/n;return[0,1,2].map(d=>{let[f,m,y]=[a[d],e[d],r[d]];return l*f+c*m-y})}u(V,"directionAt");function I(a,e){return a[0]*e[0]+a[1]*e[1]+a[2]*e[2]}u(I,"dot");function Y({cell:a},e){return a*2**e}u(Y,"sideAt");function Z(a,e,[r,t,o]){let[n,[s,i,l]]=[Y(a,e),a.origin];return[s+r*n,i+t*n,l+o*n]}u(Z,"cornerOf");var[j,z]=[1.27,.5],q=.25,_e=8,E=10;function Q(a){let{position:e,right:r,up:t,back:o,fov:n,width:s,height:i}=a,[l,c]=[s/(n.right-n.left),i/(n.up-n.down)],d=u(p=>[p(0),p(1),p(2)],"row"),f=[d(p=>l*(r[p]+n.left*o[p])),d(p=>-c*(t[p]+n.up*o[p])),d(p=>-o[p])],m=V(a,0,0),y=u((p,h)=>{let b=V(a,p,h);return[b[0]-m[0],b[1]-m[1],b[2]-m[2]]},"step");return{eye:e,rows:f,rays:[m,y(1,0),y(0,1)],width:s,height:i}}u(Q,"projectorOf");function J(a,{eye:e,rows:r}){let{start:t,steps:o,pitch:n}=a,s=[t[0]-e[0],t[1]-e[1],t[2]-e[2]],i=u(m=>[I(r[0],m),I(r[1],m),I(r[2],m)],"along"),[l,c]=[j*Math.sqrt(z),ee(a)],d=u(m=>Math.max(l,c/m)-.5,"across"),f=l*(n[0]+n[1])/q;return{start:i(s),steps:[i(o[0]),i(o[1]),i(o[2])],least:Math.max(n[0],n[1]),margin:[d(n[0]),d(n[1]),Math.max(f,c)/n[2]]}}u(J,"sightOf");function ee({pitch:a}){return Math.hypot(a[0],a[1])/2}u(ee,"ballOf");function re({start:a,steps:e,least:r,margin:t},{low:o,high:n},s,i){let[l,c,d,f,m]=[!0,!0,!0,!0,!0],y=Number.POSITIVE_INFINITY,p=[Number.POSITIVE_INFINITY,Number.POSITIVE_INFINITY],h=[Number.NEGATIVE_INFINITY,Number.NEGATIVE_INFINITY];for(let P=0;P<8;P++){let U=o.map((O,B)=>P>>B&1?n[B]+t[B]:O-t[B]),w=u(O=>a[O]+U[0]*e[0][O]+U[1]*e[1][O]+U[2]*e[2][O],"value"),[x,g,v]=[w(0),w(1),w(2)];l&&=x<-v,c&&=x>(s+1)*v,d&&=g<-v,f&&=g>(i+1)*v,m&&=v<r,y=Math.min(y,v),p[0]=Math.min(p[0],x/v),p[1]=Math.min(p[1],g/v),h[0]=Math.max(h[0],x/v),h[1]=Math.max(h[1],g/v)}if(l||c||d||f||m)return null;let b=y<r?Number.POSITIVE_INFINITY:1/y;return y<_e*r?{low:[0,0],high:[s,i],nearness:b}:{low:[Math.max(Math.floor(p[0])-1,0),Math.max(Math.floor(p[1])-1,0)],high:[Math.min(Math.floor(h[0])+2,s),Math.min(Math.floor(h[1])+2,i)],nearness:b}}u(re,"seenOf");function te(a,{low:e,high:r}){return a.every(([t,o,n,s])=>{let i=[t,o,n].map((c,d)=>{let[f,m]=[c*e[d],c*r[d]];return[Math.min(f,m),Math.max(f,m)]}),l=u(c=>i.reduce((d,f)=>d+f[c],s),"sum");return l(0)<1&&l(1)>=0})}u(te,"isIn");function oe(a,e,r){if(!r)return[0,1,2].map(()=>[0,0,0,.5]);let t=Y(e,r.level),o=Z(e,r.level,r.place);return[0,1,2].map(n=>{let s=u(i=>a.steps[i][n]/t,"factor");return[s(0),s(1),s(2),(a.start[n]-o[n])/t]})}u(oe,"rowsOf");function ne(a,e,r,t){let{frame:o,pitch:n}=e,[s,i,l]=o.axes,c=2/(2**e.normalBits-2),d=u((m,[y,p,h],b)=>a.set([y,p,h,b],4*m),"put"),f=u((m,y)=>[m[0]*y,m[1]*y,m[2]*y],"scaled");d(0,r.start,r.least),d(1,r.steps[0],c),d(2,r.steps[1],ee(e)/Math.sqrt(z)),d(3,r.steps[2],0),d(4,f(s,n[0]/n[2]),0),d(5,f(i,n[1]/n[2]),0),d(6,l,0),t.forEach((m,y)=>a.set(m,4*(7+y)))}u(ne,"writeView");function ae(a,e){let r=1e6;for(let{layer:t}of a)r=Math.min(r,Math.max(t.model.pitch[0],t.model.pitch[1]));return e?Math.min(r/2,.05):r/2}u(ae,"nearestOf");function se(a,e,r){return Math.max(Math.min(a,Math.floor(r/e)),1)}u(se,"gridOf");var N=class{constructor(e){this.device=e}device;static{u(this,"Arena")}#e=[];put(e){let r=Math.max(Math.ceil(e.length/64),1)*64,{page:t,gap:o}=this.#t(r)??this.#o(r),n={page:t,first:o.first,words:r,bytes:4*r};return o.first+=r,o.words-=r,o.words===0&&t.gaps.splice(t.gaps.indexOf(o),1),this.device.queue.writeBuffer(t.buffer,4*n.first,e),n}free({page:e,first:r,words:t}){let{gaps:o}=e,n=o.findIndex(i=>i.first>r),s=n<0?o.length:n;o.splice(s,0,{first:r,words:t}),this.#r(o,s),this.#r(o,s-1),o[0]?.words===e.words&&(e.buffer.destroy(),this.#e.splice(this.#e.indexOf(e),1))}#r(e,r){let[t,o]=[e[r],e[r+1]];!t||!o||t.first+t.words!==o.first||(t.words+=o.words,e.splice(r+1,1))}#t(e){for(let r of this.#e){let t=r.gaps.find(o=>o.words>=e);if(t)return{page:r,gap:t}}return null}#o(e){let{maxBufferSize:r,maxStorageBufferBindingSize:t}=this.device.limits,o=Math.floor(Math.min(r,t)/4/64)*64;if(e>o)throw new Error(`a view of ${4*e} bytes is larger than the graphics allow`);let n=Math.min(Math.max(e,8388608),o),s=GPUBufferUsage.STORAGE|GPUBufferUsage.COPY_DST,i=this.device.createBuffer({label:"page of views",size:4*n,usage:s}),l={first:0,words:n},c={buffer:i,words:n,gaps:[l]};return this.#e.push(c),{page:c,gap:l}}};var Ge={SUN_DIRECTION:[.5263158,.7894737,.3157895],SUN:[.6,.56,.5],SKY_DIRECTION:[-.2062843,.9282791,.3094264],SKY_LOW:[.13,.135,.15],SKY_HIGH:[.38,.42,.48],HORIZON:[.66,.74,.82],ZENITH:[.16,.34,.66],NADIR:[.24,.25,.26]},ie=["SUN_DIRECTION","SUN","SKY_DIRECTION","SKY_LOW","SKY_HIGH"],le=["HORIZON","ZENITH","NADIR"],S=u(a=>Number.isInteger(a)?a.toFixed(1):String(a),"float"),ue=u(a=>Ge[a].map(S).join(", "),"vector"),ce=u(a=>a.map(e=>`const vec3 ${e} = vec3(${ue(e)});`).join(`
+`),"glsl"),Oe=u(a=>a.map(e=>`const ${e} = vec3<f32>(${ue(e)});`).join(`
 `),"wgsl"),hr=`
 ${ce(ie)}
 
@@ -14,7 +14,7 @@ vec3 background(vec3 direction) {
 return mix(HORIZON, direction.y < 0.0 ? NADIR : ZENITH, sqrt(abs(direction.y)));
 }
 `;var M=`
-${Se([...ie,...le])}
+${Oe([...ie,...le])}
 
 fn irradiance(n: vec3<f32>) -> vec3<f32> {
 let sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
@@ -33,7 +33,7 @@ return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3
 fn linear_of(c: vec3<f32>) -> vec3<f32> {
 return select(pow((c + 0.055) / 1.055, vec3<f32>(2.4)), c / 12.92, c <= vec3<f32>(0.04045));
 }
-`;var[G,R]=[64,16384],C=16,Oe=256,L=`
+`;var[G,R]=[64,16384],C=16,Se=256,L=`
 struct Draw {
 gradients: array<vec4<f32>, 3>,
 rays: array<vec4<f32>, 3>,
@@ -69,8 +69,8 @@ const TILE = ${C}u;
 const GROUP = ${G}u;
 const ROW = ${R}u;
 const TURN = 1024u;
-const RADIUS = ${O(Math.sqrt(z))};
-const SQUARED_RADIUS = ${O(z)};
+const RADIUS = ${S(Math.sqrt(z))};
+const SQUARED_RADIUS = ${S(z)};
 
 struct Ellipse {
 middle: vec2<f32>,
@@ -120,11 +120,11 @@ let over = 1.0 / function.z;
 let middle = function.xy * over;
 
 var normal = normal_of(word.y, column.w);
-let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${O(q)});
+let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${S(q)});
 let u = column.xyz + dot(column_of(own, 4u).xyz, normal) * facing * step;
 let v = row.xyz - dot(column_of(own, 5u).xyz, normal) * facing * step;
 let is_surfel = ((word.z >> 24u) & 1u) == 1u;
-let factor = select(0.0, select(${O(j)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
+let factor = select(0.0, select(${S(j)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
 
 var found: Ellipse;
 found.middle = middle;
@@ -238,7 +238,7 @@ let end = min(first + TURN, part.count);
 for (var n = first + lane; n < end; n += GROUP) {
 let own = ellipse_of(part, n);
 let extent = extent_of(own);
-if extent.x * extent.y > ${Oe}u {
+if extent.x * extent.y > ${Se}u {
 large[atomicAdd(&large_count, 1u)] = n;
 continue;
 }

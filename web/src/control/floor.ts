@@ -1,7 +1,7 @@
 /** The user's floor in the world, and the head above it; plain arithmetic without a headset. */
-import { type Bounds, within } from '../control/limit';
-import type { Pose } from '../control/pose';
-import { type Vector, wrapped } from '../control/vector';
+import { type Bounds, within } from './limit';
+import type { Pose } from './pose';
+import { type Vector, wrapped } from './vector';
 
 /** Where the origin of the headset's space lies in the world, metres, and how it is turned about the vertical axis. */
 export interface Floor {
