@@ -2,5 +2,17 @@
 
 import lazy_loader
 
+from nearfar._render import showing as _showing
+
 # Each public name is imported on first use, so that a script pays only for the stages that it uses.
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def _make_view(*shown, **settings):
+    from nearfar.view._widget import Widget
+
+    return Widget(*shown, **settings)
+
+
+# Early stages show things in the view of a late one: only the package knows both.
+_showing.set_maker(_make_view)

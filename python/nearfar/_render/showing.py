@@ -1,12 +1,12 @@
-"""Views in notebooks: what they offer, and how stages come by them. The last stage, `view`, makes them."""
+"""Views in notebooks: what they offer, and how stages come by them."""
 
 from __future__ import annotations
 
-import importlib
 import importlib.util
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
-from nearfar._camera.camera import Camera
+if TYPE_CHECKING:
+    from nearfar._camera.camera import Camera
 
 
 class View(Protocol):
@@ -48,15 +48,33 @@ class View(Protocol):
         """The last problem of the browser, a sentence; empty for none."""
 
 
+class Maker(Protocol):
+    """Makes the view of a bundle or a reduced scene."""
+
+    def __call__(
+        self,
+        shown: object,
+        *,
+        center: tuple[float, float, float],
+        size: tuple[int, int],
+        camera: Camera | None,
+        strategy: str,
+    ) -> View: ...
+
+
+_maker: Maker
+
+
+def set_maker(maker: Maker) -> None:
+    """Set what makes views. The package does, because the stage that makes them comes after those that ask for them."""
+    global _maker
+    _maker = maker
+
+
 def show(
     shown: object, *, center: tuple[float, float, float], size: tuple[int, int], camera: Camera | None, strategy: str
 ) -> View:
-    """Make the view of a bundle or a reduced scene; ImportError without anywidget.
-
-    It is found by name: the stage that makes it comes after those that ask for it.
-    """
+    """Make the view of a bundle or a reduced scene; ImportError without anywidget."""
     if importlib.util.find_spec("anywidget") is None:
         raise ImportError("show needs anywidget: pip install anywidget")
-    widget = importlib.import_module("nearfar.view._widget")
-    view: View = widget.Widget(shown, center=center, size=size, camera=camera, strategy=strategy)
-    return view
+    return _maker(shown, center=center, size=size, camera=camera, strategy=strategy)
