@@ -1,4 +1,4 @@
-"""Tests of ARCHITECTURE.md's rules for the Python package: dependencies of stages, no circles, small files."""
+"""Tests of ARCHITECTURE.md's rules for the Python package: its public face, small files, each stage's rooms."""
 
 from __future__ import annotations
 
@@ -8,40 +8,10 @@ import subprocess
 from pathlib import Path
 
 from tests.support import need
-from tests.support.graphs import circles
-from tests.support.python_modules import uses
+from tests.support.stages import PACKAGE as STAGES
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 PACKAGE = CHECKOUT / "python" / "nearfar"
-
-# Stages in the order of the data flow, and the earlier ones that each uses besides `_base`. A missing name fails, so
-# that a new dependency is a decision.
-STAGES: dict[str, set[str]] = {
-    "_base": set(),
-    "_camera": set(),
-    "_scene": {"_camera"},
-    "_source": {"_scene"},
-    "datasets": {"_scene"},
-    "_cubemap": set(),
-    "_trace": {"_scene"},
-    "_partition": {"_scene"},
-    "_morph": set(),
-    "_bend": {"_morph"},
-    "_tessellate": {"_camera", "_scene"},
-    "_bounds": set(),
-    "_render": {"_camera", "_cubemap", "_scene"},
-    "_metrics": {"_camera", "_render"},
-    "_reduce": {"_bend", "_camera", "_cubemap", "_metrics", "_morph", "_partition", "_render", "_scene", "_trace"},
-    "_lens": {"_camera", "_render"},
-    "hmd": {"_camera", "_lens", "_render"},
-    "stereo": {"_camera", "_render", "_scene", "hmd"},
-    "gpu": {"_camera", "_metrics", "_morph", "_render"},
-    "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
-    "stream": {"_camera", "_cubemap", "_metrics", "_partition", "_reduce", "_render", "_scene", "_trace"},
-    "orthoview": {"_camera", "_cubemap", "_reduce", "_render", "_scene", "_source", "_trace", "lod", "stream"},
-    "view": {"_camera", "_cubemap", "_partition", "_reduce", "_scene", "orthoview", "stream"},
-    "serve": {"_scene", "_trace", "stream", "view"},
-}
 
 PRIVATE_TO_COMMANDS = {
     "nearfar._metrics.comparison",
@@ -89,31 +59,6 @@ MEDIAN_LINES, MOST_LINES = 150, 400
 """Greatest median and greatest number of lines of the package's Python files; the stub may be longer."""
 
 
-def stage_of(module: str) -> str:
-    return module.partition(".")[2].partition(".")[0]
-
-
-def test_no_file_uses_itself_through_others() -> None:
-    assert circles(uses(PACKAGE)) == []
-
-
-def test_stages_use_only_what_they_may() -> None:
-    wrong = []
-    for module, used in uses(PACKAGE).items():
-        stage = stage_of(module)
-        if stage != "cli":
-            assert stage in STAGES, f"{module} is a new stage: say above what it may use"
-            may = STAGES[stage] | {"_base", stage}
-            wrong += [f"{module} uses {name}" for name in sorted(used) if stage_of(name) not in may]
-    assert wrong == []
-
-
-def test_stages_depend_one_way() -> None:
-    order = list(STAGES)
-    later = {name: set(order[place + 1 :]) for place, name in enumerate(order)}
-    assert {(name, used) for name in order for used in STAGES[name] & later[name]} == set()
-
-
 def test_the_command_line_uses_only_the_public_face() -> None:
     wrong = []
     for path in sorted((PACKAGE / "cli").glob("*.py")):
@@ -128,7 +73,7 @@ def test_the_command_line_uses_only_the_public_face() -> None:
 def test_the_package_opens_in_the_order_of_the_pipeline() -> None:
     stub = ast.parse((PACKAGE / "__init__.pyi").read_text(encoding="utf-8"))
     modules = [node.module for node in stub.body if isinstance(node, ast.ImportFrom) and node.module]
-    opened = [stage_of(f"nearfar.{module}") for module in modules]
+    opened = [module.partition(".")[0] for module in modules]
     order = list(STAGES)
     assert opened == sorted(opened, key=order.index)
 
@@ -148,7 +93,7 @@ def test_the_package_is_small_rooms() -> None:
 
 
 def test_every_stage_has_its_tests_benchmarks_and_page() -> None:
-    stages = {stage.strip("_") for stage in STAGES} | {"cli"}
+    stages = {stage.strip("_") for stage in STAGES if stage != "__init__"}
     assert stages == set(ROOMS), "a new stage needs its rooms"
     for stage, why_no_benchmark in ROOMS.items():
         assert list((CHECKOUT / "tests" / stage).glob("test_*.py")), f"{stage} has no tests"

@@ -1,4 +1,4 @@
-"""Tests of the parser of Rust imports, on a made-up crate with every kind of circle."""
+"""Tests of the parser of Rust imports, on a made-up crate with every kind of cycle."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.graphs import circles
+from tests.support.graphs import cycles
 from tests.support.rust_modules import file_graph
 
 
@@ -35,10 +35,10 @@ def test_imports_count_to_the_file_that_defines_the_name(tmp_path: Path) -> None
         "shapes/ball.rs": set(),
         "walk.rs": {"shapes/cube.rs", "shapes/ball.rs"},
     }
-    assert circles(graph) == []
+    assert cycles(graph) == []
 
 
-CIRCLES: dict[str, tuple[dict[str, str], list[str]]] = {
+CYCLES: dict[str, tuple[dict[str, str], list[str]]] = {
     "a plain one": (
         {
             "shapes/cube.rs": "use super::ball::Ball;\npub struct Cube;\npub fn volume() {}\n",
@@ -134,14 +134,15 @@ CIRCLES: dict[str, tuple[dict[str, str], list[str]]] = {
 }
 
 
-@pytest.mark.parametrize("name", CIRCLES)
-def test_circles_are_found(tmp_path: Path, name: str) -> None:
-    files, expected = CIRCLES[name]
-    assert circles(crate(tmp_path, BASE | files)) == [expected]
+@pytest.mark.parametrize("name", CYCLES)
+def test_cycles_are_found(tmp_path: Path, name: str) -> None:
+    files, expected = CYCLES[name]
+    assert cycles(crate(tmp_path, BASE | files)) == [expected]
 
 
 INNOCENT = {
     "tests": "pub struct Ball;\n#[cfg(test)]\nmod tests { use crate::walk::step; #[test] fn f() { step() } }\n",
+    "what is for fuzzing alone": "#[cfg(any(test, fuzzing))]\npub mod trial;\npub struct Ball;\n",
     "imports for tests alone": "#[cfg(test)]\nuse crate::walk::step;\npub struct Ball;\n",
     "comments and strings": "pub struct Ball; // crate::walk::step\n"
     '/* use crate::walk; */ const S: &str = "crate::walk::f";\n',
@@ -151,8 +152,13 @@ INNOCENT = {
 
 
 @pytest.mark.parametrize("name", INNOCENT)
-def test_tests_comments_and_other_crates_make_no_circle(tmp_path: Path, name: str) -> None:
-    assert circles(crate(tmp_path, BASE | {"shapes/ball.rs": INNOCENT[name]})) == []
+def test_tests_comments_and_other_crates_make_no_cycle(tmp_path: Path, name: str) -> None:
+    assert cycles(crate(tmp_path, BASE | {"shapes/ball.rs": INNOCENT[name]})) == []
+
+
+def test_a_program_begins_with_its_main_file(tmp_path: Path) -> None:
+    main = {"main.rs": "mod one;\nconst N: u8 = 1;\nfn main() { one::f() }\n", "one.rs": "pub fn f() { crate::N; }\n"}
+    assert cycles(crate(tmp_path, main)) == [["main.rs", "one.rs"]]
 
 
 def test_an_item_in_a_mod_file_makes_it_a_file_of_the_graph(tmp_path: Path) -> None:

@@ -3,48 +3,80 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-Graph = dict[str, set[str]]
-"""Modules by dotted name, and the modules that each uses."""
 
+def file_graph(package: Path, entries: Mapping[str, str] | None = None) -> dict[str, set[str]]:
+    """The files that each file of a package uses, by their paths below its folder.
 
-def uses(package: Path) -> Graph:
-    """Return the graph of a package's files.
+    An import counts to the file that defines the name, through any number of re-exports. Imports inside functions,
+    under TYPE_CHECKING and by a string count. An `__init__.py` that defines nothing only documents and re-exports: it
+    is left out.
 
-    An import counts to the file that defines the name, through any number of re-exports. Imports inside functions and
-    under TYPE_CHECKING count. An `__init__.py` that defines nothing only documents and re-exports: it is left out.
+    Parameters
+    ----------
+    package
+        Its folder.
+    entries
+        Modules by the names of their entry points, by which other packages import them.
     """
-    return _Package(package).graph()
+    return _Package(package, entries or {}).graph()
 
 
 class _Package:
-    def __init__(self, folder: Path) -> None:
-        self.name = folder.name
-        paths = {_dotted(path, folder.parent): path for path in sorted(folder.rglob("*.py"))}
-        self.trees = {module: ast.parse(_read(path)) for module, path in paths.items()}
-        self.folders = {module for module, path in paths.items() if path.name == "__init__.py"}
+    def __init__(self, folder: Path, entries: Mapping[str, str]) -> None:
+        self.name, self.entries, self.folder = folder.name, entries, folder
+        self.paths = {_dotted(path, folder.parent): path for path in sorted(folder.rglob("*.py"))}
+        self.trees = {module: ast.parse(_read(path)) for module, path in self.paths.items()}
+        self.folders = {module for module, path in self.paths.items() if path.name == "__init__.py"}
         self.defined = {module: set(_definitions(tree)) for module, tree in self.trees.items()}
         self.imported = {module: dict(_names(tree, module)) for module, tree in self.trees.items()}
 
-    def graph(self) -> Graph:
-        counted = [module for module in self.trees if module not in self.folders or self.defined[module]]
-        return {module: set(self._used(module)) & set(counted) - {module} for module in counted}
+    def graph(self) -> dict[str, set[str]]:
+        files = {
+            module: path.relative_to(self.folder).as_posix()
+            for module, path in self.paths.items()
+            if module not in self.folders or self.defined[module]
+        }
+        return {
+            file: {files[name] for name in self._used(module) if name in files} - {file}
+            for module, file in files.items()
+        }
 
     def _used(self, module: str) -> Iterator[str]:
-        tree = self.trees[module]
-        aliases: set[str] = set()
-        for node in ast.walk(tree):
+        """Modules that one refers to, by imports, by names in what it has imported, and by strings."""
+        modules: dict[str, str] = {}
+        for node in ast.walk(self.trees[module]):
             if isinstance(node, ast.ImportFrom) and node.module and self._is_ours(node.module):
-                yield from (self.definer(node.module, alias.name) for alias in node.names)
+                for alias in node.names:
+                    found = self.definer(node.module, alias.name)
+                    yield found
+                    if found.endswith(f".{alias.name}") and alias.name not in self.defined.get(found, ()):
+                        modules[alias.asname or alias.name] = found
             elif isinstance(node, ast.Import):
-                aliases |= {a.asname or a.name for a in node.names if a.name == self.name}
-                yield from (alias.name for alias in node.names if alias.name in self.trees)
-        # `import package as p` and then `p.name`.
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in aliases:
-                yield self.definer(self.name, node.attr)
+                for alias in filter(lambda alias: self._is_ours(alias.name), node.names):
+                    modules[alias.asname or self.name] = alias.name if alias.asname else self.name
+                    # A use of the whole package counts by the names that follow.
+                    if alias.name != self.name:
+                        yield alias.name
+        for node in ast.walk(self.trees[module]):
+            if isinstance(node, ast.Attribute):
+                yield self._referred(node, modules)
+            elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value != self.name:
+                yield self.entries.get(node.value, node.value)
+                if node.value.startswith("."):
+                    # As in `import_module(".name", __package__)`.
+                    yield (module if module in self.folders else module.rpartition(".")[0]) + node.value
+
+    def _referred(self, node: ast.expr, modules: Mapping[str, str]) -> str:
+        """The module that an expression such as `package.folder.name` names or reaches into; empty for others."""
+        if isinstance(node, ast.Name):
+            return modules.get(node.id, "")
+        if not isinstance(node, ast.Attribute):
+            return ""
+        within = self._referred(node.value, modules)
+        return self.definer(within, node.attr) if within in self.trees else ""
 
     def _is_ours(self, module: str) -> bool:
         return module.partition(".")[0] == self.name
@@ -65,9 +97,10 @@ def _dotted(path: Path, root: Path) -> str:
 
 
 def _read(path: Path) -> str:
-    """Text of a file; of a package that imports its names on first use, the text of its stub, which lists them."""
+    """Text of a file; of a package that imports its names on first use, with that of its stub, which lists them."""
     stub = path.with_suffix(".pyi")
-    return (stub if path.name == "__init__.py" and stub.is_file() else path).read_text(encoding="utf-8")
+    listed = stub.read_text(encoding="utf-8") if path.name == "__init__.py" and stub.is_file() else ""
+    return path.read_text(encoding="utf-8") + listed
 
 
 def _definitions(tree: ast.Module) -> Iterator[str]:
@@ -77,7 +110,7 @@ def _definitions(tree: ast.Module) -> Iterator[str]:
         elif isinstance(node, ast.Assign | ast.AnnAssign | ast.AugAssign):
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]
             names = (n.id for target in targets for n in ast.walk(target) if isinstance(n, ast.Name))
-            yield from (name for name in names if name != "__all__")
+            yield from (name for name in names if not name.startswith("__"))
 
 
 def _names(tree: ast.Module, module: str) -> Iterator[tuple[str, tuple[str, str]]]:

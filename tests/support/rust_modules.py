@@ -1,4 +1,4 @@
-"""Finds which file of a Rust crate uses which: a parser of imports and paths, sufficient to find circles.
+"""Finds which file of a Rust crate uses which: a parser of imports and paths, sufficient to find cycles.
 
 An import counts to the file that defines the name, however many `pub use` stand between. A `mod.rs` or `lib.rs` that
 only declares, documents and re-exports is no file of the graph; one that defines something is. Tests are left out.
@@ -19,7 +19,7 @@ NOISE = re.compile(
     re.DOTALL | re.VERBOSE,
 )
 ATTRIBUTE = re.compile(r"\s*#!?\[(?:[^\[\]]|\[[^\[\]]*\])*\]")
-TEST_ONLY = re.compile(r"#\[\s*(?:test\b|cfg\s*\(\s*(?:all\s*\(\s*)?test\b)")
+TEST_ONLY = re.compile(r"#\[\s*(?:test\b|cfg\s*\(\s*(?:(?:all|any)\s*\(\s*)?(?:test|fuzzing)\b)")
 VISIBILITY = re.compile(r"\s*(?:pub\b\s*(?:\([^)]*\))?\s*)?")
 FUNCTION = re.compile(r"(?:(?:const|async|unsafe|extern)\s+)*fn\s+(\w+)")
 ITEM = re.compile(r"(?:unsafe\s+)?(struct|enum|union|trait|type|const|static)\s+(?:mut\s+)?(\w+)")
@@ -254,9 +254,10 @@ def all_files(module: Module) -> Iterator[Module]:
 
 
 def file_graph(source: Path) -> dict[str, set[str]]:
-    """The files that each file of a crate uses, by their paths below its folder `src`."""
-    root = Module("lib.rs", None)
-    read(root, bare((source / "lib.rs").read_text(encoding="utf-8")), source, source)
+    """The files that each file of a crate uses, by their paths below the folder of its `lib.rs` or `main.rs`."""
+    first = "lib.rs" if (source / "lib.rs").is_file() else "main.rs"
+    root = Module(first, None)
+    read(root, bare((source / first).read_text(encoding="utf-8")), source, source)
     files = {module.file: module for module in all_files(root)}
     silent = {name for name, module in files.items() if is_declaring(module)}
     macros = {

@@ -1,0 +1,175 @@
+"""Parts of the sources in each language, and the parts that each uses: files, or folders with all that is in them.
+
+Rows stand in the order of the data flow, and a part uses earlier ones alone. A row is a decision: a test fails for a
+part without one, for a use that a row does not list, and for one that it lists and that is not there.
+"""
+
+from __future__ import annotations
+
+CORE: dict[str, set[str]] = {
+    "base": set(),
+    "bvh": {"base"},
+    "scene": {"base", "bvh"},
+    "camera": {"base"},
+    "cubemap": {"base", "camera"},
+    "trace": {"base", "bvh", "scene"},
+    "partition": {"base", "scene"},
+    "morph": {"base"},
+    "bend": {"base", "morph"},
+    "tessellate": {"base", "scene", "morph"},
+    "render": {"base", "scene", "camera", "cubemap", "trace", "partition", "morph", "bend", "tessellate"},
+    "stereo": {"base", "scene", "camera", "trace", "render"},
+    "export": {"base", "scene"},
+    "exr": {"base"},
+    "metrics": {"base", "camera"},
+    "bounds": {"base"},
+    "lens": {"base", "camera", "bounds"},
+    "lod": {"base", "camera", "trace", "bounds", "lens"},
+    "orthoview": {"base", "scene", "camera", "trace", "render", "lod"},
+}
+"""Stages of the core crate, in the order of lib.rs."""
+
+GPU: dict[str, set[str]] = {
+    "device": set(),
+    "upload": {"device"},
+    "draw": {"device", "upload"},
+    "render": {"device", "upload", "draw"},
+    "compute": {"device", "draw"},
+    "splat": {"compute", "device", "draw"},
+}
+"""Modules of the GPU crate, in the order of lib.rs. A device stores state by type, so that it depends on none of the
+modules that define it. Of other crates it uses only the core."""
+
+SERVE: dict[str, set[str]] = {
+    "clients": set(),
+    "flow": set(),
+    "limits": set(),
+    "log": set(),
+    "open": set(),
+    "file": {"open"},
+    "packed": set(),
+    "pinned": set(),
+    "ranges": set(),
+    "tls": set(),
+    "demand": {"open"},
+    "site": {"demand", "packed"},
+    "respond": {"file", "open", "packed", "ranges", "site"},
+    "regions": {"clients", "demand", "respond", "site"},
+    "webtransport": {"limits"},
+    "rooms": {"clients", "limits", "respond", "webtransport"},
+    "metrics": {"demand", "rooms", "site"},
+    "offer": {"pinned", "rooms"},
+    "router": {"metrics", "offer", "packed", "regions", "respond", "rooms", "site"},
+    "record": {"flow", "router"},
+    "connection": {"flow", "limits", "record", "respond", "rooms", "router"},
+    "quic": {"clients", "connection", "offer", "pinned", "rooms", "router", "tls", "webtransport"},
+    "server": {"clients", "connection", "limits", "offer", "quic", "rooms", "router", "tls"},
+}
+"""Modules of the server, in the order of lib.rs; it uses no other crate of the project."""
+
+PACKAGE: dict[str, set[str]] = {
+    "_base": set(),
+    "_camera": {"_base"},
+    "_scene": {"_base", "_camera"},
+    "_source": {"_base", "_scene"},
+    "datasets": {"_base", "_scene"},
+    "_cubemap": {"_base"},
+    "_trace": {"_base", "_scene"},
+    "_partition": {"_base", "_scene"},
+    "_morph": {"_base"},
+    "_bend": {"_base", "_morph"},
+    "_tessellate": {"_base", "_camera", "_scene"},
+    "_bounds": {"_base"},
+    "_render": {"_base", "_camera", "_cubemap", "_scene"},
+    "_metrics": {"_base", "_camera", "_render"},
+    "_reduce": {
+        "_base",
+        "_bend",
+        "_camera",
+        "_cubemap",
+        "_metrics",
+        "_morph",
+        "_partition",
+        "_render",
+        "_scene",
+        "_trace",
+    },
+    "_lens": {"_base", "_camera", "_render"},
+    "hmd": {"_base", "_camera", "_lens", "_render"},
+    "stereo": {"_base", "_camera", "_render", "_scene", "hmd"},
+    "gpu": {"_base", "_camera", "_metrics", "_morph", "_render"},
+    "lod": {"_base", "_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "hmd"},
+    "stream": {"_base", "_camera", "_cubemap", "_metrics", "_partition", "_reduce", "_render", "_scene", "_trace"},
+    "orthoview": {"_base", "_camera", "_cubemap", "_reduce", "_render", "_scene", "_source", "_trace", "lod", "stream"},
+    "view": {"_base", "_camera", "_cubemap", "_partition", "_reduce", "_scene", "orthoview", "stream"},
+    "serve": {"_base", "_scene", "_trace", "stream", "view"},
+    "cli": {
+        "_base",
+        "_bend",
+        "_camera",
+        "_metrics",
+        "_partition",
+        "_reduce",
+        "_render",
+        "_scene",
+        "_source",
+        "_trace",
+        "datasets",
+        "gpu",
+        "hmd",
+        "lod",
+        "orthoview",
+        "serve",
+        "stereo",
+        "stream",
+        "view",
+    },
+    "__init__": {"_render", "view"},
+}
+"""Stages of the Python package, and the package itself, which joins early stages with late ones."""
+
+WEB: dict[str, set[str]] = {
+    "hex": set(),
+    "shaders": set(),
+    "control": set(),
+    "bundle": set(),
+    "decode": {"bundle", "hex"},
+    "show": {"bundle", "control", "decode", "shaders"},
+    "demand": {"bundle", "control", "show"},
+    "opened": {"bundle", "control", "demand", "show"},
+    "xr": {"control", "show"},
+    "ui": {"control", "demand"},
+    "rooms": {"bundle", "control", "hex", "shaders", "show", "ui", "xr"},
+    "peers": {"bundle", "hex", "rooms"},
+    "room": {"bundle", "control", "peers", "rooms", "show", "ui", "xr"},
+    "collect": {"bundle", "control", "peers", "room", "rooms", "shaders", "show", "ui"},
+    "widget": {"bundle", "control", "decode", "show"},
+    "page": {"bundle", "collect", "control", "decode", "opened", "room", "show", "ui", "xr"},
+    "orthoview/store": {"hex"},
+    "orthoview/decode": {"decode", "hex", "orthoview/store"},
+    "orthoview/cut": {"orthoview/store"},
+    "orthoview/controls": {"control", "orthoview/store"},
+    "orthoview/splats": {"orthoview/cut", "orthoview/decode", "orthoview/store"},
+    "orthoview/draw": {"decode", "orthoview/cut", "orthoview/decode", "orthoview/splats", "orthoview/store", "shaders"},
+    "orthoview/show": {"orthoview/cut", "orthoview/decode", "orthoview/draw", "orthoview/splats", "orthoview/store"},
+    "orthoview": {
+        "control",
+        "orthoview/controls",
+        "orthoview/cut",
+        "orthoview/decode",
+        "orthoview/draw",
+        "orthoview/show",
+        "orthoview/store",
+        "show",
+        "ui",
+    },
+}
+"""Folders and single files of the page, and those of the page of trees."""
+
+TABLES = {
+    "rust/core/src": CORE,
+    "rust/gpu/src": GPU,
+    "rust/serve/src": SERVE,
+    "python/nearfar": PACKAGE,
+    "web/src": WEB,
+}
