@@ -18,7 +18,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo page test test-slow lint lint-rust lint-python lint-fuzz lint-web test-rust test-adapters bench notebooks stress attack fuzz setup clean
+.PHONY: help demo page test test-slow test-changed test-third lint lint-rust lint-python lint-fuzz lint-web test-rust test-adapters bench notebooks stress attack fuzz setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -36,6 +36,14 @@ test: lint test-rust .venv/built .venv/test
 # Tests that take seconds each: whole programs, notebooks, real scenes, other programs' readers and exporters. `make test` leaves them out.
 test-slow: .venv/built .venv/test .venv/readers .venv/exporters .venv/web
 	$(bin)/python -m pytest -n auto --dist worksteal -m "slow and not stress"
+
+# The slow tests of the stages that changed since BASE, by default the commit in .ci/landed, and of those that use them.
+test-changed: .venv/built .venv/test .venv/readers .venv/exporters .venv/web
+	$(bin)/python -m tests.slow changed $(if $(BASE),--base $(BASE))
+
+# One third of the other slow tests: the next one with each commit.
+test-third: .venv/built .venv/test .venv/readers .venv/exporters .venv/web
+	$(bin)/python -m tests.slow third $(if $(BASE),--base $(BASE))
 
 # Formatting, lints and types only.
 lint: lint-rust lint-python lint-web

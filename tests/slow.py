@@ -1,0 +1,98 @@
+"""Runs some of the slow tests: those of the stages that a change touches, or a third of the others.
+
+`python -m tests.slow changed --base COMMIT` runs the first, `python -m tests.slow third --base COMMIT` the second; with
+`--list` both only say what they would run. Without `--base` a change is what came after the commit in `.ci/landed`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+
+from tests.support.changes import ALL, chosen, touches_rust
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+LANDED = CHECKOUT / ".ci" / "landed"
+"""Holds the commit up to which everything has passed; whoever begins a change writes it there."""
+
+PYTEST = ("-m", "pytest", "-n", "auto", "--dist", "worksteal", "-m", "slow and not stress")
+
+Reasons = dict[str, str]
+"""Folders of tests, and why they were chosen."""
+
+
+def main() -> int:
+    """Run what the command line asks for; the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("which", choices=("changed", "third"))
+    parser.add_argument("--base", help="the commit before the change", default=None)
+    parser.add_argument("--list", action="store_true", help="only say what would run")
+    arguments = parser.parse_args()
+    paths, source = changes(arguments.base)
+    reasons = {ALL: source} if paths is None else chosen(paths)
+    if arguments.which == "third":
+        return run(third(reasons), is_listed=arguments.list)
+    print(f"slow tests of what changed since {source}:" if paths is not None else f"all slow tests, because {source}:")
+    for folder, path in reasons.items():
+        print(f"  {folder}: {path}")
+    status = run(files_of(reasons), is_listed=arguments.list)
+    if not arguments.list and (paths is None or touches_rust(paths)):
+        print("Rust changed: lints of the fuzz targets, tests on adapters")
+        status = max(
+            status, subprocess.run(["make", "lint-fuzz", "test-adapters"], cwd=CHECKOUT, check=False).returncode
+        )
+    return status
+
+
+def changes(base: str | None) -> tuple[list[str] | None, str]:
+    """Changed files and the commit before them; None and the reason if it is not known."""
+    base = base or (LANDED.read_text(encoding="utf-8").strip() if LANDED.is_file() else "")
+    if not base:
+        return None, "no commit is given"
+    if git("merge-base", "--is-ancestor", base, "HEAD") is None:
+        return None, f"{base} is no commit before this one"
+    listed = (git("diff", "--name-only", base), git("ls-files", "--others", "--exclude-standard"))
+    return [line for text in listed if text is not None for line in text.splitlines()], base
+
+
+def git(*arguments: str) -> str | None:
+    """Output of git; None if it fails."""
+    try:
+        process = subprocess.run(["git", *arguments], cwd=CHECKOUT, capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        return None
+    return process.stdout if process.returncode == 0 else None
+
+
+def slow_files() -> list[str]:
+    """Files with slow tests."""
+    paths = sorted((CHECKOUT / "tests").glob("*/test_*.py"))
+    return [str(path.relative_to(CHECKOUT)) for path in paths if "mark.slow" in path.read_text(encoding="utf-8")]
+
+
+def files_of(reasons: Reasons) -> list[str]:
+    """Files with slow tests in the chosen folders."""
+    return [path for path in slow_files() if ALL in reasons or Path(path).parts[1] in reasons]
+
+
+def third(reasons: Reasons) -> list[str]:
+    """One third of the files with slow tests that were not chosen: the next one with each commit."""
+    count = git("rev-list", "--count", "HEAD") if git("rev-parse", "--is-shallow-repository") == "false\n" else None
+    turn = int(count or 0) % 3
+    others = [path for path in slow_files() if path not in files_of(reasons)]
+    print(f"slow tests of other stages: third {turn + 1} of 3, {len(others[turn::3])} of {len(others)} files")
+    return others[turn::3]
+
+
+def run(files: list[str], *, is_listed: bool) -> int:
+    """Run the slow tests of files; the exit status."""
+    if is_listed or not files:
+        print("\n".join(files) or "none")
+        return 0
+    return subprocess.run([sys.executable, *PYTEST, *files], cwd=CHECKOUT, check=False).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())
