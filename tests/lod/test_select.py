@@ -306,7 +306,7 @@ def test_models_of_other_sizes_and_samples_are_refused() -> None:
     with pytest.raises(ValueError, match="sigma: expected the least and the greatest solid angle"):
         replace(usual(), sigma=(1.0, 0.1))
     samples = nf.lod.Samples(np.array([0.1, 0.01]), np.ones((3, 2)))
-    with pytest.raises(ValueError, match=r"samples: expected scores of 8 levels at 2 sizes, got shape \(3, 2\)"):
+    with pytest.raises(ValueError, match="samples: expected scores of 8 levels at 2 sizes"):
         replace(usual(), samples=samples)
 
 

@@ -279,7 +279,7 @@ def test_several_scales_are_their_definition() -> None:
     assert nf.ms_ssim(*byte, data_range=255) == pytest.approx(nf.ms_ssim(a, b, data_range=1), abs=1e-3)
     # Negative means count as 0.
     assert nf.ms_ssim(a, 1 - a, data_range=1) == 0.0
-    with pytest.raises(ValueError, match="reference: expected windows of 11 pixels within the picture at every scale"):
+    with pytest.raises(ValueError, match="reference: expected windows of 11 pixels"):
         nf.ms_ssim(a[:150], b[:150], data_range=1)
 
 

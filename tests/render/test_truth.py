@@ -191,9 +191,9 @@ def test_places_that_float32_cannot_hold_are_refused(far: float) -> None:
     scene = build(room())
     camera = nf.Camera((far, 0, 0), fov=WIDE, size=(4, 4))
     reduced = nf.reduce(scene, center=(0, 0, 0), r1=1, r2=2, face_size=4)
-    with pytest.raises(ValueError, match="position: expected a place within 1e30 m of the scene's origin"):
+    with pytest.raises(ValueError, match="position: expected a place within 1e30 m"):
         nf.render(scene, camera)
-    with pytest.raises(ValueError, match="position: expected a place within 1e30 m of the scene's origin"):
+    with pytest.raises(ValueError, match="position: expected a place within 1e30 m"):
         reduced.render(camera)
     with pytest.raises(ValueError, match="center: expected a place within 1e30 m"):
         nf.reduce(scene, center=(far, 0, 0), r1=1, r2=2, face_size=4)

@@ -193,7 +193,7 @@ def test_streams_that_cannot_be_decoded_are_errors(tmp_path: Path, changes: dict
 def test_rows_of_another_length_than_their_view_are_errors(tmp_path: Path) -> None:
     document, binary = split(glb(square(), meshes=PLAIN))
     document["bufferViews"][0]["byteStride"] = 16
-    with pytest.raises(nf.SceneError, match=r"a\.glb: its buffer view 0 has rows of 16 bytes, and 12 compressed"):
+    with pytest.raises(nf.SceneError, match=r"a\.glb: its buffer view 0 has rows of 16 bytes"):
         load(tmp_path, encode(document, binary))
 
 

@@ -79,9 +79,7 @@ def test_draco_without_a_decoder_is_an_error(tmp_path: Path, monkeypatch: pytest
     compressed = [{"primitives": [{"attributes": {"POSITION": 0}, "extensions": {DRACO: {"bufferView": 0}}}]}]
     bare = [{"componentType": FLOAT, "count": 3, "type": "VEC3"}]
     for lists in ({"extensionsUsed": [DRACO]}, {"extensionsRequired": [DRACO]}, {}):
-        with pytest.raises(
-            nf.SceneError, match=r"a\.glb: it needs the extension KHR_draco.*pip install .nearfar.formats"
-        ):
+        with pytest.raises(nf.SceneError, match=r"a\.glb: it needs the extension KHR_draco.*pip"):
             load(tmp_path, gltf([], meshes=compressed, nodes=[{"mesh": 0}], accessors=bare, **lists))
     # A file with plain data beside the compressed one needs no decoder.
     plain = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "extensions": {DRACO: {"bufferView": 0}}}]}]

@@ -152,7 +152,7 @@ def test_transforms_that_are_not_finite_are_errors_or_left_out(tmp_path: Path) -
     places = PLACES.copy()
     places[1, 0] = np.nan
     content = document([places], nodes=[node(TRANSLATION=1)])
-    with pytest.raises(nf.SceneError, match="a transform that is not finite and affine at node 'tree_1'"):
+    with pytest.raises(nf.SceneError, match="a transform that is not finite and affine at node"):
         load(tmp_path, content)
     assert load(tmp_path, content, on_invalid="drop").object_names == ("tree", "tree_2")
 

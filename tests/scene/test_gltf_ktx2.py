@@ -95,7 +95,7 @@ def test_real_plain_pixels_are_green(tmp_path: Path, name: str) -> None:
 
 @pytest.mark.parametrize(("name", "words"), [("bc1", "BC"), ("bc7", "BC"), ("astc4x4", "ASTC")])
 def test_other_compressions_are_named(tmp_path: Path, name: str, words: str) -> None:
-    with pytest.raises(nf.SceneError, match=rf"a\.glb: its texture 0, a KTX 2 image, has {words} \(Vulkan.*not read"):
+    with pytest.raises(nf.SceneError, match=rf"a\.glb: its texture 0, a KTX 2 image, has {words}"):
         load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes()))
 
 

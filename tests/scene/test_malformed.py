@@ -121,7 +121,7 @@ def test_the_system_s_own_errors_pass_through(tmp_path: Path) -> None:
     with pytest.raises(IsADirectoryError, match=r"expected a file, got a folder, which holds house\.obj: "):
         nf.Scene.load(tmp_path)
     (tmp_path / "reduced.json").touch()
-    with pytest.raises(IsADirectoryError, match=r"the folder of a reduced scene, which ReducedScene\.load reads: "):
+    with pytest.raises(IsADirectoryError, match="the folder of a reduced scene"):
         nf.Scene.load(tmp_path)
 
 

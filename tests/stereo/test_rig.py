@@ -207,7 +207,7 @@ def test_a_zone_begins_and_ends_without_a_step() -> None:
     np.testing.assert_allclose(zone.quad_layer.position, plane.quad_layer.position)
     between = np.array([zone.shown("left", at, depth=depth) for depth in np.linspace(6.0, 10.0, 50)])
     assert (np.diff(between[:, 0]) > 0.0).all()
-    with pytest.raises(ValueError, match="mono_plane: expected one plane for a kink, got the zone from 6 to 10 m"):
+    with pytest.raises(ValueError, match="mono_plane: expected one plane for a kink"):
         zone.kink_angle("left", at[None], at[None])
 
 
