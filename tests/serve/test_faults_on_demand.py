@@ -20,7 +20,7 @@ from nearfar.serve._server import Server
 from tests.support.made_regions import BYTES, FILES, Kitchen, files_of, serving
 from tests.support.waiting import wait_until
 
-KILLS = 4
+KILLS = 2
 
 
 def asked(stack: ExitStack, server: Server, place: str, source: str) -> http.client.HTTPResponse:
