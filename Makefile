@@ -9,10 +9,16 @@ WHEEL ?=
 ATTACK_MINUTES ?= 60
 FUZZ_SECONDS ?= 120
 
+# The commit before the change, for `make test-changed`: .ci/landed holds the newest one that .ci/run has passed on.
+BASE ?= $(shell cat .ci/landed 2>/dev/null)
+
 bin := .venv/bin
 rust_sources := $(shell find rust -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 # Python compiles a module when it is first imported; pip would compile all of them.
 pip := $(bin)/python -m pip install --quiet --disable-pip-version-check --no-compile
+# Not empty if Rust differs from BASE, or may: half of the set-up is compiling it twice more, for its lints and its tests.
+rust_changed = $(shell git merge-base --is-ancestor $(BASE) HEAD 2>/dev/null && git diff --quiet $(BASE) -- $(rust_parts) && test -z "$$(git ls-files --others --exclude-standard $(rust_parts))" || echo yes)
+rust_parts := rust fuzz Cargo.toml Cargo.lock rustfmt.toml Makefile
 # Much of compiling takes one core, which leaves the other one to pip and the linters.
 MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
@@ -29,21 +35,21 @@ help:
 demo: .venv/built
 	$(bin)/nearfar reduce -i city -o $(OUT)/demo
 
-# Formatting, lints, types, Rust tests, Python tests; `make test-slow` runs those that take seconds each.
-test: lint test-rust .venv/built .venv/test
+# Formatting, lints, types, tests of Python, and those of Rust if it differs from BASE; `make test-slow` runs those that take seconds each.
+test: lint-python lint-web $(if $(rust_changed),lint-rust test-rust) .venv/built .venv/test
 	$(bin)/python -m pytest -n auto --dist worksteal
 
 # Tests that take seconds each: whole programs, notebooks, real scenes, other programs' readers and exporters. `make test` leaves them out.
 test-slow: .venv/built .venv/test .venv/readers .venv/exporters .venv/web
 	$(bin)/python -m pytest -n auto --dist worksteal -m "slow and not stress"
 
-# The slow tests of the stages that changed since BASE, by default the commit in .ci/landed, and of those that use them.
-test-changed: .venv/built .venv/test .venv/readers .venv/exporters .venv/web
-	$(bin)/python -m tests.slow changed $(if $(BASE),--base $(BASE))
+# The slow tests of the stages that changed since BASE, and of those that use them.
+test-changed: .venv/built .venv/test .venv/readers .venv/exporters .venv/web $(if $(rust_changed),lint-fuzz test-adapters)
+	$(bin)/python -m tests.slow changed $(BASE)
 
 # One third of the other slow tests: the next one with each commit.
 test-third: .venv/built .venv/test .venv/readers .venv/exporters .venv/web
-	$(bin)/python -m tests.slow third $(if $(BASE),--base $(BASE))
+	$(bin)/python -m tests.slow third $(BASE)
 
 # Formatting, lints and types only.
 lint: lint-rust lint-python lint-web

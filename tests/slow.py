@@ -1,7 +1,7 @@
 """Runs some of the slow tests: those of the stages that a change touches, or a third of the others.
 
-`python -m tests.slow changed --base COMMIT` runs the first, `python -m tests.slow third --base COMMIT` the second; with
-`--list` both only say what they would run. Without `--base` a change is what came after the commit in `.ci/landed`.
+`python -m tests.slow changed COMMIT` runs the first for what came after a commit, `python -m tests.slow third COMMIT`
+the second. With `--list` both only say what they would run. Without the commit everything counts as changed.
 """
 
 from __future__ import annotations
@@ -11,12 +11,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from tests.support.changes import ALL, chosen, touches_rust
+from tests.support.changes import ALL, chosen
 
 CHECKOUT = Path(__file__).resolve().parents[1]
-LANDED = CHECKOUT / ".ci" / "landed"
-"""Holds the commit up to which everything has passed; whoever begins a change writes it there."""
-
 PYTEST = ("-m", "pytest", "-n", "auto", "--dist", "worksteal", "-m", "slow and not stress")
 
 Reasons = dict[str, str]
@@ -27,7 +24,7 @@ def main() -> int:
     """Run what the command line asks for; the exit status."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("which", choices=("changed", "third"))
-    parser.add_argument("--base", help="the commit before the change", default=None)
+    parser.add_argument("base", nargs="?", help="the commit before the change")
     parser.add_argument("--list", action="store_true", help="only say what would run")
     arguments = parser.parse_args()
     paths, source = changes(arguments.base)
@@ -37,19 +34,12 @@ def main() -> int:
     print(f"slow tests of what changed since {source}:" if paths is not None else f"all slow tests, because {source}:")
     for folder, path in reasons.items():
         print(f"  {folder}: {path}")
-    status = run(files_of(reasons), is_listed=arguments.list)
-    if not arguments.list and (paths is None or touches_rust(paths)):
-        print("Rust changed: lints of the fuzz targets, tests on adapters")
-        status = max(
-            status, subprocess.run(["make", "lint-fuzz", "test-adapters"], cwd=CHECKOUT, check=False).returncode
-        )
-    return status
+    return run(files_of(reasons), is_listed=arguments.list)
 
 
 def changes(base: str | None) -> tuple[list[str] | None, str]:
     """Changed files and the commit before them; None and the reason if it is not known."""
-    base = base or (LANDED.read_text(encoding="utf-8").strip() if LANDED.is_file() else "")
-    if not base:
+    if base is None:
         return None, "no commit is given"
     if git("merge-base", "--is-ancestor", base, "HEAD") is None:
         return None, f"{base} is no commit before this one"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from tests import slow
@@ -63,8 +61,7 @@ def test_three_commits_run_all_slow_tests(monkeypatch: pytest.MonkeyPatch) -> No
     assert slow.third(reasons) == parts[2]
 
 
-def test_without_the_commit_before_everything_is_chosen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(slow, "LANDED", tmp_path / "landed")
+def test_without_the_commit_before_everything_is_chosen(monkeypatch: pytest.MonkeyPatch) -> None:
     assert slow.changes(None) == (None, "no commit is given")
     monkeypatch.setattr(slow, "git", lambda *_: None)
     assert slow.changes("0" * 40)[0] is None

@@ -63,8 +63,3 @@ def chosen(paths: Iterable[str]) -> dict[str, str]:
         for folder in sorted(stages_of(path)):
             reasons.setdefault(folder, path)
     return reasons
-
-
-def touches_rust(paths: Iterable[str]) -> bool:
-    """Whether the lints of the fuzz targets and the tests on adapters can have another outcome."""
-    return any(re.match(r"rust/|fuzz/|Cargo\.|rustfmt\.toml", path) for path in paths)
