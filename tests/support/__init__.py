@@ -20,6 +20,7 @@ import nearfar as nf
 from benchmarks.harness.link import no_link
 from nearfar._base import data as data_files, formats
 from tests.support.reader_cases import no_blender, no_browser, no_exporters, no_node, no_web
+from tests.support.thread_counts import printed_by_threads as printed_by_threads
 
 
 def _module(name: str) -> Callable[[], str]:
@@ -154,18 +155,6 @@ def peak():
         return 1024 * int(next(line for line in status if line.startswith("VmHWM")).split()[1])
 """
 """Code for programs on Linux: peak memory in bytes. `getrusage` includes the parent's memory at the start."""
-
-
-def printed_by_threads(code: str, counts: str = "123") -> set[str]:
-    """Return the output of a program in processes with these numbers of threads; one text if all agree."""
-    printed = set()
-    for threads in counts:
-        environment = os.environ | {"NEARFAR_NUM_THREADS": threads, "PYTHONPATH": os.pathsep.join(sys.path)}
-        command = [sys.executable, "-c", code]
-        process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
-        assert process.returncode == 0, process.stderr
-        printed.add(process.stdout)
-    return printed
 
 
 def valid(document: dict[str, Any], name: str) -> bool:
