@@ -227,50 +227,6 @@ def test_object_stores_are_read(copied: Path) -> None:
         memory.rm("/bucket", recursive=True)
 
 
-@pytest.mark.slow
-def test_a_full_disk_ends_the_build_and_costs_nothing(
-    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Half of a chunk is written when the disk is full."""
-    write, left = ShardWriter._write, [50_000]
-
-    def limited(self: ShardWriter, data: bytes, *, sync: bool) -> None:
-        left[0] -= len(data)
-        if left[0] < 0:
-            write(self, data[: len(data) // 2], sync=sync)
-            raise OSError(errno.ENOSPC, "No space left on device")
-        write(self, data, sync=sync)
-
-    path = tmp_path / "world.zarr"
-    with monkeypatch.context() as patched:
-        patched.setattr(ShardWriter, "_write", limited)
-        with pytest.raises(OSError, match="No space left on device"):
-            nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=5)
-    source = Counted(world)
-    resumed = nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5)
-    assert source.queries < np.prod(tree.cells(0))
-    assert resumed.is_complete
-    assert contents(path) == contents(Path(tree.path))
-
-
-@pytest.mark.slow
-def test_ctrl_c_ends_the_build_and_costs_nothing(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    class Interrupted(Counted):
-        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
-            part = super().query(aabb, detail)
-            if self.queries == 200:
-                raise KeyboardInterrupt
-            return part
-
-    path = tmp_path / "world.zarr"
-    with pytest.raises(KeyboardInterrupt):
-        nf.orthoview.build(Interrupted(world), path, cell=CELL, size=SIZE, directions=5)
-    source = Counted(world)
-    nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5)
-    assert source.queries == np.prod(tree.cells(0)) - 199
-    assert contents(path) == contents(Path(tree.path))
-
-
 def test_a_shard_that_is_gone_is_named_when_a_build_goes_on(copied: Path, world: nf.Scene) -> None:
     document = json.loads((copied / "zarr.json").read_text())
     document["attributes"]["nearfar"]["complete"] = False
