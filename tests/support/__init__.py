@@ -12,9 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
-from referencing import Registry, Resource
 
 import nearfar as nf
 from benchmarks.harness.link import no_link
@@ -159,6 +157,9 @@ def peak():
 
 def valid(document: dict[str, Any], name: str) -> bool:
     """Whether a document fits the schema of a format."""
+    import jsonschema  # its grammar of addresses takes a second, which other processes do not wait for
+    from referencing import Registry, Resource
+
     header = Resource.from_contents(formats.load_schema("header"))
     registry: Registry[Any] = Registry().with_resource("urn:nearfar:schema:header", header)
     return bool(jsonschema.Draft202012Validator(formats.load_schema(name), registry=registry).is_valid(document))

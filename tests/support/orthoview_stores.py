@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +18,9 @@ from numpy.typing import ArrayLike, NDArray
 
 import nearfar as nf
 from nearfar import _core
+from nearfar.orthoview import _store
 from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Grid
+from nearfar.orthoview._grid import Grid, Place
 from tests.support import need
 from tests.support.orthoview_cases import CORNER, boxes
 
@@ -57,6 +58,25 @@ def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.Or
                 parent.add((x % 2, y % 2, z % 2), views)
         cells |= {(level, place): parent.finish() for place, parent in parents.items()}
     return cells
+
+
+def of_subtrees(tree: nf.orthoview.OrthoTree) -> Callable[[int, Place], _store.Cells]:
+    """What the records of a tree tell of the subtree at a tier and a place."""
+    return _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
+
+
+def masks_of(tree: nf.orthoview.OrthoTree) -> dict[tuple[int, Place], int]:
+    """For each cell the bits of the directions that show something, as the records say."""
+    read, found = of_subtrees(tree), {}
+    for tier in range(tree._layout.tiers):
+        x, y, z = (-(-count // 8 ** (tier + 1)) for count in tree.cells(0))
+        for i, j, k in places((x, y, z)):
+            for level, mask in enumerate(read(tier, (i, j, k)).masks, 3 * tier):
+                side = 8 >> level % 3
+                assert mask.shape == (side, side, side)
+                for x, y, z in np.argwhere(mask).tolist():
+                    found[level, (i * side + x, j * side + y, k * side + z)] = int(mask[x, y, z])
+    return found
 
 
 def contents(path: Path) -> dict[str, bytes]:
