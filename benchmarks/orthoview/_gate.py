@@ -30,6 +30,8 @@ class Gate:
     """Bytes that may go out in all."""
     sent: int = 0
     requests: int = 0
+    waiting: int = 0
+    """Clients that wait until more may go out."""
     _free: float = 0.0
     _changed: threading.Condition = field(default_factory=threading.Condition)
 
@@ -42,10 +44,12 @@ class Gate:
     def take(self, count: int, connection: socket.socket) -> int:
         """Wait until some of a number of bytes may go out; 0 if nobody waits for them any more."""
         with self._changed:
-            while self.sent >= self.allowed:
-                if _is_closed(connection):
-                    return 0
+            self.waiting += 1
+            while self.sent >= self.allowed and not _is_closed(connection):
                 self._changed.wait(0.1)
+            self.waiting -= 1
+            if self.sent >= self.allowed:
+                return 0
             taken = int(min(count, self.allowed - self.sent))
             self.sent += taken
             self._free = max(self._free, time.monotonic()) + taken * 8e-6 / self.mbps

@@ -1,9 +1,10 @@
-"""Worlds and their trees, for all tests of orthoviews."""
+"""Worlds and their trees, for all tests of orthoviews. Trees are built once in a run; what changes one copies it."""
 
 from __future__ import annotations
 
 import shutil
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,8 +13,17 @@ from PIL import Image
 
 import nearfar as nf
 from tests.support import need
+from tests.support.made import made
 from tests.support.orthoview_cases import boxes
-from tests.support.orthoview_stores import CELL, SIZE
+from tests.support.orthoview_stores import CELL, SIZE, few_boxes, world_of
+
+Tree = nf.orthoview.OrthoTree
+
+
+def built(factory: pytest.TempPathFactory, name: str, scene: nf.Scene, **settings: Any) -> Tree:
+    """The tree of a scene, built once in a run."""
+    need("zarr")
+    return nf.orthoview.open(made(factory, name, lambda path: nf.orthoview.build(scene, path, **settings)))
 
 
 @pytest.fixture(scope="session")
@@ -23,32 +33,56 @@ def world() -> nf.Scene:
 
 
 @pytest.fixture(scope="session")
-def tree(world: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
-    need("zarr")
-    path = tmp_path_factory.mktemp("trees") / "world.zarr"
-    return nf.orthoview.build(world, path, cell=CELL, size=SIZE, directions=5)
+def tree(world: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    return built(tmp_path_factory, "world.zarr", world, cell=CELL, size=SIZE, directions=5)
+
+
+@pytest.fixture(scope="session")
+def few() -> nf.Scene:
+    """Few boxes in several subtrees, for tests that build."""
+    return few_boxes()
+
+
+@pytest.fixture(scope="session")
+def few_tree(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    return built(tmp_path_factory, "few.zarr", few, cell=CELL, size=SIZE, directions=5)
+
+
+@pytest.fixture(scope="session")
+def thirty() -> nf.Scene:
+    """Thirty boxes."""
+    return world_of(range(30))
+
+
+@pytest.fixture(scope="session")
+def layered(thirty: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    """A tree for pictures: large leaves in two layers, seen from nine directions."""
+    return built(tmp_path_factory, "layered.zarr", thirty, cell=20, size=32, directions=9, layers=2)
 
 
 @pytest.fixture
-def copied(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
+def copied_few(few_tree: Tree, tmp_path: Path) -> Path:
+    """A copy of the store with few boxes."""
+    return copy_of(few_tree, tmp_path)
+
+
+@pytest.fixture
+def copied(tree: Tree, tmp_path: Path) -> Path:
     """A copy of the tree's store."""
     return copy_of(tree, tmp_path)
 
 
 @pytest.fixture(scope="session")
-def city(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+def city(tmp_path_factory: pytest.TempPathFactory) -> Tree:
     """A small city with second layers and with the geometry of its leaves, some of which are cars that could move."""
-    need("zarr")
-    path = tmp_path_factory.mktemp("trees") / "city.zarr"
     box = np.array([[-60.0, -9.0, -60.0], [59.0, 50.0, 59.0]])
     world = nf.datasets.city(blocks=2, detail=1)
-    return nf.orthoview.build(world, path, cell=30, aabb=box, size=32, directions=9, layers=2)
+    return built(tmp_path_factory, "city.zarr", world, cell=30, aabb=box, size=32, directions=9, layers=2)
 
 
 @pytest.fixture(scope="session")
-def textured(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+def textured(tmp_path_factory: pytest.TempPathFactory) -> Tree:
     """A wall with a texture and a ball with colours of its corners and smooth normals, with the page in the store."""
-    need("zarr")
     codes = np.random.default_rng(5).integers(0, 255, (8, 8, 3), np.uint8)
     wall = trimesh.creation.box((16.0, 8.0, 1.0))
     image = Image.fromarray(codes)
@@ -59,21 +93,25 @@ def textured(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree
     world = trimesh.Scene()
     world.add_geometry(wall, node_name="wall")
     world.add_geometry(ball, node_name="ball")
-    path = tmp_path_factory.mktemp("trees") / "textured.zarr"
-    tree = nf.orthoview.build(nf.Scene.from_trimesh(world), path, cell=8, size=16, directions=5)
-    nf.view.write_page(path)
-    return tree
+    scene = nf.Scene.from_trimesh(world)
+
+    def make(path: Path) -> None:
+        nf.orthoview.build(scene, path, cell=8, size=16, directions=5)
+        nf.view.write_page(path)
+
+    need("zarr")
+    return nf.orthoview.open(made(tmp_path_factory, "textured.zarr", make))
 
 
 @pytest.fixture
-def copied_city(city: nf.orthoview.OrthoTree, tmp_path: Path) -> Path:
+def copied_city(city: Tree, tmp_path: Path) -> Path:
     """A copy of the city's store, with the page in it."""
     path = copy_of(city, tmp_path)
     nf.view.write_page(path)
     return path
 
 
-def copy_of(tree: nf.orthoview.OrthoTree, folder: Path) -> Path:
+def copy_of(tree: Tree, folder: Path) -> Path:
     """A copy of a tree's store in a folder."""
     path = folder / "copy.zarr"
     shutil.copytree(tree.path, path)

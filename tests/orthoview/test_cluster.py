@@ -21,6 +21,9 @@ need("distributed")
 
 pytestmark = pytest.mark.slow
 
+FULL = (5, 4, 6)
+"""A leaf with something in it, in the middle of a subtree."""
+
 
 @contextmanager
 def workers(count: int) -> Iterator[Any]:
@@ -34,62 +37,67 @@ def workers(count: int) -> Iterator[Any]:
         yield client
 
 
+@pytest.fixture(scope="module")
+def client() -> Iterator[Any]:
+    """Two workers, which stay for the tests of this file; one that is killed is replaced."""
+    with workers(2) as client:
+        yield client
+
+
 def built(source: Any, path: Path, cluster: Any) -> nf.orthoview.OrthoTree:
     return nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5, cluster=cluster)
 
 
-@pytest.mark.parametrize("count", [1, 2])
-def test_any_number_of_workers_writes_the_same_bytes(
-    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path, count: int
+def test_workers_write_the_same_bytes(
+    few: nf.Scene, few_tree: nf.orthoview.OrthoTree, client: Any, tmp_path: Path
 ) -> None:
-    with workers(count) as client:
-        spread = built(world, tmp_path / "world.zarr", client)
-        assert spread.is_complete
-        assert contents(Path(spread.path)) == contents(Path(tree.path))
-        assert spread.held == tree.held
-        done = dict(spread.done)
-        # The views of each subtree of leaves are sent once, and none is read again.
-        at_top = [place for place in np.ndindex(tree.cells(3)) if tree.view(3, place, 4) is not None]
-        assert len(at_top) * 3 <= done.pop("sent") <= len(at_top) * 15
-        assert done == tree.done
-        assert not list(Path(spread.path).glob("nearfar/locks/*"))
-        assert not list(Path(spread.path).glob("nearfar/source*"))
-        again = built(world, Path(spread.path), client)
-        assert again.done == spread.done
-
-
-def test_a_local_cluster_is_one_word(world: nf.Scene, tmp_path: Path) -> None:
-    """With lossy colours, which are not coded once more on their way."""
-    settings: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 5, "color": "webp", "quality": 70}
-    spread = nf.orthoview.build(world, tmp_path / "a.zarr", **settings, cluster="local")
-    alone = nf.orthoview.build(world, tmp_path / "b.zarr", **settings)
-    assert contents(Path(spread.path)) == contents(Path(alone.path))
-
-
-def test_a_killed_worker_costs_its_cell(world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    sign = tmp_path / "killed"
-    source = Deadly(world, tree.box(0, (3, 3, 3)).mean(axis=0), sign)
-    with workers(2) as client:
-        spread = built(source, tmp_path / "world.zarr", client)
-    assert sign.exists()
+    tree, spread = few_tree, built(few, tmp_path / "world.zarr", client)
     assert spread.is_complete
     assert contents(Path(spread.path)) == contents(Path(tree.path))
+    assert spread.held == tree.held
+    done = dict(spread.done)
+    # The views of each subtree of leaves are sent once, and none is read again.
+    at_top = [place for place in np.ndindex(tree.cells(3)) if tree.view(3, place, 4) is not None]
+    assert len(at_top) * 3 <= done.pop("sent") <= len(at_top) * 15
+    assert done == tree.done
+    assert not list(Path(spread.path).glob("nearfar/locks/*"))
+    assert not list(Path(spread.path).glob("nearfar/source*"))
+    again = built(few, Path(spread.path), client)
+    assert again.done == spread.done
+
+
+def test_leaves_that_workers_do_not_get_are_named(few: nf.Scene, client: Any, tmp_path: Path) -> None:
+    part = built(Counted(few, {40}), tmp_path / "world.zarr", client)
+    assert set(part.failed.values()) == {"OSError: the disk is gone"}
+    whole = built(few, tmp_path / "world.zarr", client)
+    assert whole.is_complete
+
+
+def test_a_killed_worker_costs_its_cell(
+    few: nf.Scene, few_tree: nf.orthoview.OrthoTree, client: Any, tmp_path: Path
+) -> None:
+    sign = tmp_path / "killed"
+    source = Deadly(few, few_tree.box(0, FULL).mean(axis=0), sign)
+    spread = built(source, tmp_path / "world.zarr", client)
+    assert sign.exists()
+    assert spread.is_complete
+    assert contents(Path(spread.path)) == contents(Path(few_tree.path))
     # The leaves that were done are not drawn again: their subtree goes on from its journal.
-    assert spread.done["drawn"] < tree.done["drawn"]
+    assert spread.done["drawn"] < few_tree.done["drawn"]
     assert spread.done["reloaded"] > 0
 
 
-def test_leaves_that_workers_do_not_get_are_named(world: nf.Scene, tmp_path: Path) -> None:
-    with workers(2) as client:
-        part = built(Counted(world, {40}), tmp_path / "world.zarr", client)
-        assert set(part.failed.values()) == {"OSError: the disk is gone"}
-        whole = built(world, tmp_path / "world.zarr", client)
-    assert whole.is_complete
+def test_a_local_cluster_is_one_word(few: nf.Scene, tmp_path: Path) -> None:
+    """With lossy colours, which are not coded once more on their way."""
+    settings: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 5, "color": "webp", "quality": 70}
+    spread = nf.orthoview.build(few, tmp_path / "a.zarr", **settings, cluster="local")
+    alone = nf.orthoview.build(few, tmp_path / "b.zarr", **settings)
+    assert contents(Path(spread.path)) == contents(Path(alone.path))
 
 
 @pytest.mark.stress
 def test_without_its_scheduler_a_build_ends_and_goes_on_later(
-    world: nf.Scene, tree: nf.orthoview.OrthoTree, tmp_path: Path
+    few: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path
 ) -> None:
     path = tmp_path / "world.zarr"
     with workers(1) as client:
@@ -101,24 +109,24 @@ def test_without_its_scheduler_a_build_ends_and_goes_on_later(
         losing = threading.Thread(target=lose)
         losing.start()
         with pytest.raises(ConnectionError, match="cluster: the scheduler is lost"):
-            built(Waiting(world, tmp_path), path, client)
+            built(Waiting(few, tmp_path), path, client)
         losing.join()
         (tmp_path / "go").touch()
-    later = built(world, path, None)
+    later = built(few, path, None)
     assert later.is_complete
-    assert contents(path) == contents(Path(tree.path))
+    assert contents(path) == contents(Path(few_tree.path))
 
 
-def test_bad_clusters_are_named(world: nf.Scene, tmp_path: Path) -> None:
+def test_bad_clusters_are_named(few: nf.Scene, client: Any, tmp_path: Path) -> None:
     class Local:
-        bounds = world.bounds
+        bounds = few.bounds
 
         def query(self, aabb: Any, detail: Any = 0.0) -> nf.Scene:
-            return world.query(aabb, detail)
+            return few.query(aabb, detail)
 
     with pytest.raises(ValueError, match=r"cluster: expected 'local' or a distributed.Client, got 'remote'"):
-        built(world, tmp_path / "world.zarr", "remote")
+        built(few, tmp_path / "world.zarr", "remote")
     with pytest.raises(TypeError, match=r"cluster: expected a distributed.Client, got"):
-        built(world, tmp_path / "world.zarr", 3)
-    with workers(1) as client, pytest.raises(TypeError, match="source: expected one that can be pickled"):
+        built(few, tmp_path / "world.zarr", 3)
+    with pytest.raises(TypeError, match="source: expected one that can be pickled"):
         built(Local(), tmp_path / "world.zarr", client)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import socket
 import threading
-import time
 import urllib.request
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -12,6 +11,7 @@ from urllib.parse import urlsplit
 import pytest
 
 from benchmarks.orthoview._gate import Gate, served
+from tests.support.waiting import wait_until
 
 CONTENT = bytes(range(256)) * 100
 
@@ -28,11 +28,8 @@ def read(url: str, **headers: str) -> bytes:
 
 
 def wait_for(gate: Gate, count: int) -> None:
-    for _ in range(600):
-        if gate.sent == count:
-            return
-        time.sleep(0.05)
-    raise AssertionError(f"{gate.sent} bytes were sent")
+    """Wait until so many bytes have gone out and a client waits for more."""
+    wait_until(lambda: (gate.sent, gate.waiting) == (count, 1))
 
 
 def test_no_more_bytes_than_allowed_go_out(folder: Path) -> None:
@@ -61,7 +58,7 @@ def test_a_client_that_has_left_takes_nothing(folder: Path) -> None:
         with socket.create_connection((place.hostname, place.port)) as client:
             client.sendall(b"GET /counted/file.bin HTTP/1.1\r\nHost: here\r\n\r\n")
             wait_for(gate, 5000)
-        time.sleep(0.5)  # until the server has looked
+        wait_until(lambda: gate.waiting == 0)  # the server has looked
         gate.allow(5000 + len(CONTENT))
         assert read(f"{url}counted/file.bin") == CONTENT
     assert gate.sent == 5000 + len(CONTENT)

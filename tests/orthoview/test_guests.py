@@ -9,14 +9,14 @@ import pytest
 
 import nearfar as nf
 from nearfar._base.errors import UnusableError
-from nearfar.orthoview import _guests, _store
+from nearfar.orthoview import _guests
 from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._owned import owned, owners
 from tests.support import need
 from tests.support.geometry_cases import parts, places
-from tests.support.orthoview_stores import box_about, world_of
+from tests.support.orthoview_stores import box_about, of_subtrees, world_of
 
 need("zarr")
 
@@ -26,7 +26,7 @@ Guests = dict[Place, set[Place]]
 
 def of_tree(tree: nf.orthoview.OrthoTree) -> Guests:
     """Guests of all leaves that have some, as the records of a tree tell."""
-    read = _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
+    read = of_subtrees(tree)
     counts = np.array(tree.cells(0))
     shards = [(x, y, z) for x, y, z in np.ndindex(*(-(-counts // 8)).tolist())]
     return {leaf: set(own) for shard in shards for leaf, own in read(0, shard).guests.items()}

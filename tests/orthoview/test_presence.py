@@ -19,9 +19,8 @@ import nearfar as nf
 from nearfar.orthoview import _guests, _store
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._presence import Masks
 from tests.support import need, valid
-from tests.support.orthoview_stores import CELL, SIZE, box_about, places, world_of
+from tests.support.orthoview_stores import CELL, SIZE, box_about, masks_of, of_subtrees, places, world_of
 
 need("zarr")
 
@@ -77,36 +76,6 @@ def bare(tree: Tree, path: Path) -> Path:
     return Path(shutil.copytree(tree.path, path, ignore=shutil.ignore_patterns("[pn][xyz]", "geometry")))
 
 
-def reader(tree: Tree) -> Callable[[int, Place], Masks]:
-    read = of_subtrees(tree)
-    return lambda tier, place: read(tier, place).masks
-
-
-def of_subtrees(tree: Tree) -> Callable[[int, Place], _store.Cells]:
-    return _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
-
-
-def subtrees(tree: Tree) -> list[tuple[int, Place]]:
-    """Tiers and places of all subtrees."""
-    found = []
-    for tier in range(tree._layout.tiers):
-        x, y, z = (-(-count // 8 ** (tier + 1)) for count in tree.cells(0))
-        found += [(tier, place) for place in places((x, y, z))]
-    return found
-
-
-def bits(tree: Tree) -> dict[tuple[int, Place], int]:
-    """For each cell the bits of the directions that show something, as the records say."""
-    read, found = reader(tree), {}
-    for tier, (i, j, k) in subtrees(tree):
-        for level, mask in enumerate(read(tier, (i, j, k)), 3 * tier):
-            side = 8 >> level % 3
-            assert mask.shape == (side, side, side)
-            for x, y, z in np.argwhere(mask).tolist():
-                found[level, (i * side + x, j * side + y, k * side + z)] = int(mask[x, y, z])
-    return found
-
-
 def seen(tree: Tree) -> dict[tuple[int, Place], int]:
     """The same, as its views say."""
     cells = [(level, place) for level in range(tree.levels) for place in places(tree.cells(level))]
@@ -115,7 +84,7 @@ def seen(tree: Tree) -> dict[tuple[int, Place], int]:
 
 
 def test_records_tell_which_views_show_something(wide: Tree) -> None:
-    found = bits(wide)
+    found = masks_of(wide)
     assert found == seen(wide)
     assert {level for level, _ in found} == set(range(6))
     assert {place for level, place in found if level == 3} == INHABITED
@@ -125,8 +94,8 @@ def test_records_tell_which_views_show_something(wide: Tree) -> None:
 def test_records_of_two_layers_tell_it(tmp_path: Path) -> None:
     scene = flat({(0, 0, 0), (1, 0, 1)}, 90.0, [(4, 4)])
     tree = nf.orthoview.build(scene, tmp_path / "world.zarr", cell=CELL, size=SIZE, directions=5, layers=2)
-    assert bits(tree) == seen(tree)
-    assert {place for level, place in bits(tree) if level == 0} == {(0, 0, 0), (8, 0, 8)}
+    assert masks_of(tree) == seen(tree)
+    assert {place for level, place in masks_of(tree) if level == 0} == {(0, 0, 0), (8, 0, 8)}
 
 
 FIRST = {(0, 0, 0), (1, 0, 0), (1, 0, 1)}
@@ -148,7 +117,7 @@ def changed(tmp_path_factory: pytest.TempPathFactory) -> list[Tree]:
 def test_records_tell_it_of_each_generation(changed: list[Tree]) -> None:
     """Trees that are open go on with what they were."""
     for tree, here in zip(changed, (FIRST, SECOND, THIRD), strict=True):
-        found = bits(tree)
+        found = masks_of(tree)
         assert found == seen(tree)
         assert {place for level, place in found if level == 3} == here
         assert len(found) == tree.held["cells"]
@@ -157,7 +126,7 @@ def test_records_tell_it_of_each_generation(changed: list[Tree]) -> None:
 def test_records_of_copies_tell_it(changed: list[Tree], tmp_path: Path) -> None:
     compacted = changed[-1].compact(tmp_path / "compact.zarr")
     assert compacted.generation == 0
-    assert bits(compacted) == seen(compacted) == bits(changed[-1])
+    assert masks_of(compacted) == seen(compacted) == masks_of(changed[-1])
 
 
 def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
@@ -170,22 +139,22 @@ def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
 
     tree = built(wall(3, 0), tmp_path / "wall.zarr")
     turned = tree.update([[11, 0, 11], [19, 9, 19]], wall(0, 3))
-    assert bits(tree)[0, (1, 0, 1)] == 0b00101  # from +z and −z
-    assert bits(turned)[0, (1, 0, 1)] == 0b01010  # from +x and −x
-    assert bits(turned) == seen(turned)
+    assert masks_of(tree)[0, (1, 0, 1)] == 0b00101  # from +z and −z
+    assert masks_of(turned)[0, (1, 0, 1)] == 0b01010  # from +x and −x
+    assert masks_of(turned) == seen(turned)
 
 
 def test_all_may_go(tmp_path: Path) -> None:
     tree = nf.orthoview.build(world_of(range(6)), tmp_path / "world.zarr", cell=20.0, size=SIZE, directions=5)
     emptied = tree.update(box_about(range(6)), world_of([]))
-    assert bits(emptied) == seen(emptied)
-    assert {place for level, place in bits(emptied) if level == 0} == {(0, 0, 0), (3, 3, 3)}
-    assert len(bits(tree)) > len(bits(emptied))
+    assert masks_of(emptied) == seen(emptied)
+    assert {place for level, place in masks_of(emptied) if level == 0} == {(0, 0, 0), (3, 3, 3)}
+    assert len(masks_of(tree)) > len(masks_of(emptied))
 
 
 def test_a_subtree_that_nobody_built_is_empty(wide: Tree) -> None:
     for tier, place in ((0, (7, 3, 9)), (0, (1, 1, 1)), (1, (4, 0, 0))):
-        masks = reader(wide)(tier, place)
+        masks = of_subtrees(wide)(tier, place).masks
         assert [mask.shape for mask in masks] == [(8, 8, 8), (4, 4, 4), (2, 2, 2)]
         assert not any(mask.any() for mask in masks)
 

@@ -12,14 +12,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
-from referencing import Registry, Resource
 
 import nearfar as nf
 from benchmarks.harness.link import no_link
 from nearfar._base import data as data_files, formats
 from tests.support.reader_cases import no_blender, no_browser, no_exporters, no_node, no_web
+from tests.support.thread_counts import printed_by_threads as printed_by_threads
 
 
 def _module(name: str) -> Callable[[], str]:
@@ -156,20 +155,11 @@ def peak():
 """Code for programs on Linux: peak memory in bytes. `getrusage` includes the parent's memory at the start."""
 
 
-def printed_by_threads(code: str, counts: str = "123") -> set[str]:
-    """Return the output of a program in processes with these numbers of threads; one text if all agree."""
-    printed = set()
-    for threads in counts:
-        environment = os.environ | {"NEARFAR_NUM_THREADS": threads, "PYTHONPATH": os.pathsep.join(sys.path)}
-        command = [sys.executable, "-c", code]
-        process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
-        assert process.returncode == 0, process.stderr
-        printed.add(process.stdout)
-    return printed
-
-
 def valid(document: dict[str, Any], name: str) -> bool:
     """Whether a document fits the schema of a format."""
+    import jsonschema  # its grammar of addresses takes a second, which other processes do not wait for
+    from referencing import Registry, Resource
+
     header = Resource.from_contents(formats.load_schema("header"))
     registry: Registry[Any] = Registry().with_resource("urn:nearfar:schema:header", header)
     return bool(jsonschema.Draft202012Validator(formats.load_schema(name), registry=registry).is_valid(document))

@@ -47,9 +47,9 @@ def there(frame: nf.Frame) -> NDArray[np.bool_]:
     return is_there
 
 
-def readers() -> int:
-    """Number of threads that read for flights."""
-    return sum(thread.name == "nearfar-flight" for thread in threading.enumerate())
+def readers() -> set[threading.Thread]:
+    """Threads that read for flights, those of other tests' flights that nobody closed among them."""
+    return {thread for thread in threading.enumerate() if thread.name == "nearfar-flight"}
 
 
 class Gate:

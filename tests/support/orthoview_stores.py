@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,13 +18,19 @@ from numpy.typing import ArrayLike, NDArray
 
 import nearfar as nf
 from nearfar import _core
+from nearfar.orthoview import _store
 from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import Grid
+from nearfar.orthoview._grid import Grid, Place
 from tests.support import need
-from tests.support.orthoview_cases import CORNER
+from tests.support.orthoview_cases import CORNER, boxes
 
 CELL, SIZE = 10.0, 16
 FORMAT = (SIZE, 12, 16)
+
+
+def few_boxes() -> nf.Scene:
+    """Boxes in some of the leaves of four subtrees, and in one more above them."""
+    return boxes(8, 80.0)[0]
 
 
 def places(counts: tuple[int, int, int]) -> list[tuple[int, int, int]]:
@@ -54,6 +60,25 @@ def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.Or
     return cells
 
 
+def of_subtrees(tree: nf.orthoview.OrthoTree) -> Callable[[int, Place], _store.Cells]:
+    """What the records of a tree tell of the subtree at a tier and a place."""
+    return _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
+
+
+def masks_of(tree: nf.orthoview.OrthoTree) -> dict[tuple[int, Place], int]:
+    """For each cell the bits of the directions that show something, as the records say."""
+    read, found = of_subtrees(tree), {}
+    for tier in range(tree._layout.tiers):
+        x, y, z = (-(-count // 8 ** (tier + 1)) for count in tree.cells(0))
+        for i, j, k in places((x, y, z)):
+            for level, mask in enumerate(read(tier, (i, j, k)).masks, 3 * tier):
+                side = 8 >> level % 3
+                assert mask.shape == (side, side, side)
+                for x, y, z in np.argwhere(mask).tolist():
+                    found[level, (i * side + x, j * side + y, k * side + z)] = int(mask[x, y, z])
+    return found
+
+
 def contents(path: Path) -> dict[str, bytes]:
     """Files of a store by their paths below it, but for what only builds need."""
     files = (file for file in path.rglob("*") if file.is_file() and "nearfar" not in file.relative_to(path).parts)
@@ -77,6 +102,19 @@ class Counted:
         return self._scene.query(aabb, detail)
 
 
+class Interrupted(Counted):
+    """One that is interrupted as Ctrl-C interrupts it, in a query by its number."""
+
+    def __init__(self, scene: nf.Scene, at: int) -> None:
+        super().__init__(scene)
+        self._at = at
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        if self.queries + 1 == self._at:
+            raise KeyboardInterrupt
+        return super().query(aabb, detail)
+
+
 class Telling(Counted):
     """One that also tells where nothing is."""
 
@@ -84,24 +122,36 @@ class Telling(Counted):
         return self._scene.touches(aabb)
 
 
-def ended(path: Path, change: str) -> None:
-    """Build in a process that ends itself as `kill -9` ends it."""
+def ended(program: str, changes: Mapping[str, str]) -> None:
+    """Run a program once for each change in a process that ends itself as `kill -9` ends it.
+
+    Parameters
+    ----------
+    program
+        What is done. `source` is a source of few boxes that counts, `name` the name of the change.
+    changes
+        Code that comes before the program and calls `die`, by name.
+    """
     need("linux")
     code = f"""
-import os, signal
+import os, signal, sys
 import nearfar as nf
-from nearfar.orthoview import _layout, _shard, _subtree
-from tests.support.orthoview_stores import Counted
-from tests.support.orthoview_cases import boxes
+from nearfar.orthoview import _layout, _shard, _store, _subtree
+from tests.support.orthoview_stores import Counted, few_boxes
 def die():
     os.kill(os.getpid(), signal.SIGKILL)
-source = Counted(boxes(60, 80.0)[0])
-{change}
-nf.orthoview.build(source, {str(path)!r}, cell={CELL}, size={SIZE}, directions=5)
+for name, change in {dict(changes)!r}.items():
+    if not (child := os.fork()):
+        source = Counted(few_boxes())
+        query = source.query
+        exec(change + {program!r})
+        os._exit(1)
+    if os.waitpid(child, 0)[1] != signal.SIGKILL:
+        sys.exit(f"{{name}}: it was not killed")
 """
     root = Path(__file__).resolve().parents[2]
     process = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True, check=False)
-    assert process.returncode == -9, process.stderr[-2000:]
+    assert process.returncode == 0, process.stderr[-2000:]
 
 
 def box(number: int) -> trimesh.Trimesh:

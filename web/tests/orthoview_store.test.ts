@@ -1,13 +1,22 @@
-/** The page's reading of trees beside Python's, which writes a file of what it found and serves the stores. */
+/** The page's reading of trees beside Python's, which writes a file of what it found in each and serves the stores. */
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import type { Camera } from '../src/orthoview/cut/camera';
 import { Cells } from '../src/orthoview/cut/cells';
 import { type Cut, cut } from '../src/orthoview/cut/cut';
-import { createReader } from '../src/orthoview/decode/reader';
+import { createReader, type Wanted } from '../src/orthoview/decode/reader';
+import { type Kind, StoreError } from '../src/orthoview/store/error';
 import { createFiles } from '../src/orthoview/store/files';
-import { arrayOf, channelsOf, overlay, shardOf, type Triple } from '../src/orthoview/store/layout';
+import {
+  arrayOf,
+  channelsOf,
+  GEOMETRY,
+  geometryOf,
+  overlay,
+  shardOf,
+  type Triple,
+} from '../src/orthoview/store/layout';
 import { openRecords, type Shard } from '../src/orthoview/store/records';
 
 interface Case {
@@ -30,13 +39,17 @@ interface Told {
   readonly url: string;
   readonly cases: readonly Case[];
   /** Level, place and direction of views whose splats are written. */
-  readonly views: readonly (readonly [number, Triple, number])[];
+  readonly views: readonly View[];
   readonly output: string;
+  /** Views and leaves that are damaged or gone, with the kind and words of the error. */
+  readonly damaged: readonly { readonly view: View; readonly kind: Kind; readonly words: readonly string[] }[];
 }
 
+type View = readonly [number, Triple, number];
+
 const file = process.env['NEARFAR_ORTHOVIEW'];
-const told: Told | null = file ? JSON.parse(await readFile(file, 'utf8')) : null;
-const skip = told === null;
+const stores: readonly Told[] = file ? JSON.parse(await readFile(file, 'utf8')) : [];
+const skip = !file;
 
 async function opened({ url }: Told) {
   let received = 0;
@@ -44,13 +57,14 @@ async function opened({ url }: Told) {
   const records = await openRecords(createFiles(base, (bytes) => (received += bytes)));
   const cells = new Cells(records.layout);
   const shards = new Map<string, Shard>(records.shards.map((shard) => [shard[0], shard]));
-  return { base, records, cells, shards, received: () => received };
+  const leafFiles = new Map<string, Shard>(records.geometry.map((shard) => [shard[0], shard]));
+  return { base, records, cells, shards, leafFiles, received: () => received };
 }
 
 type Opened = Awaited<ReturnType<typeof opened>>;
 
 async function whole(
-  { records, cells, shards }: Opened,
+  { records, cells, shards, leafFiles }: Opened,
   { camera, views, error, around, geometry, lift }: Case,
 ): Promise<Cut> {
   for (;;) {
@@ -59,15 +73,14 @@ async function whole(
       const subtree = await records.subtree(tier, place);
       cells.add(subtree);
       for (const shard of subtree.shards) shards.set(shard[0], shard);
+      for (const shard of subtree.geometry) leafFiles.set(shard[0], shard);
     }
     if (found.unknown.length === 0) return found;
   }
 }
 
-test('cuts are those of tree.cut', { skip }, async () => {
-  if (!told) return;
-  const store = await opened(told);
-  for (const each of told.cases) {
+async function checkCuts(store: Opened, cases: readonly Case[]): Promise<void> {
+  for (const each of cases) {
     const { reach, cells, leaves, files } = each;
     const found = await whole(store, each);
     assert.ok(Math.abs(found.reach / reach - 1) < 1e-12);
@@ -94,29 +107,55 @@ test('cuts are those of tree.cut', { skip }, async () => {
     const needed = found.leaves.flatMap(({ place }) => [place, ...store.cells.guestsOf(place)].map(String));
     assert.deepEqual([...new Set(needed)].sort(), files.map(String).sort());
   }
+}
+
+function wantedOf({ records, cells, shards, leafFiles }: Opened, [level, place, direction]: View): Wanted {
+  const { layout } = records;
+  const generation = cells.at(level, place)?.generation ?? 0;
+  const named =
+    direction === GEOMETRY
+      ? geometryOf(layout, place).map((name) => leafFiles.get(name))
+      : channelsOf(layout).map((channel) => {
+          const array = arrayOf(layout, level, direction, channel);
+          return shards.get(overlay(generation) + shardOf(layout, level, place, array));
+        });
+  return { level, place, direction, generation, shards: named.filter((shard) => shard !== undefined) };
+}
+
+const { signal } = new AbortController();
+
+test('cuts are those of tree.cut, and splats are read', { skip }, async () => {
+  for (const told of stores) {
+    const store = await opened(told);
+    await checkCuts(store, told.cases);
+    const reader = createReader(store.base, store.records.layout, () => undefined);
+    const read = async (view: View) => {
+      const layers = await reader.read(wantedOf(store, view), signal);
+      return layers.map(({ words, parts }) => ({ words: [...words], parts }));
+    };
+    const found: Awaited<ReturnType<typeof read>>[] = [];
+    // Some at once, as the page does: small servers take no more.
+    for (let first = 0; first < told.views.length; first += 4) {
+      found.push(...(await Promise.all(told.views.slice(first, first + 4).map(read))));
+    }
+    await writeFile(told.output, JSON.stringify(found));
+  }
 });
 
-test('splats are read', { skip }, async () => {
-  if (!told) return;
-  const store = await opened(told);
-  const { base, records, cells, shards } = store;
-  const { layout } = records;
-  for (const each of told.cases) await whole(store, each);
-  const reader = createReader(base, layout, () => undefined);
-  const read = async ([level, place, direction]: Told['views'][number]) => {
-    const generation = cells.at(level, place)?.generation ?? 0;
-    const named = channelsOf(layout).map((channel) => {
-      const array = arrayOf(layout, level, direction, channel);
-      return shards.get(overlay(generation) + shardOf(layout, level, place, array));
-    });
-    const wanted = { level, place, direction, generation, shards: named.filter((shard) => shard !== undefined) };
-    const layers = await reader.read(wanted, new AbortController().signal);
-    return layers.map(({ words, parts }) => ({ words: [...words], parts }));
-  };
-  const found: Awaited<ReturnType<typeof read>>[] = [];
-  // Some at once, as the page does: small servers take no more.
-  for (let first = 0; first < told.views.length; first += 4) {
-    found.push(...(await Promise.all(told.views.slice(first, first + 4).map(read))));
+test('what is damaged or gone is named', { skip }, async () => {
+  for (const told of stores.filter(({ damaged }) => damaged.length > 0)) {
+    const store = await opened(told);
+    for (const each of told.cases) await whole(store, each);
+    const reader = createReader(store.base, store.records.layout, () => undefined);
+    for (const { view, kind, words } of told.damaged) {
+      const wanted = wantedOf(store, view);
+      const read = view[2] === GEOMETRY ? reader.leaf(wanted, signal) : reader.read(wanted, signal);
+      await assert.rejects(read, (error) => {
+        assert.ok(error instanceof StoreError);
+        assert.equal(error.kind, kind);
+        for (const word of words) assert.ok(error.message.includes(word), error.message);
+        return true;
+      });
+    }
   }
-  await writeFile(told.output, JSON.stringify(found));
 });

@@ -1,0 +1,210 @@
+"""Tests of builds that end early: by errors, signals, a full disk, a power cut; what is done again, and what is not."""
+
+from __future__ import annotations
+
+import errno
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike
+
+import nearfar as nf
+from nearfar.orthoview._shard import ShardWriter
+from tests.support import need
+from tests.support.orthoview_cases import boxes
+from tests.support.orthoview_stores import CELL, SIZE, Counted, Interrupted, contents, ended, of_cells
+
+need("zarr")
+
+Tree = nf.orthoview.OrthoTree
+
+SETTINGS: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 5}
+AMID = 216
+"""Number of the query for a leaf in the middle of a subtree, of which leaves before and after it show something."""
+
+
+def check_resumed(source: Any, path: Path, tree: Tree) -> None:
+    """A build goes on and writes what it would have written without an end."""
+    resumed = nf.orthoview.build(source, path, **SETTINGS)
+    assert resumed.is_complete
+    assert resumed.held == tree.held
+    assert contents(path) == contents(Path(tree.path))
+    assert not list(path.rglob("*.part"))
+    assert not list((path / "nearfar" / "journal").glob("*"))
+
+
+def test_cells_that_a_source_does_not_give_are_named_and_come_later(
+    few: nf.Scene, few_tree: Tree, tmp_path: Path
+) -> None:
+    path = tmp_path / "world.zarr"
+    first = nf.orthoview.build(Counted(few, {100, AMID}), path, **SETTINGS)
+    assert not first.is_complete
+    assert len(first.failed) == 2
+    assert set(first.failed.values()) == {"OSError: the disk is gone"}
+    assert "incomplete" in repr(first)
+    # All others are there, but for the cells above the two.
+    cells, missing = of_cells(few), 0
+    for level, place in cells:
+        if any(tuple(number >> level for number in leaf) == place for leaf in first.failed):
+            missing += 1
+            with pytest.raises(ValueError, match="is missing: OSError: the disk is gone"):
+                first.view(level, place, 4)
+        else:
+            assert same_view(first, few_tree, level, place)
+    assert missing > 3
+    source = Counted(few)
+    second = nf.orthoview.build(source, path, **SETTINGS)
+    assert second.is_complete
+    assert second.failed == {}
+    assert source.queries == 2
+    assert second.held == few_tree.held
+    # Chunks of a shard come in the order in which they were made, so bytes differ where cells come later.
+    assert all(same_view(second, few_tree, level, place) for level, place in cells)
+
+
+def same_view(one: Tree, other: Tree, level: int, place: tuple[int, int, int]) -> bool:
+    """Whether two trees show the same of a cell from above."""
+    left, right = (opened.view(level, place, 4) for opened in (one, other))
+    if left is None or right is None:
+        return left is right
+    return np.array_equal(left.color, right.color) and np.array_equal(left.depth, right.depth)
+
+
+IN_QUERY = f"source.query = lambda box: die() if source.queries == {AMID - 1} else query(box)"
+KILLS = {
+    "while the store is made": "_layout.Layout.shard_side = lambda self, level: die()",
+    "in a query": IN_QUERY,
+    "between two shards": """
+finish, numbers = _shard.ShardWriter.finish, iter(range(1000))
+_shard.ShardWriter.finish = lambda self: die() if next(numbers) == 11 else finish(self)
+""",
+    "before the record": "_subtree.formats.write_json = lambda *_: die()",
+    "before the journal goes": """
+remove = _subtree.Journal.remove
+_subtree.Journal.remove = lambda self: die() if self.cells else remove(self)
+""",
+}
+BUILD = """
+nf.orthoview.build(source, f"{folder}/{name}.zarr", **settings)
+"""
+
+
+@pytest.mark.slow
+def test_a_kill_leaves_a_store_that_is_completed(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
+    """It costs the cell under work."""
+    given = f"\nfolder, settings = {str(tmp_path)!r}, {SETTINGS!r}"
+    ended(given + BUILD, KILLS)
+    with pytest.raises(ValueError, match="is missing: the build has not ended"):
+        nf.orthoview.open(tmp_path / "in a query.zarr").view(few_tree.levels - 1, (0, 0, 0), 0)
+    for moment in KILLS:
+        source = Counted(few)
+        check_resumed(source, tmp_path / f"{moment}.zarr", few_tree)
+        assert (source.queries == np.prod(few_tree.cells(0)) - (AMID - 1)) == (moment == "in a query"), moment
+
+
+@pytest.mark.slow
+def test_what_the_system_lost_is_drawn_again(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
+    """After a power cut a shard may be shorter than its journal says, and a line of the journal may be none."""
+    path = tmp_path / "world.zarr"
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(Interrupted(few, 462), path, **SETTINGS)
+    part = max(path.rglob("*.part"), key=lambda file: file.stat().st_size)
+    part.write_bytes(part.read_bytes()[:-10])
+    (journal,) = (path / "nearfar" / "journal").glob("0_*")
+    journal.write_bytes(journal.read_bytes() + bytes(3) + b"\n")
+    check_resumed(few, path, few_tree)
+
+
+def test_ctrl_c_ends_the_build_and_costs_nothing(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(Interrupted(few, AMID), tmp_path / "world.zarr", **SETTINGS)
+    source = Counted(few)
+    check_resumed(source, tmp_path / "world.zarr", few_tree)
+    assert source.queries == np.prod(few_tree.cells(0)) - (AMID - 1)
+
+
+def test_a_full_disk_ends_the_build_and_costs_nothing(
+    few: nf.Scene, few_tree: Tree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Half of a chunk is written when the disk is full."""
+    write, left = ShardWriter._write, [50_000]
+
+    def limited(self: ShardWriter, data: bytes, *, sync: bool) -> None:
+        left[0] -= len(data)
+        if left[0] < 0:
+            write(self, data[: len(data) // 2], sync=sync)
+            raise OSError(errno.ENOSPC, "No space left on device")
+        write(self, data, sync=sync)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(ShardWriter, "_write", limited)
+        with pytest.raises(OSError, match="No space left on device"):
+            nf.orthoview.build(few, tmp_path / "world.zarr", **SETTINGS)
+    source = Counted(few)
+    check_resumed(source, tmp_path / "world.zarr", few_tree)
+    assert source.queries < np.prod(few_tree.cells(0))
+
+
+def test_a_source_that_always_fails_ends_the_build(world: nf.Scene, tmp_path: Path) -> None:
+    source = Counted(world, range(10**6))
+    with pytest.raises(nf.SceneError, match="it failed for 1,000 leaves, the last one with OSError: the disk is gone"):
+        nf.orthoview.build(source, tmp_path / "world.zarr", cell=CELL, size=SIZE, directions=5)
+
+
+def test_two_builds_into_one_store_are_refused(world: nf.Scene, tmp_path: Path) -> None:
+    need("linux")
+    path = tmp_path / "world.zarr"
+
+    class Second(Counted):
+        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+            with pytest.raises(BlockingIOError, match="another build writes into"):
+                nf.orthoview.build(world, path, cell=40.0, size=SIZE, directions=5)
+            return super().query(aabb, detail)
+
+    assert nf.orthoview.build(Second(world), path, cell=40.0, size=SIZE, directions=5).is_complete
+
+
+@pytest.mark.parametrize("quality", [None, 80])
+def test_colours_as_webp(few: nf.Scene, few_tree: Tree, tmp_path: Path, quality: int | None) -> None:
+    """Lossless ones are equal. Of lossy ones parents are composed, so a build that goes on writes the same bytes."""
+    settings: dict[str, Any] = SETTINGS | {"color": "webp", "quality": quality, "geometry": False}
+    made = nf.orthoview.build(few, tmp_path / "world.zarr", **settings)
+    differences = []
+    for level, place in of_cells(few):
+        one, other = made.view(level, place, 4), few_tree.view(level, place, 4)
+        if level == 1 and one is not None and other is not None:
+            np.testing.assert_array_equal(one.depth, other.depth)
+            assert not one.color[~np.isfinite(one.depth)].any()
+            differences.append(np.abs(one.color.astype(int) - other.color).max())
+    assert len(differences) > 10
+    assert (max(differences) > 0) == (quality is not None)
+    if quality is not None:
+        with pytest.raises(KeyboardInterrupt):
+            nf.orthoview.build(Interrupted(few, AMID), tmp_path / "again.zarr", **settings)
+        nf.orthoview.build(few, tmp_path / "again.zarr", **settings)
+        assert contents(tmp_path / "again.zarr") == contents(Path(made.path))
+
+
+def test_a_build_that_goes_on_keeps_the_directions_that_were_chosen(tmp_path: Path) -> None:
+    path = tmp_path / "world.zarr"
+
+    class Leaf(Counted):
+        bounds = np.array([[40.0, -3.0, -60.0], [59.0, 16.0, -41.0]])
+
+    class Ending(Leaf):
+        def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+            if (path / "zarr.json").exists():
+                raise KeyboardInterrupt
+            return super().query(aabb, detail)
+
+    corners = np.array([[-99, 0, -99], [-99, 0, 99], [99, 0, 99], [99, 0, -99]], np.float32)
+    ground = nf.Scene.from_arrays(corners, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))
+    settings: dict[str, Any] = {"cell": 20.0, "size": SIZE, "directions": "auto", "geometry": False}
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(Ending(ground), path, **settings)
+    assert len(nf.orthoview.open(path).directions) == 5
+    dense = boxes(40)[0]
+    assert len(nf.orthoview.build(Leaf(dense), path, **settings).directions) == 5
+    assert len(nf.orthoview.build(Leaf(dense), tmp_path / "fresh.zarr", **settings).directions) > 5

@@ -1,0 +1,25 @@
+"""Folders that are made once in a run of tests, by whichever of its workers needs one first, and that all of them read."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from nearfar._base.locks import alone
+
+
+def made(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
+    """A path below a folder of the run, after a function has written there. Tests that change it copy it first."""
+    own = factory.getbasetemp()
+    folder = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "made"
+    path, done = folder / name, folder / f"{name}.done"
+    with alone(folder / f"{name}.lock", None):
+        if not done.exists():
+            shutil.rmtree(path, ignore_errors=True)  # of a function that failed
+            make(path)
+            done.touch()
+    return path
