@@ -104,7 +104,7 @@ class Connection:
         return None
 
     async def close(self) -> None:
-        """Say bye, and wait until the server closes, for CLOSING seconds at most. Cancellation takes effect after it."""
+        """Say bye, and wait until the server closes, CLOSING seconds at most. Cancellation takes effect after it."""
         await complete(asyncio.create_task(self._close()))
 
     async def _receive(self) -> aiohttp.WSMessage | None:
