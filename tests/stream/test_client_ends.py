@@ -49,16 +49,18 @@ def test_users_return_with_their_numbers_after_a_restart() -> None:
             said = asyncio.create_task(ada.say(b"as soon as it is possible", to="room"))
             # Nobody hears it, and nothing waits for it.
             assert await ada.pose((0.0, 0.0, 0.0)) == sequence + 1
-            with served(Rooms(key=KEY), port=port):
-                assert (await until(ada, Joined)).name == "Grace"
-                assert (await until(grace, Joined)).name == "Ada"
-                assert (ada.user, grace.user) == numbers
-                await said
-                await ada.say(b"again")
-                await until(grace, Said, lambda event: event.data == b"again")
-                number = await ada.pose((0.0, 0.0, 0.0), acknowledged=True)
-                assert (await until(grace, Posed)).pose.sequence == number
-                assert (await until(ada, Settled)).sequence == number
+            second = served(Rooms(key=KEY), port=port)
+            assert (await until(ada, Joined)).name == "Grace"
+            assert (await until(grace, Joined)).name == "Ada"
+            assert (ada.user, grace.user) == numbers
+            await said
+            await ada.say(b"again")
+            await until(grace, Said, lambda event: event.data == b"again")
+            number = await ada.pose((0.0, 0.0, 0.0), acknowledged=True)
+            assert (await until(grace, Posed)).pose.sequence == number
+            assert (await until(ada, Settled)).sequence == number
+            # Elsewhere: users answer the end meanwhile.
+            await asyncio.to_thread(second.close)
 
     run(script())
 

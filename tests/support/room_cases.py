@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable, Coroutine, Sequence
+import itertools
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterable
 from contextlib import asynccontextmanager
 from typing import Any, TypeVar
 from urllib.parse import urlsplit
@@ -65,14 +66,17 @@ async def is_refused(server: Server, **settings: Any) -> nf.stream.client.RoomEr
 
 
 class Wire:
-    """A way to a server that can be cut, also within a message."""
+    """A way to a server that can be cut, also within a message; what goes to the server is late by some seconds."""
 
-    def __init__(self, url: str) -> None:
-        self._port = urlsplit(url).port or 0
+    def __init__(self, url: str, delay: float = 0.0) -> None:
+        self._port, self._delay = urlsplit(url).port or 0, delay
         self._writers: list[asyncio.StreamWriter] = []
         self._tasks: list[asyncio.Task[None]] = []
         self.left: int | None = None
         """Bytes that still come from the server before the cut; None for no end."""
+        self.passes = asyncio.Event()
+        """While it is not set, nothing more is read that goes to the server."""
+        self.passes.set()
         self.url = ""
 
     async def _connected(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -86,6 +90,9 @@ class Wire:
     async def _pass(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, *, is_counted: bool) -> None:
         try:
             while data := await reader.read(1 << 16):
+                if not is_counted:
+                    await asyncio.sleep(self._delay)
+                    await self.passes.wait()
                 if is_counted and self.left is not None:
                     data, self.left = data[: self.left], self.left - len(data)
                     if self.left <= 0:
@@ -101,6 +108,7 @@ class Wire:
 
     def cut(self) -> None:
         """Break all connections off."""
+        self.passes.set()
         for writer in self._writers:
             writer.transport.abort()
         self._writers.clear()
@@ -112,9 +120,9 @@ class Wire:
 
 
 @asynccontextmanager
-async def wire(url: str) -> AsyncIterator[Wire]:
-    """A way to a server by another port."""
-    made = Wire(url)
+async def wire(url: str, delay: float = 0.0) -> AsyncIterator[Wire]:
+    """A way to a server by another port, on which what goes to the server is late by some seconds."""
+    made = Wire(url, delay)
     listening = await asyncio.start_server(made._connected, "127.0.0.1", 0)
     try:
         made.url = f"http://127.0.0.1:{listening.sockets[0].getsockname()[1]}/"
@@ -125,7 +133,7 @@ async def wire(url: str) -> AsyncIterator[Wire]:
 
 
 @asynccontextmanager
-async def answers(messages: Sequence[bytes]) -> AsyncIterator[str]:
+async def answers(messages: Iterable[bytes]) -> AsyncIterator[str]:
     """A server that lets anybody in, as user 1 in an empty room, and sends these messages."""
     from aiohttp import web
 
@@ -133,7 +141,7 @@ async def answers(messages: Sequence[bytes]) -> AsyncIterator[str]:
         socket = web.WebSocketResponse()
         await socket.prepare(request)
         await socket.receive()
-        for message in (bytes.fromhex("81050001000000 00".replace(" ", "")), *messages):
+        for message in itertools.chain([bytes.fromhex("8105000100000000")], messages):
             await socket.send_bytes(message)
         await socket.receive()
         return socket

@@ -13,6 +13,7 @@ class Fake implements Socket {
   /** Of each frame that was sent, whether it may get lost. */
   readonly passing: boolean[] = [];
   isClosed = false;
+  isAtOnce = false;
 
   constructor(
     readonly url: string,
@@ -24,8 +25,8 @@ class Fake implements Socket {
     this.passing.push(isPassing);
   }
 
-  close(): void {
-    this.isClosed = true;
+  close(isAtOnce: boolean): void {
+    [this.isClosed, this.isAtOnce] = [true, isAtOnce];
   }
 
   open(): void {
@@ -184,6 +185,7 @@ test('reasons are told in words, and final ones end it until the user asks', () 
       const state = states.at(-1);
       assert.equal(state?.kind, kind);
       assert.match(state && 'words' in state ? state.words : '', expected);
+      if (isFrame) socket().breaks();
       connection.retry();
       assert.equal(sockets.length, 2);
     }
@@ -323,6 +325,43 @@ test('who leaves says so, and does not come back by itself', () => {
   pass(100);
   assert.equal(sockets.length, 1);
   assert.equal(states.at(-1)?.kind, 'ended');
+});
+
+test('who joins again waits until the server has closed the socket before, for some seconds', () => {
+  const { connection, sockets, states, pass } = entered();
+  connection.leave();
+  connection.retry();
+  assert.equal(states.at(-1)?.kind, 'joining');
+  pass(4.99);
+  assert.equal(sockets.length, 1);
+  sockets[0]?.breaks(1000);
+  assert.equal(sockets.length, 2);
+  // Also one that was not let in yet, whose hello may be on its way; who has changed its mind stays away.
+  sockets[1]?.open();
+  for (let count = 0; count < 2; count++) {
+    connection.leave();
+    connection.retry();
+  }
+  connection.leave();
+  sockets[1]?.breaks(1000);
+  assert.deepEqual([sockets.length, states.at(-1)?.kind], [2, 'ended']);
+  connection.retry();
+  connection.leave();
+  connection.retry();
+  pass(4.99);
+  assert.equal(sockets.length, 3);
+  pass(0.01);
+  assert.equal(sockets.length, 4);
+  sockets[2]?.breaks();
+  assert.deepEqual([sockets.length, states.at(-1)?.kind], [4, 'joining']);
+});
+
+test('a page that goes waits for nothing', () => {
+  for (const isAtOnce of [true, false]) {
+    const { connection, socket } = entered();
+    connection.leave(isAtOnce);
+    assert.deepEqual([socket().isClosed, socket().isAtOnce], [true, isAtOnce]);
+  }
 });
 
 test('an address names a room, or says what was expected', () => {

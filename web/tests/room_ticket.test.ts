@@ -48,16 +48,16 @@ test('a page that goes says bye and leaves its ticket, and joins again when it c
   const connection = {
     state: { kind: 'here' },
     ticket: new Uint8Array([5]),
-    leave: () => calls.push('leave'),
+    leave: (isAtOnce: boolean) => calls.push(`leave ${isAtOnce}`),
     retry: () => calls.push('retry'),
   };
   followPage(connection as unknown as Connection, createTicketStore('ws://h/rooms/x', () => storage), page);
   page.dispatchEvent(new Event('pageshow'));
   assert.deepEqual(calls, []);
   page.dispatchEvent(new Event('pagehide'));
-  assert.deepEqual([calls, [...storage.held.values()]], [['leave'], ['05']]);
+  assert.deepEqual([calls, [...storage.held.values()]], [['leave true'], ['05']]);
   page.dispatchEvent(new Event('pageshow'));
-  assert.deepEqual([calls, storage.held.size], [['leave', 'retry'], 0]);
+  assert.deepEqual([calls, storage.held.size], [['leave true', 'retry'], 0]);
   // Who has left before stays away, and leaves nothing.
   connection.state.kind = 'ended';
   page.dispatchEvent(new Event('pagehide'));

@@ -24,7 +24,7 @@ function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, has
   const socket = (name: string): Socket => ({
     bufferedAmount: 7,
     send: (data, isPassing) => told.push(`${name} ${data.length} ${isPassing}`),
-    close: () => told.push(`${name} closes`),
+    close: (isAtOnce) => told.push(`${name} closes${isAtOnce ? ' at once' : ''}`),
   });
   const listener: Listener = { opened: () => told.push('opened'), came: () => {}, closed: (code) => told.push(`closed ${code}`) };
   const ways = {
@@ -146,6 +146,44 @@ test('the end of a session that is of no use is not told', async () => {
   assert.deepEqual(told, []);
 });
 
+test('a session ends with its stream, which the server closes, or after some seconds', async (context) => {
+  context.mock.timers.enable({ apis: ['setTimeout'] });
+  for (const [isAtOnce, isAnswered] of [[false, true], [false, false], [true, false]] as const) {
+    const done: string[] = [];
+    let end = (_: object): void => {};
+    class Fake {
+      readonly ready = Promise.resolve();
+      readonly closed = new Promise((resolve) => (end = resolve));
+      readonly datagrams = { readable: new ReadableStream(), writable: new WritableStream() };
+      createBidirectionalStream(): Promise<object> {
+        const writable = new WritableStream({
+          write: ({ length }) => void done.push(`wrote ${length}`),
+          close: () => void done.push('stream closed'),
+        });
+        return Promise.resolve({ readable: new ReadableStream(), writable });
+      }
+      close(): void {
+        done.push('closed');
+      }
+    }
+    Object.assign(globalThis, { WebTransport: Fake });
+    const listener: Listener = { opened: () => {}, came: () => {}, closed: (code) => done.push(`told ${code}`) };
+    const settle = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
+    const socket = await openDatagrams(RELAY, TO, listener);
+    await settle();
+    socket.send(new Uint8Array(3), false);
+    socket.close(isAtOnce);
+    await settle();
+    if (isAnswered) end({ closeCode: 1000 });
+    await settle();
+    context.mock.timers.tick(5000);
+    await settle();
+    const [graceful, sent] = [['wrote 3', 'stream closed'], new Set(done)];
+    if (isAtOnce) assert.ok(sent.has('closed') && !sent.has('stream closed'));
+    else assert.deepEqual(done, [...graceful, isAnswered ? 'told 1000' : 'closed']);
+  }
+});
+
 test('without datagrams it is a WebSocket', async () => {
   const without = bench(async () => null, () => true);
   without.open();
@@ -159,9 +197,9 @@ test('without datagrams it is a WebSocket', async () => {
 
 test('who has left before anything was found is not there', async () => {
   const { told, open, settle } = bench(async () => TO, () => true);
-  open().close();
+  open().close(false);
   await settle();
-  assert.deepEqual(told, ['datagrams closes']);
+  assert.deepEqual(told, ['datagrams closes at once']);
 });
 
 test('frames of a stream are whole, however they come', () => {

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar.stream import _room_frames as frames, _room_names, _room_poses as poses
-from nearfar.stream._room_connection import Address, Connection, broken, require
+from nearfar.stream._room_connection import Address, Connection, broken, complete, require
 from nearfar.stream._room_events import Begin, Ended, Event, Joined, Left, Pose, Posed, RoomError, To, User
 from nearfar.stream._room_inbox import Inbox
 from nearfar.stream._room_round_trips import RoundTrips
@@ -191,15 +191,13 @@ class Room:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         if self._reading is not None:
-            if self._there.is_set():
-                await self._send(frames.bye(), or_else=False)
             self._finish(RoomError("bye", "the user left"))
             self._reading.cancel()
-            await asyncio.wait([self._reading])
-            # A task that is cancelled before it began closes nothing.
-            await self._leave()
-            if not self._reading.cancelled():
-                self._reading.result()
+            try:
+                await complete(self._reading)
+            finally:
+                # A task that is cancelled before it began closes nothing.
+                await self._leave()
 
     def __aiter__(self) -> Self:
         return self

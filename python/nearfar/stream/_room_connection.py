@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import asyncio
 import importlib.util
 import os
 import ssl
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from urllib.parse import quote, urlsplit
 
 from nearfar._base import check
-from nearfar.stream import _room_names
+from nearfar.stream import _room_frames as frames, _room_names
 from nearfar.stream._room_events import RoomError
 
 if TYPE_CHECKING:
@@ -18,6 +20,9 @@ if TYPE_CHECKING:
 
 HEARTBEAT = 15.0
 """Seconds without a byte of the server after which it is sent a ping; half of it later it is gone."""
+
+CLOSING = 5.0
+"""Seconds for which a server may let a user wait who has said bye. When it closes, the user's seat is free."""
 
 MOST_MESSAGE = 1 << 23
 """Most bytes of a message: what waits for a user, and a pose of each other one."""
@@ -43,12 +48,13 @@ class Address:
 
 
 class Connection:
-    """A WebSocket, which `close` ends."""
+    """A WebSocket, which `close` ends. It stays open when `receive` is cancelled, and no message is lost."""
 
     def __init__(self, address: Address) -> None:
         self._address = address
         self._session: aiohttp.ClientSession | None = None
         self._socket: aiohttp.ClientWebSocketResponse | None = None
+        self._receiving: asyncio.Task[aiohttp.WSMessage | None] | None = None
 
     async def open(self) -> None:
         """Connect; RoomError if that is not possible, with the reason "gone" if it may be later."""
@@ -84,12 +90,12 @@ class Connection:
         """The next message; None at the end."""
         import aiohttp
 
-        if self._socket is None:
-            return None
-        try:
-            message = await self._socket.receive()
-        except (aiohttp.ClientError, ConnectionError, RuntimeError):
-            # It answers pings while it receives, and may meet a connection that has ended meanwhile.
+        if self._receiving is None:
+            self._receiving = asyncio.create_task(self._receive())
+        # aiohttp takes a WebSocket for closed when its receive() is cancelled, and waits for no Close then.
+        await asyncio.wait([self._receiving])
+        message, self._receiving = self._receiving.result(), None
+        if message is None:
             return None
         if message.type is aiohttp.WSMsgType.BINARY:
             return bytes(message.data)
@@ -98,13 +104,47 @@ class Connection:
         return None
 
     async def close(self) -> None:
-        """Close the WebSocket and all that belongs to it."""
+        """Say bye, and wait until the server closes, CLOSING seconds at most. Cancellation takes effect after it."""
+        await complete(asyncio.create_task(self._close()))
+
+    async def _receive(self) -> aiohttp.WSMessage | None:
+        import aiohttp
+
+        if self._socket is None:
+            return None
+        try:
+            return await self._socket.receive()
+        except (aiohttp.ClientError, ConnectionError, RuntimeError):
+            # It answers pings while it receives, and may meet a connection that has ended meanwhile.
+            return None
+
+    async def _close(self) -> None:
         try:
             if self._socket is not None:
-                await self._socket.close()
+                with suppress(TimeoutError):
+                    async with asyncio.timeout(CLOSING):
+                        with suppress(RoomError):
+                            await self.send(frames.bye())
+                        await self._socket.close()
         finally:
+            if self._receiving is not None:
+                self._receiving.cancel()
             if self._session is not None:
                 await self._session.close()
+
+
+async def complete(task: asyncio.Task[None]) -> None:
+    """Wait until a task has ended; a cancellation takes effect afterwards."""
+    cancellation: asyncio.CancelledError | None = None
+    while not task.done():
+        try:
+            await asyncio.wait([task])
+        except asyncio.CancelledError as error:
+            cancellation = error
+    if cancellation is not None:
+        raise cancellation
+    if not task.cancelled():
+        task.result()
 
 
 def broken() -> RoomError:

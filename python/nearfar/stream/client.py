@@ -50,6 +50,9 @@ def join(
 ) -> Room:
     """Join a room of a server when an `async with` block begins, and leave it when the block ends.
 
+    When the block has ended, the user's seat is free for another connection with the same token. The end waits for the
+    server's confirmation, at most 5 s.
+
     Parameters
     ----------
     url

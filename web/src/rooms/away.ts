@@ -8,7 +8,7 @@ export function followPage(connection: Connection, tickets: TicketStore, page: E
   page.addEventListener('pagehide', () => {
     if (connection.state.kind === 'ended') return;
     tickets.put(connection.ticket);
-    connection.leave();
+    connection.leave(true);
     isAway = true;
   });
   page.addEventListener('pageshow', () => {

@@ -12,6 +12,8 @@ import { type Open, openSocket, type Socket } from './socket';
 const [FIRST, LONGEST] = [1, 30] as const;
 /** Seconds in the room after which pauses begin anew, and those in which a server must let a user in. */
 const [STAYED, WELCOME] = [10, 15] as const;
+/** Seconds for which a server may let a user wait who has left. When it closes, the user's seat is free. */
+const CLOSING = 5;
 /** Bytes that wait to be sent, from which on poses are dropped. */
 const WAITING = 1 << 14;
 
@@ -49,8 +51,8 @@ export interface Connection {
   say(payload: Uint8Array, to: Audience): boolean;
   /** Come back after it has ended, or at once while it waits. */
   retry(): void;
-  /** Say that the user goes. */
-  leave(): void;
+  /** Say that the user goes; at once if the page goes, too. */
+  leave(isAtOnce?: boolean): void;
 }
 
 export function connect(settings: ConnectionSettings): Connection {
@@ -59,6 +61,8 @@ export function connect(settings: ConnectionSettings): Connection {
   const roundTrips = createRoundTrips();
   let state: State = { kind: 'joining' };
   let socket: Socket | null = null;
+  /** The socket before, until the server has closed it. */
+  let closing: Socket | null = null;
   let ticket = settings.ticket ?? new Uint8Array();
   let pause: number = FIRST;
   let [entered, sequence] = [0, 0];
@@ -76,6 +80,14 @@ export function connect(settings: ConnectionSettings): Connection {
   function join(): void {
     stop();
     set({ kind: 'joining' });
+    // A hello could overtake the goodbye, and find the user's own token in use.
+    if (closing) stop = later(CLOSING, enter);
+    else enter();
+  }
+
+  function enter(): void {
+    stop();
+    closing = null;
     const own = open(relayOf(page, address), {
       opened() {
         if (socket === own) send({ kind: 'hello', group: address.group, name: address.name, ticket });
@@ -84,7 +96,13 @@ export function connect(settings: ConnectionSettings): Connection {
         if (socket === own) take(data);
       },
       closed(code) {
-        if (socket === own) end(endOfCode(code, state.kind === 'here'));
+        if (socket === own) {
+          socket = null;
+          end(endOfCode(code, state.kind === 'here'));
+        } else if (closing === own) {
+          closing = null;
+          if (state.kind === 'joining') enter();
+        }
       },
     });
     socket = own;
@@ -147,11 +165,11 @@ export function connect(settings: ConnectionSettings): Connection {
     socket?.send(writeFrame(frame), isPassing);
   }
 
-  function drop(): void {
+  function drop(isAtOnce = false): void {
     stop();
-    const old = socket;
-    socket = null;
-    old?.close();
+    if (!socket) return;
+    [closing, socket] = [socket, null];
+    closing.close(isAtOnce);
   }
 
   function end({ words, isFinal }: End): void {
@@ -200,9 +218,9 @@ export function connect(settings: ConnectionSettings): Connection {
     retry() {
       if (state.kind === 'waiting' || state.kind === 'ended') join();
     },
-    leave() {
+    leave(isAtOnce) {
       if (state.kind === 'here') send({ kind: 'bye' });
-      drop();
+      drop(isAtOnce);
       set({ kind: 'ended', words: 'You have left the room.' });
     },
   };

@@ -4,6 +4,8 @@ import type { Listener, Socket } from './socket';
 
 /** Seconds in which a connection must be there: networks that drop UDP tell nothing. */
 const READY = 3;
+/** Seconds for which a server may let a user wait who closes the stream. */
+const CLOSING = 5;
 /** Datagrams that wait for the network; more are dropped, and so are those that wait for so many milliseconds. */
 const [WAITING, OLDEST] = [4, 50] as const;
 /** Bytes of a frame before its body, of which the last two tell how many follow. */
@@ -24,7 +26,7 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
   try {
     const stream = await within(READY, openStream(transport));
     // Nothing is told of a session that turns out to be of no use, as in browsers of other versions of WebTransport.
-    const socket = sending(transport, stream.writable);
+    const socket = sending(transport, stream.writable, closed);
     void closed.then((code) => listener.closed(code));
     void readAll(stream.readable, splitter((frames) => listener.came(frames)));
     void readAll(transport.datagrams.readable, (datagram) => listener.came(datagram.slice().buffer));
@@ -48,7 +50,7 @@ async function openStream(transport: WebTransport): Promise<WebTransportBidirect
   return transport.createBidirectionalStream();
 }
 
-function sending(transport: WebTransport, writable: WritableStream): Socket {
+function sending(transport: WebTransport, writable: WritableStream, closed: Promise<unknown>): Socket {
   const { datagrams } = transport;
   datagrams.outgoingHighWaterMark = WAITING;
   datagrams.outgoingMaxAge = OLDEST;
@@ -69,7 +71,15 @@ function sending(transport: WebTransport, writable: WritableStream): Socket {
       bytes += data.length;
       stream.write(data).then(() => (bytes -= data.length), ignore);
     },
-    close: () => transport.close(),
+    close(isAtOnce) {
+      if (isAtOnce) {
+        transport.close();
+        return;
+      }
+      // The server ends the session at the stream's end. If the page did, the last bytes of the stream could be lost.
+      stream.close().catch(ignore);
+      within(CLOSING, closed).catch(() => transport.close());
+    },
   };
 }
 

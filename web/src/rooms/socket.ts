@@ -5,7 +5,8 @@ export interface Socket {
   readonly bufferedAmount: number;
   /** Send a frame; `isPassing` if a later one replaces it, so that it may get lost. */
   send(data: Uint8Array<ArrayBuffer>, isPassing: boolean): void;
-  close(): void;
+  /** Close it after all that was sent, or at once; `closed` is told when the server has closed it, too. */
+  close(isAtOnce: boolean): void;
 }
 
 /** Whoever listens to a socket; nothing is told before the socket is returned. */
@@ -25,5 +26,11 @@ export function openSocket(url: string, listener: Listener): Socket {
   socket.onopen = () => listener.opened();
   socket.onmessage = ({ data }) => listener.came(data);
   socket.onclose = ({ code }) => listener.closed(code);
-  return socket;
+  return {
+    get bufferedAmount() {
+      return socket.bufferedAmount;
+    },
+    send: (data) => socket.send(data),
+    close: () => socket.close(),
+  };
 }

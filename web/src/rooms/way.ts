@@ -66,7 +66,7 @@ function later(found: Promise<Found>, listener: Listener): Socket {
   let isClosed = false;
   function use(one: Found): void {
     socket = one.socket;
-    if (isClosed) socket.close();
+    if (isClosed) socket.close(true);
     else if (one.isOpen) listener.opened();
   }
   found.then(use, () => listener.closed(BROKEN));
@@ -77,9 +77,9 @@ function later(found: Promise<Found>, listener: Listener): Socket {
     send(data, isPassing) {
       socket?.send(data, isPassing);
     },
-    close() {
+    close(isAtOnce) {
       isClosed = true;
-      socket?.close();
+      socket?.close(isAtOnce);
     },
   };
 }

@@ -1,0 +1,183 @@
+"""Users who leave rooms: their seats are free as soon as the block has ended, and it ends whatever the server does."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+from collections.abc import Iterator
+from contextlib import suppress
+
+import pytest
+
+from nearfar.serve._rooms import Rooms, token
+from nearfar.serve._server import Server
+from nearfar.stream import _room, _room_connection
+from nearfar.stream.client import Ended, Joined, Left, RoomError, Said, join
+from tests.support import need
+from tests.support.room_cases import HANGS, KEY, answers, run, server as served, until, wire
+
+need("aiohttp")
+
+ROUNDS = 40
+LATE = 5e-3
+"""Seconds by which the first way to the server is slower than the second."""
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[Server]:
+    with served(Rooms(key=KEY, needs_token=True)) as running:
+        yield running
+
+
+@pytest.fixture
+def is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However slow the machine is, users wait until the server has closed."""
+    monkeypatch.setattr(_room_connection, "CLOSING", 2 * HANGS)
+
+
+@pytest.fixture
+def is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Users do not wait long for a server that never closes."""
+    monkeypatch.setattr(_room_connection, "CLOSING", 0.05)
+
+
+@pytest.mark.usefixtures("is_waited_for")
+def test_who_has_left_by_a_slow_way_enters_again_by_a_fast_one(server: Server) -> None:
+    given = token("hall", KEY)
+
+    async def script() -> None:
+        async with wire(server.url, LATE) as slow:
+            for _ in range(ROUNDS):
+                async with join(slow.url, room="hall", token=given):
+                    # It begins to read.
+                    await asyncio.sleep(0)
+                async with join(server.url, room="hall", token=given):
+                    pass
+
+    run(script())
+
+
+@pytest.mark.usefixtures("is_waited_for")
+def test_who_gave_up_entering_or_leaving_enters_again(server: Server) -> None:
+    given = token("hall", KEY)
+
+    async def script() -> None:
+        async with wire(server.url, LATE) as slow:
+            for number in range(ROUNDS):
+                # It takes two delays to enter, and one to leave.
+                with suppress(TimeoutError):
+                    async with asyncio.timeout(4 * LATE * number / ROUNDS), join(slow.url, room="hall", token=given):
+                        pass
+                async with join(server.url, room="hall", token=given):
+                    pass
+
+    run(script())
+
+
+@pytest.mark.usefixtures("is_waited_for")
+def test_who_was_not_let_in_in_time_enters_again(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
+    given = token("hall", KEY)
+
+    async def script() -> None:
+        async with wire(server.url, LATE) as slow:
+            for number in range(ROUNDS):
+                with monkeypatch.context() as short:
+                    short.setattr(_room, "ENTERING", 4 * LATE * number / ROUNDS)
+                    with suppress(RoomError):
+                        async with join(slow.url, room="hall", token=given):
+                            pass
+                async with join(server.url, room="hall", token=given):
+                    pass
+
+    run(script())
+
+
+@pytest.mark.usefixtures("is_waited_for")
+def test_who_leaves_while_it_returns_enters_again(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(_room, "PAUSES", (1e-3, 1e-3))
+    given = token("hall", KEY)
+
+    async def script() -> None:
+        async with wire(server.url, LATE) as slow, join(server.url, room="hall", token=token("hall", KEY)) as other:
+            for number in range(ROUNDS):
+                async with join(slow.url, room="hall", token=given) as user:
+                    slow.cut()
+                    # Nothing else tells when the server knows of it.
+                    await until(other, Left)
+                    await asyncio.sleep(4 * LATE * number / ROUNDS)
+                async with join(server.url, room="hall", token=given) as user:
+                    await until(other, Joined, lambda event: event.user == user.user)
+                await until(other, Left, lambda event: event.user == user.user)
+
+    run(script())
+
+
+@pytest.mark.usefixtures("is_waited_for")
+def test_a_connection_that_broke_off_is_not_waited_for(server: Server) -> None:
+    async def script() -> None:
+        async with wire(server.url) as way, join(way.url, room="hall", token=token("hall", KEY)) as user:
+            way.cut()
+            assert (await until(user, Ended)).reason == "gone"
+
+    run(script())
+
+
+@pytest.mark.usefixtures("is_waited_for")
+def test_who_is_cancelled_while_it_leaves_has_left(server: Server) -> None:
+    given = token("hall", KEY)
+
+    async def script() -> None:
+        async with wire(server.url, LATE) as slow:
+            is_leaving = asyncio.Event()
+
+            async def leave() -> None:
+                async with join(slow.url, room="hall", token=given):
+                    is_leaving.set()
+
+            leaving = asyncio.create_task(leave())
+            await is_leaving.wait()
+            for _ in range(3):
+                leaving.cancel()
+                await asyncio.sleep(0)
+            with pytest.raises(asyncio.CancelledError):
+                await leaving
+            async with join(server.url, room="hall", token=given):
+                pass
+
+    run(script())
+
+
+@pytest.mark.usefixtures("is_not_waited_for")
+def test_a_server_that_never_closes_is_left(server: Server) -> None:
+    async def script() -> None:
+        async with wire(server.url) as way, join(way.url, room="hall", token=token("hall", KEY)):
+            way.passes.clear()
+
+    run(script())
+
+
+@pytest.mark.usefixtures("is_not_waited_for")
+def test_a_server_that_does_not_read_is_left(server: Server) -> None:
+    async def script() -> None:
+        async with wire(server.url) as way, join(way.url, room="hall", token=token("hall", KEY)) as user:
+            way.passes.clear()
+
+            async def speak() -> None:
+                while True:
+                    await user.say(bytes(4096))
+
+            with suppress(TimeoutError):
+                await asyncio.wait_for(speak(), 0.2)
+
+    run(script())
+
+
+@pytest.mark.usefixtures("is_not_waited_for")
+def test_a_server_that_sends_on_and_on_is_left() -> None:
+    said = bytes.fromhex("840310020000") + bytes(4096)
+
+    async def script() -> None:
+        async with answers(itertools.repeat(said)) as url, join(url, room="hall") as user:
+            await until(user, Said)
+
+    run(script())
