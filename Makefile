@@ -24,7 +24,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo page test test-slow test-changed test-third lint lint-rust lint-python lint-fuzz lint-web test-rust test-adapters bench notebooks stress attack fuzz setup clean
+.PHONY: help demo page test test-slow test-changed test-third lint lint-rust lint-python lint-fuzz lint-web test-rust test-adapters bench notebooks stress attack fuzz mutations setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -109,6 +109,10 @@ fuzz: lint-fuzz
 		cargo +nightly fuzz run $$target fuzz/found/$$target fuzz/corpus/$$target -- \
 			-max_total_time=$(FUZZ_SECONDS) -rss_limit_mb=4096 -timeout=10 || exit 1; \
 	done; fi
+
+# Seed faults and find out whether the tests of their stages catch them: 40 minutes of a core; its table is in out/mutations.
+mutations: .venv/built .venv/test .venv/web .venv/readers
+	$(bin)/python -m scripts.mutations --out $(OUT)/mutations
 
 # Make .venv and build, without running anything.
 setup: .venv/built .venv/test

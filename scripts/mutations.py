@@ -1,0 +1,217 @@
+"""Seeds faults of the kinds that engineers make, one at a time, and finds out which tests catch them.
+
+python -m scripts.mutations [--only NAME ...] [--list] [--at COMMIT] [--beside EARLIER.json] [--out FOLDER]
+
+Each table of tests/mutations/*.toml is named by a stage and the fault: `where` is the file or folder in which the text
+`old` occurs exactly once, and `new` takes its place. Texts instead of patches: they hold when lines and files move.
+`tests` lists what pytest runs (by default tests/STAGE), `slow` the files of slow tests that run if nothing else fails.
+
+A copy of the checkout lies in a folder of its own (`--copy`), which stays, so that Rust is compiled as a whole only
+once. All tests must pass there before a fault counts. A fault that no longer applies, that does not compile, or after
+which tests fail to run, is an error and not caught.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import resource
+import sys
+import tempfile
+import tomllib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from scripts.checkout_copy import LONGEST, RUST, Copy, Refused, content_at
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+FAULTS = CHECKOUT / "tests" / "mutations"
+LANGUAGES = {".py": "Python", ".ts": "TypeScript", ".rs": "Rust"}
+"""Of files that may have faults, beside those of shaders."""
+BROKEN = re.compile(r"\b(ImportError|ModuleNotFoundError|SyntaxError|IndentationError|NameError|UnboundLocalError)\b")
+"""Failures by which a fault would give itself away whatever tests do."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A text that takes the place of another one."""
+
+    name: str
+    stage: str
+    where: str
+    old: str
+    new: str
+    tests: tuple[str, ...]
+    slow: tuple[str, ...] = ()
+
+
+def faults(folder: Path = FAULTS) -> list[Fault]:
+    """All faults of a folder's tables, by file, stage and name."""
+    found = []
+    for path in sorted(folder.glob("*.toml")):
+        for stage, named in tomllib.loads(path.read_text(encoding="utf-8")).items():
+            for name, given in named.items():
+                tests, slow = given.pop("tests", [f"tests/{stage}"]), given.pop("slow", [])
+                found.append(Fault(f"{stage}.{name}", stage, **given, tests=tuple(tests), slow=tuple(slow)))
+    return found
+
+
+def place(tree: Path, fault: Fault) -> Path:
+    """Return the file in which a fault's text occurs exactly once; Refused otherwise."""
+    root = tree / fault.where
+    files = [root] if root.is_file() else [path for path in sorted(root.rglob("*")) if path.is_file()]
+    readable = (path for path in files if path.suffix in {*LANGUAGES, *RUST})
+    counts = {path: path.read_text(encoding="utf-8").count(fault.old) for path in readable}
+    if sum(counts.values()) != 1:
+        raise Refused(f"does not apply: its text occurs {sum(counts.values())} times in {fault.where}")
+    return next(path for path, count in counts.items() if count)
+
+
+Suite = tuple[str, ...]
+"""Name of a program that runs tests, and its arguments."""
+
+
+def suites(fault: Fault, path: Path, tree: Path) -> list[Suite]:
+    """The tests of a fault, those that are most likely to catch it first."""
+    missing = [name for name in (*fault.tests, *fault.slow) if not (tree / name).exists()]
+    if missing:
+        raise Refused(f"names tests that are not there: {', '.join(missing)}")
+    pytest, slow = [("pytest", *fault.tests)], [("slow", *fault.slow)] if fault.slow else []
+    parts = path.relative_to(tree).parts
+    if path.suffix == ".ts":
+        return [("node", "build/tests"), *slow]
+    if parts[:2] == ("rust", "serve"):
+        return [("cargo", "nearfar-serve", ""), *pytest, *slow]
+    if parts[:2] == ("rust", "core"):
+        return [*pytest, ("cargo", "nearfar-core", f"{Path(parts[3]).stem}::"), *slow]
+    return [*pytest, *slow]
+
+
+def failure(copy: Copy, suite: Suite) -> tuple[str, str] | None:
+    """Run tests: the first that fails and its message, or None; Refused if they do not run."""
+    kind, *rest = suite
+    if kind == "node":
+        status, output = copy.run("node", "--test", "--test-reporter=tap", *rest, folder="web")
+        pattern = r"^\s*not ok \d+ - (?P<name>.*?)\n(?:.*\n)*?\s*error: (?:\|-\n)?(?P<message>.*)"
+    elif kind == "cargo":
+        status, output = copy.run("cargo", "test", "--quiet", "-p", rest[0], "--lib", *filter(None, rest[1:]))
+        pattern = r"^---- (?P<name>\S+) stdout ----\n+(?P<message>.*\n.*)"
+    else:
+        marks = ["-m", "slow and not stress"] if kind == "slow" else []
+        options = ["-x", "-rfE", "--tb=short", "-p", "no:cacheprovider", *marks]
+        status, output = copy.run(sys.executable, "-m", "pytest", *options, *rest)
+        pattern = r"^(?:FAILED|ERROR) (?P<name>\S+::.*?)(?: - (?P<message>.*))?$"
+    if status == 0:
+        return None
+    if status < 0:
+        return f"{' '.join(suite)} does not end", f"stopped after {LONGEST} s or by a signal"
+    found = re.search(pattern, output, re.MULTILINE)
+    if not found or found["name"].endswith(".mjs"):
+        raise Refused(f"{' '.join(suite)} does not run: {output.strip()[-600:]}")
+    message = " ".join((found["message"] or "").split())[:200]
+    if BROKEN.search(message):
+        raise Refused(f"{found['name']} fails for another reason: {message}")
+    return (found["name"] if kind in {"pytest", "slow"} else f"{kind}: {found['name']}"), message
+
+
+def seconds() -> float:
+    """Seconds of the processors that ended processes took."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def seeded(copy: Copy, fault: Fault, sound: Mapping[Suite, bool]) -> dict[str, Any]:
+    """Seed one fault and run its tests, of which it is known whether they pass without it.
+
+    Returns its name, its language, the first test that failed (empty for none), its message, and the seconds of the
+    processors for building and testing.
+    """
+    path, begin = place(copy.folder, fault), seconds()
+    chosen = suites(fault, path, copy.folder)
+    if broken := [" ".join(suite) for suite in chosen if not sound[suite]]:
+        raise Refused(f"its tests fail without it: {', '.join(broken)}")
+    text = path.read_text(encoding="utf-8")
+    try:
+        path.write_text(text.replace(fault.old, fault.new), encoding="utf-8")
+        copy.build(path.suffix)
+        found = next(filter(None, (failure(copy, suite) for suite in chosen)), ("", ""))
+    finally:
+        path.write_text(text, encoding="utf-8")
+    language = LANGUAGES[path.suffix] if path.parent.name != "shaders" else "shaders"
+    taken = round(seconds() - begin, 1)
+    return {"name": fault.name, "language": language, "caught": found[0], "message": found[1], "seconds": taken}
+
+
+def table(results: Iterable[Mapping[str, Any]], earlier: Mapping[str, str]) -> str:
+    """Results as Markdown, beside those of another run."""
+    head = ["fault", "language", *(["caught before by"] if earlier else []), "caught by", "CPU s"]
+    lines = [head, ["---"] * len(head)]
+    for row in results:
+        before = [earlier.get(row["name"], "–") or "MISSED"] if earlier else []
+        caught = row["caught"] or "MISSED"
+        lines.append([row["name"], row["language"], *before, caught, f"{row['seconds']:.0f}"])
+    return "".join(f"| {' | '.join(cell.replace('|', '/') for cell in line)} |\n" for line in lines)
+
+
+def main() -> None:
+    """Seed all faults, or those named; exit with status 1 if one is missed or refused."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", nargs="+", metavar="NAME", help="names of faults or stages")
+    parser.add_argument("--list", action="store_true", help="print the names and end")
+    parser.add_argument("--at", metavar="COMMIT", help="a commit instead of the working tree")
+    parser.add_argument("--beside", type=Path, metavar="FILE", help="results of an earlier run, for the table")
+    parser.add_argument("--out", type=Path, default=CHECKOUT / "out" / "mutations")
+    parser.add_argument("--copy", type=Path, default=Path(tempfile.gettempdir()) / "nearfar-mutations")
+    chosen = parser.parse_args()
+    wanted = [fault for fault in faults() if not chosen.only or {fault.name, fault.stage} & {*chosen.only}]
+    if chosen.list or not wanted:
+        print("\n".join(fault.name for fault in wanted))
+        return
+    copy = Copy(chosen.copy.resolve())
+    copy.fill(CHECKOUT, content_at(CHECKOUT, chosen.at))
+    results, refused = run_all(copy, wanted)
+    earlier = json.loads(chosen.beside.read_text(encoding="utf-8")) if chosen.beside else []
+    chosen.out.mkdir(parents=True, exist_ok=True)
+    (chosen.out / "mutations.json").write_text(json.dumps(results, indent=1, ensure_ascii=False), encoding="utf-8")
+    text = table(results, {row["name"]: row["caught"] for row in earlier})
+    (chosen.out / "mutations.md").write_text(text, encoding="utf-8")
+    missed = [f"{row['name']}: missed" for row in results if not row["caught"]]
+    if missed or refused:
+        sys.exit("\n".join([*missed, *(f"{name}: {why}" for name, why in refused.items())]))
+
+
+def run_all(copy: Copy, wanted: Iterable[Fault]) -> tuple[list[dict[str, Any]], dict[str, str]]:
+    """Run the tests without faults and then with each; rows of results, and why others were refused."""
+    results, refused, sound = [], {}, dict[Suite, bool]()
+    for kind in LANGUAGES:
+        copy.build(kind)
+    # Faults of one language one after the other: what is built of others stays.
+    kinds = dict.fromkeys(wanted, "")
+    for fault in kinds:
+        try:
+            path = place(copy.folder, fault)
+            kinds[fault] = path.suffix
+            for suite in suites(fault, path, copy.folder):
+                if suite not in sound:
+                    sound[suite] = failure(copy, suite) is None
+        except Refused as error:
+            refused[fault.name] = str(error)
+    last = ""
+    for fault in sorted((fault for fault in kinds if fault.name not in refused), key=kinds.__getitem__):
+        try:
+            if last and last != kinds[fault]:
+                copy.build(last)
+            last = kinds[fault]
+            results.append(seeded(copy, fault, sound))
+            print(f"{fault.name}: {results[-1]['caught'] or 'MISSED'} ({results[-1]['message']})", flush=True)
+        except Refused as error:
+            refused[fault.name] = str(error)
+            print(f"{fault.name}: {error}", flush=True)
+    return results, refused
+
+
+if __name__ == "__main__":
+    main()
