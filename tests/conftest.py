@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from tests.support import PARTS, marks, need, required
-from tests.support.browser import started
+from tests.support.browser import hidden_loop, programs, started
 from tests.support.skips import untested
 
 # No deadline, because other work on the machine would decide the result. The thorough profile is for `make stress`.
@@ -55,9 +55,23 @@ def _no_flushes() -> Iterator[None]:
         yield
 
 
-@pytest.fixture(scope="module")
+_shared: list[Any] = []
+
+
+@pytest.fixture(scope="session")
 def chromium() -> Iterator[Any]:
-    """A browser for the tests of a file: Playwright allows one at a time."""
+    """A browser for all tests of a process."""
     need("browser")
     with started() as program:
+        _shared.append(program)
         yield program
+
+
+@pytest.fixture(autouse=True)
+def _own_loop(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Let tests without a browser run an asyncio loop of their own; other browsers are tests' own."""
+    if "chromium" in request.fixturenames or len(programs) > len(_shared):
+        yield
+    else:
+        with hidden_loop():
+            yield

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
 import io
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from typing import Any
 
 import numpy as np
@@ -38,23 +39,52 @@ FRAMES = "window.requestAnimationFrame = (frame) => setTimeout(() => frame(perfo
 NO_WEBGPU = "No available adapters."
 """Chromium prints it when a page asks for WebGPU where there is none."""
 
+SMALL = (160, 100)
+"""Size of a page that is drawn in no time; one of less than some 128 pixels gets two frames a second."""
+
 LOOKS = 6000
 """Looks at a page before it counts as hung: five minutes of pauses, and however long a busy machine takes to answer."""
 
 
+_players: list[Any] = []
+"""Playwright, while it runs: there can be one in a thread."""
+
+programs: list[Any] = []
+"""Browsers that run."""
+
+
 @contextmanager
 def started(path: str | None = None, flags: Sequence[str] = ()) -> Iterator[Any]:
-    """Chromium, the one at a path if it is given, with further flags; Playwright allows one at a time."""
+    """Chromium, the one at a path if it is given, with further flags."""
     from playwright.sync_api import sync_playwright
 
-    with sync_playwright() as player:
-        program = player.chromium.launch(
+    with ExitStack() as stack:
+        if not _players:
+            _players.append(stack.enter_context(sync_playwright()))
+            stack.callback(_players.clear)
+        _show_loop()
+        program = _players[0].chromium.launch(
             executable_path=path or browser(), args=[*BROWSER_FLAGS, *flags], timeout=SECONDS * 1e3
         )
-        try:
-            yield program
-        finally:
-            program.close()
+        stack.callback(program.close)
+        programs.append(program)
+        stack.callback(programs.remove, program)
+        yield program
+
+
+@contextmanager
+def hidden_loop() -> Iterator[None]:
+    """Let other code run an asyncio loop of its own: Playwright's counts as running while it has a browser."""
+    asyncio._set_running_loop(None)
+    try:
+        yield
+    finally:
+        _show_loop()
+
+
+def _show_loop() -> None:
+    if _players:
+        asyncio._set_running_loop(_players[0]._loop)
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""A bundle of several megabytes that is drawn in no time, and pages that exchange its files."""
+"""A bundle whose files are large and drawn in no time, and pages that exchange its files."""
 
 from __future__ import annotations
 
@@ -11,12 +11,11 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from tests.support.browser import opened, wait_until
+from tests.support.browser import SMALL, opened, wait_until
 
-RADII = (4.0, 7.0, 10.0, 13.0)
+RADII = (4.0, 7.0)
 PANELS = 3
 """Panels that begin in each ring."""
-SIZE = (96, 64)
 
 TOLD = """() => {
   const { room, viewer } = window.nearfar ?? {};
@@ -94,7 +93,7 @@ class PeerPage:
 
 
 @contextmanager
-def peer_page(chromium: Any, size: tuple[int, int] = SIZE) -> Iterator[PeerPage]:
+def peer_page(chromium: Any, size: tuple[int, int] = SMALL) -> Iterator[PeerPage]:
     """A page in a context of its own, which shares no cache with others."""
     with opened(chromium, *size) as page:
         yield PeerPage(page)

@@ -7,11 +7,10 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from tests.support.browser import opened, wait_for_ring, wait_until
+from tests.support.browser import SMALL, opened, wait_for_ring, wait_until
 from tests.support.stepped_page import count_objects, heap, objects
 from tests.support.web_cases import bundled
 
-SIZE = (96, 64)
 PARTS = 10
 STEP = 6.0
 """Seconds of use after which the page gets the browser's own time to work."""
@@ -29,7 +28,7 @@ class Held:
 @contextmanager
 def used(program: Any, url: str, rings: int) -> Iterator[Any]:
     """A page in a room whose server is in the page, all rings loaded."""
-    with opened(program, *SIZE) as page:
+    with opened(program, *SMALL) as page:
         count_objects(page)
         page.add_init_script(bundled("tests/rooms/used.ts"))
         page.goto(url)

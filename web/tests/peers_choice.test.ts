@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { refusalHere, UNWANTED } from '../src/peers/allowed';
+import { refusalHere, refusalThere, UNWANTED } from '../src/peers/allowed';
 import { createChoice } from '../src/peers/choice';
 
 function storage(): Storage {
@@ -33,4 +33,13 @@ test('where the browser forbids the storage the choice holds for the page', () =
   assert.ok(choice.isOn);
   choice.set(false);
   assert.equal(choice.isOn, false);
+});
+
+test('a page takes part where its address, its browser and the server want that', () => {
+  const choice = createChoice(storage);
+  assert.match(refusalHere(new URLSearchParams('peers=off'), choice) ?? '', /address/);
+  assert.match(refusalHere(new URLSearchParams(), choice) ?? '', /WebRTC/);
+  assert.equal(refusalThere({ peers: true, datagrams: null }), null);
+  assert.match(refusalThere({ peers: false, datagrams: null }) ?? '', /server does not want/);
+  assert.match(refusalThere(null) ?? '', /does not tell/);
 });

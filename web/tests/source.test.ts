@@ -134,6 +134,14 @@ test('a transfer that breaks off begins anew after growing pauses, and bytes cou
   assert.deepEqual(world.again.slice(1), [false, true, true, true]);
 });
 
+test('a file that was damaged is not taken from the cache the next time', async () => {
+  const { world, source } = await opened({ [name(0)]: [whole(4)], [name(1)]: [whole(4)] });
+  await read(source, 0);
+  source.distrust(name(0));
+  for (const number of [1, 0, 0]) await read(source, number);
+  assert.deepEqual(world.again.slice(1), [false, false, true, false]);
+});
+
 test('a server that stalls is given up, and asked again', async () => {
   const { world, source, counted } = await opened({ [name(0)]: [slow(2, NEVER), whole(4)] });
   const done = read(source, 0);

@@ -1,0 +1,55 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { BundleError } from '../src/bundle/error';
+import { openAddress, type Opened } from '../src/opened';
+import { strategyOf } from '../src/show/strategy';
+import { FATAL } from '../src/ui/messages';
+import { manifest } from './support/manifest';
+
+const SITE = { format: 'nearfar.on_demand', version: 1, title: 'a city', grid: 2, scene: 'files/0123456789abcdef.json' };
+const SCENE = { format: 'nearfar.scene', version: 1, failed: 'disk.glb: the disk is gone' };
+
+/** Open an address whose server has these documents. */
+async function open(query: string, documents: Readonly<Record<string, unknown>>): Promise<Opened> {
+  const usual = globalThis.fetch;
+  globalThis.fetch = (async (url: URL) => {
+    const document = documents[url.pathname.slice(1)];
+    return document === undefined ? new Response(null, { status: 404 }) : new Response(JSON.stringify(document));
+  }) as typeof fetch;
+  try {
+    const asked = new URLSearchParams(query);
+    return await openAddress(new URL('http://h/'), asked, strategyOf(asked.get('strategy')), () => undefined, () => undefined);
+  } finally {
+    globalThis.fetch = usual;
+  }
+}
+
+/** Open in vain; the title of what the page says. */
+async function told(query: string, documents: Readonly<Record<string, unknown>>, message: RegExp): Promise<string> {
+  let title = '';
+  await assert.rejects(open(query, documents), (error: BundleError) => {
+    assert.match(error.message, message);
+    title = FATAL[error.kind].title;
+    return true;
+  });
+  return title;
+}
+
+test('a bundle begins at its first centre, as far as the address asks', async () => {
+  const { start, world, isStatic, centers } = await open('rings=1', { 'manifest.json': manifest() });
+  assert.deepEqual([start, isStatic, centers], [{ position: [0, 1.7, 0], yaw: 0, pitch: 0 }, true, [[0, 1.7, 0]]]);
+  const { entry } = await world.open(0, new AbortController().signal);
+  assert.deepEqual(entry.rings.map(({ radius }) => radius), [0, 10]);
+});
+
+test('what cannot be shown is told by its kind', async () => {
+  const site = { 'manifest.json': SITE, [SITE.scene]: SCENE };
+  assert.match(await told('strategy=vis1', site, /^strategy: expected clovr or clovrd/), /The address asks/);
+  assert.match(await told('', site, /disk\.glb: the disk is gone/), /cannot load the scene/);
+  const newer = { 'manifest.json': { ...manifest(), version: 2 } };
+  assert.match(await told('', newer, /newer nearfar/), /newer nearfar/);
+  assert.match(await told('', {}, /answers 404/), /cannot be reached/);
+  const bundle = { 'manifest.json': manifest() };
+  assert.match(await told('rings=two', bundle, /number of a ring/), /The address asks/);
+  assert.match(await told('strategy=vis1', bundle, /by_footprint=True/), /The address asks/);
+});
