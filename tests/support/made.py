@@ -1,4 +1,4 @@
-"""Folders that are made once in a run of tests, by whichever of its workers needs one first, and that all of them read."""
+"""Folders that a run of tests makes once, in the worker that needs one first; all workers read them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from nearfar._base.locks import alone
+from nearfar._base import locks
 
 
 def made(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
@@ -17,7 +17,7 @@ def made(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], obje
     own = factory.getbasetemp()
     folder = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "made"
     path, done = folder / name, folder / f"{name}.done"
-    with alone(folder / f"{name}.lock", None):
+    with locks.hold(folder / f"{name}.lock", None):
         if not done.exists():
             shutil.rmtree(path, ignore_errors=True)  # of a function that failed
             make(path)
