@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import signal
+import threading
 from collections.abc import Iterator
 from typing import Any
 
@@ -26,6 +28,9 @@ def pytest_configure(config: pytest.Config) -> None:
     unknown = required() - PARTS.keys()
     if unknown:
         raise pytest.UsageError(f"NEARFAR_REQUIRE: expected names from {sorted(PARTS)}, got {sorted(unknown)}")
+    # Shells start jobs in the background with Ctrl-C ignored, and Python keeps it so: tests of Ctrl-C would hang.
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
