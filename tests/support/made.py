@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from nearfar._base.locks import alone
+from nearfar._base.locks import hold
 
 
 def made(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
@@ -17,7 +17,7 @@ def made(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], obje
     own = factory.getbasetemp()
     folder = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "made"
     path, done = folder / name, folder / f"{name}.done"
-    with alone(folder / f"{name}.lock", None):
+    with hold(folder / f"{name}.lock", None):
         if not done.exists():
             shutil.rmtree(path, ignore_errors=True)  # of a function that failed
             make(path)
