@@ -10,8 +10,8 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support.browser import opened, wait_until
-from tests.support.flown_page import SIZE, Pose, facts, flown, holes, likeness, link, picture, problems, rendered, seen
+from tests.support.browser import opened
+from tests.support.flown_page import SIZE, Pose, flown, grabbed, holes, likeness, link, problems, rendered, seen
 from tests.support.range_server import served
 
 pytestmark = pytest.mark.slow
@@ -21,13 +21,13 @@ STREET: Pose = {"position": [20.0, 3.0, 22.0], "yaw": 0.7, "pitch": 0.25}
 WALL: Pose = {"position": [0.0, 3.0, 9.0], "yaw": 0.2, "pitch": -0.1}
 
 
-@pytest.mark.parametrize(("pose", "least", "samples"), [(NEAR, 0.97, 1), (STREET, 0.99, 1), (NEAR, 0.99, 4)])
+@pytest.mark.parametrize(("pose", "least", "samples"), [(STREET, 0.99, 1), (NEAR, 0.99, 4)])
 def test_pictures_are_those_of_render_with_geometry(
     chromium: Any, city: nf.orthoview.OrthoTree, pose: Pose, least: float, samples: int
 ) -> None:
     with Server.of_bundle(city.path) as server, opened(chromium, *SIZE) as page:
         told = flown(page, f"{server.url}?samples={samples}{link(pose)}")
-        found = picture(page)
+        found = grabbed(page)
         assert page.printed == []
         assert problems(page) == []
     frame = rendered(city, pose, samples, geometry=True)
@@ -43,7 +43,7 @@ def test_pictures_are_those_of_render_with_geometry(
 def test_textures_and_colours_are_drawn(chromium: Any, textured: nf.orthoview.OrthoTree) -> None:
     with served(Path(textured.path)) as server, opened(chromium, *SIZE) as page:
         told = flown(page, f"{server.url}index.html{link(WALL)}")
-        found = picture(page)
+        found = grabbed(page)
         assert problems(page) == []
     # Leaves share it, and the server says nothing of caches.
     assert told["leaves"] >= 2
@@ -55,45 +55,19 @@ def test_textures_and_colours_are_drawn(chromium: Any, textured: nf.orthoview.Or
     assert len(np.unique(found.reshape(-1, 3), axis=0)) > 500
 
 
-def test_geometry_can_be_left_out(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
-    with Server.of_bundle(city.path) as server, opened(chromium, *SIZE) as page:
-        told = flown(page, f"{server.url}?geometry=0{link(NEAR)}")
-        found = picture(page)
-    assert told["leaves"] == told["triangles"] == 0
-    assert likeness(found, rendered(city, NEAR)) > 0.9
-
-
-@pytest.mark.parametrize("damage", ["altered", "missing"])
 def test_damaged_geometry_is_told_and_views_stand_in(
-    chromium: Any, city: nf.orthoview.OrthoTree, copied_city: Path, damage: str
+    chromium: Any, city: nf.orthoview.OrthoTree, copied_city: Path
 ) -> None:
     place = city.cut(seen(NEAR)).leaf_places(in_picture=True)[0]
     (file,) = copied_city.glob(f"geometry/content/*/{'/'.join(map(str, place))}.glb")
     with Server.of_bundle(copied_city) as server, opened(chromium, *SIZE) as page:
-        if damage == "missing":
-            file.unlink()
-        else:
-            content = bytearray(file.read_bytes())
-            content[-3] ^= 1
-            file.write_bytes(content)
+        file.write_bytes(file.read_bytes()[:-3] + b"abc")
         told = flown(page, f"{server.url}{link(NEAR)}")
-        listed = problems(page)
-        found = picture(page)
-    assert len(listed) == 1
-    assert file.name in listed[0]
-    assert ("record" if damage == "altered" else "gone") in listed[0]
+        (listed,) = problems(page)
+        found = grabbed(page)
+    assert file.name in listed
+    assert "record" in listed
     assert told["leaves"] > 0
     assert told["views"] > city.render(seen(NEAR)).stats["views"]
     assert told["holes"] == told["waiting"] == 0
     assert holes(found, rendered(city, NEAR)) < 0.02
-
-
-def test_few_bytes_keep_the_leaves_of_the_picture(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
-    with Server.of_bundle(city.path) as server, opened(chromium, *SIZE) as page:
-        flown(page, f"{server.url}?megabytes=1{link(STREET)}")
-        there = {name: facts(page)[name] for name in ("leaves", "triangles", "waiting", "holes")}
-        page.evaluate("(pose) => window.orthoview.setPose(pose)", NEAR)
-        wait_until(page, lambda: facts(page)["isComplete"] and facts(page)["triangles"] != there["triangles"])
-        page.evaluate("(pose) => window.orthoview.setPose(pose)", STREET)
-        wait_until(page, lambda: facts(page)["isComplete"] and facts(page)["triangles"] == there["triangles"])
-        assert {name: facts(page)[name] for name in there} == there

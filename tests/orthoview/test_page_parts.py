@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
@@ -18,11 +17,14 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.orthoview import _codec
+from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import BEHIND, CHANNELS
 from tests.support import need
-from tests.support.orthoview_page import ViewKey, cameras, cases_of, in_node
+from tests.support.made import made
+from tests.support.orthoview_page import Damage, Store, ViewKey, cameras, cases_of, in_node
+from tests.support.orthoview_stores import masks_of
 from tests.support.range_server import served
-from tests.support.web_cases import run
+from tests.support.web_cases import web_tests
 
 pytestmark = pytest.mark.slow
 
@@ -37,14 +39,28 @@ def _parts() -> None:
 
 
 @pytest.fixture(scope="module")
-def changed(world: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+def changed(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
     """A tree of two layers and long normals, of which parts were taken away in two updates."""
-    path = tmp_path_factory.mktemp("trees") / "changed.zarr"
-    tree = nf.orthoview.build(world, path, cell=12, size=20, directions=9, layers=2, normal_bits=24, depth_bits=14)
-    low, high = tree.bounds
-    middle = (low + high) / 2
-    tree.update(np.array([low, middle]), scene_of(world.triangles()[:40] + world.origin))
-    return nf.orthoview.open(path).update(np.array([middle, high]), scene_of(world.triangles() + world.origin + 3.0))
+
+    def make(path: Path) -> None:
+        tree = nf.orthoview.build(few, path, cell=12, size=20, directions=9, layers=2, normal_bits=24, depth_bits=14)
+        low, high = tree.bounds
+        middle = (low + high) / 2
+        tree.update(np.array([low, middle]), scene_of(few.triangles()[:40] + few.origin))
+        nf.orthoview.open(path).update(np.array([middle, high]), scene_of(few.triangles() + few.origin + 3.0))
+
+    return nf.orthoview.open(made(tmp_path_factory, "changed.zarr", make))
+
+
+@pytest.fixture(scope="module")
+def large(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+    """A tree with shards above 64 kB, of which the page asks for parts."""
+    rng = np.random.default_rng(4)
+    corners = rng.uniform(0, 100, (700, 1, 3)) + rng.uniform(-5, 5, (700, 3, 3))
+    settings: dict[str, Any] = {"cell": 26, "size": 48, "directions": 5}
+    path = made(tmp_path_factory, "large.zarr", lambda path: nf.orthoview.build(scene_of(corners), path, **settings))
+    assert max(shard.stat().st_size for shard in path.glob("0/py/*/c/0/0/0/0/0/0")) > 1 << 16
+    return nf.orthoview.open(path)
 
 
 def scene_of(triangles: NDArray[np.floating[Any]]) -> nf.Scene:
@@ -71,26 +87,21 @@ def words_of(tree: nf.orthoview.OrthoTree, key: ViewKey) -> list[NDArray[np.uint
 
 
 def words(color: Any, depth: Any, normal: Any, bits: Any) -> NDArray[np.uint32]:
-    size = len(depth)
-    rows = []
-    for y, x in np.argwhere(depth > 0).tolist():
-        near = 0
-        for bit, (columns, lines) in enumerate(STEPS):
-            ahead, behind = (x + columns, y + lines), (x - columns, y - lines)
-            near += bits[y, x] >> bit & 1 if 0 <= ahead[0] < size and ahead[1] < size else 0
-            is_in = 0 <= behind[0] < size and behind[1] >= 0
-            near += bits[behind[1], behind[0]] >> bit & 1 if is_in else 0
-        red, green, blue = color[y, x]
-        u, v = normal[y, x]
-        code = depth[y, x]
-        rows.append(
-            (
-                red | green << 8 | blue << 16 | code >> 8 << 24,
-                u | v << 12 | (code & 255) << 24,
-                x | y << 12 | (near > 4) << 24 | (near == 8) << 25,
-            )
-        )
-    return np.array(rows, np.uint32)
+    """Three words of each pixel that shows something, row by row."""
+    y, x = np.indices(depth.shape)
+    near = np.zeros(depth.shape, int)
+    for bit, (columns, lines) in enumerate(STEPS):
+        ahead = (x + columns >= 0) & (x + columns < len(depth)) & (y + lines < len(depth))
+        joined = (bits >> bit & 1) * ahead
+        near += joined + np.roll(joined, (lines, columns), (0, 1))
+    red, green, blue = np.moveaxis(color, -1, 0)
+    u, v = np.moveaxis(normal, -1, 0)
+    found = (
+        red | green << 8 | blue << 16 | depth >> 8 << 24,
+        u | v << 12 | (depth & 255) << 24,
+        x | y << 12 | (near > 4).astype(int) << 24 | (near == 8).astype(int) << 25,
+    )
+    return np.stack(found, axis=-1)[depth > 0].astype(np.uint32)
 
 
 def in_rows(layer: dict[str, Any]) -> NDArray[np.uint32]:
@@ -109,39 +120,25 @@ def in_rows(layer: dict[str, Any]) -> NDArray[np.uint32]:
     return found[np.lexsort((found[:, 2] & 4095, found[:, 2] >> 12 & 4095))]
 
 
-def check(tree: nf.orthoview.OrthoTree, folder: Path, url: str, count: int) -> None:
+def asked(tree: nf.orthoview.OrthoTree, url: str, count: int) -> Store:
+    """Cuts of a tree and views of some of them, which Node compares and reads."""
     some = cameras(tree, count, seed=3)
     cuts = [tree.cut(camera, geometry=False) for camera in some[:6]]
-    keys = sorted({key for cut in cuts for key in cut.keys()})[:: max(count // 40, 1)]  # noqa: SIM118 - no mapping
+    keys = sorted({key for cut in cuts for key in cut.keys()})  # noqa: SIM118 - no mapping
     cases = cases_of(tree, some)
     assert len({cell[0] for case in cases for cell in case["cells"]}) >= tree.levels - 1
     assert sum(len(case["files"]) > len(case["leaves"]) > 0 for case in cases) >= len(cases) // 8
-    layers = in_node(folder, url, cases, keys)
-    assert len(layers) == len(keys) > 20
-    for key, found in zip(keys, layers, strict=True):
+    return Store(url, cases, keys[:: len(keys) // 30 + 1])
+
+
+def check(tree: nf.orthoview.OrthoTree, store: Store, layers: list[list[dict[str, Any]]]) -> None:
+    """Compare the splats that Node has read with Python's."""
+    assert len(layers) == len(store.views) > 10
+    for key, found in zip(store.views, layers, strict=True):
         expected = words_of(tree, key)
         assert len(found) == len(expected)
         for layer, own in zip(found, expected, strict=True):
             np.testing.assert_array_equal(in_rows(layer), own)
-
-
-def test_cuts_and_splats_are_those_of_python(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    path = Path(tree.path)
-    with served(path.parent) as server:
-        check(tree, tmp_path, f"{server.url}{path.name}/", 120)
-        asked = {(method, name.partition("?")[0]) for method, name, _ in server.answers}
-    assert {method for method, _ in asked} == {"GET"}
-    # Metadata of arrays follow from the layout.
-    assert [name for _, name in asked if name.endswith("zarr.json")] == [f"{path.name}/zarr.json"]
-
-
-def test_views_of_updates_are_read(changed: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    path = Path(changed.path)
-    with served(path.parent) as server:
-        check(changed, tmp_path, f"{server.url}{path.name}/", 40)
-        asked = " ".join(name for _, name, _ in server.answers)
-    assert "generations/1/" in asked
-    assert "generations/2/" in asked
 
 
 @contextmanager
@@ -162,20 +159,74 @@ def without_ranges(folder: Path) -> Iterator[str]:
             thread.join()
 
 
-def test_hosts_without_ranges_are_read(tmp_path: Path) -> None:
-    # Shards above 64 kB, of which parts are asked for.
-    rng = np.random.default_rng(4)
-    corners = rng.uniform(0, 100, (1500, 1, 3)) + rng.uniform(-5, 5, (1500, 3, 3))
-    tree = nf.orthoview.build(scene_of(corners), tmp_path / "large.zarr", cell=26, size=64, directions=5)
-    assert max(path.stat().st_size for path in tmp_path.glob("large.zarr/0/py/*/c/0/0/0/0/0/0")) > 1 << 16
-    with without_ranges(tmp_path) as url:
-        check(tree, tmp_path, f"{url}large.zarr/", 12)
-    shutil.rmtree(tmp_path / "tests")
-    with served(tmp_path) as server:
-        check(tree, tmp_path, f"{server.url}large.zarr/", 12)
-        assert 206 in {status for _, _, status in server.answers}
+def damaged(path: Path) -> list[Damage]:
+    """Alter and remove files of a store: what Node should say of them."""
+    tree = nf.orthoview.open(path)
+    of_leaves = [key for key in views_of(tree) if key[0] == 0]
+    (altered, array, chunk), (lost, _, gone) = (
+        (key, *chunk_of(tree, key)) for key in (of_leaves[0], next(key for key in of_leaves if key[2] == 0))
+    )
+    assert chunk.file != gone.file
+    content = bytearray((path / chunk.file).read_bytes())
+    content[chunk.first + chunk.length - 2] ^= 1  # in the frame's checksum
+    (path / chunk.file).write_bytes(content)
+    (path / gone.file).unlink()
+    first, second, *_ = sorted((path / "geometry" / "content").rglob("*.glb"))
+    first.write_bytes(first.read_bytes()[:-3] + b"abc")
+    second.unlink()
+    return [
+        Damage(altered, "damaged", [array, "checksum"]),
+        Damage(lost, "gone", [gone.file]),
+        Damage((0, place_of(first), -1), "damaged", [first.name, "record"]),
+        Damage((0, place_of(second), -1), "gone", [second.name]),
+    ]
 
 
-def test_the_other_parts_in_node(tmp_path: Path) -> None:
-    run("node", "build.mjs", "--tests", str(tmp_path))
-    run("node", "--test", str(tmp_path / "orthoview_parts.test.mjs"))
+def views_of(tree: nf.orthoview.OrthoTree) -> list[ViewKey]:
+    masks = masks_of(tree).items()
+    count = len(tree.directions)
+    return [(*cell, number) for cell, mask in masks for number in reversed(range(count)) if mask >> number & 1]
+
+
+def chunk_of(tree: nf.orthoview.OrthoTree, key: ViewKey) -> tuple[str, Any]:
+    """The array of a view's depths, and its chunk."""
+    level, place, direction = key
+    array = tree._layout.array(level, direction, "depth")
+    (chunk,) = tree._chunks._found([(level, place, array)])
+    assert chunk is not None
+    return array, chunk
+
+
+def place_of(file: Path) -> Place:
+    x, y, z = map(int, file.with_suffix("").parts[-3:])
+    return x, y, z
+
+
+def test_stores_are_read_as_python_reads_them(
+    tree: nf.orthoview.OrthoTree,
+    changed: nf.orthoview.OrthoTree,
+    large: nf.orthoview.OrthoTree,
+    copied_few: Path,
+    tmp_path: Path,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> None:
+    """A tree, one with updates, one with large shards from hosts with and without ranges, and a damaged one."""
+    folder = Path(tree.path).parent
+    with served(folder) as server, without_ranges(folder) as whole, served(tmp_path) as other:
+        trees = [tree, changed, large, large]
+        urls = [f"{url}{Path(own.path).name}/" for own, url in zip(trees, [server.url] * 3 + [whole], strict=True)]
+        stores = [asked(own, url, count) for own, url, count in zip(trees, urls, (60, 40, 12, 12), strict=True)]
+        few = nf.orthoview.open(copied_few)
+        cases = cases_of(few, cameras(few, 1, seed=3))
+        stores.append(Store(f"{other.url}{copied_few.name}/", cases, [], damaged(copied_few)))
+        layers = in_node(web_tests(tmp_path_factory), tmp_path, stores)
+    for own, store, found in zip(trees, stores, layers, strict=False):
+        check(own, store, found)
+    requests = {(method, name.partition("?")[0], status) for method, name, status in server.answers}
+    assert {method for method, _, _ in requests} == {"GET"}
+    # Metadata of arrays follow from the layout.
+    documents = [name for _, name, _ in requests if name.endswith("zarr.json")]
+    assert sorted(documents) == sorted(f"{Path(own.path).name}/zarr.json" for own in (tree, changed, large))
+    names = " ".join(name for _, name, _ in requests)
+    assert all(f"changed.zarr/nearfar/generations/{number}/" in names for number in (1, 2))
+    assert any(status == 206 for _, name, status in requests if name.startswith("large.zarr/0/"))

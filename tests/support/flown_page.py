@@ -12,7 +12,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
-from tests.support.browser import canvas, wait_until
+from tests.support.browser import wait_until
 from tests.support.page_pictures import camera
 
 Pose = dict[str, Any]
@@ -53,15 +53,8 @@ def flown(page: Any, address: str) -> dict[str, Any]:
     return facts(page)
 
 
-def picture(page: Any) -> NDArray[np.uint8]:
-    """The picture without what lies above it."""
-    page.evaluate("() => { document.querySelector('main').style.display = 'none'; }")
-    page.wait_for_timeout(300)
-    return canvas(page)
-
-
 def grabbed(page: Any) -> NDArray[np.uint8]:
-    """The picture on the canvas, in a browser that shows none."""
+    """The picture on the canvas, without what lies above it."""
     content = base64.b64decode(page.evaluate(GRABBED))
     return np.asarray(Image.open(io.BytesIO(content)).convert("RGB"))
 

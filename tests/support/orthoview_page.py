@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -72,13 +73,33 @@ def cases_of(tree: nf.orthoview.OrthoTree, some: Sequence[nf.Camera]) -> list[di
     return found
 
 
-def in_node(
-    folder: Path, url: str, cases: Sequence[dict[str, Any]], views: Sequence[ViewKey]
-) -> list[list[dict[str, Any]]]:
-    """Run the page's tests on a tree at an address; returns the splats of each view's layers."""
-    tests, told, output = folder / "tests", folder / "told.json", folder / "splats.json"
-    told.write_text(json.dumps({"url": url, "cases": list(cases), "views": views, "output": str(output)}))
-    run("node", "build.mjs", "--tests", str(tests))
-    run("node", "--test", str(tests / "orthoview_store.test.mjs"), NEARFAR_ORTHOVIEW=str(told))
-    layers: list[list[dict[str, Any]]] = json.loads(output.read_text())
-    return layers
+@dataclass
+class Damage:
+    """A view or, with the direction −1, a leaf that cannot be read."""
+
+    view: ViewKey
+    kind: str
+    words: list[str]
+    """Words of the error."""
+
+
+@dataclass
+class Store:
+    """A store that Node reads."""
+
+    url: str
+    cases: list[dict[str, Any]]
+    """Cuts that are compared."""
+    views: list[ViewKey]
+    """Views whose splats are read."""
+    damaged: list[Damage] = field(default_factory=list)
+
+
+def in_node(tests: Path, folder: Path, stores: Sequence[Store]) -> list[list[list[dict[str, Any]]]]:
+    """Run the page's tests of trees on some stores; returns for each the splats of each view's layers."""
+    outputs = [folder / f"splats {number}.json" for number in range(len(stores))]
+    told = [asdict(store) | {"output": str(output)} for store, output in zip(stores, outputs, strict=True)]
+    (folder / "told.json").write_text(json.dumps(told))
+    files = sorted(map(str, tests.glob("orthoview_*.test.mjs")))
+    run("node", "--test", *files, NEARFAR_ORTHOVIEW=str(folder / "told.json"))
+    return [json.loads(output.read_text()) for output in outputs]

@@ -8,6 +8,9 @@ import tempfile
 from functools import cache
 from pathlib import Path
 
+import pytest
+
+from tests.support.made import made
 from tests.support.reader_cases import SECONDS
 
 WEB = Path(__file__).resolve().parents[2] / "web"
@@ -18,6 +21,11 @@ def run(*command: str, **environment: str) -> None:
     around = os.environ | environment
     done = subprocess.run(command, cwd=WEB, env=around, capture_output=True, text=True, check=False, timeout=SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def web_tests(factory: pytest.TempPathFactory) -> Path:
+    """The folder of the sources' unit tests, bundled for Node once in a run."""
+    return made(factory, "web-tests", lambda path: run("node", "build.mjs", "--tests", str(path)))
 
 
 @cache

@@ -5,6 +5,7 @@ import { cameraOf } from '../src/orthoview/cut/camera';
 import { liftOf } from '../src/orthoview/cut/lift';
 import type { Part } from '../src/orthoview/decode/pack';
 import { Arena, type Place } from '../src/orthoview/draw/webgpu/arena';
+import { deviceOf as openDevice } from '../src/orthoview/draw/webgpu/device';
 import { Numbers } from '../src/orthoview/draw/webgpu/numbers';
 import { SLOT } from '../src/orthoview/draw/webgpu/room';
 import { bandsOf } from '../src/orthoview/draw/webgpu/samples';
@@ -237,4 +238,25 @@ test('directions are raised towards the zenith, and not beyond it', () => {
   close(lifted([0, Math.sin(1.2), Math.cos(1.2)]), [0, 1, 0]);
   close(lifted([0, -1, 0]), [0, -1, 0]);
   assert.deepEqual(liftOf(0)([0.6, 0, 0.8]), [0.6, 0, 0.8]);
+});
+
+test('graphics in software are taken only where they are asked for by name', async () => {
+  const limits = { maxBufferSize: 7, maxStorageBufferBindingSize: 8, maxTextureDimension2D: 9, maxBindGroups: 4 };
+  const adapter = (isFallbackAdapter: boolean) => ({
+    info: { isFallbackAdapter },
+    limits,
+    requestDevice: async ({ requiredLimits }: GPUDeviceDescriptor) => requiredLimits,
+  });
+  const found = async (gpu: object | null | undefined, isNamed: boolean): Promise<unknown> => {
+    const value = gpu === undefined ? {} : { gpu: { requestAdapter: async () => gpu } };
+    Object.defineProperty(globalThis, 'navigator', { value, configurable: true });
+    return openDevice(isNamed);
+  };
+  const { maxBindGroups: _, ...wanted } = limits;
+  for (const isNamed of [false, true]) {
+    assert.equal(await found(undefined, isNamed), null);
+    assert.equal(await found(null, isNamed), null);
+    assert.deepEqual(await found(adapter(false), isNamed), wanted);
+    assert.deepEqual(await found(adapter(true), isNamed), isNamed ? wanted : null);
+  }
 });

@@ -1,0 +1,143 @@
+/** Files of trees behind an address that fails, documents that are missing or damaged, and leaves within few bytes. */
+import assert from 'node:assert/strict';
+import { afterEach, mock, test } from 'node:test';
+import { cameraOf } from '../src/orthoview/cut/camera';
+import type { Piece } from '../src/orthoview/decode/leaf';
+import type { Drawer, Held } from '../src/orthoview/draw/drawer';
+import { stockOf } from '../src/orthoview/show/stock';
+import { isPassing, type Kind, StoreError } from '../src/orthoview/store/error';
+import { createFiles, type Files } from '../src/orthoview/store/files';
+import { nameOf, parseLayout, type Triple } from '../src/orthoview/store/layout';
+import { openRecords } from '../src/orthoview/store/records';
+
+afterEach(() => mock.restoreAll());
+
+/** Files below an address that answers as it is told to; what was asked for and how many bytes came. */
+function answering(reply: (init: RequestInit) => Promise<Response>) {
+  const told: { asked: string[]; range: string | null; received: number } = { asked: [], range: null, received: 0 };
+  mock.method(globalThis, 'fetch', (url: URL, init: RequestInit) => {
+    told.asked.push(url.href);
+    told.range = new Headers(init.headers).get('Range');
+    return reply(init);
+  });
+  const files = createFiles(new URL('http://tree.test/a/?key=1'), (bytes) => (told.received += bytes));
+  return { files, told };
+}
+
+const failing =
+  (kind: Kind, word: string) =>
+  (error: unknown): boolean =>
+    error instanceof StoreError && error.kind === kind && error.message.includes(word);
+
+test('a server that fails, does not answer or is too slow is told from one without the file', async () => {
+  const cases: [() => Promise<Response>, Kind, string][] = [
+    [async () => new Response(null, { status: 500 }), 'refused', 'answers 500'],
+    [() => Promise.reject(new TypeError('fetch failed')), 'unreachable', 'does not answer'],
+    [() => Promise.reject(new DOMException('late', 'TimeoutError')), 'unreachable', 'too slow'],
+  ];
+  for (const [reply, kind, word] of cases) {
+    const { files } = answering(reply);
+    await assert.rejects(files.read({ path: 'b/c', version: 'v' }), (error) => failing(kind, word)(error));
+    assert.ok(isPassing({ kind, message: word }));
+    mock.restoreAll();
+  }
+  const { files } = answering(async () => new Response(null, { status: 404 }));
+  assert.equal(await files.read({ path: 'b/c' }), null);
+});
+
+test('parts and whole files come as such', async () => {
+  for (const status of [206, 200]) {
+    const { files, told } = answering(async () => new Response(new Uint8Array(4), { status }));
+    const found = await files.read({ path: 'b/c', version: 'v', part: [3, 4] });
+    assert.equal(found?.isWhole, status === 200);
+    assert.deepEqual(told, { asked: ['http://tree.test/a/b/c?key=1&v=v'], range: 'bytes=3-6', received: 4 });
+    mock.restoreAll();
+  }
+});
+
+test('a request that nobody wants any more is no failure of the server', async () => {
+  const gone = new AbortController();
+  const { files } = answering(({ signal }) => Promise.reject(signal?.reason));
+  gone.abort();
+  await assert.rejects(files.read({ path: 'b/c', signal: gone.signal }), { name: 'AbortError' });
+});
+
+const DESCRIBED = {
+  origin: [0, 0, 0],
+  cell: 10,
+  counts: [4, 4, 4],
+  levels: 3,
+  directions: [[0, 1, 0]],
+  names: ['py'],
+  size: 8,
+  depth_bits: 12,
+  normal_bits: 16,
+  subtree: 3,
+  color: 'zstd',
+  quality: null,
+  geometry: true,
+  layers: 1,
+};
+
+const WHOLE = { format: 'nearfar.orthoview', version: 1, generation: 0, complete: true, layout: DESCRIBED };
+
+test('a tree without its documents is gone, and one with damaged ones damaged', async () => {
+  const group = (attributes: object): string =>
+    JSON.stringify({
+      zarr_format: 3,
+      node_type: 'group',
+      attributes: { nearfar: { ...WHOLE, ...attributes } },
+    });
+  const cases: [Record<string, string>, Kind, string][] = [
+    [{}, 'gone', 'zarr.json'],
+    [{ 'zarr.json': '{' }, 'damaged', 'zarr.json'],
+    [{ 'zarr.json': '{"attributes": {}}' }, 'damaged', 'zarr.json'],
+    [{ 'zarr.json': group({ version: 99 }) }, 'newer', 'zarr.json'],
+    [{ 'zarr.json': group({ complete: false }) }, 'damaged', 'complete'],
+    [{ 'zarr.json': group({}) }, 'gone', 'records.json'],
+    [{ 'zarr.json': group({}), 'nearfar/records.json': '[]' }, 'damaged', 'records.json'],
+  ];
+  for (const [texts, kind, word] of cases) {
+    const files: Files = {
+      read: async ({ path }) => {
+        const text = texts[path];
+        return text === undefined ? null : { bytes: new TextEncoder().encode(text), isWhole: true };
+      },
+    };
+    await assert.rejects(openRecords(files), (error) => failing(kind, word)(error), `${kind} ${word}`);
+  }
+});
+
+test('few bytes keep the leaves of the picture', () => {
+  const layout = parseLayout(DESCRIBED);
+  let drawn: readonly number[] = [];
+  const drawer: Drawer<Held, Held & { readonly number: number }> = {
+    upload: () => ({ bytes: 1 }),
+    drop: () => undefined,
+    uploadMesh: ({ origin }) => ({ bytes: 1000, number: origin[0] }),
+    dropMesh: () => undefined,
+    draw: (meshes) => {
+      drawn = meshes.map(({ number }) => number);
+      return { splats: 0, triangles: 0, calls: 0 };
+    },
+    isDone: true,
+    finish: async () => undefined,
+    unhidden: null,
+  };
+  const stock = stockOf(layout, drawer, 4 * 2500);
+  const leaf = (x: number): Triple => [x, 0, 0];
+  const camera = cameraOf({ position: [0, 0, 0], yaw: 0, pitch: 0 }, 1, 64, 48);
+  const there = (): number[] => [0, 1, 2, 3].filter((x) => stock.hasLeaf(leaf(x)));
+  const draw = (near: readonly number[], kept: readonly number[] = []): void => {
+    const leaves = new Set(kept.map((x) => nameOf(0, leaf(x))));
+    const choice = { near: near.map(leaf), shown: [], missing: [], coming: [], holes: 0 };
+    stock.draw(choice, camera, 1, { cells: new Set(), leaves });
+  };
+  for (const x of [0, 1, 2, 3]) stock.addLeaf(leaf(x), [{ origin: leaf(x) } as unknown as Piece]);
+  draw([0, 1, 2]);
+  // Three are more than there is room for, but the picture shows them.
+  assert.deepEqual([drawn, there()], [[0, 1, 2], [0, 1, 2]]);
+  stock.addLeaf(leaf(3), [{ origin: leaf(3) } as unknown as Piece]);
+  draw([3], [0]);
+  assert.deepEqual([drawn, there()], [[3], [0, 3]]);
+});
