@@ -59,9 +59,11 @@ pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reaso
     let opened = opened(&mut session, &link, begun + rooms.limits.hello, &mut heard).await;
     let (end, mut told) = match opened {
         Ok(streams) => follow(session, link, streams, begun, silence, heard).await,
-        Err(end) => (end, Told { link, stream: None }),
+        Err(end) => {
+            session.end(end.reason);
+            (end, Told { link, stream: None })
+        }
     };
-    rooms.figures.closed(end.reason);
     let _ = timeout(rooms.limits.linger, told.farewell(&end)).await;
     told.link.close(end.reason.close_code(), end.reason.name());
     rooms.figures.datagrams.dec();
@@ -128,7 +130,7 @@ async fn follow(
         clock,
     };
     let end = poll_fn(|context| way.poll(context)).await;
-    // Others are told before the end is told to the user, who may not read it.
+    way.session.end(end.reason);
     (end, Told { link: way.link, stream: Some((way.send, way.written)) })
 }
 

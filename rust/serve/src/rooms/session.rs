@@ -67,6 +67,12 @@ impl Session {
         self.seat.is_some()
     }
 
+    /// Count the end and give up the seat, before the user is told: it may enter again as soon as it is. Others hear of
+    /// the end although the user may not read it.
+    pub fn end(self, reason: Reason) {
+        self.rooms.figures.closed(reason);
+    }
+
     /// So many bytes have come.
     pub fn took(&mut self, bytes: usize, now: Instant) -> Result<(), End> {
         let sentence = || format!("expected at most {} bytes a second", self.rooms.limits.bytes_per_second);

@@ -62,10 +62,7 @@ where
         Socket { stream, session, message, read, is_writing, is_ping_due, begun: now, heard: now, pinged: now, clock };
     let end = poll_fn(|context| socket.poll(context)).await;
     let Socket { session, stream, .. } = socket;
-    let rooms = std::sync::Arc::clone(&session.rooms);
-    // Others are told before the end is told to the user, who may not read it.
-    drop(session);
-    rooms.figures.closed(end.reason);
+    session.end(end.reason);
     let _ = timeout(limits.linger, farewell(stream, &end, limits.message_bytes)).await;
     end.reason
 }

@@ -5,6 +5,7 @@ mod clock;
 mod faults;
 mod frames;
 mod handshake;
+mod leaving;
 mod parts;
 mod rules;
 mod seats;

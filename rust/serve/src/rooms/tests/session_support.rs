@@ -52,7 +52,14 @@ pub async fn ask(
     path: &str,
     origin: Option<&str>,
 ) -> Result<(Connection, Endpoint<Client>), ConnectingError> {
-    let datagrams = server.datagrams().expect("datagrams");
+    ask_at(server.datagrams().expect("datagrams"), path, origin).await
+}
+
+async fn ask_at(
+    datagrams: Datagrams,
+    path: &str,
+    origin: Option<&str>,
+) -> Result<(Connection, Endpoint<Client>), ConnectingError> {
     let endpoint = client(&datagrams);
     let mut options = ConnectOptions::builder(format!("https://127.0.0.1:{}{path}", datagrams.port));
     if let Some(origin) = origin {
@@ -64,7 +71,12 @@ pub async fn ask(
 
 /// Begin a session with its stream, without joining.
 pub async fn connect(server: &Server, path: &str) -> Guest {
-    let (connection, endpoint) = ask(server, path, None).await.expect("a session");
+    connect_at(server.datagrams().expect("datagrams"), path).await
+}
+
+/// The same where datagrams are taken.
+pub async fn connect_at(datagrams: Datagrams, path: &str) -> Guest {
+    let (connection, endpoint) = ask_at(datagrams, path, None).await.expect("a session");
     let (send, receive) = connection.open_bi().await.expect("a stream").await.expect("a stream");
     let (came, frames) = (Vec::new(), VecDeque::new());
     Guest { connection, _endpoint: endpoint, send, receive, came, frames, number: 0 }
@@ -73,17 +85,22 @@ pub async fn connect(server: &Server, path: &str) -> Guest {
 /// Join a room.
 pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> Guest {
     let mut user = connect(server, &format!("/rooms/{room}")).await;
-    user.say(&[FromUser::Hello { group, name, ticket: &[] }]).await;
-    user.number = user
-        .until(|_, frame| match frame {
-            FromServer::Welcome { user, .. } => Some(user),
-            _ => None,
-        })
-        .await;
+    user.hello(group, name).await;
     user
 }
 
 impl Guest {
+    /// Say hello and wait for the welcome.
+    pub async fn hello(&mut self, group: u16, name: &str) {
+        self.say(&[FromUser::Hello { group, name, ticket: &[] }]).await;
+        self.number = self
+            .until(|_, frame| match frame {
+                FromServer::Welcome { user, .. } => Some(user),
+                _ => None,
+            })
+            .await;
+    }
+
     /// Send frames by the stream.
     pub async fn say(&mut self, frames: &[FromUser<'_>]) {
         self.send.write_all(&bytes(frames)).await.expect("the server reads");
