@@ -101,7 +101,8 @@ def words(color: Any, depth: Any, normal: Any, bits: Any) -> NDArray[np.uint32]:
         u | v << 12 | (depth & 255) << 24,
         x | y << 12 | (near > 4).astype(int) << 24 | (near == 8).astype(int) << 25,
     )
-    return np.stack(found, axis=-1)[depth > 0].astype(np.uint32)
+    pixels: NDArray[np.uint32] = np.stack(found, axis=-1)[depth > 0].astype(np.uint32)
+    return pixels
 
 
 def in_rows(layer: dict[str, Any]) -> NDArray[np.uint32]:
