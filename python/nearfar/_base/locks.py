@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from filelock import FileLock, Timeout
+if TYPE_CHECKING:
+    from filelock import FileLock
 
 
 @contextmanager
@@ -32,7 +34,7 @@ def hold(path: Path, other_task: str | None) -> Iterator[None]:
     lock = _lock(path)
     try:
         lock.acquire(blocking=other_task is None)
-    except Timeout:
+    except TimeoutError:
         raise BlockingIOError(f"{path}: {other_task}") from None
     try:
         yield
@@ -45,7 +47,7 @@ def try_hold(path: Path) -> FileLock | None:
     lock = _lock(path)
     try:
         lock.acquire(blocking=False)
-    except Timeout:
+    except TimeoutError:
         return None
     return lock
 
@@ -58,5 +60,7 @@ def remove(lock: FileLock) -> None:
 
 
 def _lock(path: Path) -> FileLock:
+    from filelock import FileLock  # it imports logging and asyncio
+
     # Several users may build into one folder.
     return FileLock(path, mode=0o666)
