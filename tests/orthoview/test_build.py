@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 import trimesh
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
@@ -204,7 +204,9 @@ def test_worlds_that_end_with_a_cell_have_no_cell_beyond() -> None:
         assert all((np.array(Grid.over(np.array([place, place + 1]), cell).origin) <= place).all() for place in low)
 
 
-def test_a_part_of_a_world_without_end_is_built(few: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+def test_a_part_of_a_world_without_end_is_built(
+    few: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path
+) -> None:
     class Endless(Counted):
         @property
         def bounds(self) -> NDArray[np.float64]:

@@ -58,9 +58,7 @@ def large(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
     rng = np.random.default_rng(4)
     corners = rng.uniform(0, 100, (700, 1, 3)) + rng.uniform(-5, 5, (700, 3, 3))
     settings: dict[str, Any] = {"cell": 26, "size": 48, "directions": 5}
-    path = made(
-        tmp_path_factory, "large.zarr", lambda path: nf.orthoview.build(scene_of(corners), path, **settings)
-    )
+    path = made(tmp_path_factory, "large.zarr", lambda path: nf.orthoview.build(scene_of(corners), path, **settings))
     assert max(shard.stat().st_size for shard in path.glob("0/py/*/c/0/0/0/0/0/0")) > 1 << 16
     return nf.orthoview.open(path)
 
@@ -93,7 +91,7 @@ def words(color: Any, depth: Any, normal: Any, bits: Any) -> NDArray[np.uint32]:
     y, x = np.indices(depth.shape)
     near = np.zeros(depth.shape, int)
     for bit, (columns, lines) in enumerate(STEPS):
-        ahead = (0 <= x + columns) & (x + columns < len(depth)) & (y + lines < len(depth))
+        ahead = (x + columns >= 0) & (x + columns < len(depth)) & (y + lines < len(depth))
         joined = (bits >> bit & 1) * ahead
         near += joined + np.roll(joined, (lines, columns), (0, 1))
     red, green, blue = np.moveaxis(color, -1, 0)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import functools
 import http.server
 import json
@@ -14,11 +13,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
 
 import nearfar as nf
 from nearfar.orthoview._layout import Layout
-from nearfar.orthoview._shard import ShardWriter
 from tests.support import need, valid
 from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, contents, places, world_of
 
@@ -76,7 +73,10 @@ def largest(folder: Path) -> Path:
 def test_altered_chunks_and_damaged_shards_are_noticed_when_they_are_read(copied_few: Path) -> None:
     """A byte of each chunk in turn; Zstandard's checksum of the content tells."""
     shard = largest(copied_few / "0" / "py" / "depth")
-    whole, first = bytearray(shard.read_bytes()), [8 * int(number) for number in shard.relative_to(copied_few).parts[4:7]]
+    whole, first = (
+        bytearray(shard.read_bytes()),
+        [8 * int(number) for number in shard.relative_to(copied_few).parts[4:7]],
+    )
     index = np.frombuffer(whole[-4 - 8**3 * 16 : -4], "<u8").reshape(8, 8, 8, 2)
     there = [place for place in places((8, 8, 8)) if index[(*place, 1)] < 2**63]
     assert len(there) > 20

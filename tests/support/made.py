@@ -1,4 +1,4 @@
-"""Folders that are made once in a run of tests, by whichever of its workers needs one first, and that all of them read."""
+"""Folders that are made once in a run of tests, by the first of its workers that needs one; all of them read it."""
 
 from __future__ import annotations
 
