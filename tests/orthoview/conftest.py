@@ -53,6 +53,18 @@ def layered(tmp_path_factory: pytest.TempPathFactory) -> Tree:
     return layered_tree(tmp_path_factory)
 
 
+@pytest.fixture
+def copied_few(few_tree: Tree, tmp_path: Path) -> Path:
+    """A copy of the store with few boxes."""
+    return copy_of(few_tree, tmp_path)
+
+
+@pytest.fixture
+def copied(tree: Tree, tmp_path: Path) -> Path:
+    """A copy of the tree's store."""
+    return copy_of(tree, tmp_path)
+
+
 @pytest.fixture(scope="session")
 def city(tmp_path_factory: pytest.TempPathFactory) -> Tree:
     """A small city with second layers and with the geometry of its leaves, some of which are cars that could move."""
