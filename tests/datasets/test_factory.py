@@ -231,7 +231,6 @@ def test_copies_that_share_no_mesh_look_alike(name: str) -> None:
     assert np.isclose(first, second, rtol=1e-4, atol=0.0).mean() > 0.999
 
 
-@pytest.mark.slow
 def test_what_is_near_amounts_to_the_published_scene() -> None:
     scene = datasets.factory(detail=3)
     eye, _ = datasets.factory_view()

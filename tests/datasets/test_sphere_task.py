@@ -97,7 +97,7 @@ def test_the_published_conventional_ball_flies_evenly_onto_a_wrong_box() -> None
     conventional, names = light(scene, task, 1024).with_morph("none"), scene.object_names
     for user in ASIDE:
         view, how = ball_view(task, user), {"conventional_dynamic": "user"}
-        times = np.linspace(0.35, 1.0, 24) * task.duration
+        times = np.linspace(0.35, 1.0, 12) * task.duration
         path = ball_path(conventional, task, view, times, **how)
         expected = view.project(np.array([task.position(t) for t in times]))[:, :2]
         assert np.linalg.norm(path - expected, axis=1).max() < 1.0

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import subprocess
-import sys
 from typing import Any
 
 import numpy as np
@@ -15,6 +13,7 @@ import nearfar as nf
 from nearfar import datasets
 from nearfar.datasets._world import lattice, tiles
 from tests.support.solids import digest
+from tests.support.thread_counts import process
 
 HIGH = (-1.0e4, 1.0e4)
 
@@ -65,27 +64,25 @@ def test_whole_triangles_that_touch_come_bit_equal_from_overlapping_queries() ->
 
 
 SAME = """
-import numpy as np, sys
 from nearfar import datasets
 from tests.support.solids import digest
 world = datasets.world(8)
 boxes = [[[-60, -1e4, -70], [40, 1e4, 10]], [[700, -1e4, -900], [800, 1e4, -820]]]
-for place in ORDER:
-    scene = world.query(boxes[place], DETAIL)
-    print(place, digest(scene.triangles()), scene.triangle_count, len(scene.object_names))
+for place, detail in ORDER:
+    scene = world.query(boxes[place], detail)
+    print(place, detail, digest(scene.triangles()), scene.triangle_count, len(scene.object_names))
 """
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("detail", [0.0, 6.0])
-def test_equal_in_other_processes_and_orders(detail: float) -> None:
-    said = []
-    for order in ("(0, 1)", "(1, 0)"):
-        code = SAME.replace("ORDER", order).replace("DETAIL", str(detail))
-        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-        said.append(sorted(done.stdout.splitlines()))
-    assert said[0] == said[1]
-    assert len(set(said[0])) == 2
+def test_equal_in_other_processes_and_orders() -> None:
+    order = [(0, 0.0), (1, 0.0), (0, 6.0), (1, 6.0)]
+    printed = [
+        process(threads).printed(SAME.replace("ORDER", str(own))) for threads, own in (("1", order), ("2", order[::-1]))
+    ]
+    first, second = (sorted(text.splitlines()) for text in printed)
+    assert first == second
+    assert len(set(first)) == 4
 
 
 OUTER = ((0, -2000, -1500), (2, 500, 1000))
@@ -129,12 +126,11 @@ def test_coarse_ground_stays_within_its_error(place: tuple[int, int]) -> None:
         assert worst <= lattice.error(level)
 
 
-@pytest.mark.slow
 def test_the_coarsest_ground_stays_within_its_error() -> None:
-    for level in (7, 9, 11):
-        for i, j in ((0, 0), (-1, 0), (-1, -1)):
+    for level in (7, 11):
+        for i, j in ((0, 0), (-1, -1)):
             coarse = tiles.tile(0, level, i, j)
-            for row, column_ in ((5, 9), (31, 40), (60, 2)):
+            for row, column_ in ((5, 9), (60, 2)):
                 x, z = ((n * 64 + k + 0.3) * lattice.spacing(level) for n, k in ((i, column_), (j, row)))
                 side = 64 * lattice.SPACING
                 fine = tiles.tile(0, 0, int(x // side), int(z // side))
@@ -151,21 +147,23 @@ def test_levels_share_vertices() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("detail", [1.0, 4.0, 12.0, 30.0])
+@pytest.mark.parametrize("detail", [1.0, 4.0, 30.0])
 def test_nothing_is_farther_from_the_fine_part_than_detail(detail: float) -> None:
+    half = 25.0
     for x, z in ((0.0, 0.0), (800.0, -900.0)):
-        box, wide = column(x - 60, x + 60, z - 60, z + 60), column(x - 140, x + 140, z - 140, z + 140)
+        box, wide = (column(x - side, x + side, z - side, z + side) for side in (half, half + 2 * detail + 10))
         for part, whole in ((0.0, detail), (detail, 0.0)):
             points = corners(WORLD.query(box, part)).reshape(-1, 3)
-            inside = (np.abs(points[:, [0, 2]] - [x, z]) <= 60).all(1)
+            inside = (np.abs(points[:, [0, 2]] - [x, z]) <= half).all(1)
             points = np.unique(points[inside], axis=0)
+            assert len(points) > 10
             distance = nf.nearest_points(WORLD.query(wide, whole), points).distance
             assert distance.max() <= detail
 
 
 @pytest.mark.slow
 def test_detail_leaves_out_and_simplifies() -> None:
-    counts = [WORLD.query(TOWN, detail).triangle_count for detail in (0.0, 4.0, 12.0, 40.0, 200.0)]
+    counts = [WORLD.query(TOWN, detail).triangle_count for detail in (0.0, 12.0, 200.0)]
     assert all(a > 1.2 * b for a, b in itertools.pairwise(counts))
     names = WORLD.query(TOWN, 24.0).object_names
     assert not [name for name in names if name.startswith(("car_", "bush_", "rock_", "lamp_"))]
@@ -256,11 +254,10 @@ def test_bad_queries_are_named(box: Any, detail: float, name: str) -> None:
         WORLD.query(box, detail)
 
 
-@pytest.mark.slow
 def test_a_box_of_too_much_is_refused_at_once() -> None:
     with pytest.raises(ValueError, match=r"aabb: expected at most 8,192 tiles .* at detail 0, got 1,600,000,000"):
         datasets.world(10_000).query([[-np.inf] * 3, [np.inf] * 3])
-    assert 100 < datasets.world(64).query([[-np.inf] * 3, [np.inf] * 3], 3000.0).triangle_count < 10_000
+    assert 100 < datasets.world(16).query([[-np.inf] * 3, [np.inf] * 3], 1000.0).triangle_count < 10_000
 
 
 GOLDEN = "0bd04306e215c331"

@@ -101,9 +101,8 @@ def test_roads_join_gates_of_towns_above_water_and_are_not_steep() -> None:
             assert np.hypot(*(gates - end[[0, 2]]).T).min() < 0.1
 
 
-@pytest.mark.slow
 def test_roads_lie_on_the_ground() -> None:
-    for road in ROADS[::4]:
+    for road in ROADS[::12]:
         right_x, right_z = road.sides()
         for across in (-roads.HALF, 0.0, roads.HALF):
             x, z = road.line[:, 0] + across * right_x, road.line[:, 2] + across * right_z
@@ -163,8 +162,7 @@ def apart(first: Indexed, second: Indexed) -> float:
     )
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", [0, 1, 2])
+@pytest.mark.parametrize("seed", [0, 1])
 def test_simpler_plants_are_as_near_as_stated(seed: int) -> None:
     for kind in (forest.SPRUCE, forest.OAK, forest.BUSH, forest.ROCK):
         for variant in range(2):
@@ -179,10 +177,9 @@ def test_simpler_plants_are_as_near_as_stated(seed: int) -> None:
 def test_simpler_houses_and_cars_are_as_near_as_stated() -> None:
     kinds = [Kind(w, d, houses.COTTAGE, 3, v) for v in (0, 1) for w, d in ((90, 80), (105, 115), (120, 80), (170, 140))]
     for kind in (*kinds, Kind(110, 280, houses.CHURCH, 3, 0)):
-        for seed in (0, 4):
-            full = houses.shape(seed, kind, 2)
-            for detail, error in zip((1, 0), contents._HOUSES, strict=True):
-                assert apart(houses.shape(seed, kind, detail), full) <= error
+        full = houses.shape(0, kind, 2)
+        for detail, error in zip((1, 0), contents._HOUSES, strict=True):
+            assert apart(houses.shape(0, kind, detail), full) <= error
     for kind_name, variant in (("car", 0), ("car", 5), ("lamp", 0)):
         full = street_things.shape(kind_name, variant, 2)
         for detail, error in zip((1, 0), contents._CARS, strict=True):

@@ -15,7 +15,7 @@ from nearfar._render import backend as backends
 from tests.support import need
 from tests.support.flight_cases import camera_at, whole
 from tests.support.gpu_cases import adapter
-from tests.support.orthoview_stores import world_of
+from tests.support.orthoview_stores import layered_tree, world_of
 
 need("zarr")
 
@@ -25,8 +25,7 @@ Tree = nf.orthoview.OrthoTree
 
 @pytest.fixture(scope="module")
 def tree(tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    path = tmp_path_factory.mktemp("drawn") / "world.zarr"
-    return nf.orthoview.build(world_of(range(30)), path, cell=20, size=32, directions=9, layers=2)
+    return layered_tree(tmp_path_factory)
 
 
 @pytest.fixture(autouse=True)

@@ -22,10 +22,10 @@ from tests.support.splat_cases import (
     MIDDLE,
     STRAIGHT,
     THREE,
-    cell_of,
     drawn,
     flat,
     limits_of,
+    splats_of,
     wall,
 )
 
@@ -61,7 +61,7 @@ def check(got: dict[str, Any], right: dict[str, Any], least: float = 0.997) -> N
 
 @pytest.mark.parametrize("name", CAMERAS)
 def test_pictures_are_those_of_the_processor(device: _core.GpuDevice, name: str) -> None:
-    splats, _ = cell_of([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 1, 1), (-1, -1, 1)])
+    splats = splats_of([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 1, 1), (-1, -1, 1)])
     right = drawn(splats, CAMERAS[name], ALL)
     assert np.isfinite(right["range"]).mean() > 0.02
     check(drawn(splats, CAMERAS[name], ALL, device=device), right)
@@ -69,7 +69,7 @@ def test_pictures_are_those_of_the_processor(device: _core.GpuDevice, name: str)
 
 @pytest.mark.parametrize("grid", [2, 3, 4, 8])
 def test_colour_is_the_mean_of_samples(device: _core.GpuDevice, grid: int) -> None:
-    splats, _ = cell_of(THREE, size=32)
+    splats = splats_of(THREE, size=32)
     for name in ("perspective", "parallel"):
         right = drawn(splats, CAMERAS[name], ("color", "coverage"), grid)
         got = drawn(splats, CAMERAS[name], ("color", "coverage"), grid, device=device)
@@ -80,13 +80,13 @@ def test_colour_is_the_mean_of_samples(device: _core.GpuDevice, grid: int) -> No
 
 
 def test_large_pictures_and_large_views(device: _core.GpuDevice) -> None:
-    splats, _ = cell_of(THREE, size=128)
+    splats = splats_of(THREE, size=128)
     check(drawn(splats, LARGE, ALL, device=device), drawn(splats, LARGE, ALL))
 
 
 @pytest.mark.parametrize(("depth_bits", "normal_bits"), [(8, 16), (12, 24), (16, 24)])
 def test_formats(device: _core.GpuDevice, depth_bits: int, normal_bits: int) -> None:
-    splats, _ = cell_of(THREE, depth_bits, normal_bits, size=20)
+    splats = splats_of(THREE, depth_bits, normal_bits, size=20)
     camera = CAMERAS["perspective"]
     check(drawn(splats, camera, ALL, device=device), drawn(splats, camera, ALL))
 
@@ -94,7 +94,7 @@ def test_formats(device: _core.GpuDevice, depth_bits: int, normal_bits: int) -> 
 @pytest.mark.parametrize("camera", ["perspective", "parallel"])
 @pytest.mark.parametrize("name", ["t_min", "t_max", "both", "box", "planes"])
 def test_limits(device: _core.GpuDevice, name: str, camera: str) -> None:
-    (splats, _), limits = cell_of(THREE), limits_of(name)
+    splats, limits = splats_of(THREE), limits_of(name)
     right = drawn(splats, CAMERAS[camera], ALL, **limits)
     assert not np.array_equal(right["range"], drawn(splats, CAMERAS[camera], ALL)["range"])
     check(drawn(splats, CAMERAS[camera], ALL, device=device, **limits), right)
@@ -102,7 +102,7 @@ def test_limits(device: _core.GpuDevice, name: str, camera: str) -> None:
 
 @pytest.mark.parametrize("grid", [1, 3])
 def test_what_was_there_before(device: _core.GpuDevice, grid: int) -> None:
-    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE)
     width, height = camera.size
     ranges = drawn(splats, camera)["range"]
     finer = replace(camera, size=(width * grid, height * grid))
@@ -115,7 +115,7 @@ def test_what_was_there_before(device: _core.GpuDevice, grid: int) -> None:
 
 
 def test_walls_hide_whole_pieces(device: _core.GpuDevice) -> None:
-    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE)
     images = drawn(splats, camera, ("color", "range"), before=wall(camera, 1.0), device=device)
     assert (images["color"] == [1, 0, 0]).all()
     assert (images["range"] == 1).all()
@@ -123,7 +123,7 @@ def test_walls_hide_whole_pieces(device: _core.GpuDevice) -> None:
 
 
 def test_masks_and_bare_pictures(device: _core.GpuDevice) -> None:
-    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE)
     mask = np.random.default_rng(0).random(camera.size[::-1]) < 0.6
     for limits in ({"mask": mask}, {"bare": True}):
         right = drawn(splats, camera, ALL, **limits)
@@ -132,7 +132,7 @@ def test_masks_and_bare_pictures(device: _core.GpuDevice) -> None:
 
 
 def test_nothing_is_sky(device: _core.GpuDevice) -> None:
-    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE)
     eye = MIDDLE + np.array([0, 0, 60])
     away = nf.Camera.look_at(eye, eye + np.array([0, 0, 30]), fov=camera.fov, size=camera.size)
     for views, lens in (([], camera), (splats, away)):
@@ -153,7 +153,7 @@ def test_of_one_depth_the_first_splat_counts(device: _core.GpuDevice) -> None:
 
 
 def test_both_kinds_of_atomic_integers_make_the_same_picture() -> None:
-    splats, _ = cell_of(THREE, size=64)
+    splats = splats_of(THREE, size=64)
     with adapter("vulkan"):
         device = backends.opened()
         assert device.uses_long_atomics
@@ -170,7 +170,7 @@ def test_both_kinds_of_atomic_integers_make_the_same_picture() -> None:
 
 
 def test_views_are_sent_once_and_leave_with_their_last_reference(device: _core.GpuDevice) -> None:
-    splats, _ = cell_of(THREE, size=64)
+    splats = splats_of(THREE, size=64)
     own = sum(view.compressed_bytes for view in splats)
     assert 0 < own < sum(view.bytes for view in splats)
     _core.gpu_keep_orthoviews(device, splats)
@@ -189,7 +189,7 @@ def test_views_are_sent_once_and_leave_with_their_last_reference(device: _core.G
 @pytest.mark.stress
 def test_pictures_in_several_bands(device: _core.GpuDevice) -> None:
     """The keys of 4 × 4 samples of so many pixels are more than are used at once."""
-    splats, _ = cell_of(THREE, size=64)
+    splats = splats_of(THREE, size=64)
     camera = replace(CAMERAS["perspective"], size=(1500, 1150))
     got = drawn(splats, camera, ("color", "coverage"), 4, device=device)
     right = drawn(splats, camera, ("color", "coverage"), 4)
@@ -201,7 +201,7 @@ def test_pictures_in_several_bands(device: _core.GpuDevice) -> None:
 
 
 def test_a_lost_device_is_told(device: _core.GpuDevice) -> None:
-    splats, _ = cell_of(THREE)
+    splats = splats_of(THREE)
     device.lose()
     with pytest.raises(nf.DeviceError, match="lost"):
         drawn(splats, CAMERAS["perspective"], device=device)
@@ -210,7 +210,7 @@ def test_a_lost_device_is_told(device: _core.GpuDevice) -> None:
 
 
 def test_threads_share_a_device(device: _core.GpuDevice) -> None:
-    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE, size=32)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE, size=32)
     before = wall(camera, 47.0)
     alone = [drawn(splats[:count], camera, ALL[:5], before=before, device=device) for count in (1, 2, 3)]
     with ThreadPoolExecutor(6) as threads:
@@ -233,7 +233,7 @@ def test_what_lies_behind_is_left_out(device: _core.GpuDevice) -> None:
 
 def test_an_eye_among_large_splats(device: _core.GpuDevice) -> None:
     """Blocks reach behind the eye, and splats across the picture: they are drawn tile by tile."""
-    splats, _ = cell_of(THREE, size=64)
+    splats = splats_of(THREE, size=64)
     camera = replace(CAMERAS["inside"], size=(500, 400))
     check(drawn(splats, camera, ALL, device=device), drawn(splats, camera, ALL), least=0.995)
     got, right = (drawn(splats, camera, ("color",), 4, device=own)["color"] for own in (device, None))
@@ -241,7 +241,7 @@ def test_an_eye_among_large_splats(device: _core.GpuDevice) -> None:
 
 
 def test_pictures_pass_while_others_bring_views(device: _core.GpuDevice) -> None:
-    camera, (splats, _) = replace(CAMERAS["perspective"], size=(320, 240)), cell_of(THREE, size=32)
+    camera, splats = replace(CAMERAS["perspective"], size=(320, 240)), splats_of(THREE, size=32)
     before = wall(replace(camera, size=(960, 720)), 47.0)
     right = drawn(splats, camera, ("color",), 3, before=before)["color"]
     over = threading.Event()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,15 +14,9 @@ import nearfar as nf
 from tests.support import need
 from tests.support.made import made
 from tests.support.orthoview_cases import boxes
-from tests.support.orthoview_stores import CELL, SIZE, few_boxes, world_of
+from tests.support.orthoview_stores import CELL, SIZE, built_once, few_boxes, layered_tree, world_of
 
 Tree = nf.orthoview.OrthoTree
-
-
-def built(factory: pytest.TempPathFactory, name: str, scene: nf.Scene, **settings: Any) -> Tree:
-    """The tree of a scene, built once in a run."""
-    need("zarr")
-    return nf.orthoview.open(made(factory, name, lambda path: nf.orthoview.build(scene, path, **settings)))
 
 
 @pytest.fixture(scope="session")
@@ -34,7 +27,7 @@ def world() -> nf.Scene:
 
 @pytest.fixture(scope="session")
 def tree(world: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    return built(tmp_path_factory, "world.zarr", world, cell=CELL, size=SIZE, directions=5)
+    return built_once(tmp_path_factory, "world.zarr", world, cell=CELL, size=SIZE, directions=5)
 
 
 @pytest.fixture(scope="session")
@@ -45,7 +38,7 @@ def few() -> nf.Scene:
 
 @pytest.fixture(scope="session")
 def few_tree(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    return built(tmp_path_factory, "few.zarr", few, cell=CELL, size=SIZE, directions=5)
+    return built_once(tmp_path_factory, "few.zarr", few, cell=CELL, size=SIZE, directions=5)
 
 
 @pytest.fixture(scope="session")
@@ -55,9 +48,9 @@ def thirty() -> nf.Scene:
 
 
 @pytest.fixture(scope="session")
-def layered(thirty: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    """A tree for pictures: large leaves in two layers, seen from nine directions."""
-    return built(tmp_path_factory, "layered.zarr", thirty, cell=20, size=32, directions=9, layers=2)
+def layered(tmp_path_factory: pytest.TempPathFactory) -> Tree:
+    """A tree of the thirty boxes."""
+    return layered_tree(tmp_path_factory)
 
 
 @pytest.fixture
@@ -77,7 +70,7 @@ def city(tmp_path_factory: pytest.TempPathFactory) -> Tree:
     """A small city with second layers and with the geometry of its leaves, some of which are cars that could move."""
     box = np.array([[-60.0, -9.0, -60.0], [59.0, 50.0, 59.0]])
     world = nf.datasets.city(blocks=2, detail=1)
-    return built(tmp_path_factory, "city.zarr", world, cell=30, aabb=box, size=32, directions=9, layers=2)
+    return built_once(tmp_path_factory, "city.zarr", world, cell=30, aabb=box, size=32, directions=9, layers=2)
 
 
 @pytest.fixture(scope="session")

@@ -286,7 +286,7 @@ def test_second_layers_are_kept_where_they_show_what_is_hidden(tmp_path: Path) -
         one.view(0, (0, 0, 0), 0, layer=1)
 
     with pytest.raises(KeyboardInterrupt):
-        nf.orthoview.build(Interrupted(scene, 60), tmp_path / "again.zarr", **settings, layers=2)
+        nf.orthoview.build(Interrupted(scene, 20), tmp_path / "again.zarr", **settings, layers=2)
     resumed = nf.orthoview.build(scene, tmp_path / "again.zarr", **settings, layers=2)
     assert contents(tmp_path / "again.zarr") == contents(Path(two.path))
     part = np.array([scene.bounds[0], scene.bounds.mean(axis=0)])

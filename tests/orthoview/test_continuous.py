@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.orthoview._swaps import moved
 from tests.support import need
-from tests.support.orthoview_stores import world_of
+from tests.support.orthoview_stores import built_once, world_of
 
 need("zarr")
 
@@ -27,8 +27,7 @@ def scene() -> nf.Scene:
 
 @pytest.fixture(scope="module")
 def shown(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    path = tmp_path_factory.mktemp("continuous") / "world.zarr"
-    return nf.orthoview.build(scene, path, cell=10, size=32, directions=9)
+    return built_once(tmp_path_factory, "continuous.zarr", scene, cell=10, size=32, directions=9)
 
 
 def camera_at(tree: Tree, distance: float, angle: float = 0.3) -> nf.Camera:

@@ -30,8 +30,6 @@ PITCH = CELL / SIZE
 WIDE, NARROW, ASKEW = nf.Fov.symmetric(100, 4 / 3), nf.Fov.symmetric(25), nf.Fov(-1.3, 0.2, -0.1, 0.9)
 PLAN = nf.Orthographic(-31.7, 24.3, -18.1, 40.9)
 
-Shown = dict[oracle.Cell, int]
-
 
 def looking(eye: Any, target: Any, fov: Any = WIDE, width: int = 64) -> nf.Camera:
     """A view between two points that are given from the world's middle."""
@@ -56,15 +54,13 @@ CAMERAS = {
 
 
 @pytest.fixture(scope="module")
-def shown(world: nf.Scene) -> Shown:
+def cells(world: nf.Scene) -> oracle.World:
     """The cells in which something is, computed without a store, with the bits of the directions that show it."""
-    cells = of_cells(world).items()
-    return {cell: sum(1 << n for n, empty in enumerate(views.empty()) if not empty) for cell, views in cells}
-
-
-@pytest.fixture(scope="module")
-def grid(world: nf.Scene) -> Grid:
-    return Grid.over(world.bounds, CELL)
+    shown = {
+        cell: sum(1 << n for n, empty in enumerate(views.empty()) if not empty)
+        for cell, views in of_cells(world).items()
+    }
+    return oracle.World.of(Grid.over(world.bounds, CELL), shown)
 
 
 def rows(places: NDArray[np.int64]) -> list[tuple[int, int, int]]:
@@ -82,8 +78,7 @@ def cells_of(cut: OrthoCut) -> dict[oracle.Cell, bool]:
 
 def check(
     tree: nf.orthoview.OrthoTree,
-    shown: Shown,
-    grid: Grid,
+    cells: oracle.World,
     camera: nf.Camera,
     error_px: float,
     geometry: bool,
@@ -92,7 +87,7 @@ def check(
 ) -> oracle.Expected:
     """Compare the cuts of a viewer, within the picture and around, with those of the oracle."""
     band = BAND if continuous else None
-    right = oracle.expected(shown, grid, camera, PITCH, error_px, geometry=geometry, band=band, gaze=gaze)
+    right = oracle.expected(cells, camera, PITCH, error_px, geometry=geometry, band=band, gaze=gaze)
     if right.is_doubtful:
         raise oracle.DoubtfulError
     settings: dict[str, Any] = {"error_px": error_px, "geometry": geometry, "continuous": continuous, "gaze": gaze}
@@ -104,31 +99,28 @@ def check(
     assert (set(drawn), set(rows(around.leaves))) == (right.cells, right.leaves)
     partial = zip(around.level[around.partial].tolist(), rows(around.place[around.partial]), strict=True)
     assert set(partial) == right.partial
-    for cell, is_in in cells_of(around).items():
-        margin = oracle.margin(camera, oracle.corners_of(grid, cell))
-        if abs(margin) < oracle.DOUBT:
-            continue
-        assert is_in == (margin >= 0), cell
-        assert is_in or not oracle.is_sampled(camera, oracle.corners_of(grid, cell, 5)), cell
-    assert cells_of(within) == {cell: True for cell, is_in in cells_of(around).items() if is_in}
-    eye = np.array(camera.position)
-    for places, levels, distances in (
-        (around.place, around.level, around.distance),
-        (around.leaves, np.zeros(len(around.leaves), int), around.leaf_distance),
-    ):
-        assert (np.diff(distances) >= 0).all()
-        boxes = [grid.box(level, place) for level, place in zip(levels.tolist(), rows(places), strict=True)]
-        assert np.allclose(distances, [oracle.nearest(eye, low, high) for low, high in boxes], rtol=0, atol=1e-9)
+    found = cells_of(around)
+    low, high = np.moveaxis(np.array([cells.grid.box(*cell) for cell in found]).reshape(-1, 2, 3), 1, 0)
+    is_in, margins = np.array([*found.values()], bool), oracle.margins(camera, oracle.lattice(low, high))
+    is_sure = np.abs(margins) >= oracle.DOUBT
+    np.testing.assert_array_equal(is_in[is_sure], margins[is_sure] >= 0)
+    out = is_sure & ~is_in
+    assert not oracle.are_sampled(camera, oracle.lattice(low[out], high[out], 5)).any()
+    assert cells_of(within) == {cell: True for cell, is_in in found.items() if is_in}
+    distances = np.concatenate([around.distance, around.leaf_distance])
+    np.testing.assert_allclose(distances, oracle.nearest(np.array(camera.position), low, high), rtol=0, atol=1e-9)
+    assert (np.diff(around.distance) >= 0).all()
+    assert (np.diff(around.leaf_distance) >= 0).all()
     return right
 
 
 @pytest.mark.parametrize("name", CAMERAS)
 def test_a_cut_is_that_of_a_recursion_over_all_cells(
-    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, name: str
+    tree: nf.orthoview.OrthoTree, cells: oracle.World, name: str
 ) -> None:
     levels, leaves = set(), 0
     for error_px, geometry in itertools.product((0.3, 1.0, 3.7, 20.0), (True, False)):
-        right = check(tree, shown, grid, CAMERAS[name], error_px, geometry)
+        right = check(tree, cells, CAMERAS[name], error_px, geometry)
         assert geometry or not right.leaves
         levels |= {level for level, _ in right.cells}
         leaves += len(right.leaves)
@@ -138,11 +130,11 @@ def test_a_cut_is_that_of_a_recursion_over_all_cells(
 
 @pytest.mark.parametrize("name", CAMERAS)
 def test_cells_whose_levels_blend_are_those_of_the_recursion(
-    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, name: str
+    tree: nf.orthoview.OrthoTree, cells: oracle.World, name: str
 ) -> None:
     partial = 0
     for error_px, geometry in itertools.product((0.5, 1.0, 3.7, 8.0, 12.0), (True, False)):
-        right = check(tree, shown, grid, CAMERAS[name], error_px, geometry, continuous=True)
+        right = check(tree, cells, CAMERAS[name], error_px, geometry, continuous=True)
         assert not any(level == 0 for level, _ in right.partial)
         partial += len(right.partial)
     assert partial > 0 or name.startswith(("a plan", "far away"))
@@ -151,14 +143,14 @@ def test_cells_whose_levels_blend_are_those_of_the_recursion(
 @pytest.mark.parametrize("name", [name for name in CAMERAS if not name.startswith("a plan")])
 @pytest.mark.parametrize("continuous", [False, True])
 def test_cuts_are_coarser_beside_the_gaze(
-    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, name: str, continuous: bool
+    tree: nf.orthoview.OrthoTree, cells: oracle.World, name: str, continuous: bool
 ) -> None:
     # Pixels of a degree or more are coarser than what the eye sees almost anywhere.
     finer_by, fewer = 12, 0
     width, height = CAMERAS[name].size
     camera = replace(CAMERAS[name], size=(finer_by * width, finer_by * height))
     for gaze, error_px in itertools.product([(100.0, 290.0), (181.0, 480.0)], (6.0, 24.0)):
-        right = check(tree, shown, grid, camera, error_px, False, continuous, gaze)
+        right = check(tree, cells, camera, error_px, False, continuous, gaze)
         evenly = tree.cut(camera, error_px=error_px, geometry=False, continuous=continuous, around=True)
         if not continuous:
             fewer += len(evenly) - len(right.cells)
@@ -178,8 +170,7 @@ turn = st.lists(st.floats(-1, 1), min_size=4, max_size=4).filter(lambda parts: n
 @given(st.tuples(coordinate, coordinate, coordinate), turn, fov, st.floats(0.2, 30), st.booleans(), st.booleans())
 def test_a_cut_of_any_viewer(
     tree: nf.orthoview.OrthoTree,
-    shown: Shown,
-    grid: Grid,
+    cells: oracle.World,
     place: tuple[float, float, float],
     turn: list[float],
     fov: Any,
@@ -190,20 +181,20 @@ def test_a_cut_of_any_viewer(
     eye = (MIDDLE + place).tolist()
     camera = nf.Camera(eye, np.array(turn) / np.linalg.norm(turn), fov=fov, size=(48, 48))
     try:
-        check(tree, shown, grid, camera, error_px, geometry, continuous)
+        check(tree, cells, camera, error_px, geometry, continuous)
     except oracle.DoubtfulError:
         reject()
 
 
 @pytest.mark.parametrize("name", CAMERAS)
-def test_each_leaf_is_covered_once(tree: nf.orthoview.OrthoTree, shown: Shown, name: str) -> None:
-    leaves = [place for level, place in shown if level == 0]
+def test_each_leaf_is_covered_once(tree: nf.orthoview.OrthoTree, cells: oracle.World, name: str) -> None:
+    leaves = [place for level, place in cells.shown if level == 0]
     assert len(leaves) == tree.held["leaves"]
     for error_px in (0.5, 4.0):
-        cells = cells_of(tree.cut(CAMERAS[name], error_px=error_px, around=True))
+        own = cells_of(tree.cut(CAMERAS[name], error_px=error_px, around=True))
         for x, y, z in leaves:
             above = [(level, (x >> level, y >> level, z >> level)) for level in range(tree.levels)]
-            assert sum(cell in cells for cell in above) == 1, (x, y, z)
+            assert sum(cell in own for cell in above) == 1, (x, y, z)
 
 
 SLANTED = looking((-31.7, 15.3, 22.3), (0, 5, 3), PLAN)
@@ -211,7 +202,7 @@ SLANTED = looking((-31.7, 15.3, 22.3), (0, 5, 3), PLAN)
 
 @pytest.mark.parametrize("camera", [CAMERAS["inside"], CAMERAS["outside"], CAMERAS["face 3"], SLANTED])
 def test_directions_of_a_tree_are_those_of_its_views(
-    tree: nf.orthoview.OrthoTree, shown: Shown, grid: Grid, camera: nf.Camera
+    tree: nf.orthoview.OrthoTree, cells: oracle.World, camera: nf.Camera
 ) -> None:
     """Nearest to the viewer, or to its direction raised by an angle, which changes nothing else of a cut."""
     missing, doubtful, chosen = 0, 0, []
@@ -219,11 +210,11 @@ def test_directions_of_a_tree_are_those_of_its_views(
     for lift_deg in (0.0, 7.5, 30.0, 90.0):
         cut = tree.cut(camera, views=4, error_px=2.0, geometry=False, around=True, lift_deg=lift_deg)
         for level, place, numbers in zip(cut.level.tolist(), rows(cut.place), cut.directions.tolist(), strict=True):
-            toward = np.array(camera.position) - grid.box(level, place).mean(axis=0)
+            toward = np.array(camera.position) - cells.grid.box(level, place).mean(axis=0)
             if isinstance(camera.fov, nf.Orthographic):
                 toward = -oracle.camera_axis(camera)
             try:
-                right = oracle.nearest_directions(toward, tree.directions, 4, shown[level, place], lift_deg)
+                right = oracle.nearest_directions(toward, tree.directions, 4, cells.shown[level, place], lift_deg)
             except oracle.DoubtfulError:
                 doubtful += 1
                 continue

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import need
-from tests.support.orthoview_stores import world_of
 
 need("zarr")
 
@@ -20,13 +19,13 @@ R1, R2 = 8.0, 25.0
 
 
 @pytest.fixture(scope="module")
-def scene() -> nf.Scene:
-    return world_of(range(30))
+def scene(thirty: nf.Scene) -> nf.Scene:
+    return thirty
 
 
 @pytest.fixture(scope="module")
-def tree(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    return nf.orthoview.build(scene, tmp_path_factory.mktemp("trees") / "world.zarr", cell=20, size=32, directions=9)
+def tree(layered: Tree) -> Tree:
+    return layered
 
 
 @pytest.fixture(scope="module")

@@ -18,25 +18,23 @@ import nearfar as nf
 from nearfar._camera.shot import Shot
 from nearfar.orthoview._files import Local
 from tests.support import need
-from tests.support.orthoview_stores import CELL, SIZE, box_about, world_of
+from tests.support.orthoview_stores import SIZE, box_about, world_of
 from tests.support.range_server import served
 
 need("zarr")
 
-BOXES = range(30)
 CHANNELS = ("color", "range", "object_id", "albedo", "normal")
 Tree = nf.orthoview.OrthoTree
 
 
 @pytest.fixture(scope="module")
-def scene() -> nf.Scene:
-    return world_of(BOXES)
+def scene(thirty: nf.Scene) -> nf.Scene:
+    return thirty
 
 
 @pytest.fixture(scope="module")
-def shown(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    path = tmp_path_factory.mktemp("shown") / "world.zarr"
-    return nf.orthoview.build(scene, path, cell=20, size=32, directions=9, layers=2)
+def shown(layered: Tree) -> Tree:
+    return layered
 
 
 def camera_at(tree: Tree, distance: float, angle: float = 0.3, size: tuple[int, int] = (96, 96)) -> nf.Camera:
@@ -238,21 +236,20 @@ def test_masks_and_bare_pictures(shown: Tree) -> None:
     np.testing.assert_array_equal(bare["color"], np.where(is_there, whole["color"], 0))
 
 
-@pytest.mark.slow
 def test_updated_and_compacted_trees_are_seen(tmp_path: Path) -> None:
-    before = nf.orthoview.build(world_of(BOXES), tmp_path / "a.zarr", cell=CELL, size=SIZE, directions=5)
-    after = world_of([*BOXES, 101])
-    cameras = [camera_at(before, 60), camera_at(before, 110)]
-    old = [before.render(camera, channels=CHANNELS) for camera in cameras]
+    boxes = range(8)
+    before = nf.orthoview.build(world_of(boxes), tmp_path / "a.zarr", cell=20, size=SIZE, directions=5)
+    after = world_of([*boxes, 101])
+    camera = camera_at(before, 70, size=(48, 48))
+    was = before.render(camera, channels=CHANNELS)
     fresh = nf.orthoview.open(before.path)
     updated = before.update(box_about([101]), after)
     compacted = updated.compact(tmp_path / "compact.zarr")
-    for camera, was in zip(cameras, old, strict=True):
-        now = updated.render(camera, channels=CHANNELS)
-        assert_same(now, compacted.render(camera, channels=CHANNELS))
-        assert differ(now, was)
-        for opened in (before, fresh):
-            assert_same(opened.render(camera, channels=CHANNELS), was)
+    now = updated.render(camera, channels=CHANNELS)
+    assert_same(now, compacted.render(camera, channels=CHANNELS))
+    assert differ(now, was)
+    for opened in (before, fresh):
+        assert_same(opened.render(camera, channels=CHANNELS), was)
 
 
 def test_a_second_picture_reads_nothing(shown: Tree) -> None:
@@ -296,7 +293,7 @@ def test_a_tree_behind_a_web_server_looks_the_same(shown: Tree, monkeypatch: pyt
     local = shown.render(camera, channels=CHANNELS)
     assert local.stats["leaves"] > 0
     with served(Path(shown.path).parent) as server:
-        remote = nf.orthoview.open(f"{server.url}world.zarr")
+        remote = nf.orthoview.open(f"{server.url}{Path(shown.path).name}")
         assert_same(remote.render(camera, channels=CHANNELS), local)
         asked = sum(server.answers.values())
         remote.render(camera, channels=CHANNELS)

@@ -16,7 +16,7 @@ from nearfar.orthoview._directions import directions_of
 from tests.support import render_oracle, splat_oracle
 from tests.support.orthoview_cases import CORNER, SIDE, boxes
 from tests.support.orthoview_oracle import DIRECTIONS, Triple
-from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, MIDDLE, WIDE, cell_of, drawn, facing
+from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, MIDDLE, WIDE, cell_of, drawn, facing, splats_of
 
 
 @pytest.mark.parametrize("name", CAMERAS)
@@ -79,7 +79,7 @@ def test_sizes_that_blocks_do_not_fill() -> None:
 
 def test_a_cell_far_from_the_origin() -> None:
     """Positions are relative to the camera before they become float32."""
-    splats, _ = cell_of([(0, 0, 1)])
+    splats = splats_of([(0, 0, 1)])
     layout, shift = (16, 12, 24), np.array([2.0**22, 0, -(2.0**22)])
     views = _core.OrthoViews.of_cell(boxes()[0]._core, (tuple(CORNER), SIDE), [(0, 0, 1)], layout)
     far = [_core.OrthoSplats(views, 0, views.connected(CONNECTED), (tuple(CORNER + shift), SIDE))]
@@ -96,7 +96,7 @@ def test_a_cell_far_from_the_origin() -> None:
 @pytest.mark.parametrize("name", ["perspective", "parallel", "cube face 4"])
 @pytest.mark.parametrize("grid", [2, 3, 4])
 def test_colour_is_the_mean_of_finer_samples(grid: int, name: str) -> None:
-    splats, _ = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
+    splats = splats_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
     camera = CAMERAS[name]
     width, height = camera.size
     finer = replace(camera, size=(width * grid, height * grid))
@@ -115,7 +115,7 @@ def test_colour_is_the_mean_of_finer_samples(grid: int, name: str) -> None:
 
 
 def test_colour_is_albedo_in_the_light_and_the_sky_elsewhere() -> None:
-    splats, _ = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
+    splats = splats_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
     camera = CAMERAS["perspective"]
     images = drawn(splats, camera, ("color", "coverage", *CHANNELS, "position", "shading_normal"))
     shown = np.isfinite(images["range"])

@@ -20,6 +20,7 @@ from tests.support.splat_cases import (
     drawn,
     flat,
     limits_of,
+    splats_of,
     wall,
 )
 from tests.support.splat_oracle import Lens
@@ -27,7 +28,7 @@ from tests.support.splat_oracle import Lens
 
 @pytest.mark.parametrize("name", ["perspective", "asymmetric", "parallel", "cube face 2"])
 def test_the_nearer_of_geometry_and_splats_is_seen(name: str) -> None:
-    camera, (splats, _) = CAMERAS[name], cell_of(THREE)
+    camera, splats = CAMERAS[name], splats_of(THREE)
     channels = ("color", "coverage", *CHANNELS, "object_id", "face_id")
     alone = drawn(splats, camera, channels)
     shown = np.isfinite(alone["range"])
@@ -45,7 +46,7 @@ def test_the_nearer_of_geometry_and_splats_is_seen(name: str) -> None:
 
 
 def test_walls_hide_all_or_nothing() -> None:
-    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE)
     alone = drawn(splats, camera, ("color", "range"))
     near = drawn(splats, camera, ("color", "range"), before=wall(camera, 1))
     assert (near["range"] == 1).all()
@@ -59,7 +60,7 @@ def test_walls_hide_all_or_nothing() -> None:
 
 def test_samples_of_geometry_are_samples() -> None:
     """Geometry has a pixel for each sample: of four samples it hides some."""
-    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE)
     width, height = camera.size
     finer = replace(camera, size=(2 * width, 2 * height))
     ranges = np.full((2 * height, 2 * width), np.inf)
@@ -113,7 +114,7 @@ def test_splats_are_drawn_whose_middles_are_within_limits(name: str, camera: str
 
 
 def test_masked_pixels_are_misses_and_bare_pictures_have_no_sky() -> None:
-    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE)
     channels = ("color", "coverage", "range")
     width, height = camera.size
     mask = np.random.default_rng(0).random((height, width)) < 0.6
@@ -128,7 +129,7 @@ def test_masked_pixels_are_misses_and_bare_pictures_have_no_sky() -> None:
 
 
 def test_nothing_is_sky() -> None:
-    camera, (splats, _) = CAMERAS["perspective"], cell_of(THREE)
+    camera, splats = CAMERAS["perspective"], splats_of(THREE)
     none = drawn([], camera, ("coverage", "range"))
     assert np.isinf(none["range"]).all()
     away = nf.Camera.look_at(
@@ -141,9 +142,9 @@ def test_nothing_is_sky() -> None:
 
 PICTURES = """
 import hashlib
-from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, cell_of, drawn
-splats = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)], size=32)[0]
-for name, grid in [("large", 1), ("large", 3), ("close", 3), ("parallel", 1), ("cube face 1", 3)]:
+from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, THREE, drawn, splats_of
+splats = splats_of(THREE, size=32)
+for name, grid in [("large", 3), ("close", 3), ("parallel", 1), ("cube face 1", 3)]:
     images = drawn(splats, LARGE if name == "large" else CAMERAS[name], ("color", *CHANNELS), grid)
     print(name, *(hashlib.sha256(images[channel].tobytes()).hexdigest() for channel in ("color", *CHANNELS)))
     print(images["stats"]["splats"], images["stats"]["splats_seen"])
@@ -159,7 +160,7 @@ def test_pictures_are_the_same_for_any_number_of_threads() -> None:
 
 @pytest.mark.parametrize("name", ["perspective", "inside", "parallel", "cube face 1"])
 def test_pictures_are_the_same_for_all_instruction_sets(name: str) -> None:
-    splats, pictures = cell_of(THREE, size=32)[0], []
+    splats, pictures = splats_of(THREE, size=32), []
     try:
         for instructions in _core.instruction_sets():
             _core.use_instruction_set(instructions)
@@ -171,7 +172,7 @@ def test_pictures_are_the_same_for_all_instruction_sets(name: str) -> None:
 
 
 def test_bad_calls_are_named() -> None:
-    camera, (splats, _) = CAMERAS["perspective"], cell_of([(0, 0, 1)])
+    camera, splats = CAMERAS["perspective"], splats_of([(0, 0, 1)])
     with pytest.raises(ValueError, match="grid: expected 1 to 8, got 9"):
         drawn(splats, camera, ("color",), 9)
     with pytest.raises(ValueError, match="grid: expected an odd number for images of the pixels' middles, got 2"):

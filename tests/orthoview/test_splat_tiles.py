@@ -29,9 +29,9 @@ def _zarr() -> None:
 
 
 @pytest.fixture(scope="module")
-def exported(tree: nf.orthoview.OrthoTree, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, int]]:
+def exported(few_tree: nf.orthoview.OrthoTree, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, int]]:
     folder = tmp_path_factory.mktemp("tiles") / "splats"
-    return folder, tree.export_splats(folder, aabb=box_of(tree))
+    return folder, few_tree.export_splats(folder, aabb=box_of(few_tree))
 
 
 def box_of(tree: nf.orthoview.OrthoTree) -> NDArray[np.float64]:
@@ -63,10 +63,10 @@ def check_rows(got: Rows, cell: Cell, step: float, spread: float) -> None:
 
 
 def test_each_cell_is_one_tile_with_its_gaussians(
-    tree: nf.orthoview.OrthoTree, exported: tuple[Path, dict[str, int]]
+    few_tree: nf.orthoview.OrthoTree, exported: tuple[Path, dict[str, int]]
 ) -> None:
     folder, counts = exported
-    wanted, found = cells(tree, 0), {key_of(tile): tile for tile in tiles(folder)}
+    wanted, found = cells(few_tree, 0), {key_of(tile): tile for tile in tiles(folder)}
     assert found.keys() == wanted.keys()
     assert sum(1 for _ in tiles(folder)) == len(found)  # each once
     assert {path.resolve() for path in folder.rglob("*.glb")} == {tile.path for tile in found.values()}
@@ -82,7 +82,7 @@ def test_each_cell_is_one_tile_with_its_gaussians(
 
 
 def test_boxes_hold_three_standard_deviations_and_errors_fall(
-    tree: nf.orthoview.OrthoTree, exported: tuple[Path, dict[str, int]]
+    few_tree: nf.orthoview.OrthoTree, exported: tuple[Path, dict[str, int]]
 ) -> None:
     folder, _ = exported
     for tile in tiles(folder):
@@ -92,18 +92,20 @@ def test_boxes_hold_three_standard_deviations_and_errors_fall(
         assert ((rows.middle + reach).max(axis=0) <= tile.box[1] + 1e-3).all()
         level, place = key_of(tile)
         # Five directions look along the axes. 16 pixels of the screen, which viewers allow, are two of the view.
-        pixel = tree.cell * 2**level / tree.size
+        pixel = few_tree.cell * 2**level / few_tree.size
         assert tile.error == (0 if tile.is_leaf else pytest.approx(8 * pixel))
         assert tile.is_leaf == (level == 0)
         assert [key_of(above) for above in tile.above] == [
-            (level + up, tuple(number >> up for number in place)) for up in range(tree.levels - 1 - level, 0, -1)
+            (level + up, tuple(number >> up for number in place)) for up in range(few_tree.levels - 1 - level, 0, -1)
         ]
 
 
-def test_documents_list_a_few_levels_each(tree: nf.orthoview.OrthoTree, exported: tuple[Path, dict[str, int]]) -> None:
+def test_documents_list_a_few_levels_each(
+    few_tree: nf.orthoview.OrthoTree, exported: tuple[Path, dict[str, int]]
+) -> None:
     folder, _ = exported
     apart = {path.parent.parent.parent.name for path in (folder / "tilesets").rglob("*.json")}
-    assert tree.levels == 5
+    assert few_tree.levels == 5
     assert apart == {"3"}  # of levels 0 to 3; the one on top lists level 4 and refers to them
     text = (folder / "tileset.json").read_text()
     assert "content/3/" not in text
@@ -111,9 +113,9 @@ def test_documents_list_a_few_levels_each(tree: nf.orthoview.OrthoTree, exported
     assert named == {"extensionsUsed": [SPLATS], "extensionsRequired": [SPLATS]}
 
 
-def test_spz_in_tiles_is_within_its_steps(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    counts = tree.export_splats(tmp_path / "splats", level=2, compression="spz", aabb=box_of(tree))
-    wanted, found = cells(tree, 2), list(tiles(tmp_path / "splats"))
+def test_spz_in_tiles_is_within_its_steps(few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    counts = few_tree.export_splats(tmp_path / "splats", level=2, compression="spz", aabb=box_of(few_tree))
+    wanted, found = cells(few_tree, 2), list(tiles(tmp_path / "splats"))
     assert {key_of(tile) for tile in found} == wanted.keys()
     for tile in found:
         cell, data = wanted[key_of(tile)], tile.path.read_bytes()
@@ -125,14 +127,14 @@ def test_spz_in_tiles_is_within_its_steps(tree: nf.orthoview.OrthoTree, tmp_path
 
 
 @pytest.mark.parametrize("name", ["one.spz", "one.glb", "packed.glb"])
-def test_one_file_has_the_cells_of_a_level(tree: nf.orthoview.OrthoTree, tmp_path: Path, name: str) -> None:
+def test_one_file_has_the_cells_of_a_level(few_tree: nf.orthoview.OrthoTree, tmp_path: Path, name: str) -> None:
     path, level = tmp_path / name, 1
-    counts = tree.export_splats(
-        path, level=level, aabb=box_of(tree), compression="spz" if name == "packed.glb" else None
+    counts = few_tree.export_splats(
+        path, level=level, aabb=box_of(few_tree), compression="spz" if name == "packed.glb" else None
     )
     data = path.read_bytes()
     rows = spz_rows(data, 3) if name == "one.spz" else glb_rows(data)
-    wanted = {key: cell for key, cell in cells(tree, level).items() if key[0] == level}
+    wanted = {key: cell for key, cell in cells(few_tree, level).items() if key[0] == level}
     assert counts == {
         "cells": len(wanted),
         "splats": len(rows.middle),
@@ -152,26 +154,26 @@ def test_one_file_has_the_cells_of_a_level(tree: nf.orthoview.OrthoTree, tmp_pat
     assert [path.name for path in tmp_path.iterdir()] == [name]
 
 
-def test_a_box_and_a_light(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    low, high = tree.bounds
+def test_a_box_and_a_light(few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    low, high = few_tree.bounds
     box = np.array([low, [*((low + high) / 2)[:2], high[2]]])
     whole, part = (
-        tree.export_splats(tmp_path / "a.glb", level=2),
-        tree.export_splats(tmp_path / "b.glb", level=2, aabb=box, light=None),
+        few_tree.export_splats(tmp_path / "a.glb", level=2),
+        few_tree.export_splats(tmp_path / "b.glb", level=2, aabb=box, light=None),
     )
     assert 0 < part["splats"] < whole["splats"]
     rows = glb_rows((tmp_path / "b.glb").read_bytes())
     assert ((box[0] - 1e-3 <= rows.middle) & (rows.middle <= box[1] + 1e-3)).all()
     dark = glb_rows((tmp_path / "a.glb").read_bytes()).color.mean()
     assert dark < rows.color.mean()  # lit surfaces reflect less than all light
-    tree.export_splats(tmp_path / "c.glb", level=2, light=(0, 10, 0))
+    few_tree.export_splats(tmp_path / "c.glb", level=2, light=(0, 10, 0))
     for name, light in (("a", {"sun": pytest.approx([0.5263, 0.7895, 0.3158], abs=1e-4)}), ("b", "none")):
         assert glb_parts((tmp_path / f"{name}.glb").read_bytes())[0]["asset"]["extras"]["light"] == light
     assert glb_parts((tmp_path / "c.glb").read_bytes())[0]["asset"]["extras"]["light"] == {"sun": [0, 1, 0]}
 
 
 def test_an_export_that_fails_leaves_the_older_one(
-    tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    few_tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def stopped(jobs: Iterator[Any]) -> Iterator[Any]:
         for number, result in enumerate(results(jobs)):
@@ -185,16 +187,16 @@ def test_an_export_that_fails_leaves_the_older_one(
         with monkeypatch.context() as patch:
             patch.setattr("nearfar._base.side_by_side.results", stopped)
             with pytest.raises(KeyboardInterrupt):
-                tree.export_splats(folder / name, level=2)
+                few_tree.export_splats(folder / name, level=2)
         assert list(folder.iterdir()) == []
-        tree.export_splats(folder / name, level=2)
+        few_tree.export_splats(folder / name, level=2)
         before = contents(folder)
         with monkeypatch.context() as patch:
             patch.setattr("nearfar._base.side_by_side.results", stopped)
             with pytest.raises(KeyboardInterrupt):
-                tree.export_splats(folder / name, level=2)
+                few_tree.export_splats(folder / name, level=2)
         assert contents(folder) == before
-        tree.export_splats(folder / name, level=2)
+        few_tree.export_splats(folder / name, level=2)
         assert contents(folder) == before
 
 
@@ -202,10 +204,10 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-def test_bad_arguments(tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_bad_arguments(few_tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     out = tmp_path / "out"
     for match, wrong in (
-        ("level", {"level": tree.levels}),
+        ("level", {"level": few_tree.levels}),
         ("format", {"format": "ply"}),
         ("light", {"light": "moon"}),
         ("light", {"light": (0, 0, 0)}),
@@ -216,34 +218,34 @@ def test_bad_arguments(tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch
         ("aabb", {"aabb": [(0, 0, 0)]}),
     ):
         with pytest.raises(ValueError, match=match):
-            tree.export_splats(out, **wrong)
+            few_tree.export_splats(out, **wrong)
         assert list(tmp_path.iterdir()) == []
     with pytest.raises(ValueError, match=r"path.*\.ply"):
-        tree.export_splats(tmp_path / "out.ply")
+        few_tree.export_splats(tmp_path / "out.ply")
     with pytest.raises(FileNotFoundError):
-        tree.export_splats(tmp_path / "missing" / "out")
+        few_tree.export_splats(tmp_path / "missing" / "out")
     (out / "other").mkdir(parents=True)
     with pytest.raises(FileExistsError):
-        tree.export_splats(out)
+        few_tree.export_splats(out)
     monkeypatch.setattr(_spz, "MOST", 100)
     with pytest.raises(ValueError, match="level: expected one with at most 100 splats"):
-        tree.export_splats(tmp_path / "out.spz")
+        few_tree.export_splats(tmp_path / "out.spz")
     assert {path.name for path in tmp_path.iterdir()} == {"out"}
 
 
-def test_bytes_do_not_depend_on_threads(tree: nf.orthoview.OrthoTree) -> None:
+def test_bytes_do_not_depend_on_threads(few_tree: nf.orthoview.OrthoTree) -> None:
     code = f"""
 import hashlib, tempfile
 from pathlib import Path
 import nearfar as nf
 with tempfile.TemporaryDirectory() as folder:
-    nf.orthoview.open({tree.path!r}).export_splats(Path(folder) / "out", level=2)
+    nf.orthoview.open({few_tree.path!r}).export_splats(Path(folder) / "out", level=2)
     for path in sorted(Path(folder).rglob("*")):
         if path.is_file():
             print(path.relative_to(folder), hashlib.sha256(path.read_bytes()).hexdigest())
 """
     (printed,) = printed_by_threads(code, "13")
-    assert printed.count(".glb") > 20
+    assert printed.count(".glb") > 5
 
 
 @pytest.mark.slow
@@ -261,13 +263,15 @@ def test_the_validator_of_gltf_finds_no_errors(exported: tuple[Path, dict[str, i
 
 
 @pytest.mark.slow
-def test_spark_loads_and_draws_what_was_written(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+def test_spark_loads_and_draws_what_was_written(few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     need("browser")
-    reader = Cells(tree._files, tree._layout, tree.generation, np.array([[-np.inf] * 3, [np.inf] * 3]), sun_of("sun"))
+    reader = Cells(
+        few_tree._files, few_tree._layout, few_tree.generation, np.array([[-np.inf] * 3, [np.inf] * 3]), sun_of("sun")
+    )
     key = max(reader.at(2), key=lambda cell: reader.read(*cell).pixels)
     cell, path = reader.read(*key), tmp_path / "cell.spz"
     path.write_bytes(_spz.encoded(cell.gaussians))
-    (x, y, z), side = cell.center.tolist(), tree.cell * 4
+    (x, y, z), side = cell.center.tolist(), few_tree.cell * 4
     look = Look((x + 0.8 * side, y + 0.9 * side, z + 2.2 * side), (x, y, z), 30.0, (96, 72))
     (loaded,), (picture,) = spark([(path, cell.center)], [(look, [0])], first=50)
     right = spz_rows(path.read_bytes(), 3)
@@ -279,8 +283,10 @@ def test_spark_loads_and_draws_what_was_written(tree: nf.orthoview.OrthoTree, tm
     assert np.abs((first[:, 6:10] * right.rotation[:50]).sum(axis=1)).min() > 0.999
     assert (first[:, 10] == 1).all()
     assert np.abs(first[:, 11:] - right.color[:50]).max() < 0.01
-    clip = nf.Clip(box=tree.box(*key))
-    ours = tree.render(look.camera, samples=16, geometry=False, error_px=8, clip=clip, channels=("color", "coverage"))
+    clip = nf.Clip(box=few_tree.box(*key))
+    ours = few_tree.render(
+        look.camera, samples=16, geometry=False, error_px=8, clip=clip, channels=("color", "coverage")
+    )
     solid, beside = np.asarray(ours.coverage) > 0.999, np.asarray(ours.coverage) == 0
     assert solid.sum() > 300
     assert (picture[..., 3][solid] > 0.5).mean() > 0.97

@@ -13,8 +13,7 @@ import pytest
 import nearfar as nf
 from nearfar import _core
 from nearfar._render.ranged import ranged
-from tests.support import need, printed_by_threads
-from tests.support.orthoview_stores import world_of
+from tests.support import printed_by_threads
 from tests.support.steady_oracle import blended
 
 Steady = nf.orthoview.Steady
@@ -33,7 +32,7 @@ EYES = {
 """Projections of a picture and of the one after it."""
 
 
-def camera_of(fov: Any, position: tuple[float, float, float], turn: float = 0.0, size: int = 20) -> nf.Camera:
+def camera_of(fov: Any, position: tuple[float, float, float], turn: float = 0.0, size: int = 12) -> nf.Camera:
     half = np.array([0.3 * turn, turn, 0.2 * turn, 2.0])
     x, y, z, w = (half / np.linalg.norm(half)).tolist()
     return nf.Camera(position, (x, y, z, w), fov=fov, size=(size, size))
@@ -69,21 +68,14 @@ def test_kernel_with_motion_against_loops() -> None:
     motion = rng.normal(0, 2, (20, 20, 2)).astype(np.float32)
     motion[5:9] = rng.normal(0, 0.05, (4, 20, 2))
     motion[3, 4] = np.nan
-    past = noise(camera_of(nf.Fov.symmetric(60), (0.0, 0.0, 0.0)), 1)
-    now = noise(camera_of(nf.Fov.symmetric(60), (0.02, 0.0, -0.1)), 2, motion=motion)
+    past = noise(camera_of(nf.Fov.symmetric(60), (0.0, 0.0, 0.0), size=20), 1)
+    now = noise(camera_of(nf.Fov.symmetric(60), (0.02, 0.0, -0.1), size=20), 2, motion=motion)
     fade = (0.1, 0.4)
     mixed, agrees = _core.blend_past(ranged("past", past), ranged("now", now), fade=fade, motion=motion)
     expected, expected_agrees = blended(past, now, fade)
     np.testing.assert_array_equal(agrees, expected_agrees)
     assert 0.2 < agrees.mean() < 0.95
     np.testing.assert_allclose(mixed, expected, atol=2e-6)
-
-
-@pytest.fixture(scope="module")
-def tree(tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    need("zarr")
-    path = tmp_path_factory.mktemp("steady") / "world.zarr"
-    return nf.orthoview.build(world_of(range(30)), path, cell=20, size=32, directions=9)
 
 
 def eye(tree: Tree, angle: float, size: tuple[int, int] = (160, 120)) -> nf.Camera:
@@ -105,28 +97,30 @@ def fades(before: nf.Frame, after: Callable[[int], nf.Frame]) -> list[float]:
     return [float(nf.ssim(one, other)) for one, other in pairwise(pictures)]
 
 
-def test_a_swapped_cut_fades_before_a_still_camera(tree: Tree, record_property: Callable[[str, object], None]) -> None:
-    camera = eye(tree, 0.3)
-    fine, coarse = (tree.render(camera, geometry=False, error_px=error) for error in (1.0, 2.0))
+def test_a_swapped_cut_fades_before_a_still_camera(
+    layered: Tree, record_property: Callable[[str, object], None]
+) -> None:
+    camera = eye(layered, 0.3)
+    fine, coarse = (layered.render(camera, geometry=False, error_px=error) for error in (1.0, 2.0))
     popped = float(nf.ssim(fine, coarse))
     record_property("SSIM of the swapped cut", popped)
     assert popped < 0.995
     assert min(fades(fine, lambda _: coarse)) >= 0.999
 
 
-def test_other_directions_fade(tree: Tree, record_property: Callable[[str, object], None]) -> None:
+def test_other_directions_fade(layered: Tree, record_property: Callable[[str, object], None]) -> None:
     """A camera that crosses the bisector of two directions sees cells from another one, a hair's breadth farther."""
     low, high = 0.3, 0.3 + np.pi / 4
-    start = directions_of(tree, eye(tree, low))
-    assert directions_of(tree, eye(tree, high)) != start
+    start = directions_of(layered, eye(layered, low))
+    assert directions_of(layered, eye(layered, high)) != start
     while high - low > 1e-7:
         middle = (low + high) / 2
-        low, high = (middle, high) if directions_of(tree, eye(tree, middle)) == start else (low, middle)
-    one, other = (tree.render(eye(tree, angle), geometry=False) for angle in (low, high))
+        low, high = (middle, high) if directions_of(layered, eye(layered, middle)) == start else (low, middle)
+    one, other = (layered.render(eye(layered, angle), geometry=False) for angle in (low, high))
     popped = float(nf.ssim(one, other))
     record_property("SSIM of other directions", popped)
     assert popped < 0.999
-    turned = [tree.render(eye(tree, high + n * 1e-7), geometry=False) for n in range(25)]
+    turned = [layered.render(eye(layered, high + n * 1e-7), geometry=False) for n in range(25)]
     assert min(fades(one, lambda n: turned[n])) >= 0.999
 
 

@@ -60,33 +60,52 @@ def pixel(camera: nf.Camera) -> float:
     return math.sqrt((right - left) / camera.width * (up - down) / camera.height)
 
 
-def corners_of(grid: Grid, cell: Cell, count: int = 2) -> NDArray[np.float64]:
-    """Corners of a cell, or points of it on a lattice that has them (count³, 3)."""
-    low, high = grid.box(*cell)
+@dataclass(frozen=True)
+class World:
+    """The cells of a tree in which something is."""
+
+    grid: Grid
+    shown: Mapping[Cell, int]
+    """Bits of the directions that show something of each cell."""
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+    """Corners of the cells, in their order."""
+
+    @classmethod
+    def of(cls, grid: Grid, shown: Mapping[Cell, int]) -> World:
+        boxes = np.array([grid.box(*cell) for cell in shown])
+        return cls(grid, shown, boxes[:, 0], boxes[:, 1])
+
+
+def lattice(low: NDArray[np.float64], high: NDArray[np.float64], count: int = 2) -> NDArray[np.float64]:
+    """Points of boxes (N, 3) on lattices that have their corners (N, count³, 3); by default the corners alone."""
     steps = np.array(list(itertools.product(np.linspace(0, 1, count), repeat=3)))
-    return np.asarray(low + steps * (high - low))
+    return np.asarray(low[:, None] + steps * (high - low)[:, None])
 
 
-def nearest(eye: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64]) -> float:
-    """Distance of the nearest point of a box, metres; 0 within it."""
-    return float(np.linalg.norm(np.maximum(0, np.maximum(low - eye, eye - high))))
+def nearest(eye: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Distances of the nearest points of boxes (…, 3), metres; 0 within them."""
+    return np.asarray(np.linalg.norm(np.maximum(0, np.maximum(low - eye, eye - high)), axis=-1))
 
 
 def seen_from(
     camera: nf.Camera, low: NDArray[np.float64], high: NDArray[np.float64], sight: NDArray[np.float64] | None
-) -> tuple[float, float]:
-    """Bounds of the apparent distances of a box's points: those from the eye over the acuity beside the sight."""
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Bounds of the apparent distances of boxes' points: those from the eye over the acuity beside the sight."""
     eye = np.array(camera.position)
-    least, most = nearest(eye, low, high), max(float(np.linalg.norm(corner - eye)) for corner in box_corners(low, high))
+    least, most = nearest(eye, low, high), np.linalg.norm(lattice(low, high) - eye, axis=2).max(axis=1)
     if sight is None:
         return least, most
-    middle = (low + high) / 2 - eye
-    away = math.degrees(math.acos(np.clip(middle @ sight / np.linalg.norm(middle) / np.linalg.norm(sight), -1, 1)))
-    radius = float(np.linalg.norm(high - low)) / 2
-    half = math.degrees(math.asin(radius / np.linalg.norm(middle))) if radius < np.linalg.norm(middle) else 180.0
+    middle, radius = (low + high) / 2 - eye, np.linalg.norm(high - low, axis=1) / 2
+    distance = np.linalg.norm(middle, axis=1)
+    away = np.degrees(np.arccos(np.clip(middle @ sight / distance / np.linalg.norm(sight), -1, 1)))
+    half = np.where(radius < distance, np.degrees(np.arcsin(np.minimum(radius / distance, 1))), 180.0)
     pixel_deg = math.degrees(math.atan(pixel(camera)))
-    sharp, dull = nf.lod.acuity([max(away - half, 0), min(away + half, 180)], pixel_deg=pixel_deg)
-    return least / float(sharp), most / float(dull)
+    sharp, dull = (
+        nf.lod.acuity(angles, pixel_deg=pixel_deg)
+        for angles in (np.maximum(away - half, 0), np.minimum(away + half, 180))
+    )
+    return least / sharp, most / dull
 
 
 def sight_through(camera: nf.Camera, gaze: tuple[float, float]) -> NDArray[np.float64]:
@@ -106,13 +125,8 @@ def camera_axis(camera: nf.Camera) -> NDArray[np.float64]:
     return forward
 
 
-def box_corners(low: NDArray[np.float64], high: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    return [np.where(np.array(side), high, low) for side in itertools.product((False, True), repeat=3)]
-
-
 def expected(
-    shown: Mapping[Cell, int],
-    grid: Grid,
+    world: World,
     camera: nf.Camera,
     pitch: float,
     error_px: float,
@@ -121,17 +135,19 @@ def expected(
     band: float | None = None,
     gaze: tuple[float, float] | None = None,
 ) -> Expected:
-    """The cut of a tree whose cells that are `shown` have something; `pitch` is the width of a leaf's pixel."""
+    """The cut of a tree; `pitch` is the width of a leaf's pixel."""
     found = Expected(pitch / (pixel(camera) * error_px))
-    is_parallel = isinstance(camera.fov, nf.Orthographic)
     sight = None if gaze is None else sight_through(camera, gaze)
+    # For parallel rays a pixel of the picture is as wide anywhere as it is at 1 m for others.
+    near, far = np.ones((2, len(world.low)))
+    if not isinstance(camera.fov, nf.Orthographic):
+        near, far = seen_from(camera, world.low, world.high, sight)
+    bounds_of = dict(zip(world.shown, zip(near.tolist(), far.tolist(), strict=True), strict=True))
 
     def visit(level: int, place: Place) -> None:
-        if (level, place) not in shown:
+        if (level, place) not in world.shown:
             return
-        low, high = grid.box(level, place)
-        # For parallel rays a pixel of the picture is as wide anywhere as it is at 1 m for others.
-        near, far = (1.0, 1.0) if is_parallel else seen_from(camera, low, high, sight)
+        near, far = bounds_of[level, place]
         needed = 2**level * found.reach
         bounds = [needed] if band is None or level == 0 else [needed, needed * (1 + band)]
         found.is_doubtful |= any(abs(at - bound) < DOUBT for at in (near, far) for bound in bounds)
@@ -143,33 +159,37 @@ def expected(
             if len(bounds) == 2 and far >= needed:
                 found.cells.add((level, place))
                 found.partial.add((level, place))
-            for _, child in grid.children(level, place):
+            for _, child in world.grid.children(level, place):
                 visit(level - 1, child)
 
-    visit(grid.levels - 1, (0, 0, 0))
+    visit(world.grid.levels - 1, (0, 0, 0))
     return found
 
 
-def margin(camera: nf.Camera, corners: ArrayLike) -> float:
-    """How far a box reaches into that half-space of the picture which it reaches into the least; below 0 if not."""
-    offsets = np.asarray(corners) - np.array(camera.position)
+def margins(camera: nf.Camera, corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How far boxes reach into that half-space of the picture which they reach into the least; below 0 if not.
+
+    Corners are (N, 8, 3).
+    """
+    offsets = corners - np.array(camera.position)
     if isinstance(camera.fov, nf.CubeFace):
-        x, y, depth = (offsets @ np.array(FACES[camera.fov.face], np.float64).T).T
+        x, y, depth = np.moveaxis(offsets @ np.array(FACES[camera.fov.face], np.float64).T, -1, 0)
         left, right, down, up = -1.0, 1.0, -1.0, 1.0
     else:
         qx, qy, qz, qw = camera.orientation
-        x, y, back = (offsets @ trimesh.transformations.quaternion_matrix([qw, qx, qy, qz])[:3, :3]).T
+        x, y, back = np.moveaxis(offsets @ trimesh.transformations.quaternion_matrix([qw, qx, qy, qz])[:3, :3], -1, 0)
         depth = -back
         left, right, down, up = camera.fov.left, camera.fov.right, camera.fov.down, camera.fov.up
     along = np.ones_like(depth) if isinstance(camera.fov, nf.Orthographic) else depth
     sides = [x - left * along, right * along - x, y - down * along, up * along - y, depth]
-    return float(min(side.max() for side in sides))
+    return np.min([side.max(axis=1) for side in sides], axis=0)
 
 
-def is_sampled(camera: nf.Camera, points: NDArray[np.float64]) -> bool:
-    """Whether one of some points is in the picture."""
-    x, y, _ = camera.project(points).T  # NaN behind the camera
-    return bool(((x >= 0) & (x <= camera.width) & (y >= 0) & (y <= camera.height)).any())
+def are_sampled(camera: nf.Camera, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether one of some points (N, P, 3) is in the picture."""
+    x, y, _ = camera.project(points.reshape(-1, 3)).T  # NaN behind the camera
+    is_in = (x >= 0) & (x <= camera.width) & (y >= 0) & (y <= camera.height)
+    return np.asarray(is_in.reshape(points.shape[:2]).any(axis=1))
 
 
 def raised(unit: NDArray[np.float64], lift_deg: float) -> tuple[NDArray[np.float64], bool]:

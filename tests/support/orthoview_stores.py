@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 import trimesh
 from numpy.typing import ArrayLike, NDArray
 
@@ -22,6 +23,7 @@ from nearfar.orthoview import _store
 from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._grid import Grid, Place
 from tests.support import need
+from tests.support.made import made
 from tests.support.orthoview_cases import CORNER, boxes
 
 CELL, SIZE = 10.0, 16
@@ -77,6 +79,17 @@ def masks_of(tree: nf.orthoview.OrthoTree) -> dict[tuple[int, Place], int]:
                 for x, y, z in np.argwhere(mask).tolist():
                     found[level, (i * side + x, j * side + y, k * side + z)] = int(mask[x, y, z])
     return found
+
+
+def built_once(factory: pytest.TempPathFactory, name: str, scene: nf.Scene, **settings: Any) -> nf.orthoview.OrthoTree:
+    """The tree of a scene, built once in a run."""
+    need("zarr")
+    return nf.orthoview.open(made(factory, name, lambda path: nf.orthoview.build(scene, path, **settings)))
+
+
+def layered_tree(factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+    """A tree of thirty boxes for pictures: large leaves in two layers, seen from nine directions."""
+    return built_once(factory, "layered.zarr", world_of(range(30)), cell=20, size=32, directions=9, layers=2)
 
 
 def contents(path: Path) -> dict[str, bytes]:

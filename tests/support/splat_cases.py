@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import replace
 from typing import Any
 
@@ -23,19 +24,38 @@ CHANNELS = ("range", "albedo", "normal")
 WIDE = nf.Fov(-0.5, 0.5, -0.4, 0.4)
 
 
+def views_of(directions: list[Triple], layout: tuple[int, int, int]) -> tuple[_core.OrthoViews, Any]:
+    """Views of boxes in a cell, and the cell."""
+    cell = (tuple(CORNER), SIDE)
+    return _core.OrthoViews.of_cell(boxes()[0]._core, cell, directions, layout), cell
+
+
+def splats_of(
+    directions: list[Triple], depth_bits: int = 12, normal_bits: int = 24, size: int = 16
+) -> list[_core.OrthoSplats]:
+    """The same as splats."""
+    views, cell = views_of(directions, (size, depth_bits, normal_bits))
+    bits = views.connected(CONNECTED)
+    return [_core.OrthoSplats(views, number, bits, cell) for number in range(len(directions))]
+
+
+@functools.cache
+def known_of(directions: tuple[Triple, ...], layout: tuple[int, int, int]) -> list[Splat]:
+    """The same by the oracle, which takes some time."""
+    views, _ = views_of(list(directions), layout)
+    return [
+        splat
+        for number, direction in enumerate(directions)
+        for splat in splat_oracle.splats_of(views, number, direction, CORNER, SIDE, layout[1])
+    ]
+
+
 def cell_of(
     directions: list[Triple], depth_bits: int = 12, normal_bits: int = 24, size: int = 16
 ) -> tuple[list[_core.OrthoSplats], list[Splat]]:
     """Views of boxes in a cell, and their splats."""
-    layout = (size, depth_bits, normal_bits)
-    views = _core.OrthoViews.of_cell(boxes()[0]._core, (tuple(CORNER), SIDE), directions, layout)
-    bits, cell = views.connected(CONNECTED), (tuple(CORNER), SIDE)
-    known = [
-        splat
-        for number, direction in enumerate(directions)
-        for splat in splat_oracle.splats_of(views, number, direction, CORNER, SIDE, depth_bits)
-    ]
-    splats = [_core.OrthoSplats(views, number, bits, cell) for number in range(len(directions))]
+    splats = splats_of(directions, depth_bits, normal_bits, size)
+    known = known_of(tuple(directions), (size, depth_bits, normal_bits))
     assert sum(view.count for view in splats) == len(known) > 50
     return splats, known
 
