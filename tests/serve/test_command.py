@@ -6,11 +6,11 @@ import json
 import signal
 from pathlib import Path
 
-import httpx
 import pytest
 from typer.testing import CliRunner
 
 from nearfar.cli._app import app
+from tests.support.asking import get
 from tests.support.serving import rest_of, serving
 
 
@@ -22,7 +22,7 @@ def _cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("ends", [signal.SIGINT, signal.SIGTERM])
 def test_it_serves_until_it_is_asked_to_end(place: Path, ends: signal.Signals) -> None:
     with serving(place, "--log", "json") as (running, url):
-        assert httpx.get(f"{url}manifest.json").json() == json.loads((place / "manifest.json").read_text())
+        assert get(f"{url}manifest.json").json() == json.loads((place / "manifest.json").read_text())
         running.send_signal(ends)
         _, log = rest_of(running)
         assert running.wait() == 0
@@ -32,8 +32,8 @@ def test_it_serves_until_it_is_asked_to_end(place: Path, ends: signal.Signals) -
 def test_it_encrypts_for_headsets(place: Path) -> None:
     with serving(f"one={place}", f"two={place}", "--self-signed", "--log", "off") as (running, url):
         assert url.startswith("https://")
-        assert "two/" in httpx.get(url, verify=False).text
-        assert httpx.get(f"{url}two/manifest.json", verify=False).status_code == 200
+        assert "two/" in get(url, verify=False).text
+        assert get(f"{url}two/manifest.json", verify=False).status_code == 200
         running.terminate()
         told, log = rest_of(running)
     assert ", 396 days left, SHA-256:" in told or ", 395 days left, SHA-256:" in told
@@ -43,11 +43,11 @@ def test_it_encrypts_for_headsets(place: Path) -> None:
 def test_regions_of_scenes_are_made_where_clients_ask(place: Path, tmp_path: Path) -> None:
     settings = ("--radii", "4,8", "--face-size", "64", "--samples", "1", "--log", "off")
     with serving("room", f"files={place}", *settings) as (running, url):
-        region = httpx.get(f"{url}room/at/0.3,1.6,0.2/manifest.json", timeout=120).json()
+        region = get(f"{url}room/at/0.3,1.6,0.2/manifest.json").json()
         assert [ring["radius"] for ring in region["regions"][0]["rings"][1:]] == [4, 8]
         name = next(iter(region["files"]))
-        assert httpx.get(f"{url}room/{name}").status_code == 200
-        assert httpx.get(f"{url}files/{name}").status_code == 404
+        assert get(f"{url}room/{name}").status_code == 200
+        assert get(f"{url}files/{name}").status_code == 404
         running.terminate()
         told, _ = rest_of(running)
     assert "room is loaded: " in told
@@ -59,8 +59,8 @@ def test_a_scene_that_cannot_be_loaded_is_told_and_others_are_served(place: Path
     broken = tmp_path / "broken.glb"
     broken.write_bytes(b"glTF but not much more")
     with serving(broken, f"files={place}", "--log", "off") as (running, url):
-        assert httpx.get(f"{url}files/manifest.json").status_code == 200
-        answer = httpx.get(f"{url}broken/at/0,1.7,0/manifest.json", timeout=120)
+        assert get(f"{url}files/manifest.json").status_code == 200
+        answer = get(f"{url}broken/at/0,1.7,0/manifest.json")
         assert answer.status_code == 422
         assert "broken.glb: the scene cannot be loaded: " in answer.text
         running.terminate()
@@ -86,7 +86,7 @@ def test_names_are_told_as_addresses(place: Path) -> None:
         assert url == f"http://example.org:{port}/"
         for host, code in [("example.org", 200), ("[::1]", 200), ("localhost", 403)]:
             here = f"http://127.0.0.1:{port}/healthz"
-            assert httpx.get(here, headers={"host": f"{host}:{port}"}).status_code == code
+            assert get(here, headers={"host": f"{host}:{port}"}).status_code == code
         running.terminate()
         told, _ = rest_of(running)
     assert told == f"  also http://[::1]:{port}/\n"

@@ -7,16 +7,17 @@ import shutil
 import socket
 import struct
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import urlsplit
 
-import httpx
 import pytest
 
 import nearfar as nf
 from nearfar.serve._limits import Limits
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
+from tests.support.asking import get, request
 from tests.support.waiting import wait_until
 
 SECRET = b"nobody may see this"
@@ -39,11 +40,11 @@ def server(place: Path) -> Iterator[Server]:
         yield running
 
 
-@pytest.fixture
-def hasty() -> Iterator[Server]:
-    """A server with little patience and a large document."""
-    limits = Limits(header_seconds=0.5, silent_seconds=0.5)
-    with Server({"": Site({"files/large": bytes(LARGE), "files/other": b"other"})}, limits=limits) as running:
+@contextmanager
+def served(**limits: float) -> Iterator[Server]:
+    """A server with a large document within these limits."""
+    site = Site({"files/large": bytes(LARGE), "files/other": b"other"})
+    with Server({"": site}, limits=Limits(**limits)) as running:
         yield running
 
 
@@ -70,7 +71,7 @@ def sent(server: Server, text: bytes) -> bytes:
 
 
 def count(server: Server, name: str) -> float:
-    lines = httpx.get(server.url + "metrics").text.splitlines()
+    lines = get(server.url + "metrics").text.splitlines()
     return sum(float(line.rsplit(" ", 1)[1]) for line in lines if line.startswith(name))
 
 
@@ -96,7 +97,7 @@ def test_other_paths_give_nothing(server: Server, target: bytes, method: bytes) 
     assert b"root:" not in answer
     # It is refused, or the connection is closed.
     assert not answer or answer.startswith(b"HTTP/1.1 4")
-    assert httpx.get(server.url).status_code == 200
+    assert get(server.url).status_code == 200
 
 
 def copied(place: Path, folder: Path) -> tuple[Path, str]:
@@ -111,14 +112,14 @@ def test_links_that_come_later_are_not_followed(place: Path, tmp_path: Path, lin
     bundle, name = copied(place, tmp_path / "above")
     replaced = bundle / name if linked == "file" else tmp_path / linked
     with Server.of_bundle(bundle) as server:
-        assert httpx.get(server.url + name).status_code == 200
+        assert get(server.url + name).status_code == 200
         replaced.rename(tmp_path / "elsewhere")
         replaced.symlink_to(tmp_path / "elsewhere")
         for method in ("GET", "HEAD"):
-            assert httpx.request(method, server.url + name).status_code == 404
+            assert request(method, server.url + name).status_code == 404
         replaced.unlink()
         (tmp_path / "elsewhere").rename(replaced)
-        assert httpx.get(server.url + name).status_code == 200
+        assert get(server.url + name).status_code == 200
 
 
 def test_what_is_no_file_is_not_waited_for(place: Path, tmp_path: Path) -> None:
@@ -126,56 +127,57 @@ def test_what_is_no_file_is_not_waited_for(place: Path, tmp_path: Path) -> None:
     with Server.of_bundle(bundle) as server:
         (bundle / name).unlink()
         os.mkfifo(bundle / name)
-        assert httpx.get(server.url + name).status_code == 404
+        assert get(server.url + name).status_code == 404
         (bundle / name).unlink()
         (bundle / name).mkdir()
-        assert httpx.get(server.url + name).status_code == 404
+        assert get(server.url + name).status_code == 404
 
 
-@pytest.mark.parametrize(
-    "text", [b"", b"GET", b"GET / HTTP/1.1\r\nHost: localhost\r\n", b"GET /files/other HTTP/1.1\r\nHo"]
-)
-def test_requests_that_are_sent_in_half_end_alone(hasty: Server, text: bytes) -> None:
-    lines = [connect(hasty) for _ in range(20)]
-    for line in lines:
-        line.sendall(text)
-    assert httpx.get(hasty.url + "files/other").content == b"other"
-    for line in lines:
-        # Its own limit ends it, with 408 or without a word.
-        answer = line.recv(1 << 16)
-        assert not answer or answer.startswith(b"HTTP/1.1 408")
-        line.close()
-    wait_until(lambda: count(hasty, "nearfar_connections ") == 1)
+def test_requests_that_are_sent_in_half_end_alone() -> None:
+    halves = (b"", b"GET", b"GET / HTTP/1.1\r\nHost: localhost\r\n", b"GET /files/other HTTP/1.1\r\nHo")
+    with served(header_seconds=2.0) as hasty:
+        lines = [connect(hasty) for _ in range(20) for _ in halves]
+        for line, text in zip(lines, 20 * halves, strict=True):
+            line.sendall(text)
+        assert get(hasty.url + "files/other").content == b"other"
+        for line in lines:
+            # Its own limit ends it, with 408 or without a word.
+            answer = line.recv(1 << 16)
+            assert not answer or answer.startswith(b"HTTP/1.1 408")
+            line.close()
+        wait_until(lambda: count(hasty, "nearfar_connections ") == 1)
 
 
-def test_headers_that_drip_end_in_time(hasty: Server) -> None:
-    with connect(hasty) as line:
-        line.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n")
+def test_headers_that_drip_end_in_time() -> None:
+    with served(header_seconds=2.0) as hasty:
+        with connect(hasty) as line:
+            line.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n")
 
-        def drip() -> bool:
-            try:
-                line.sendall(b"X: y\r\n")
-            except OSError:
-                return True
-            return count(hasty, 'nearfar_connections_lost_total{reason="headers"}') == 1
+            def drip() -> bool:
+                try:
+                    line.sendall(b"X: y\r\n")
+                except OSError:
+                    return True
+                return count(hasty, 'nearfar_connections_lost_total{reason="headers"}') == 1
 
-        wait_until(drip)
-    wait_until(lambda: count(hasty, "nearfar_connections ") == 1)
-
-
-def test_clients_that_do_not_read_are_let_go(hasty: Server) -> None:
-    lines = [connect(hasty, receives=4096) for _ in range(10)]
-    for line in lines:
-        line.sendall(b"GET /files/large HTTP/1.1\r\nHost: localhost\r\n\r\n")
-    assert httpx.get(hasty.url + "files/other").content == b"other"
-    wait_until(lambda: count(hasty, 'nearfar_connections_lost_total{reason="silence"}') == len(lines))
-    wait_until(lambda: count(hasty, "nearfar_connections ") == 1)
-    for line in lines:
-        line.close()
+            wait_until(drip)
+        wait_until(lambda: count(hasty, "nearfar_connections ") == 1)
 
 
-def test_a_client_that_reads_slowly_gets_all(hasty: Server) -> None:
-    with connect(hasty, receives=4096) as line:
+def test_clients_that_do_not_read_are_let_go() -> None:
+    with served(silent_seconds=0.5) as hasty:
+        lines = [connect(hasty, receives=4096) for _ in range(10)]
+        for line in lines:
+            line.sendall(b"GET /files/large HTTP/1.1\r\nHost: localhost\r\n\r\n")
+        assert get(hasty.url + "files/other").content == b"other"
+        wait_until(lambda: count(hasty, 'nearfar_connections_lost_total{reason="silence"}') == len(lines))
+        wait_until(lambda: count(hasty, "nearfar_connections ") == 1)
+        for line in lines:
+            line.close()
+
+
+def test_a_client_that_reads_slowly_gets_all() -> None:
+    with served(silent_seconds=2.0) as hasty, connect(hasty, receives=4096) as line:
         line.sendall(
             b"GET /files/large HTTP/1.1\r\nHost: localhost\r\nRange: bytes=0-199999\r\nConnection: close\r\n\r\n"
         )
@@ -187,15 +189,16 @@ def test_a_client_that_reads_slowly_gets_all(hasty: Server) -> None:
     assert len(body) == 200_000
 
 
-def test_clients_that_vanish_leave_nothing(hasty: Server) -> None:
-    for taken in (0, 1, 70_000):
-        lines = [connect(hasty, receives=4096) for _ in range(20)]
-        for line in lines:
-            line.sendall(b"GET /files/large HTTP/1.1\r\nHost: localhost\r\n\r\n")
-            if taken:
-                line.recv(taken)
-            # Reset, as if the machine were gone.
-            line.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
-            line.close()
-        assert httpx.get(hasty.url + "files/other").content == b"other"
-    wait_until(lambda: count(hasty, "nearfar_connections ") == 1)
+def test_clients_that_vanish_leave_nothing() -> None:
+    with served() as server:
+        for taken in (0, 1, 70_000):
+            lines = [connect(server, receives=4096) for _ in range(20)]
+            for line in lines:
+                line.sendall(b"GET /files/large HTTP/1.1\r\nHost: localhost\r\n\r\n")
+                if taken:
+                    line.recv(taken)
+                # Reset, as if the machine were gone.
+                line.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+                line.close()
+            assert get(server.url + "files/other").content == b"other"
+        wait_until(lambda: count(server, "nearfar_connections ") == 1)

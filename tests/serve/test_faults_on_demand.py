@@ -17,6 +17,7 @@ import pytest
 
 from nearfar.serve._limits import Limits
 from nearfar.serve._server import Server
+from tests.support.asking import HANGS, get
 from tests.support.made_regions import BYTES, FILES, Kitchen, files_of, serving
 from tests.support.waiting import wait_until
 
@@ -34,7 +35,7 @@ def asked(stack: ExitStack, server: Server, place: str, source: str) -> http.cli
 
 
 def waiting(server: Server) -> int:
-    lines = httpx.get(server.url + "metrics").text.splitlines()
+    lines = get(server.url + "metrics").text.splitlines()
     return sum(int(line.rsplit(" ", 1)[1]) for line in lines if line.startswith("nearfar_regions_waiting"))
 
 
@@ -50,7 +51,7 @@ def test_a_flood_is_bounded_and_others_come_next() -> None:
         assert [answer.status for answer in flood] == [200] * 4 + [429] * 56
         wait_until(lambda: len(kitchen.begun) == 1)
         other = asked(stack, server, "-50,0,0", "127.0.0.2")
-        assert httpx.get(server.url + "files/other").content == b"another file"
+        assert get(server.url + "files/other").content == b"another file"
         # The one that was begun ends, and then the other client's turn comes before the flood's.
         kitchen.let(2)
         assert last_event(other) == {"event": "end", "center": [-50.0, 0.0, 0.0]}
@@ -73,25 +74,21 @@ def test_a_flood_from_many_addresses_is_bounded_and_leaves_nothing() -> None:
         assert set(statuses) == {200, 429, 503}
         assert all(answer.headers["retry-after"] for answer in flood if answer.status != 200)
         assert waiting(server) == 16
-        assert httpx.get(server.url + "files/other").content == b"another file"
+        assert get(server.url + "files/other").content == b"another file"
         stack.close()
         wait_until(lambda: waiting(server) == 0)
         kitchen.let(1)
         assert last_event(asked(stack, server, "-50,0,0", "127.0.0.2"))["event"] == "end"
 
 
-def get(url: str, path: str) -> httpx.Response:
-    return httpx.get(url + path, timeout=300)
-
-
 def check(url: str, place: str = "0,0,0") -> None:
     """The region of a place comes whole, its files with the content that they should have."""
-    assert get(url, f"at/{place}/parts").status_code == 200
-    manifest: dict[str, Any] = get(url, f"at/{place}/manifest.json").json()
+    assert get(f"{url}at/{place}/parts").status_code == 200
+    manifest: dict[str, Any] = get(f"{url}at/{place}/manifest.json").json()
     assert len(manifest["files"]) == FILES
     expected = files_of(manifest["center"])
     for name, described in manifest["files"].items():
-        content = get(url, name).content
+        content = get(url + name).content
         assert content == expected[name]
         assert hashlib.sha256(content).hexdigest() == described["sha256"]
 
@@ -127,7 +124,7 @@ def test_a_kill_while_files_are_sent_is_seen_by_clients(tmp_path: Path) -> None:
     with serving(cache) as (running, url):
         check(url)
         name = next(iter(files_of([0.0, 0.0, 0.0])))
-        with httpx.stream("GET", url + name) as answer:
+        with httpx.stream("GET", url + name, timeout=HANGS) as answer:
             pieces = answer.iter_raw(1000)
             next(pieces)
             running.send_signal(signal.SIGKILL)
@@ -141,7 +138,7 @@ def test_a_kill_while_files_are_sent_is_seen_by_clients(tmp_path: Path) -> None:
     path = cache / name
     path.write_bytes(path.read_bytes()[:-1] + b"x")
     with serving(cache) as (_, url):
-        assert get(url, name).status_code == 404
+        assert get(url + name).status_code == 404
         check(url)
         assert path.read_bytes() == files_of([0.0, 0.0, 0.0])[name]
 

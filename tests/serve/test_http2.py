@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import socket
 import ssl
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from urllib.parse import urlsplit
 
 import h2.config
@@ -20,16 +20,32 @@ from nearfar.serve._certificate import Certificate
 from nearfar.serve._limits import Limits
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
+from tests.support.asking import get
 from tests.support.waiting import wait_until
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+def served(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Server]:
+    """Makes servers of a bundle within limits."""
     folder = tmp_path_factory.mktemp("serve")
     nf.stream.export(nf.datasets.room(), folder / "room", center=(0.3, 1.6, 0.2), radii=[1.5], face_size=64, samples=1)
     certificate = Certificate.self_signed(folder / "tls", ["localhost", "127.0.0.1"])
-    limits = Limits(header_seconds=1, silent_seconds=1)
-    with Server({"": Site.of_bundle(folder / "room")}, certificate=certificate, limits=limits) as running:
+    return lambda **limits: Server(
+        {"": Site.of_bundle(folder / "room")}, certificate=certificate, limits=Limits(**limits)
+    )
+
+
+@pytest.fixture(scope="module")
+def idle(served: Callable[..., Server]) -> Iterator[Server]:
+    """A server whose clients may not wait long before they ask for something: for the sum of both limits."""
+    with served(header_seconds=2, silent_seconds=1) as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def silent(served: Callable[..., Server]) -> Iterator[Server]:
+    """A server whose clients may not wait long before they take something."""
+    with served(silent_seconds=1) as running:
         yield running
 
 
@@ -70,42 +86,46 @@ def until_it_ends(encrypted: ssl.SSLSocket, state: h2.connection.H2Connection) -
 
 
 def lost(server: Server, reason: str) -> float:
-    for text in httpx.get(server.url + "metrics", verify=False).text.splitlines():
+    for text in get(server.url + "metrics", verify=False).text.splitlines():
         if text.startswith(f'nearfar_connections_lost_total{{reason="{reason}"}}'):
             return float(text.rsplit(" ", 1)[1])
     return 0.0
 
 
-@pytest.mark.parametrize("begin", [b"", b"\x16\x03\x01\x02\x00\x01", b"GET / HT"])
-def test_a_client_that_never_ends_its_handshake_is_let_go(server: Server, begin: bytes) -> None:
-    where = urlsplit(server.url)
-    with socket.create_connection((where.hostname, where.port), timeout=60) as plain:
-        plain.sendall(begin)
-        while plain.recv(1 << 16):
-            pass
+def test_clients_that_never_end_their_handshakes_are_let_go(idle: Server) -> None:
+    where = urlsplit(idle.url)
+    with ExitStack() as stack:
+        lines = [
+            stack.enter_context(socket.create_connection((where.hostname, where.port), timeout=60)) for _ in range(3)
+        ]
+        for plain, begin in zip(lines, (b"", b"\x16\x03\x01\x02\x00\x01", b"GET / HT"), strict=True):
+            plain.sendall(begin)
+        for plain in lines:
+            while plain.recv(1 << 16):
+                pass
 
 
-def test_a_client_that_asks_for_nothing_is_let_go(server: Server) -> None:
-    before = lost(server, "idle")
-    with line(server) as (encrypted, state):
+def test_a_client_that_asks_for_nothing_is_let_go(idle: Server) -> None:
+    before = lost(idle, "idle")
+    with line(idle) as (encrypted, state):
         until_it_ends(encrypted, state)
-    wait_until(lambda: lost(server, "idle") == before + 1)
+    wait_until(lambda: lost(idle, "idle") == before + 1)
 
 
 @pytest.mark.parametrize("window", [0, 30_000])
-def test_a_client_that_takes_nothing_is_let_go(server: Server, window: int) -> None:
-    before = lost(server, "silence")
-    with line(server, window) as (encrypted, state):
+def test_a_client_that_takes_nothing_is_let_go(silent: Server, window: int) -> None:
+    before = lost(silent, "silence")
+    with line(silent, window) as (encrypted, state):
         ask(encrypted, state, "/page.js")
         events = until_it_ends(encrypted, state)
     taken = sum(len(event.data) for event in events if isinstance(event, h2.events.DataReceived))
     assert any(isinstance(event, h2.events.ResponseReceived) for event in events)
     assert taken == window
-    wait_until(lambda: lost(server, "silence") == before + 1)
+    wait_until(lambda: lost(silent, "silence") == before + 1)
 
 
-def test_a_client_that_sends_half_of_its_headers_is_let_go(server: Server) -> None:
-    with line(server) as (encrypted, _):
+def test_a_client_that_sends_half_of_its_headers_is_let_go(idle: Server) -> None:
+    with line(idle) as (encrypted, _):
         # HEADERS of stream 1 without their end, and no frame after it.
         encrypted.sendall(bytes.fromhex("000001 01 01 00000001 82"))
         assert encrypted.recv(1 << 16)
@@ -113,8 +133,8 @@ def test_a_client_that_sends_half_of_its_headers_is_let_go(server: Server) -> No
             pass
 
 
-def test_many_answers_at_once_are_those_of_the_files(server: Server) -> None:
-    with httpx.Client(http2=True, verify=False, timeout=60) as asking:
+def test_many_answers_at_once_are_those_of_the_files(served: Callable[..., Server]) -> None:
+    with served() as server, httpx.Client(http2=True, verify=False, timeout=60) as asking:
         contents = {asking.get(server.url + "page.js").content for _ in range(20)}
         assert len(contents) == 1
         assert (

@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 from nearfar.cli._app import app, run as command
 from nearfar.stream.client import Ended, Joined, join
 from tests.support import need
-from tests.support.room_cases import run, until
+from tests.support.room_cases import run, until, wire
 from tests.support.serving import rest_of, serving
 
 need("aiohttp")
@@ -29,17 +29,19 @@ def test_users_keep_their_numbers_over_a_restart(place: Path, tmp_path: Path) ->
     async def script() -> None:
         with serving(place, "--rooms", "--most-users", "2", "--log", "off") as (first, url):
             assert first.stdout is not None
-            port = urlsplit(url).port
-            told = first.stdout.readline()
-            while "?room=NAME" not in told:
-                told = first.stdout.readline()
-            assert "see each other, 2 in each of 64 rooms at most." in told
-            async with join(url, room="hall", name="Ada") as ada, join(url, room="hall", name="Grace") as grace:
+            assert any("see each other, 2 in each of 64 rooms at most." in told for told in first.stdout)
+            async with (
+                wire(url) as way,
+                join(way.url, room="hall", name="Ada") as ada,
+                join(way.url, room="hall", name="Grace") as grace,
+            ):
                 numbers = (ada.user, grace.user)
+                way.lead_to(None)
                 first.send_signal(signal.SIGTERM)
                 assert (await until(ada, Ended)).reason == "ending"
                 await asyncio.to_thread(first.wait)
-                with serving(place, "--rooms", "--log", "off", port=port):
+                with serving(place, "--rooms", "--log", "off") as (_, again):
+                    way.lead_to(again)
                     await asyncio.gather(until(ada, Joined), until(grace, Joined, lambda event: event.name == "Ada"))
                     assert (ada.user, grace.user) == numbers
 

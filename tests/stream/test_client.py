@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import pickle
 import re
+import socket
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -212,8 +213,10 @@ def test_a_server_that_is_not_there_or_has_no_rooms_is_told() -> None:
 
     with Server({"": Site({"a.txt": b"a"}, has_page=False)}) as without:
         assert "it has no rooms" in run(script(without.url)).sentence
-        url = without.url
-    error = run(script(url))
+    # A port that nobody listens at, and nobody else takes.
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        error = run(script(f"http://127.0.0.1:{taken.getsockname()[1]}/"))
     assert (error.reason, "cannot be reached" in str(error)) == ("gone", True)
     assert isinstance(error, Error)
     again = pickle.loads(pickle.dumps(error))

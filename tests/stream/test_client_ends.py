@@ -38,10 +38,15 @@ def server() -> Iterator[Server]:
 def test_users_return_with_their_numbers_after_a_restart() -> None:
     async def script() -> None:
         first = served(Rooms(key=KEY))
-        port = first.port
-        async with join(first.url, room="hall", name="Ada") as ada, join(first.url, room="hall", name="Grace") as grace:
+        async with (
+            wire(first.url) as way,
+            join(way.url, room="hall", name="Ada") as ada,
+            join(way.url, room="hall", name="Grace") as grace,
+        ):
             numbers = (ada.user, grace.user)
             sequence = await ada.pose((0.0, 0.0, 0.0))
+            way.lead_to(None)
+            # In a thread, so that users can answer.
             await asyncio.to_thread(first.close)
             for room in (ada, grace):
                 end = await until(room, Ended)
@@ -49,7 +54,8 @@ def test_users_return_with_their_numbers_after_a_restart() -> None:
             said = asyncio.create_task(ada.say(b"as soon as it is possible", to="room"))
             # Nobody hears it, and nothing waits for it.
             assert await ada.pose((0.0, 0.0, 0.0)) == sequence + 1
-            second = served(Rooms(key=KEY), port=port)
+            second = served(Rooms(key=KEY))
+            way.lead_to(second.url)
             assert (await until(ada, Joined)).name == "Grace"
             assert (await until(grace, Joined)).name == "Ada"
             assert (ada.user, grace.user) == numbers
@@ -59,7 +65,6 @@ def test_users_return_with_their_numbers_after_a_restart() -> None:
             number = await ada.pose((0.0, 0.0, 0.0), acknowledged=True)
             assert (await until(grace, Posed)).pose.sequence == number
             assert (await until(ada, Settled)).sequence == number
-            # Elsewhere: users answer the end meanwhile.
             await asyncio.to_thread(second.close)
 
     run(script())

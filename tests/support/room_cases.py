@@ -27,9 +27,9 @@ REST = (0.0, 0.0, 0.0, 1.0)
 """The quaternion of no rotation."""
 
 
-def server(rooms: Rooms | None = None, *, port: int = 0, **settings: Any) -> Server:
+def server(rooms: Rooms | None = None, **settings: Any) -> Server:
     """A server with rooms beside a site of one document."""
-    return Server({"": Site({"a.txt": b"a"}, has_page=False)}, port=port, rooms=rooms or Rooms(), **settings)
+    return Server({"": Site({"a.txt": b"a"}, has_page=False)}, rooms=rooms or Rooms(), **settings)
 
 
 def run(script: Coroutine[Any, Any, Result]) -> Result:
@@ -69,7 +69,7 @@ class Wire:
     """A way to a server that can be cut, also within a message; what goes to the server is late by some seconds."""
 
     def __init__(self, url: str, delay: float = 0.0) -> None:
-        self._port, self._delay = urlsplit(url).port or 0, delay
+        self._delay = delay
         self._writers: list[asyncio.StreamWriter] = []
         self._tasks: list[asyncio.Task[None]] = []
         self.left: int | None = None
@@ -78,8 +78,16 @@ class Wire:
         """While it is not set, nothing more is read that goes to the server."""
         self.passes.set()
         self.url = ""
+        self.lead_to(url)
+
+    def lead_to(self, url: str | None) -> None:
+        """Lead connections that come to a server from now on, or to nobody."""
+        self._port = None if url is None else urlsplit(url).port
 
     async def _connected(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        if self._port is None:
+            writer.transport.abort()
+            return
         onward, back = await asyncio.open_connection("127.0.0.1", self._port)
         self._writers += [writer, back]
         self._tasks += [

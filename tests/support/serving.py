@@ -9,9 +9,9 @@ from contextlib import contextmanager
 
 
 @contextmanager
-def serving(*arguments: object, port: int | None = 0) -> Iterator[tuple[subprocess.Popen[str], str]]:
+def serving(*arguments: object) -> Iterator[tuple[subprocess.Popen[str], str]]:
     """The command in a process of its own, and the address that it tells first."""
-    command = [sys.executable, "-m", "nearfar.cli", "serve", "--port", str(port), *map(str, arguments)]
+    command = [sys.executable, "-m", "nearfar.cli", "serve", "--port", "0", *map(str, arguments)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
         try:
             assert running.stdout is not None

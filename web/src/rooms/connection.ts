@@ -6,14 +6,12 @@ import { type Audience, type FromServer, type FromUser, readMessage, writeFrame 
 import type { Body } from './pose';
 import { type End, endOf, endOfCode } from './reasons';
 import { createRoundTrips, type RoundTrips } from './round_trips';
-import { type Open, openSocket, type Socket } from './socket';
+import { CLOSING, type Open, openSocket, type Socket } from './socket';
 
 /** Seconds of the first pause before it comes back, and of the longest. */
 const [FIRST, LONGEST] = [1, 30] as const;
 /** Seconds in the room after which pauses begin anew, and those in which a server must let a user in. */
 const [STAYED, WELCOME] = [10, 15] as const;
-/** Seconds for which a server may let a user wait who has left. When it closes, the user's seat is free. */
-const CLOSING = 5;
 /** Bytes that wait to be sent, from which on poses are dropped. */
 const WAITING = 1 << 14;
 

@@ -1,11 +1,9 @@
 /** WebTransport as the way of frames: what must arrive by a stream, what a later one replaces by datagrams. */
 import type { Datagrams } from './about';
-import type { Listener, Socket } from './socket';
+import { CLOSING, type Listener, type Socket } from './socket';
 
 /** Seconds in which a connection must be there: networks that drop UDP tell nothing. */
 const READY = 3;
-/** Seconds for which a server may let a user wait who closes the stream. */
-const CLOSING = 5;
 /** Datagrams that wait for the network; more are dropped, and so are those that wait for so many milliseconds. */
 const [WAITING, OLDEST] = [4, 50] as const;
 /** Bytes of a frame before its body, of which the last two tell how many follow. */

@@ -1,5 +1,8 @@
 /** The way by which frames come and go: a WebSocket, or what does the same. */
 
+/** Seconds for which a server may let a user wait who has left. When it closes, the user's seat is free. */
+export const CLOSING = 5;
+
 export interface Socket {
   /** Bytes that wait to be sent. */
   readonly bufferedAmount: number;
