@@ -18,7 +18,7 @@ from nearfar._base import data
 
 RUST = (".rs", ".wgsl")
 """Suffixes of files that cargo compiles."""
-LONGEST = 900
+LONGEST = 600
 """Seconds after which tests that have not ended are stopped; some faults let them wait for ever."""
 MODULES = ("web", "tests/readers", "tests/exporters")
 """Folders with packages of npm."""

@@ -17,6 +17,7 @@ import argparse
 import json
 import re
 import resource
+import shutil
 import sys
 import tempfile
 import tomllib
@@ -100,6 +101,8 @@ def failure(copy: Copy, suite: Suite) -> tuple[str, str] | None:
         status, output = copy.run("cargo", "test", "--quiet", "-p", rest[0], "--lib", *filter(None, rest[1:]))
         pattern = r"^---- (?P<name>\S+) stdout ----\n+(?P<message>.*\n.*)"
     else:
+        # Examples by which another fault was caught.
+        shutil.rmtree(copy.folder / ".hypothesis", ignore_errors=True)
         marks = ["-m", "slow and not stress"] if kind == "slow" else []
         options = ["-x", "-rfE", "--tb=short", "-p", "no:cacheprovider", *marks]
         status, output = copy.run(sys.executable, "-m", "pytest", *options, *rest)
@@ -107,7 +110,7 @@ def failure(copy: Copy, suite: Suite) -> tuple[str, str] | None:
     if status == 0:
         return None
     if status < 0:
-        return f"{' '.join(suite)} does not end", f"stopped after {LONGEST} s or by a signal"
+        return f"{' '.join(suite)} never ends or crashes", f"ended by a signal, or after {LONGEST} s"
     found = re.search(pattern, output, re.MULTILINE)
     if not found or found["name"].endswith(".mjs"):
         raise Refused(f"{' '.join(suite)} does not run: {output.strip()[-600:]}")

@@ -18,7 +18,7 @@ class Ran(Copy):
     """A copy in which every program ends in one way."""
 
     def __init__(self, status: int, output: str) -> None:
-        self.ended = status, output
+        self.folder, self.ended = Path("none"), (status, output)
 
     def run(self, *command: str, folder: str = ".") -> tuple[int, str]:
         return self.ended

@@ -225,7 +225,8 @@ def test_textures_of_one_image_share_its_bytes() -> None:
 
 
 # random files --------------------------------------------------------------------------------------------------------
-@given(seed=st.integers(0, 2**32 - 1), scale=st.sampled_from([None, 0.01]))
+# With another scale than a power of two, equal coordinates may be rounded apart, and faces be sorted in another order.
+@given(seed=st.integers(0, 2**32 - 1), scale=st.sampled_from([None, 2.0**-7]))
 def test_random_files_are_read_alike(tmp_path_factory: pytest.TempPathFactory, seed: int, scale: float | None) -> None:
     path = tmp_path_factory.mktemp("random") / "random.glb"
     path.write_bytes(random_glb(np.random.default_rng(seed)))
