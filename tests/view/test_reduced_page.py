@@ -1,4 +1,4 @@
-"""Reduced scenes in the browser: the page's pictures beside those of `ReducedScene.render`, and both methods' halves."""
+"""Reduced scenes in the browser: the page's pictures beside those of `ReducedScene.render`, and the divider."""
 
 from __future__ import annotations
 
