@@ -19,9 +19,9 @@ STATE = """() => ({
   arrived: window.nearfar ? window.nearfar.viewer.facts.arrived : -1,
 })"""
 
-STILL = """([picture, pose, width, height]) => {
+STILL = """([picture, pose, width, height, rests]) => {
   const viewer = window.nearfar.viewer;
-  viewer.renderer.setAnimationLoop(null);
+  if (rests) viewer.renderer.setAnimationLoop(null);
   viewer.still(picture, pose);
   const gl = viewer.renderer.getContext();
   const pixels = new Uint8Array(4 * width * height);
@@ -113,12 +113,12 @@ def wait_for_ring(page: Any, ring: int) -> str:
     return problems[-1]
 
 
-def still(page: Any, picture: dict[str, Any], pose: dict[str, Any]) -> NDArray[np.uint8]:
-    """The page's picture (H, W, 3) of a ring, radius and strength, sRGB."""
+def still(page: Any, picture: dict[str, Any], pose: dict[str, Any], *, rests: bool = True) -> NDArray[np.uint8]:
+    """The page's picture (H, W, 3) of a ring, radius and strength, sRGB; it draws nothing more if it rests."""
     import base64
 
     size = page.viewport_size
-    data = base64.b64decode(page.evaluate(STILL, [picture, pose, size["width"], size["height"]]))
+    data = base64.b64decode(page.evaluate(STILL, [picture, pose, size["width"], size["height"], rests]))
     pixels = np.frombuffer(data, np.uint8).reshape(size["height"], size["width"], 4)
     return pixels[::-1, :, :3]
 

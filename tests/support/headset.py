@@ -61,13 +61,19 @@ class _Gate:
             route.continue_()
 
 
+def _hasten(route: Any) -> None:
+    manifest = route.fetch().json()
+    manifest["growth"]["speed"] *= 1000
+    route.fulfill(json=manifest)
+
+
 @contextmanager
 def worn(
     program: Any, url: str, kind: str, size: tuple[int, int], ring: int, *, layers: bool = False, held: str = ""
 ) -> Iterator[Any]:
     """The page in a headset, all rings up to one loaded; `size` is that of an eye's picture.
 
-    Files whose names are `held` are held back until `page.let_go()`.
+    Files whose names are `held` are held back until `page.let_go()`; then the morph grows in no time.
     """
     with opened(program, 2 * size[0], size[1]) as page:
         wanted = {"headset": kind, "eyes": tangents(), "ipd": HEADSETS[kind], "layers": layers}
@@ -76,17 +82,28 @@ def worn(
         page.let_go = gate.open
         if held:
             page.route(f"**/{held}", gate.take)
+            page.route("**/manifest.json", _hasten)
         page.goto(url)
         assert wait_for_ring(page, ring) == ""
-        page.get_by_role("button", name="Enter VR").click()
+        enter(page)
         page.wait_for_function("() => window.nearfar.viewer.renderer.xr.isPresenting")
         frames(page, 2)
         yield page
 
 
+def enter(page: Any) -> None:
+    """Enter the headset; on a small page other things lie over the button."""
+    page.get_by_role("button", name="Enter VR").dispatch_event("click")
+
+
 def frames(page: Any, count: int) -> None:
     """Wait until some frames are drawn."""
     page.evaluate("(count) => window.emulated.frames(count)", count)
+
+
+def rest(page: Any) -> None:
+    """Wait until the user has come to rest, and no jump is on its way."""
+    page.evaluate("() => window.emulated.rest()")
 
 
 def look(page: Any, position: Vector, turn: Quaternion) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 from typing import Any
 
@@ -22,21 +23,16 @@ from tests.support.web_cases import run
 pytestmark = pytest.mark.slow
 
 TYPES = {"Float32Array": "<f4", "Uint16Array": "<u2", "Uint32Array": "<u4"}
-READERS = ("decode", "ranges")
-"""Unit tests that read a bundle."""
 WIDTHS = {"positions": 3, "normals": 3, "uvs": 2, "colors": 4, "indices": 1, "placements": 12}
 
 
 @pytest.fixture(scope="module")
 def decoded(bundles: dict[str, Path], tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """Pieces of geometry by bundle and file. All unit tests run, too: once, but for those that read bundles."""
+    """Pieces of geometry by bundle and file, which a unit test writes. All others run, too."""
     need("web")
     tests = tmp_path_factory.mktemp("web") / "tests"
     run("node", "build.mjs", "--tests", str(tests))
-    first, *others = bundles.values()
-    run("node", "--test", str(tests), NEARFAR_BUNDLE=str(first))
-    for bundle in others:
-        run("node", "--test", *(str(tests / f"{name}.test.mjs") for name in READERS), NEARFAR_BUNDLE=str(bundle))
+    run("node", str(tests / "all.mjs"), NEARFAR_BUNDLES=os.pathsep.join(map(str, bundles.values())))
     return {name: pieces_of(bundle) for name, bundle in bundles.items()}
 
 

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import json
-import threading
-import time
 from collections.abc import Iterator
 from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -16,12 +13,11 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support.browser import canvas, opened, still, wait_for_ring, wait_until
+from tests.support.browser import SMALL, canvas, opened, still, wait_for_ring, wait_until
 from tests.support.bundled_scenes import bundled_scenes
 
 pytestmark = pytest.mark.slow
 
-SIZE = (240, 160)
 CENTER = (3.0, 1.7, -2.0)
 RADII = (10.0, 22.0)
 HOSTILE = "<img src=x onerror='window.ran=1'>\"'><script>window.ran=1</script>"
@@ -42,119 +38,28 @@ def url(place: Path) -> Iterator[str]:
 
 @pytest.fixture
 def page(chromium: Any) -> Iterator[Any]:
-    with opened(chromium, *SIZE) as shown:
+    with opened(chromium, *SMALL) as shown:
         yield shown
-
-
-def ring_file(place: Path, ring: int, *, map_: bool = False) -> str:
-    """The name of a file that one ring alone needs: its geometry, or the picture of its map."""
-    manifest = json.loads((place / "manifest.json").read_text())
-    entry = manifest["regions"][0]["rings"][ring]
-    return str(entry["map"]["color"] if map_ else entry["geometry"])
-
-
-def arrived(page: Any) -> int:
-    return int(page.evaluate("() => window.nearfar?.viewer.facts.arrived ?? -1"))
-
-
-def shown_ring(page: Any) -> int:
-    return int(page.evaluate("() => window.nearfar.viewer.facts.shown?.ring ?? -1"))
-
-
-@pytest.mark.parametrize("map_", [False, True])
-def test_a_late_ring_is_waited_for(page: Any, url: str, place: Path, map_: bool) -> None:
-    held: list[Any] = []
-    page.route(f"**/{ring_file(place, 1, map_=map_)}", lambda route: held.append(route))
-    page.goto(url)
-    assert wait_for_ring(page, 0) == ""
-    wait_until(page, lambda: len(held) > 0)
-    # Files of the ring after it may be there; it is not shown before.
-    page.wait_for_timeout(500)
-    assert (arrived(page), shown_ring(page)) == (0, 0)
-    assert canvas(page).std() > 10
-    held[0].continue_()
-    assert wait_for_ring(page, len(RADII)) == ""
-    assert page.printed == []
-
-
-def test_files_that_come_in_the_wrong_order_are_shown_in_the_right_one(page: Any, url: str, place: Path) -> None:
-    """Every file of ring 1 comes only when no other file is asked for any more."""
-    manifest = json.loads((place / "manifest.json").read_text())
-    first, second = manifest["regions"][0]["rings"][1:]
-    own = {*first["parts"], first["geometry"], first["map"]["color"], *first["map"]["range"]}
-    own -= {*second["parts"]}
-    held: list[Any] = []
-    for name in own:
-        page.route(f"**/{name}", lambda route: held.append(route))
-    page.goto(url)
-    assert wait_for_ring(page, 0) == ""
-    wait_until(page, lambda: len(held) > 0)
-    page.wait_for_timeout(300)
-    rings: list[int] = []
-    while arrived(page) < len(RADII):
-        while held:
-            held.pop().continue_()
-        rings.append(arrived(page))
-        page.wait_for_timeout(50)
-    assert rings == sorted(rings)
-    assert wait_for_ring(page, len(RADII)) == ""
-
-
-class _Stalling(SimpleHTTPRequestHandler):
-    """Sends half of one file and then nothing, the first time that it is asked for."""
-
-    stalls: str
-    asked: list[str]
-    over: threading.Event
-
-    def do_GET(self) -> None:
-        name = self.path.partition("?")[0].lstrip("/")
-        self.asked.append(name)
-        if name != self.stalls or self.asked.count(name) > 1:
-            super().do_GET()
-            return
-        content = Path(self.translate_path(self.path)).read_bytes()
-        self.send_response(200)
-        self.send_header("Content-Length", str(len(content)))
-        self.end_headers()
-        self.wfile.write(content[: len(content) // 2])
-        self.wfile.flush()
-        self.over.wait()
-
-    def log_message(self, *_: Any) -> None:
-        """Print nothing."""
-
-
-def test_a_server_that_stalls_is_asked_again(page: Any, place: Path, tmp_path: Path) -> None:
-    copy = tmp_path / "copy"
-    copy.mkdir()
-    for name in ("files", "manifest.json", "tileset.json"):
-        (copy / name).symlink_to(place / name)
-    nf.view.write_page(copy)
-    asked, stalls, over = list[str](), ring_file(place, 1), threading.Event()
-    kind = type("Handler", (_Stalling,), {"stalls": stalls, "asked": asked, "over": over})
-    handler = partial(kind, directory=str(copy))
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        try:
-            page.goto(f"http://127.0.0.1:{server.server_port}/?aa=0")
-            assert wait_for_ring(page, len(RADII)) == ""
-        finally:
-            over.set()
-            server.shutdown()
-    assert asked.count(stalls) == 2
 
 
 HIDING = """
   const [ask, waiting] = [window.requestAnimationFrame.bind(window), []];
-  let state = 'visible';
+  let [state, away] = ['visible', 0];
   Object.defineProperty(document, 'visibilityState', { get: () => state });
   Object.defineProperty(document, 'hidden', { get: () => state === 'hidden' });
-  window.requestAnimationFrame = (draw) => (state === 'hidden' ? waiting.push(draw) : ask(draw));
-  window.setVisibility = (to) => {
-    state = to;
+  window.requestAnimationFrame = (draw) => {
+    const later = (now) => draw(now + away);
+    return state === 'hidden' ? waiting.push(later) : ask(later);
+  };
+  window.hide = (seconds) => {
+    state = 'hidden';
     document.dispatchEvent(new Event('visibilitychange'));
-    if (to === 'visible') waiting.splice(0).forEach(ask);
+    return new Promise((done) => setTimeout(() => {
+      [state, away] = ['visible', away + 1000 * seconds];
+      document.dispatchEvent(new Event('visibilitychange'));
+      waiting.splice(0).forEach(ask);
+      done();
+    }, 100));
   };
 """
 """Browsers give hidden tabs no frames. One without a screen hides nothing, so the page is told so here."""
@@ -177,12 +82,9 @@ def test_a_tab_that_was_hidden_goes_on_where_it_was(page: Any, url: str) -> None
     page.evaluate(GROWTH)
     states = partial(page.evaluate, "() => window.states")
     wait_until(page, lambda: len(states()) > 3 and states()[-1] > 0)
-    page.evaluate("() => setVisibility('hidden')")
-    hidden = len(states())
-    time.sleep(3)
-    assert len(states()) <= hidden + 1
-    page.evaluate("() => setVisibility('visible')")
-    wait_until(page, lambda: len(states()) > hidden + 3)
+    page.evaluate("() => hide(60)")
+    before = len(states())
+    wait_until(page, lambda: len(states()) > before + 3)
     steps = np.diff(states())
     # The whole growth of ring 1 takes more than ten seconds, and no frame goes on by more than a tenth of one.
     assert (steps >= 0).all()
@@ -190,7 +92,7 @@ def test_a_tab_that_was_hidden_goes_on_where_it_was(page: Any, url: str) -> None
     assert page.printed == []
 
 
-def test_names_are_only_ever_text(chromium: Any, tmp_path: Path) -> None:
+def test_names_are_only_ever_text(page: Any, tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     corners, faces = np.array([[-5.0, 0, -5], [5, 0, -5], [0, 0, 5]]), [[0, 2, 1]]
     builder.instance(builder.mesh(corners, faces), name=f"floor {HOSTILE}")
@@ -201,7 +103,7 @@ def test_names_are_only_ever_text(chromium: Any, tmp_path: Path) -> None:
     manifest = json.loads((place / "manifest.json").read_text())
     manifest["notes"] = [HOSTILE]
     manifest["regions"][0]["findings"] = [HOSTILE]
-    with Server.of_bundle(place) as server, opened(chromium, *SIZE) as page:
+    with Server.of_bundle(place) as server:
         page.route("**/manifest.json", lambda route: route.fulfill(body=json.dumps(manifest)))
         page.goto(f"{server.url}#{HOSTILE}")
         assert wait_for_ring(page, 1) == ""
@@ -224,26 +126,19 @@ LOSE = """() => {
 
 
 def test_lost_graphics_come_back_with_the_picture(page: Any, url: str) -> None:
-    page.goto(url)
-    assert wait_for_ring(page, len(RADII)) == ""
     state, pose = {"ring": 2, "radius": 15.0, "strength": 1.0}, {"position": CENTER, "yaw": 0.7, "pitch": 0.0}
+    page.goto(f"{url}&strategy=clovrd")
+    assert wait_for_ring(page, len(RADII)) == ""
+    before = still(page, state, pose, rests=False)
     page.evaluate(LOSE)
     wait_until(page, lambda: "graphics" in page.locator("#message").inner_text())
-    page.wait_for_timeout(300)
     page.evaluate("() => window.loss.restoreContext()")
     wait_until(page, lambda: page.locator("#message").inner_text() == "")
     assert wait_for_ring(page, len(RADII)) == ""
-    after = still(page, state, pose)
+    assert np.array_equal(still(page, state, pose, rests=False), before)
+    assert before.std() > 10
     assert [text for text in page.printed if "Context" not in text] == []
-    page.reload()
-    assert wait_for_ring(page, len(RADII)) == ""
-    assert np.array_equal(after, still(page, state, pose))
-    assert after.std() > 10
-
-
-def test_a_page_that_gets_no_graphics_back_begins_anew_where_the_user_was(page: Any, url: str) -> None:
-    page.goto(url)
-    assert wait_for_ring(page, 1) == ""
+    # Graphics that do not come back: the page begins anew where the user was.
     place = [CENTER[0] + 0.5, CENTER[1], CENTER[2] - 0.25]
     page.evaluate("(position) => window.nearfar.setPose({ position, yaw: 0.5, pitch: 0 })", place)
     wait_until(page, lambda: page.evaluate("() => window.nearfar.pose.yaw") == 0.5)
@@ -254,9 +149,12 @@ def test_a_page_that_gets_no_graphics_back_begins_anew_where_the_user_was(page: 
     assert page.evaluate("() => window.nearfar.pose") == {"position": place, "yaw": 0.5, "pitch": 0}
 
 
-def test_a_damaged_file_comes_anew_when_the_user_tries_again(page: Any, url: str, place: Path) -> None:
+def test_a_damaged_file_leaves_the_last_picture_and_comes_anew_when_the_user_tries_again(
+    page: Any, url: str, place: Path
+) -> None:
     """The browser may keep the damaged copy, which the server calls good for ever."""
-    name = ring_file(place, 1)
+    manifest = json.loads((place / "manifest.json").read_text())
+    name = manifest["regions"][0]["rings"][2]["geometry"]
     content = (place / name).read_bytes()
     answers = [content, content[:-5] + b"12345"]
     page.route(f"**/{name}", lambda route: route.fulfill(body=answers.pop()))
@@ -265,36 +163,26 @@ def test_a_damaged_file_comes_anew_when_the_user_tries_again(page: Any, url: str
         const ask = window.fetch;
         window.fetch = (url, how) => { window.asked.push([String(url), how?.cache]); return ask(url, how); };"""
     )
-    page.goto(url)
+    page.goto(f"{url}&strategy=clovrd")
     assert name in wait_for_ring(page, len(RADII))
+    facts = "() => [window.nearfar.viewer.facts.arrived, window.nearfar.viewer.facts.shown?.ring]"
+    wait_until(page, lambda: page.evaluate(facts) == [1, 1])
+    show = "(isShown) => { document.querySelector('#ui').hidden = !isShown; }"
+    page.evaluate(show, False)
+    assert canvas(page).std() > 10
+    page.evaluate(show, True)
     page.get_by_role("button", name="Try again").click()
-    wait_until(page, lambda: page.evaluate("() => window.nearfar.viewer.facts.arrived") == len(RADII))
+    wait_until(page, lambda: page.evaluate(facts) == [2, 2])
     asked = [how for address, how in page.evaluate("() => window.asked") if name in address]
     assert asked == ["default", "reload"]
     assert page.locator("#message").inner_text() == ""
 
 
-def test_a_lost_network_leaves_the_last_picture(page: Any, url: str, place: Path) -> None:
-    """All trials of a file fail; when the network is back the user goes on where the page was."""
-    name = f"**/{ring_file(place, 2)}"
-    page.route(name, lambda route: route.abort("internetdisconnected"))
-    page.goto(f"{url}&strategy=clovrd")
-    assert "does not come" in wait_for_ring(page, len(RADII))
-    assert (arrived(page), shown_ring(page)) == (1, 1)
-    assert canvas(page).std() > 10
-    page.unroute(name)
-    page.get_by_role("button", name="Try again").click()
-    wait_until(page, lambda: shown_ring(page) == len(RADII))
-    assert page.locator("#message").inner_text() == ""
-
-
-def test_a_server_that_does_not_answer_is_told(page: Any, url: str) -> None:
-    page.route("**/manifest.json", lambda route: route.abort("connectionrefused"))
+def test_a_browser_without_webgl_and_a_server_without_the_scene_are_told(page: Any, url: str) -> None:
+    page.route("**/manifest.json", lambda route: route.fulfill(status=404))
     page.goto(url)
     assert "cannot be reached" in wait_for_ring(page, 0)
-
-
-def test_a_browser_without_webgl_is_told(page: Any, url: str) -> None:
+    page.unroute("**/manifest.json")
     page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null;")
     page.goto(url)
     assert "WebGL 2" in wait_for_ring(page, 0)

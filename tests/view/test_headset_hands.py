@@ -3,28 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-import nearfar as nf
 from nearfar.serve._server import Server
 from tests.support import need
-from tests.support.browser import started
+from tests.support.browser import wait_until
 from tests.support.headset import (
     HEADSETS,
     Floor,
     Vector,
     about,
+    enter,
     floor_of,
     floor_under,
-    folder_of,
     frames,
     look,
     point,
     push,
+    rest,
     squeeze,
     thrown,
     times,
@@ -44,29 +45,23 @@ STRAIGHT = (0.0, 0.0, 0.0, 1.0)
 
 
 @pytest.fixture(scope="module")
-def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
-    folder = tmp_path_factory.mktemp("hands") / "bundle"
-    scene = nf.datasets.city(blocks=2, detail=1)
-    settings: dict[str, Any] = {"face_size": 64, "quality": None, "pixels_per_degree": None}
-    return nf.stream.export(scene, folder, center=CENTER, radii=(10.0,), **settings)
-
-
-@pytest.fixture(scope="module")
-def page(bundle: nf.stream.Bundle) -> Iterator[Any]:
+def page(chromium: Any, street: Path) -> Iterator[Any]:
     """A page that all tests enter anew, at the same place."""
-    need("browser")
     need("web")
     place = ",".join(map(str, START))
-    with started() as program, Server.of_bundle(folder_of(bundle)) as server:
+    with Server.of_bundle(street) as server:
         url = f"{server.url}?strategy=clovrd#p={place}&yaw={YAW}&pitch=-0.2"
-        with worn(program, url, "quest3", (120, 120), 1) as shown:
+        with worn(chromium, url, "quest3", (80, 100), 1) as shown:
             yield shown
             assert shown.printed == []
 
 
 @pytest.fixture
-def entered(page: Any) -> Iterator[tuple[Any, Floor]]:
+def entered(page: Any) -> tuple[Any, Floor]:
     """The page in the headset, and the floor of its user, whose head is at HEAD."""
+    for hand in ("left", "right"):
+        push(page, hand, 0, 0)
+        squeeze(page, hand, 0)
     page.evaluate(
         "([place, yaw]) => { window.emulated.device.primaryInputMode = 'controller';"
         " const { viewer } = window.nearfar; viewer.go({ position: place, yaw, pitch: 0 }); }",
@@ -75,23 +70,13 @@ def entered(page: Any) -> Iterator[tuple[Any, Floor]]:
     look(page, FIRST, STRAIGHT)
     frames(page, 4)
     look(page, HEAD, STRAIGHT)
-    yield page, at_rest(page)
-    for hand in ("left", "right"):
-        push(page, hand, 0, 0)
-        squeeze(page, hand, 0)
-    at_rest(page)
+    return page, at_rest(page)
 
 
 def at_rest(page: Any) -> Floor:
     """The floor when it has stopped and no jump is on its way."""
-    frames(page, 3)
-    for _ in range(100):
-        before = floor_of(page, CENTER)
-        page.wait_for_timeout(300)
-        frames(page, 3)
-        if np.allclose(before.position, floor_of(page, CENTER).position, rtol=0, atol=1e-7):
-            return before
-    raise AssertionError("the user does not come to rest")
+    rest(page)
+    return floor_of(page, CENTER)
 
 
 def head_of(floor: Floor, head: Vector = HEAD) -> NDArray[np.float64]:
@@ -102,53 +87,62 @@ def away(place: NDArray[np.float64]) -> float:
     return float(np.hypot(place[0] - CENTER[0], place[2] - CENTER[2]))
 
 
-def test_the_head_stands_where_the_page_was(entered: tuple[Any, Floor]) -> None:
-    _, floor = entered
+def test_sticks_walk_the_way_the_head_looks_and_turn_in_steps_around_it(entered: tuple[Any, Floor]) -> None:
+    page, before = entered
+    # The head stands where the page was.
     expected = floor_under(START, YAW, FIRST)
-    assert np.allclose(floor.position, expected.position, atol=1e-5)
-    assert floor.yaw == pytest.approx(expected.yaw)
-
-
-def test_the_left_stick_walks_the_way_the_head_looks(entered: tuple[Any, Floor]) -> None:
-    page, before = entered
-    look(page, HEAD, times(about((0, 1, 0), 0.4), about((1, 0, 0), -0.5)))
-    push(page, "left", 0.0, -1.0)
-    frames(page, 6)
-    push(page, "left", 0.0, 0.0)
-    after = at_rest(page)
-    step = after.position - before.position
-    yaw = YAW + 0.4
-    assert after.yaw == pytest.approx(before.yaw)
-    assert step[1] == pytest.approx(0, abs=1e-9)
-    assert np.hypot(step[0], step[2]) > 0.1
-    assert np.arctan2(-step[0], -step[2]) == pytest.approx(yaw, abs=1e-4)
-
-
-def test_the_right_stick_turns_in_steps_around_the_head(entered: tuple[Any, Floor]) -> None:
-    page, before = entered
+    assert np.allclose(before.position, expected.position, atol=1e-5)
+    assert before.yaw == pytest.approx(expected.yaw)
     for push_to, turned in ((1.0, -30), (1.0, -30), (0.0, -30), (-1.0, 0), (0.0, 0), (-0.9, 30)):
         push(page, "right", push_to, 0.0)
         frames(page, 3)
         after = floor_of(page, CENTER)
         assert np.degrees(after.yaw - before.yaw) == pytest.approx(turned, abs=1e-6)
         assert np.allclose(head_of(after), head_of(before), atol=1e-6)
+    look(page, HEAD, times(about((0, 1, 0), 0.4), about((1, 0, 0), -0.5)))
+    push(page, "left", 0.0, -1.0)
+    frames(page, 6)
+    push(page, "left", 0.0, 0.0)
+    step = at_rest(page).position - after.position
+    assert step[1] == pytest.approx(0, abs=1e-9)
+    assert np.hypot(step[0], step[2]) > 0.1
+    assert np.arctan2(-step[0], -step[2]) == pytest.approx(YAW + np.radians(30) + 0.4, abs=1e-4)
 
 
-def test_walking_never_leads_beyond_the_margin(entered: tuple[Any, Floor]) -> None:
-    page, _ = entered
+def test_neither_steps_nor_jumps_nor_the_body_lead_beyond_the_margin(entered: tuple[Any, Floor]) -> None:
+    page, before = entered
     push(page, "left", 0.0, -1.0, pressed=True)
-    farthest = 0.0
-    for _ in range(12):
-        page.wait_for_timeout(300)
-        frames(page, 2)
-        farthest = max(farthest, away(head_of(floor_of(page, CENTER))))
+    farthest = away(head_of(at_rest(page)))
     push(page, "left", 0.0, 0.0)
     half = HEADSETS["quest3"] / 2
     assert 0.9 * LIMIT < farthest < LIMIT - half
+    # Upwards at 40° it would lead some seven metres on.
+    point(page, "right", (0.2, 1.2, -0.2), about((1, 0, 0), 0.7))
+    frames(page, 3)
+    squeeze(page, "right", 1)
+    frames(page, 3)
+    squeeze(page, "right", 0)
+    floor = at_rest(page)
+    place, aside = head_of(floor), floor.eye(HEAD, STRAIGHT, half)[0]
+    assert 0.95 * LIMIT < away(place) < LIMIT
+    assert away(aside) <= LIMIT
+    # A body that walks out takes the floor along.
+    for metres in (2.0, 6.0, 9.0):
+        head: Vector = (HEAD[0], HEAD[1], HEAD[2] - metres)
+        look(page, head, STRAIGHT)
+        frames(page, 3)
+        floor = floor_of(page, CENTER)
+        for aside_by in (-half, half):
+            assert away(floor.eye(head, STRAIGHT, aside_by)[0]) <= LIMIT
+    assert not np.allclose(floor.position, before.position, atol=1)
+    # A step back is a step back at once.
+    back: Vector = (head[0], head[1], head[2] + 0.5)
+    look(page, back, STRAIGHT)
+    frames(page, 3)
+    assert np.allclose(floor_of(page, CENTER).position, floor.position, atol=1e-9)
 
 
-@pytest.mark.parametrize("kind", ["controllers", "hands"])
-@pytest.mark.parametrize("hand", ["left", "right"])
+@pytest.mark.parametrize(("kind", "hand"), [("controllers", "left"), ("hands", "right")])
 def test_a_jump_lands_where_it_was_aimed(entered: tuple[Any, Floor], kind: str, hand: str) -> None:
     page, before = entered
     if kind == "hands":
@@ -204,54 +198,23 @@ def target_of(page: Any, hand: str) -> tuple[tuple[Vector, Any], Vector | None]:
     return (tuple(ray[0]), tuple(ray[1])), ring and tuple(ring)
 
 
-def test_no_jump_leads_beyond_the_margin(entered: tuple[Any, Floor]) -> None:
-    page, _ = entered
-    # Upwards at 40° it would lead some seven metres on.
-    point(page, "right", (0.2, 1.2, -0.2), about((1, 0, 0), 0.7))
-    for _ in range(2):
-        squeeze(page, "right", 1)
-        frames(page, 3)
-        squeeze(page, "right", 0)
-        floor = at_rest(page)
-        place, aside = head_of(floor), floor.eye(HEAD, STRAIGHT, HEADSETS["quest3"] / 2)[0]
-        assert 0.95 * LIMIT < away(place) < LIMIT
-        assert away(aside) <= LIMIT
+DRAWN = """() => { const found = { joints: 0, bodies: 0 };
+  window.nearfar.viewer.rig.traverse((one) => {
+    if (!one.visible) return;
+    if (one.isInstancedMesh) found.joints += one.count;
+    else if (one.geometry?.type === 'CapsuleGeometry') found.bodies += 1;
+  });
+  return found; }"""
 
 
-def test_a_body_that_walks_out_takes_the_floor_along(entered: tuple[Any, Floor]) -> None:
+def test_the_system_tells_of_hands_menus_and_new_origins(entered: tuple[Any, Floor]) -> None:
     page, before = entered
-    for metres in (2.0, 6.0, 9.0, 12.0):
-        head: Vector = (HEAD[0], HEAD[1], HEAD[2] - metres)
-        look(page, head, STRAIGHT)
-        frames(page, 3)
-        floor = floor_of(page, CENTER)
-        for aside in (-HEADSETS["quest3"] / 2, HEADSETS["quest3"] / 2):
-            assert away(floor.eye(head, STRAIGHT, aside)[0]) <= LIMIT
-    assert not np.allclose(floor.position, before.position, atol=1)
-    # A step back is a step back at once.
-    back: Vector = (head[0], head[1], head[2] + 0.5)
-    look(page, back, STRAIGHT)
-    frames(page, 3)
-    assert np.allclose(floor_of(page, CENTER).position, floor.position, atol=1e-9)
-
-
-def test_hands_are_drawn_by_their_joints(entered: tuple[Any, Floor]) -> None:
-    page, _ = entered
-    counts = """() => { const found = { joints: 0, bodies: 0 };
-      window.nearfar.viewer.rig.traverse((one) => {
-        if (!one.visible) return;
-        if (one.isInstancedMesh) found.joints += one.count;
-        else if (one.geometry?.type === 'CapsuleGeometry') found.bodies += 1;
-      });
-      return found; }"""
-    assert page.evaluate(counts) == {"joints": 0, "bodies": 2}
+    assert page.evaluate(DRAWN) == {"joints": 0, "bodies": 2}
     page.evaluate("() => { window.emulated.device.primaryInputMode = 'hand'; }")
     frames(page, 3)
-    assert page.evaluate(counts) == {"joints": 50, "bodies": 0}
-
-
-def test_a_menu_of_the_system_takes_the_hands_away(entered: tuple[Any, Floor]) -> None:
-    page, before = entered
+    assert page.evaluate(DRAWN) == {"joints": 50, "bodies": 0}
+    # A menu of the system takes the hands away.
+    page.evaluate("() => { window.emulated.device.primaryInputMode = 'controller'; }")
     page.evaluate("() => window.emulated.device.updateVisibilityState('visible-blurred')")
     push(page, "left", 0.0, -1.0)
     frames(page, 5)
@@ -259,10 +222,7 @@ def test_a_menu_of_the_system_takes_the_hands_away(entered: tuple[Any, Floor]) -
     push(page, "left", 0.0, 0.0)
     page.evaluate("() => window.emulated.device.updateVisibilityState('visible')")
     frames(page, 4)
-
-
-def test_recentring_leaves_the_head_where_it_is(entered: tuple[Any, Floor]) -> None:
-    page, before = entered
+    # Recentring leaves the head where it is.
     place = head_of(before)
     page.evaluate("() => window.emulated.device.recenter()")
     frames(page, 4)
@@ -274,19 +234,18 @@ def test_recentring_leaves_the_head_where_it_is(entered: tuple[Any, Floor]) -> N
 
 def test_leaving_goes_on_where_the_head_was(page: Any) -> None:
     look(page, (0.5, 1.2, -0.5), STRAIGHT)
-    frames(page, 3)
-    floor = floor_of(page, CENTER)
+    floor = at_rest(page)
     place = head_of(floor, (0.5, 1.2, -0.5))
     page.evaluate("() => document.querySelector('.tool-main').click()")
-    page.wait_for_function("() => !window.nearfar.viewer.renderer.xr.isPresenting")
-    page.wait_for_timeout(500)
-    found = floor_of(page, CENTER)
-    assert np.allclose(found.position, (place[0], floor.position[1] + 1.7, place[2]), atol=1e-4)
-    assert found.yaw == 0
+    presents = "() => window.nearfar.viewer.renderer.xr.isPresenting"
+    wait_until(page, lambda: not page.evaluate(presents))
+    expected = (place[0], floor.position[1] + 1.7, place[2])
+    wait_until(page, lambda: np.allclose(floor_of(page, CENTER).position, expected, atol=1e-4))
+    assert floor_of(page, CENTER).yaw == 0
     # And the headset begins where the screen has stopped.
     look(page, FIRST, STRAIGHT)
-    page.get_by_role("button", name="Enter VR").click()
-    page.wait_for_function("() => window.nearfar.viewer.renderer.xr.isPresenting")
+    enter(page)
+    wait_until(page, lambda: page.evaluate(presents))
     frames(page, 3)
     again = floor_of(page, CENTER)
     assert np.allclose(again.position, (place[0], floor.position[1], place[2]), atol=1e-4)

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-import nearfar as nf
 from nearfar.serve._server import Server
 from tests.support import need
-from tests.support.browser import canvas, started, wait_for_ring, wait_until
-from tests.support.headset import folder_of, frames, worn
+from tests.support.browser import canvas, wait_for_ring, wait_until
+from tests.support.headset import enter, frames, worn
 
 pytestmark = pytest.mark.slow
 
-SIZE = (160, 160)
-CENTER = (3.0, 1.7, -2.0)
+SIZE = (80, 100)
 
 LOSE = """() => {
   const { renderer } = window.nearfar.viewer;
@@ -28,21 +27,12 @@ EMULATOR = "Cannot read properties of null (reading '0')"
 PRESENTS = "() => window.nearfar.viewer.renderer.xr.isPresenting"
 
 
-@pytest.fixture(scope="module")
-def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
-    folder = tmp_path_factory.mktemp("loss") / "bundle"
-    scene = nf.datasets.city(blocks=2, detail=1)
-    return nf.stream.export(scene, folder, center=CENTER, radii=(10.0,), face_size=64, samples=1)
-
-
 @pytest.fixture
-def page(bundle: nf.stream.Bundle) -> Iterator[Any]:
-    need("browser")
+def page(chromium: Any, street: Path) -> Iterator[Any]:
     need("web")
     with (
-        started() as program,
-        Server.of_bundle(folder_of(bundle)) as server,
-        worn(program, f"{server.url}?aa=0&strategy=clovrd", "quest3", SIZE, 1) as shown,
+        Server.of_bundle(street) as server,
+        worn(chromium, f"{server.url}?aa=0&strategy=clovrd", "quest3", SIZE, 1) as shown,
     ):
         yield shown
 
@@ -57,7 +47,7 @@ def test_a_loss_leads_out_of_the_headset_and_back(page: Any) -> None:
     assert wait_for_ring(page, 1) == ""
     wait_until(page, lambda: canvas(page).std() > 10)
     # The headset can be entered again, and shows pictures.
-    page.get_by_role("button", name="Enter VR").click()
+    enter(page)
     page.wait_for_function(PRESENTS)
     frames(page, 3)
     shown = page.evaluate("() => window.emulated.capture((shown) => shown.ring === 1)")

@@ -14,7 +14,7 @@ from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support import need
-from tests.support.browser import started, wait_until
+from tests.support.browser import wait_until
 from tests.support.headset import (
     HEADSETS,
     Quaternion,
@@ -24,7 +24,6 @@ from tests.support.headset import (
     empty_hands,
     eyes,
     floor_of,
-    folder_of,
     frames,
     look,
     point,
@@ -47,21 +46,15 @@ GUEST = 7
 
 
 @pytest.fixture(scope="module")
-def scene() -> nf.Scene:
-    return nf.datasets.city(blocks=3, detail=1)
-
-
-@pytest.fixture(scope="module")
-def page(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+def page(chromium: Any, city: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
     """A page in the headset and in a room."""
-    need("browser")
     need("web")
     folder = tmp_path_factory.mktemp("rooms") / "bundle"
-    bundle = nf.stream.export(scene, folder, center=CENTER, radii=(RADIUS,), face_size=64)
+    nf.stream.export(city, folder, center=CENTER, radii=(RADIUS,), face_size=64)
     place = ",".join(map(str, START))
-    with started() as program, Server({"": Site.of_bundle(folder_of(bundle))}, rooms=Rooms()) as server:
+    with Server({"": Site.of_bundle(folder)}, rooms=Rooms()) as server:
         url = f"{server.url}?strategy=clovrd&aa=0&room=eyes#p={place}&yaw={YAW}&pitch=0"
-        with worn(program, url, "quest3", SIZE, 1) as shown:
+        with worn(chromium, url, "quest3", SIZE, 1) as shown:
             wait_until(shown, lambda: shown.evaluate("() => window.nearfar.room?.connection.state.kind") == "here")
             look(shown, HEAD, STRAIGHT)
             yield shown
@@ -74,11 +67,11 @@ def pixel_in(eye: nf.Camera, target: NDArray[np.float64]) -> NDArray[np.float64]
     return np.asarray(eye.project(shown)[0, :2], np.float64)
 
 
-def test_each_eye_sees_the_pointer_of_another_user_end_where_it_should(page: Any, scene: nf.Scene) -> None:
+def test_each_eye_sees_the_pointer_of_another_user_end_where_it_should(page: Any, city: nf.Scene) -> None:
     empty_hands(page)
     begin, ahead = np.array([2.2, 1.5, -3.5]), np.array([0.643, 0.03, -0.766])
     ahead /= np.linalg.norm(ahead)
-    length = float(nf.cast_rays(scene, [begin], [ahead]).t_hit[0])
+    length = float(nf.cast_rays(city, [begin], [ahead]).t_hit[0])
     end = begin + length * ahead
     # In the zone of the morph, where the eyes see it in directions that no single picture has.
     assert 0.7 * RADIUS < np.hypot(*(end - CENTER)[[0, 2]]) < RADIUS
@@ -109,37 +102,36 @@ def body(page: Any) -> dict[str, Any]:
     return dict(page.evaluate("() => window.nearfar.room.body"))
 
 
-def check_pointer(page: Any, scene: nf.Scene) -> None:
+def check_pointer(page: Any, city: nf.Scene) -> None:
     """The right hand's pointer ends where its ray meets the scene."""
     found = body(page)
     assert found["pointer"] is not None
     assert found["pointer"]["begin"] == "right"
     begin, end = ends(found)
     length = found["pointer"]["length"]
-    hit = float(nf.cast_rays(scene, [begin], [(end - begin) / length]).t_hit[0])
+    hit = float(nf.cast_rays(city, [begin], [(end - begin) / length]).t_hit[0])
     assert length == pytest.approx(hit, abs=0.01)
 
 
-def test_the_grip_of_a_controller_points(page: Any, scene: nf.Scene) -> None:
+def test_controllers_point_by_their_grip_and_hands_by_the_index_finger(page: Any, city: nf.Scene) -> None:
     grip = "(value) => window.emulated.device.controllers.right.updateButtonValue('squeeze', value)"
     point(page, "right", (0.3, 1.3, -0.3), about((1, 0, 0), -0.15))
     assert body(page)["pointer"] is None
     page.evaluate(grip, 1)
-    check_pointer(page, scene)
+    check_pointer(page, city)
     page.evaluate(grip, 0)
     assert body(page)["pointer"] is None
 
-
-def test_a_tracked_hand_points_by_its_index_finger_and_a_pinch_still_jumps(page: Any, scene: nf.Scene) -> None:
     pose = "(name) => { window.emulated.device.hands.right.poseId = name; }"
     page.evaluate("() => { window.emulated.device.primaryInputMode = 'hand'; }")
     point(page, "right", (0.3, 1.3, -0.3), about((1, 0, 0), -0.15), "hands")
     assert body(page)["pointer"] is None
     page.evaluate(pose, "point")
-    check_pointer(page, scene)
+    check_pointer(page, city)
     page.evaluate(pose, "default")
     assert body(page)["pointer"] is None
     before = floor_of(page, CENTER).position
+    # A pinch still jumps.
     point(page, "right", (0.3, 1.2, -0.3), about((1, 0, 0), -0.7), "hands")
     squeeze(page, "right", 1, "hands")
     assert body(page)["pointer"] is None

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support import main_thread, need
-from tests.support.browser import opened, started, wait_for_ring
+from tests.support import main_thread
+from tests.support.browser import SMALL, opened, wait_for_ring, wait_until
 from tests.support.stepped_page import SteppedPage
 
 pytestmark = pytest.mark.slow
@@ -20,11 +21,10 @@ MOST_BYTES = 2**18
 
 
 @pytest.mark.stress
-def test_no_call_sends_much_to_the_gpu(tmp_path: Path) -> None:
-    need("browser")
+def test_no_call_sends_much_to_the_gpu(chromium: Any, tmp_path: Path) -> None:
     scene, center = nf.datasets.city(blocks=2, detail=0), (3.0, 1.7, -2.0)
     nf.stream.export(scene, tmp_path / "bundle", center=center, radii=(10.0, 22.0), face_size=1024)
-    with started() as program, Server.of_bundle(tmp_path / "bundle") as server, opened(program, 96, 60) as page:
+    with Server.of_bundle(tmp_path / "bundle") as server, opened(chromium, *SMALL) as page:
         main_thread.count(page)
         page.goto(f"{server.url}?aa=0")
         SteppedPage(page)
@@ -71,19 +71,18 @@ LINKS = """
 """Notes for each program, when it is first used, whether the GPU was known to have done all until its linking."""
 
 
-def test_no_frame_waits_for_the_compilation_of_a_program(tmp_path: Path) -> None:
-    need("browser")
+def test_no_frame_waits_for_the_compilation_of_a_program(chromium: Any, tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     corners, faces = [[-3, 0, -3], [3, 0, -3], [0, 0, 3]], [[0, 2, 1]]
     for number, normals in enumerate((None, [[0.0, 1, 0]] * 3)):
         mesh = builder.mesh(np.add(corners, (0, number, 0)), faces, normals=normals)
         builder.instance(mesh, name=f"floor {number}")
     nf.stream.export(builder.build(), tmp_path / "b", center=(0, 1.7, 0), radii=(5.0,), face_size=64, samples=1)
-    with started() as program, Server.of_bundle(tmp_path / "b") as server, opened(program, 96, 60) as page:
+    with Server.of_bundle(tmp_path / "b") as server, opened(chromium, *SMALL) as page:
         page.add_init_script(LINKS)
         page.goto(f"{server.url}?aa=0")
         assert wait_for_ring(page, 1) == ""
-        page.wait_for_timeout(300)
+        wait_until(page, lambda: any(kind == "smooth" for kind, _ in page.evaluate("() => window.uses")))
         uses = page.evaluate("() => window.uses")
         assert page.printed == []
     assert [is_done for kind, is_done in uses if kind == "smooth"] == [True]

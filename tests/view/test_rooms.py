@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
+import urllib.request
 from collections.abc import Iterator
 from contextlib import ExitStack
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ import nearfar as nf
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
-from tests.support.browser import opened, wait_for_ring, wait_until
+from tests.support.browser import SMALL, opened, wait_for_ring, wait_until
 from tests.support.room_pages import AIMS, HEAR, RoomPage, ends, has_changed, reach_beyond
 
 pytestmark = pytest.mark.slow
@@ -35,21 +35,16 @@ TARGETS = ((240, 178), (330, 150), (380, 175), (150, 178))
 
 
 @pytest.fixture(scope="module")
-def scene() -> nf.Scene:
-    return nf.datasets.city(blocks=3, detail=1)
-
-
-@pytest.fixture(scope="module")
-def bundle(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def server(city: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     folder = tmp_path_factory.mktemp("rooms") / "bundle"
-    nf.stream.export(scene, folder, center=CENTER, radii=RADII, face_size=256)
-    return folder
+    nf.stream.export(city, folder, center=CENTER, radii=RADII, face_size=256)
+    with Server({"": Site.of_bundle(folder)}, rooms=Rooms()) as running:
+        yield running
 
 
 @pytest.fixture(scope="module")
-def url(bundle: Path) -> Iterator[str]:
-    with Server({"": Site.of_bundle(bundle)}, rooms=Rooms()) as server:
-        yield f"{server.url}?aa=0&strategy=clovrd"
+def url(server: Server) -> str:
+    return f"{server.url}?aa=0&strategy=clovrd"
 
 
 @pytest.fixture(scope="module")
@@ -91,18 +86,20 @@ def test_heads_are_where_users_are_and_look_where_they_look(pair: tuple[RoomPage
     assert np.hypot(columns - middle[0], rows - middle[1]).max() < 40
 
 
-@pytest.mark.parametrize("pixel", TARGETS)
-def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
-    pair: tuple[RoomPage, RoomPage], scene: nf.Scene, pixel: tuple[int, int]
-) -> None:
-    ada, bob = pair
+def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(pair: tuple[RoomPage, RoomPage], city: nf.Scene) -> None:
+    for pixel in TARGETS:
+        check_pointer(*pair, city, pixel)
+
+
+def check_pointer(ada: RoomPage, bob: RoomPage, city: nf.Scene, pixel: tuple[int, int]) -> None:
+    """Bob points at a pixel, and Ada sees where."""
     bob.page.keyboard.up("e")
     bob.step()
     end = ends(bob.point_at(*pixel)["own"])[1]
     rho = float(np.hypot(*np.subtract(end, CENTER)[[0, 2]]))
     # It is a point of the scene, which Bob's picture shows in that pixel; of the map the error is a texel.
     near = rho < RADII[-1]
-    assert nf.nearest_points(scene, [end]).distance[0] < (0.1 if near else 0.02 * rho)
+    assert nf.nearest_points(city, [end]).distance[0] < (0.1 if near else 0.02 * rho)
     shown = bob.pixel_of([end], CENTER, ZONES)[0]
     assert np.hypot(*(shown - np.add(pixel, 0.5))) < (0.6 if near else 1.0)
 
@@ -123,7 +120,7 @@ def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(
 
 
 def test_left_of_the_divider_pointers_are_as_the_scene_is_there(
-    pair: tuple[RoomPage, RoomPage], scene: nf.Scene
+    pair: tuple[RoomPage, RoomPage], city: nf.Scene
 ) -> None:
     ada, bob = pair
     divide = "(share) => window.nearfar.viewer.setDivider(share)"
@@ -137,7 +134,7 @@ def test_left_of_the_divider_pointers_are_as_the_scene_is_there(
         end = ends(bob.point_at(*pixel)["own"])[1]
         # Another point of the scene, which the conventional picture shows in that pixel.
         assert np.linalg.norm(end - morphed) > 0.3
-        assert nf.nearest_points(scene, [end]).distance[0] < 0.1
+        assert nf.nearest_points(city, [end]).distance[0] < 0.1
         assert np.hypot(*(bob.pixel_of([end], CENTER, unmorphed)[0] - np.add(pixel, 0.5))) < 0.6
         wait_until(ada.page, lambda: bob.step() and sees(ada, end, 0.02))
         place = ada.pixel_of([end], CENTER, unmorphed)[0]
@@ -187,10 +184,10 @@ def pointer_mask(viewer: RoomPage, number: int) -> Any:
     return np.abs(found - without).max(axis=-1) > 12
 
 
-def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPage], scene: nf.Scene) -> None:
+def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPage], city: nf.Scene) -> None:
     ada, _ = pair
     ada.page.evaluate("() => window.nearfar.viewer.setGuests(window.nearfar.room.avatars)")
-    yaw, away = far_wall(scene)
+    yaw, away = far_wall(city)
     ada.pose, before = {"position": list(CENTER), "yaw": yaw, "pitch": 0.0}, ada.pose
     try:
         ahead = np.array([-np.sin(yaw), 0, -np.cos(yaw)])
@@ -205,11 +202,11 @@ def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPag
         ada.pose = before
 
 
-def far_wall(scene: nf.Scene) -> tuple[float, float]:
+def far_wall(city: nf.Scene) -> tuple[float, float]:
     """A direction, as yaw, in which the centre sees a wall beyond the last ring, and its distance."""
     yaws = np.linspace(-np.pi, np.pi, 720, endpoint=False)
     aheads = np.stack([-np.sin(yaws), np.zeros_like(yaws), -np.cos(yaws)], axis=1)
-    aways = nf.cast_rays(scene, np.broadcast_to(CENTER, aheads.shape), aheads).t_hit
+    aways = nf.cast_rays(city, np.broadcast_to(CENTER, aheads.shape), aheads).t_hit
     spread = np.stack([np.roll(aways, shift) for shift in range(-3, 4)])
     is_wall = (spread.min(axis=0) > 35) & (spread.max(axis=0) < 1.1 * spread.min(axis=0)) & (aways < 120)
     number = int(np.argmax(is_wall))
@@ -217,109 +214,117 @@ def far_wall(scene: nf.Scene) -> tuple[float, float]:
     return float(yaws[number]), float(aways[number])
 
 
-@pytest.mark.parametrize("size", [DESKTOP, PHONE])
-def test_the_card_tells_who_is_here(chromium: Any, url: str, size: tuple[int, int]) -> None:
-    with opened(chromium, *size) as page, opened(chromium, *SIZE) as other:
+HIDE = """(isHidden) => {
+  Object.defineProperty(document, 'hidden', { configurable: true, value: isHidden });
+  document.dispatchEvent(new Event('visibilitychange'));
+}"""
+
+
+def test_a_hidden_page_lets_go_of_the_pointer_for_others(pair: tuple[RoomPage, RoomPage]) -> None:
+    ada, bob = pair
+    bob.point_at(240, 178)
+    wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is not None)
+    # No frame comes of a page that is hidden.
+    bob.page.evaluate(HIDE, True)
+    wait_until(ada.page, lambda: ada.step()["seen"][0]["pointer"] is None)
+    bob.page.evaluate(HIDE, False)
+    wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is not None)
+    bob.page.keyboard.up("e")
+
+
+def fits(page: Any, size: tuple[int, int]) -> bool:
+    """Whether the card lies on the page, above its tools."""
+    boxes = [page.locator(name).bounding_box() for name in (".here-chip", ".here", ".tools")]
+    for box in boxes:
+        assert box["x"] >= 0
+        assert box["y"] >= 0
+        assert box["x"] + box["width"] <= size[0]
+        assert box["y"] + box["height"] <= size[1]
+    return bool(boxes[1]["y"] + boxes[1]["height"] <= boxes[2]["y"])
+
+
+def count(server: Server, name: str) -> int:
+    """A number of the server's metrics."""
+    with urllib.request.urlopen(f"{server.url}metrics") as answer:
+        found = re.findall(rf"^{re.escape(name)} (\d+)$", answer.read().decode(), re.MULTILINE)
+    return int(found[0]) if found else 0
+
+
+BYES = 'nearfar_room_closes_total{reason="bye"}'
+
+
+def test_the_card_tells_who_is_here_and_leaves_the_room(chromium: Any, server: Server, url: str) -> None:
+    ended = count(server, BYES)
+    with opened(chromium, *DESKTOP, device_scale_factor=0.25) as page, opened(chromium, *SMALL) as other:
         for shown, name, group in ((page, "Ada", 0), (other, "Grace Hopper", 1)):
-            shown.goto(f"{url}&rings=0&room=card{size[0]}&name={name}&group={group}&token=mine")
-        chip = page.get_by_role("button", name="2 here")
-        chip.click()
+            shown.goto(f"{url}&rings=0&room=card&name={name}&group={group}&token=mine")
+        page.get_by_role("button", name="2 here").click()
         card = page.get_by_role("region", name="Here")
         you, guest = card.get_by_role("listitem").all_inner_texts()
         assert you == "Ada (you)"
         assert re.fullmatch(r"Grace Hopper #\d+ \(other group\)", guest)
-        mute = card.get_by_role("button", name="Mute the pointer of Grace Hopper")
-        mute.click()
+        card.get_by_role("button", name="Mute the pointer of Grace Hopper").click()
         page.get_by_role("button", name="Show the pointer of Grace Hopper").wait_for()
         assert page.evaluate("() => window.nearfar.room.presence.guests.map(({ isMuted }) => isMuted)") == [True]
         link = page.evaluate("""() => new Promise((done) => {
           navigator.clipboard.writeText = async (text) => done(text);
           [...document.querySelectorAll('.here button')].find((button) => button.textContent === 'Copy link').click();
         })""")
-        assert f"room=card{size[0]}&group=0" in link
+        assert "room=card&group=0" in link
         assert "mine" not in link
         assert "Ada" not in link
-        boxes = [page.locator(name).bounding_box() for name in (".here-chip", ".here", ".tools")]
-        for box in boxes:
-            assert box["x"] >= 0
-            assert box["y"] >= 0
-            assert box["x"] + box["width"] <= size[0]
-            assert box["y"] + box["height"] <= size[1]
-        assert boxes[1]["y"] + boxes[1]["height"] <= boxes[2]["y"]
-        other.close()
+        assert fits(page, DESKTOP)
+        page.set_viewport_size(dict(zip(("width", "height"), PHONE, strict=True)))
+        wait_until(page, lambda: page.evaluate("() => innerWidth") == PHONE[0])
+        assert fits(page, PHONE)
+        other.goto("about:blank")
         page.get_by_role("button", name="1 here").wait_for()
+        assert count(server, BYES) == ended + 1
         page.keyboard.press("?")
         page.get_by_role("dialog").get_by_text("point at the cursor").wait_for()
+        page.keyboard.press("Escape")
+        card.get_by_role("button", name="Leave").click()
+        card.get_by_text("You have left the room.").wait_for()
+        assert not card.get_by_role("button", name="Leave").is_visible()
+        wait_until(page, lambda: count(server, BYES) == ended + 2)
+        card.get_by_role("button", name="Join again").click()
+        page.get_by_role("button", name="1 here").wait_for()
         assert page.printed == []
 
 
-def test_a_room_that_there_cannot_be_is_told(chromium: Any, url: str) -> None:
+def test_rooms_and_rules_that_there_cannot_be_are_told(chromium: Any, url: str) -> None:
     with opened(chromium, *SIZE) as page:
         page.goto(f"{url}&rings=0&room=a/b")
         assert "expected a name" in page.get_by_role("region", name="Here").inner_text()
+        page.goto(f"{url}&rings=0&room=wrong&task=collect&users=0")
+        page.get_by_text("users: expected a whole number from 1 to 64").first.wait_for()
+        assert page.evaluate("() => window.nearfar.room.activity") is None
         assert page.printed == []
 
 
-def test_nothing_of_rooms_is_asked_for_where_none_is_named(chromium: Any, url: str) -> None:
-    with opened(chromium, *SIZE) as page:
-        asked: list[str] = []
-        page.on("request", lambda request: asked.append(request.url))
-        page.goto(f"{url}&rings=0")
-        assert wait_for_ring(page, 0) == ""
-        assert any("shared.js" in each for each in asked)
-        assert not any("rooms" in each for each in asked)
-
-
-def test_users_by_datagrams_and_by_sockets_see_each_other(chromium: Any, bundle: Path) -> None:
+def test_users_by_datagrams_and_by_sockets_see_each_other_and_come_back_with_their_number(
+    chromium: Any, server: Server
+) -> None:
     seen = "() => (window.nearfar?.room?.seen ?? []).map(({ name }) => name)"
     measured = "() => window.nearfar.room.connection.roundTrips.median !== null"
-    with (
-        Server({"": Site.of_bundle(bundle)}, rooms=Rooms()) as server,
-        opened(chromium, *SIZE) as one,
-        opened(chromium, *SIZE) as other,
-    ):
+    user = "() => window.nearfar?.room?.connection.state.user ?? null"
+    sockets: list[Any] = []
+    with opened(chromium, *SMALL) as one, opened(chromium, *SMALL) as other:
         for page, name, way in ((one, "Ada", "on"), (other, "Bob", "off")):
+            page.on("websocket", lambda _, page=page: sockets.append(page))
             page.goto(f"{server.url}?rings=0&room=ways&name={name}&datagrams={way}")
         wait_until(one, lambda: one.evaluate(seen) == ["Bob"])
         wait_until(other, lambda: other.evaluate(seen) == ["Ada"])
-        counts = one.request.get(f"{server.url}metrics").text()
-        assert "nearfar_room_datagram_connections 1\n" in counts
-        assert "nearfar_room_users 2\n" in counts
+        # A page that sees others without one has WebTransport.
+        assert sockets == [other]
         for page in (one, other):
             # Poses that wait for each are settled, though nobody moves.
             wait_until(page, partial(page.evaluate, measured))
+        for page in (one, other):
+            number = page.evaluate(user)
+            # A tab that is doubled would take the ticket along.
+            assert page.evaluate("() => sessionStorage.length") == 0
+            page.reload()
+            wait_until(page, lambda page=page: page.evaluate(user) is not None)
+            assert page.evaluate(user) == number
             assert page.printed == []
-
-
-# Until the test asks, the page may have tried again.
-KEEP_WORDS = """() => {
-  const { connection } = window.nearfar.room;
-  window.words = [];
-  setInterval(() => connection.state.words && window.words.push(connection.state.words), 20);
-}"""
-
-
-def test_users_come_back_by_themselves_when_the_server_does(chromium: Any, bundle: Path) -> None:
-    sites, rooms = {"": Site.of_bundle(bundle)}, Rooms(key=bytes(32))
-    state = "() => window.nearfar?.room?.connection.state"
-    with opened(chromium, *SIZE) as page:
-        with Server(sites, rooms=rooms) as server:
-            page.goto(f"{server.url}?rings=0&room=again")
-            wait_until(page, lambda: (page.evaluate(state) or {}).get("kind") == "here")
-            user, port = page.evaluate(state)["user"], server.port
-            page.evaluate(KEEP_WORDS)
-        wait_until(page, lambda: page.evaluate(state)["kind"] == "waiting")
-        assert "server ends" in page.evaluate("() => window.words")[0]
-        with Server(sites, port=port, rooms=rooms):
-            wait_until(page, lambda: page.evaluate(state)["kind"] == "here")
-            assert page.evaluate(state)["user"] == user
-
-
-def test_a_user_without_a_token_is_told(chromium: Any, bundle: Path) -> None:
-    rooms = Rooms(key=bytes(32), needs_token=True)
-    with opened(chromium, *SIZE) as page, Server({"": Site.of_bundle(bundle)}, rooms=rooms) as server:
-        page.goto(f"{server.url}?rings=0&room=closed")
-        page.get_by_role("button", name="Not connected").click()
-        card = page.get_by_role("region", name="Here")
-        assert "does not let you into the room" in card.inner_text()
-        assert card.get_by_role("button", name="Join again").is_visible()

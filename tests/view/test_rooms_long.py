@@ -8,7 +8,6 @@ from typing import Any
 
 import pytest
 
-import nearfar as nf
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
@@ -20,25 +19,18 @@ from tests.support.used_room import use, used
 
 pytestmark = pytest.mark.slow
 
-CENTER = (3.0, 1.7, -2.0)
 SECONDS = 300.0
 WARM, MOST_GROWTH = 4, 300_000
 """Tenths of the time in which the browser still compiles, as code lies in the heap; bytes by which it may grow then."""
 
 
 @pytest.fixture(scope="module")
-def bundle(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("long") / "bundle"
-    nf.stream.export(nf.datasets.city(blocks=2, detail=1), folder, center=CENTER, radii=(10.0,), face_size=64)
-    return folder
-
-
-@pytest.fixture(scope="module")
-def url(bundle: Path) -> Iterator[str]:
-    with Server({"": Site.of_bundle(bundle)}, rooms=Rooms()) as server:
+def url(street: Path) -> Iterator[str]:
+    with Server({"": Site.of_bundle(street)}, rooms=Rooms()) as server:
         yield f"{server.url}?aa=0&strategy=clovrd"
 
 
+@pytest.mark.stress
 def test_what_a_page_holds_does_not_grow_with_time(chromium: Any, url: str) -> None:
     need("web")
     with used(chromium, f"{url}&room=long&name=Ada&datagrams=off", 1) as page:

@@ -18,7 +18,7 @@ from nearfar.serve._site import Site
 from tests.support.browser import opened, wait_for_ring, wait_until
 from tests.support.room_pages import RoomPage, ends, has_changed
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.stress]
 
 SIZE = (240, 160)
 CENTER = np.array([3.0, 1.7, -2.0])
@@ -45,11 +45,6 @@ MOST = 0.1
 """Metres from the surface within which pointers end, beside a pixel."""
 
 
-@pytest.fixture(scope="module")
-def scene() -> nf.Scene:
-    return nf.datasets.city(blocks=3, detail=1)
-
-
 def zones_of(page: int) -> tuple[float, float]:
     """Both radii of a page's morph."""
     last = RADII[RINGS[page] - 1]
@@ -63,9 +58,9 @@ def position_of(page: int) -> NDArray[np.float64]:
 
 
 @pytest.fixture(scope="module")
-def pages(chromium: Any, scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[RoomPage]]:
+def pages(chromium: Any, city: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[RoomPage]]:
     folder = tmp_path_factory.mktemp("many") / "bundle"
-    nf.stream.export(scene, folder, center=tuple(CENTER), radii=RADII, face_size=256)
+    nf.stream.export(city, folder, center=tuple(CENTER), radii=RADII, face_size=256)
     with ExitStack() as stack:
         server = stack.enter_context(Server({"": Site.of_bundle(folder)}, rooms=Rooms()))
         made: list[RoomPage] = []
@@ -154,8 +149,8 @@ def check_picture(pages: list[RoomPage], viewer: int, name: str, end: NDArray[np
 
 
 @pytest.mark.parametrize("zone", DISTANCES)
-def test_eight_users_see_where_the_others_point(pages: list[RoomPage], scene: nf.Scene, zone: str) -> None:
-    wanted = targets(scene, *DISTANCES[zone])
+def test_eight_users_see_where_the_others_point(pages: list[RoomPage], city: nf.Scene, zone: str) -> None:
+    wanted = targets(city, *DISTANCES[zone])
     assert np.linalg.norm([b - a for a, b in pairwise(wanted)], axis=1).min() > 0.3
     misses: list[float] = []
     for number, one in enumerate(pages):
@@ -172,7 +167,7 @@ def test_eight_users_see_where_the_others_point(pages: list[RoomPage], scene: nf
         for other in others:
             seen = seen_end(pages[other], name)
             assert seen is not None
-            misses.append(float(nf.nearest_points(scene, [seen]).distance[0]))
+            misses.append(float(nf.nearest_points(city, [seen]).distance[0]))
             assert misses[-1] < MOST + pixel, (number, other)
         # Each pair in one of the zones.
         for other in others:

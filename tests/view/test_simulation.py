@@ -18,12 +18,14 @@ from nearfar.stream._stage import Rates, Shown, Stage
 from nearfar.stream._strategies import STRATEGIES, plan_of
 from nearfar.stream._transport import Transport
 from tests.support import need
-from tests.support.browser import opened, wait_for_ring
+from tests.support.browser import SMALL, opened
 from tests.support.bundled_scenes import bundled_scenes
+from tests.support.stepped_page import SteppedPage
 from tests.support.web_cases import run
 
 pytestmark = pytest.mark.slow
 
+CENTER = (3.0, 1.7, -2.0)
 RADII = (10.0, 22.0, 63.0)
 SPEED, FADE = 0.7, 0.5
 
@@ -86,20 +88,26 @@ def test_states_are_those_of_the_page(tmp_path: Path) -> None:
         np.testing.assert_allclose(states(walk), told, rtol=0, atol=1e-9)
 
 
+@pytest.fixture(scope="module")
+def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
+    settings: dict[str, Any] = {"center": CENTER, "radii": (10.0, 14.0, 40.0), "face_size": 64, "by_footprint": True}
+    return nf.stream.export(bundled_scenes()["city"], tmp_path_factory.mktemp("simulation") / "b", **settings)
+
+
 @pytest.mark.parametrize("strategy", STRATEGIES)
-def test_files_are_asked_for_in_the_order_of_the_page(strategy: str, chromium: Any, tmp_path: Path) -> None:
-    scene, center = bundled_scenes()["city"], (3.0, 1.7, -2.0)
-    bundle = nf.stream.export(
-        scene, tmp_path / "b", center=center, radii=(10.0, 14.0, 40.0), face_size=64, by_footprint=True
-    )
+def test_files_are_asked_for_in_the_order_of_the_page(strategy: str, chromium: Any, bundle: nf.stream.Bundle) -> None:
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
     transport = Transport(nf.stream.Link(50.0, rtt_ms=5.0))
-    path = HeadPath.of(None, center)
+    path = HeadPath.of(None, CENTER)
     _course(bundle, plan, transport, path, _sizes(bundle, False), rate=72.0, duration=math.inf, seconds_per_byte=0.0)
-    asked: dict[str, None] = {}
+    asked, urls = dict[str, None](), list[str]()
     names = [*bundle.files, "manifest.json"]
-    with Server.of_bundle(bundle._reader.place) as server, opened(chromium, 200, 150) as page:
+    with Server.of_bundle(bundle._reader.place) as server, opened(chromium, *SMALL) as page:
         page.on("request", lambda request: asked.update(dict.fromkeys(n for n in names if request.url.endswith(n))))
+        page.on("request", lambda request: urls.append(request.url))
         page.goto(f"{server.url}?strategy={strategy}")
-        wait_for_ring(page, len(plan.radii))
+        SteppedPage(page).load({"position": list(CENTER), "yaw": 0.0, "pitch": 0.0}, 10.0)
+        assert page.evaluate("() => window.nearfar.viewer.facts.arrived") == len(plan.radii)
     assert list(asked) == list(transport.asked)
+    # Nothing of rooms where none is named.
+    assert not any("rooms" in url for url in urls)

@@ -13,7 +13,7 @@ import pytest
 
 import nearfar as nf
 from tests.support import need
-from tests.support.browser import LOOKS, opened, started
+from tests.support.browser import LOOKS, opened
 from tests.support.page_pictures import of_one_face, off
 
 pytestmark = pytest.mark.slow
@@ -41,22 +41,21 @@ view
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(city: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Path:
     for part in ("browser", "anywidget", "jupyterlab"):
         need(part)
     folder = tmp_path_factory.mktemp("lab")
-    scene = nf.datasets.city(blocks=3, detail=1)
     settings: dict[str, Any] = {"face_size": 256, "quality": None, "pixels_per_degree": None}
-    nf.stream.export(scene, folder / "bundle", center=CENTER, radii=(10.0, 22.0), **settings)
-    nf.reduce(scene, center=CENTER, r1=6.0, r2=15.0, face_size=128).save(folder / "light")
+    nf.stream.export(city, folder / "bundle", center=CENTER, radii=(10.0, 22.0), **settings)
+    nf.reduce(city, center=CENTER, r1=6.0, r2=15.0, face_size=128).save(folder / "light")
     return folder
 
 
 @pytest.fixture(scope="module")
-def notebook(folder: Path) -> Iterator[Any]:
+def notebook(chromium: Any, folder: Path) -> Iterator[Any]:
     from tests.support.lab import Notebook, server
 
-    with server(folder) as url, started() as program, opened(program, *ROOM) as page:
+    with server(folder) as url, opened(chromium, *ROOM) as page:
         notebook = Notebook(page, url, folder, CELLS)
         notebook.run(0)
         notebook.until(f"() => {VIEWER}?.facts.arrived === 2")

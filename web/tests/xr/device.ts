@@ -38,6 +38,8 @@ declare global {
       capture(isWanted: (shown: NonNullable<Facts['shown']>) => boolean): Promise<Captured>;
       /** Wait until some frames are drawn. */
       frames(count: number): Promise<void>;
+      /** Wait until the user's floor has been in one place for some frames, as long as a jump takes. */
+      rest(): Promise<void>;
     };
   }
 }
@@ -105,8 +107,8 @@ function read(): Captured {
   return { width, height, pixels: base64(pixels), shown: viewer.facts.shown, eyes: [...told.values()] };
 }
 
-/** Frames after which nobody waits any longer. */
-const MOST = 2000;
+/** Frames after which nobody waits any longer; those for which a floor rests; and metres that are no step. */
+const [MOST, RESTING, STILL] = [2000, 20, 1e-4] as const;
 
 window.emulated = {
   device,
@@ -132,4 +134,14 @@ window.emulated = {
       const next = (): unknown => (left-- > 0 ? session().requestAnimationFrame(next) : done());
       next();
     }),
+  async rest() {
+    const { viewer } = window.nearfar as NonNullable<typeof window.nearfar>;
+    let before = viewer.rig.position.clone();
+    for (let [resting, all] = [0, 0]; resting < RESTING; all++) {
+      if (all > MOST) throw new Error('the user does not come to rest');
+      await window.emulated.frames(1);
+      resting = viewer.rig.position.distanceTo(before) < STILL ? resting + 1 : 0;
+      before = viewer.rig.position.clone();
+    }
+  },
 };
