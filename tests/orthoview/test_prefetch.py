@@ -39,7 +39,7 @@ def parts_of(tree: Tree, camera: nf.Camera, **settings: Any) -> list[Part]:
 
 
 def distance_of(tree: Tree, part: Part, eye: NDArray[np.float64]) -> float:
-    return cut_oracle.nearest(eye, *tree.box(*part[:2]))
+    return float(cut_oracle.nearest(eye, *tree.box(*part[:2])))
 
 
 @pytest.mark.parametrize("velocity", [None, (3.0, 0.5, -2.0)])

@@ -9,6 +9,7 @@ import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
@@ -41,7 +42,7 @@ def server(place: Path) -> Iterator[Server]:
 
 
 @contextmanager
-def served(**limits: float) -> Iterator[Server]:
+def served(**limits: Any) -> Iterator[Server]:
     """A server with a large document within these limits."""
     site = Site({"files/large": bytes(LARGE), "files/other": b"other"})
     with Server({"": site}, limits=Limits(**limits)) as running:

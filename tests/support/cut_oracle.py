@@ -182,7 +182,7 @@ def margins(camera: nf.Camera, corners: NDArray[np.float64]) -> NDArray[np.float
         left, right, down, up = camera.fov.left, camera.fov.right, camera.fov.down, camera.fov.up
     along = np.ones_like(depth) if isinstance(camera.fov, nf.Orthographic) else depth
     sides = [x - left * along, right * along - x, y - down * along, up * along - y, depth]
-    return np.min([side.max(axis=1) for side in sides], axis=0)
+    return np.asarray(np.min([side.max(axis=1) for side in sides], axis=0))
 
 
 def are_sampled(camera: nf.Camera, points: NDArray[np.float64]) -> NDArray[np.bool_]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,12 @@ pytestmark = pytest.mark.slow
 SIZE = (360, 240)
 
 
+def shows(page: SteppedPage, start: dict[str, Any], ring: int) -> bool:
+    """Draw a frame; whether it shows this ring."""
+    shown = page.frame(start, 0.1)["shown"]
+    return bool(shown) and shown["ring"] == ring
+
+
 @pytest.mark.parametrize("name", PAGE_SCENES)
 def test_pictures_are_those_of_bent_rays(chromium: Any, tmp_path: Path, name: str) -> None:
     case = PAGE_SCENES[name]
@@ -36,7 +43,7 @@ def test_pictures_are_those_of_bent_rays(chromium: Any, tmp_path: Path, name: st
         for ring, radius, strength in ((0, 0.0, 0.0), *case.shown):
             if ring > 0:
                 held.release(ring)
-            wait_until(shown, lambda ring=ring: (page.frame(start, 0.1)["shown"] or {"ring": -1})["ring"] == ring)
+            wait_until(shown, partial(shows, page, start, ring))
             picture: dict[str, Any] = {"ring": ring, "radius": radius, "strength": strength}
             drawn = bundle.at(**picture)
             for away, yaw, pitch in case.poses:

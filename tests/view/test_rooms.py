@@ -302,12 +302,19 @@ def test_rooms_and_rules_that_there_cannot_be_are_told(chromium: Any, url: str) 
         assert page.printed == []
 
 
+USER = "() => window.nearfar?.room?.connection.state.user ?? null"
+
+
+def has_user(page: Any) -> bool:
+    """Whether the page is in its room."""
+    return page.evaluate(USER) is not None
+
+
 def test_users_by_datagrams_and_by_sockets_see_each_other_and_come_back_with_their_number(
     chromium: Any, server: Server
 ) -> None:
     seen = "() => (window.nearfar?.room?.seen ?? []).map(({ name }) => name)"
     measured = "() => window.nearfar.room.connection.roundTrips.median !== null"
-    user = "() => window.nearfar?.room?.connection.state.user ?? null"
     sockets: list[Any] = []
     with opened(chromium, *SMALL) as one, opened(chromium, *SMALL) as other:
         for page, name, way in ((one, "Ada", "on"), (other, "Bob", "off")):
@@ -321,10 +328,10 @@ def test_users_by_datagrams_and_by_sockets_see_each_other_and_come_back_with_the
             # Poses that wait for each are settled, though nobody moves.
             wait_until(page, partial(page.evaluate, measured))
         for page in (one, other):
-            number = page.evaluate(user)
+            number = page.evaluate(USER)
             # A tab that is doubled would take the ticket along.
             assert page.evaluate("() => sessionStorage.length") == 0
             page.reload()
-            wait_until(page, lambda page=page: page.evaluate(user) is not None)
-            assert page.evaluate(user) == number
+            wait_until(page, partial(has_user, page))
+            assert page.evaluate(USER) == number
             assert page.printed == []
