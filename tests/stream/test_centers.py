@@ -26,7 +26,7 @@ VIEW = nf.Camera.look_at((5.4, 1.5, -0.4), (30, 3, -20), fov=nf.Fov.symmetric(90
 
 @pytest.fixture(scope="module")
 def city() -> nf.Scene:
-    return nf.datasets.city(blocks=2, detail=1)
+    return nf.datasets.city(blocks=2, detail=0)
 
 
 @pytest.fixture(scope="module")

@@ -232,7 +232,6 @@ def test_pictures_hardly_change_and_bytes_fall(tmp_path: Path, distance: float) 
         assert nf.ssim(*pictures) > 0.99
 
 
-@pytest.mark.slow
 def test_a_real_object_at_a_distance(tmp_path: Path) -> None:
     helmet = nf.Scene.load(data("objects/gltf/FlightHelmet/FlightHelmet.gltf"))
     given = {**SETTINGS, "center": (0.0, 0.4, 31.0), "radii": (10.0, 40.0)}

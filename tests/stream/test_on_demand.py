@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -10,11 +11,20 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.stream import _store
-from nearfar.stream._on_demand import COARSE, OnDemand, Part, next_part
+from nearfar.stream import _on_demand, _store
+from nearfar.stream._on_demand import OnDemand, Part, next_part
 
 PLACE = (3.3, 1.7, -2.2)
-SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0, 63.0), "face_size": 640, "samples": 2}
+SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0, 63.0), "face_size": 128, "samples": 2}
+COARSE = 64
+"""Texels along a face of the first maps, fewer than of others."""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _coarse() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(_on_demand, "COARSE", COARSE)
+        yield
 
 
 def made(maker: OnDemand, place: tuple[float, float, float] = PLACE) -> list[Part]:
@@ -42,7 +52,6 @@ def parts(city: nf.Scene) -> list[Part]:
     return made(OnDemand(city, **SETTINGS))
 
 
-@pytest.mark.slow
 def test_the_whole_is_what_an_export_writes(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
     still = city.subset(objects=[name for name in city.object_names if name not in city.poses])
     found = written(tmp_path / "found", made(OnDemand(still, **SETTINGS)))
@@ -52,7 +61,6 @@ def test_the_whole_is_what_an_export_writes(city: nf.Scene, parts: list[Part], t
     found.verify()
 
 
-@pytest.mark.slow
 def test_dynamic_objects_are_those_of_an_export(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
     assert city.poses
     found = written(tmp_path / "found", parts)
@@ -83,7 +91,7 @@ def test_rings_come_in_order_with_their_files(parts: list[Part]) -> None:
 
 def test_coarse_maps_come_first_and_are_not_part_of_the_whole(parts: list[Part]) -> None:
     begins = [json.loads(part.line)["manifest"] for part in parts if b'"begin"' in part.line]
-    assert [manifest["map"]["face_size"] for manifest in begins] == [COARSE, 640]
+    assert [manifest["map"]["face_size"] for manifest in begins] == [COARSE, 128]
     # All that a client needs to begin; entries of rings tell the rest.
     for manifest in begins:
         (region,) = manifest["regions"]

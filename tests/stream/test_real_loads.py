@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +17,7 @@ from tests.support.bundled_scenes import bundled_scenes
 
 pytestmark = pytest.mark.slow
 
-LINK = nf.stream.Link(20, rtt_ms=40, http=1, handshake=1)
-STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
+LINK = nf.stream.Link(50, rtt_ms=40, http=1, handshake=1)
 
 
 @pytest.fixture(scope="module")
@@ -30,21 +28,6 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
     )
     nf.view.write_page(folder)
     return made
-
-
-@pytest.fixture(scope="module", params=["real", "throttle"])
-def way(request: pytest.FixtureRequest) -> Iterator[Network]:
-    need("browser")
-    if request.param == "real":
-        need("link")
-    with network(LINK, real=request.param == "real") as found:
-        yield found
-
-
-@pytest.fixture(scope="module")
-def opened(way: Network, bundle: nf.stream.Bundle) -> Iterator[tuple[Any, str]]:
-    with way.shown(Path(bundle._reader.place)) as url, way.browser(url) as chromium:
-        yield chromium, url
 
 
 def least_seconds(bundle: nf.stream.Bundle, strategy: str, ring: int) -> float:
@@ -59,10 +42,7 @@ def bytes_of(bundle: nf.stream.Bundle, names: set[str]) -> int:
     return int(0.97 * sum(sent(name, int(listed[name]["bytes"]), read) for name in names))
 
 
-@pytest.mark.parametrize("strategy", STRATEGIES)
-def test_the_page_marks_what_it_has_and_shows(
-    way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: str
-) -> None:
+def check(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: str) -> None:
     found = load(way, *opened, bundle, strategy)
     rings = stages(strategy, len(plan(bundle, strategy).radii))
     for name, ring in rings.items():
@@ -79,13 +59,25 @@ def test_the_page_marks_what_it_has_and_shows(
         assert way.real.counts()["down"]["delivered_bytes"] > found.bytes
 
 
-# Chromium's throttle has no windows and no handshakes.
-@pytest.mark.parametrize("way", ["real"], indirect=True)
-@pytest.mark.parametrize("strategy", ["clovrd", "vis0"])
-def test_no_link_is_faster_than_its_simulation(
-    way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: str
-) -> None:
+def check_bound(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: str) -> None:
+    """No link is faster than its simulation; Chromium's throttle has no windows and no handshakes."""
     real = requests(way, *opened, bundle, strategy)
     ours = simulated_requests(bundle, LINK, strategy, 0)
     for name, seconds in real.items():
         assert 0.9 * ours[name] < seconds
+
+
+@pytest.mark.parametrize(("kind", "strategies"), [("real", ("clovrd", "vis1")), ("throttle", ("clovr", "vis0"))])
+def test_the_page_marks_what_it_has_and_shows(bundle: nf.stream.Bundle, kind: str, strategies: tuple[str, ...]) -> None:
+    need("browser")
+    if kind == "real":
+        need("link")
+    with (
+        network(LINK, real=kind == "real") as way,
+        way.shown(Path(bundle._reader.place)) as url,
+        way.browser(url) as chromium,
+    ):
+        for strategy in strategies:
+            check(way, (chromium, url), bundle, strategy)
+        if kind == "real":
+            check_bound(way, (chromium, url), bundle, "clovrd")

@@ -65,7 +65,7 @@ def greatest_error(bundle: nf.stream.Bundle, ring: int, *, seed: int = 0) -> flo
     points = np.einsum("wk,tkc->twc", weights, triangles).reshape(-1, 3)
     least = RADII[max(ring - 2, 0)]
     worst = 0.0
-    for number, user in enumerate(users(12, rng)):
+    for number, user in enumerate(users(6, rng)):
         radius = least + (RADII[ring - 1] - least) * rng.random()
         strength = rng.random() if ring == 1 and number else 1.0
         settings: dict[str, Any] = {"user": user, "center": CENTER, "kind": "cylinder", "strength": strength}

@@ -11,17 +11,18 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.stream import _store, _tiles
+from nearfar.stream import _on_demand, _store, _tiles
 from nearfar.stream._on_demand import OnDemand, Part
 from nearfar.stream._tiles import Tiles
 
 ACROSS, STEP = 12, 11.0
 PLACE = (3.3, 1.75, -2.2)
-SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0, 40.0), "face_size": 576, "samples": 2}
+SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0, 40.0), "face_size": 128, "samples": 2}
 
 
 @pytest.fixture(autouse=True)
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(_on_demand, "COARSE", 64)
     for name, value in {"LEAST_FACES": 500, "TILE_FACES": 50, "LEAST_SIDE": 20.0}.items():
         monkeypatch.setattr(_tiles, name, value)
 
@@ -84,7 +85,6 @@ def test_far_tiles_count_as_one_object_and_near_ones_keep_theirs(scene: nf.Scene
     assert 1 + int((expected.ring < 3).sum()) < counts[1] < counts[0] // 2
 
 
-@pytest.mark.slow
 def test_a_region_is_that_of_an_export_and_shows_what_the_scene_does(scene: nf.Scene, tmp_path: Path) -> None:
     maker = OnDemand(scene, **SETTINGS)
     assert len(maker._tiles.boxes)
