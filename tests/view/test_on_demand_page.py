@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +15,7 @@ from nearfar._trace import viewpoint
 from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
-from tests.support.browser import SMALL, opened, wait_until
+from tests.support.browser import opened, wait_until
 from tests.support.stepped_page import SteppedPage
 
 pytestmark = pytest.mark.slow
@@ -32,6 +31,11 @@ PLACE = """() => {
   return lines.find((line) => line.textContent === 'Place').nextSibling.textContent;
 }"""
 """The panel's row on the place."""
+
+
+@pytest.fixture(scope="module")
+def city() -> nf.Scene:
+    return nf.datasets.city(blocks=3, detail=1)
 
 
 @pytest.fixture(scope="module")
@@ -196,54 +200,66 @@ def test_walking_on_leads_to_the_next_place(chromium: Any, server: Server) -> No
     assert places()[1] == "at/0,1.75,22/parts"
 
 
-@contextmanager
-def serving(city: nf.Scene, **changes: Any) -> Iterator[Server]:
-    """Serve places that are made in no time."""
-    settings = {**SETTINGS, "radii": (10.0,), "face_size": 256, **changes}
-    scene = LoadedScene(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **settings)
-    with Server({"": Site.of_scene(scene, None)}) as server:
-        yield server
+class Watched(LoadedScene):
+    """Remembers which places were begun, and which ended before they were whole."""
+
+    def __init__(self, *more: Any, **settings: Any) -> None:
+        super().__init__(*more, **settings)
+        self.begun: list[tuple[float, ...]] = []
+        self.left: list[tuple[float, ...]] = []
+
+    def parts(self, center: list[float]) -> Iterator[Any]:
+        self.begun.append(tuple(center))
+        is_whole = False
+        try:
+            for part in super().parts(center):
+                # The server asks for nothing after the last part.
+                is_whole = part.next is None
+                yield part
+        finally:
+            if not is_whole:
+                self.left.append(tuple(center))
 
 
-def test_a_busy_server_is_asked_again_and_for_no_place_that_is_not_wanted_any_more(
-    chromium: Any, city: nf.Scene
-) -> None:
-    refusals, held, failed = [429, 503], list[Any](), list[str]()
-
-    def answer(route: Any) -> None:
-        if refusals:
-            route.fulfill(status=refusals.pop(0), headers={"retry-after": "1"}, body="later")
-        elif "-42" in route.request.url:
-            held.append(route)
-        else:
-            route.continue_()
-
-    here, there = pose(3.0, -2.0), pose(-42.0, 36.0)
-    go = "(target) => window.nearfar.viewer.go(target)"
-    with serving(city) as server, opened(chromium, *SMALL) as shown:
+def test_a_place_that_is_not_wanted_any_more_is_not_made(chromium: Any, city: nf.Scene) -> None:
+    scene = Watched(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **{**SETTINGS, "samples": 64})
+    failed: list[str] = []
+    with Server({"": Site.of_scene(scene, None)}) as server, opened(chromium, *SIZE) as shown:
         shown.on("requestfailed", lambda request: failed.append(request.url.removeprefix(server.url)))
-        shown.route("**/parts", answer)
-        shown.goto(f"{server.url}?aa=0&strategy=clovrd{link(here)}")
-        wait_until(shown, lambda: shown.evaluate("() => Boolean(window.nearfar)"))
-        wait_until(shown, lambda: shown.evaluate(PLACE) == "server busy, again in 1 s")
-        assert "server busy" in shown.evaluate("() => document.querySelector('.note').textContent")
-        wait_until(shown, lambda: shown.evaluate(PLACE) == "refined")
-        assert refusals == []
-        assert shown.evaluate(MESSAGE) == ""
-        assert shown.evaluate("() => window.nearfar.viewer.facts.shown.grown") == {"radius": 10.0, "strength": 1}
-        shown.evaluate(go, there)
-        wait_until(shown, lambda: held)
-        shown.evaluate(go, here)
-        wait_until(shown, lambda: failed == ["at/-42,1.75,36/parts"])
-        assert shown.evaluate("() => window.nearfar.viewer.facts.goal") is None
+        here, there = pose(*START[::2]), pose(-42.0, 36.0)
+        shown.goto(f"{server.url}?aa=0{link(here)}")
+        page = SteppedPage(shown)
+        until(page, here, lambda told: told["arrived"] >= RINGS)
+        shown.evaluate("(target) => window.nearfar.viewer.go(target)", there)
+        until(page, here, lambda _: (-42.0, 1.75, 36.0) in scene.begun)
+        shown.evaluate("(target) => window.nearfar.viewer.go(target)", here)
+        told = until(page, here, lambda told: told["goal"] is None)
+        assert 1 not in told["regions"]
+        wait_until(shown, lambda: scene.left)
+    assert scene.left[0] == (-42.0, 1.75, 36.0)
+    assert "at/-42,1.75,36/parts" in failed
+
+
+def test_a_scene_that_cannot_be_loaded_is_told(chromium: Any) -> None:
+    def load() -> nf.Scene:
+        raise ValueError("disk.glb: the disk is gone")
+
+    with Server({"": Site.of_scene(LoadedScene(load, **SETTINGS), None)}) as server, opened(chromium, *SIZE) as shown:
+        shown.goto(server.url)
+        wait_until(shown, lambda: shown.evaluate(MESSAGE))
+        assert "The server cannot load the scene" in shown.evaluate(MESSAGE)
+        assert "disk.glb: the disk is gone" in shown.evaluate(MESSAGE)
+        assert shown.evaluate("() => document.querySelectorAll('.wait').length") == 0
 
 
 def test_a_place_that_cannot_be_made_leaves_the_picture(chromium: Any, city: nf.Scene) -> None:
     # Radii are chosen for each centre, and there are none where nothing is.
+    settings = {**SETTINGS, "radii": None, "face_size": 64}
+    scene = LoadedScene(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **settings)
     asked: list[str] = []
-    with serving(city, radii=None) as server, opened(chromium, *SMALL) as shown:
-        shown.goto(f"{server.url}?aa=0&strategy=clovrd")
-        wait_until(shown, lambda: shown.evaluate("() => Boolean(window.nearfar?.viewer.facts.shown)"))
+    with Server({"": Site.of_scene(scene, None)}) as server, opened(chromium, *SIZE) as shown:
+        shown.goto(f"{server.url}?aa=0")
+        shown.wait_for_function("() => window.nearfar?.viewer.facts.shown", timeout=60e3)
         assert np.allclose(shown.evaluate("() => window.nearfar.pose.position"), START)
         shown.on("request", lambda request: asked.append(request.url.removeprefix(server.url)))
         shown.evaluate("(address) => location.assign(address)", link(pose(90_000.0, 0.0)))
@@ -259,3 +275,39 @@ def test_a_place_that_cannot_be_made_leaves_the_picture(chromium: Any, city: nf.
         shown.evaluate("(address) => location.assign(address)", link(pose(-42.0, 36.0)))
         wait_until(shown, lambda: shown.evaluate("() => window.nearfar.pose.position[0]") == -42.0)
         wait_until(shown, lambda: not shown.evaluate(MESSAGE))
+
+
+def test_a_busy_server_is_asked_again(chromium: Any, server: Server) -> None:
+    refusals = [429, 503]
+
+    def answer(route: Any) -> None:
+        if refusals:
+            route.fulfill(status=refusals.pop(0), headers={"retry-after": "2"}, body="later")
+        else:
+            route.continue_()
+
+    with opened(chromium, *SIZE) as shown:
+        shown.route("**/parts", answer)
+        shown.goto(f"{server.url}?aa=0{link(pose(3.0, -2.0))}")
+        wait_until(shown, lambda: shown.evaluate("() => Boolean(window.nearfar)"))
+        wait_until(shown, lambda: shown.evaluate(PLACE) == "server busy, again in 2 s")
+        assert "server busy" in shown.evaluate("() => document.querySelector('.note').textContent")
+        wait_until(shown, lambda: shown.evaluate(PLACE) == "refined")
+        assert refusals == []
+        assert shown.evaluate(MESSAGE) == ""
+
+
+def test_strategies_by_footprint_are_refused(chromium: Any, server: Server) -> None:
+    with opened(chromium, *SIZE) as shown:
+        shown.goto(f"{server.url}?strategy=vis1")
+        wait_until(shown, lambda: shown.evaluate(MESSAGE))
+        assert "strategy: expected clovr or clovrd" in shown.evaluate(MESSAGE)
+
+
+def test_rings_come_at_once_where_the_address_says_so(chromium: Any, server: Server) -> None:
+    here = pose(3.0, -2.0)
+    with opened(chromium, *SIZE) as shown:
+        shown.goto(f"{server.url}?aa=0&strategy=clovrd&rings=1{link(here)}")
+        page = SteppedPage(shown)
+        told = until(page, here, is_refined)
+        assert told["shown"]["grown"] == {"radius": SETTINGS["radii"][0], "strength": 1}

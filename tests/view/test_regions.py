@@ -15,7 +15,7 @@ import nearfar as nf
 from nearfar._scene.srgb import to_srgb
 from nearfar.serve._server import Server
 from tests.support import gallery
-from tests.support.browser import SMALL, opened, wait_until
+from tests.support.browser import opened
 from tests.support.stepped_page import SteppedPage, count_objects, heap, objects
 
 pytestmark = pytest.mark.slow
@@ -35,6 +35,11 @@ MOST_GROWTH = 0.15
 
 
 @pytest.fixture(scope="module")
+def city() -> nf.Scene:
+    return nf.datasets.city(blocks=3, detail=1)
+
+
+@pytest.fixture(scope="module")
 def two(city: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two regions of a street, 6 m apart."""
     folder = tmp_path_factory.mktemp("regions") / "two"
@@ -46,13 +51,6 @@ def two(city: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Path:
 def hall(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("regions") / "hall"
     gallery.export(PLACES, folder)
-    return folder
-
-
-@pytest.fixture(scope="module")
-def corridor(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("regions") / "corridor"
-    gallery.export(3, folder)
     return folder
 
 
@@ -231,38 +229,58 @@ def floor_at(x: int, y: int) -> NDArray[np.float64]:
     return np.asarray(np.array([0, gallery.EYE, 0]) + ray * gallery.EYE / -ray[1])
 
 
-def test_clicks_and_keys_lead_to_other_places(chromium: Any, corridor: Path) -> None:
-    with Server.of_bundle(corridor) as server, opened(chromium, *ROOMY, device_scale_factor=0.25) as shown:
+def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None:
+    with Server.of_bundle(hall) as server, opened(chromium, *ROOMY) as shown:
         # All rings at once, so that the limit is that of the last one.
         shown.goto(f"{server.url}?aa=0&strategy=clovrd#p=0,{gallery.EYE},0&yaw=0&pitch=-0.4")
-        wait_until(shown, lambda: shown.evaluate("() => window.nearfar?.viewer.facts.shown?.ring === 2"))
+        shown.wait_for_function("() => window.nearfar?.viewer.facts.shown?.ring === 2", timeout=60e3)
         x, y = 300, 360
         # The point that a pixel shows is that of the scene; between two pictures there is none.
         found = shown.evaluate(f"() => window.nearfar.viewer.pointAt({x / ROOMY[0]}, {y / ROOMY[1]})")
         assert np.allclose(found, floor_at(x, y), atol=2e-3)
         assert shown.evaluate("() => window.nearfar.viewer.pointAt(0.142, 0.02)") is None
         shown.mouse.dblclick(x, y)
-        wait_until(shown, lambda: shown.evaluate(f"() => Math.abs({PLACE}[2] - {found[2]}) < 0.02"))
+        shown.wait_for_function(f"() => Math.abs({PLACE}[2] - {found[2]}) < 0.02", timeout=60e3)
         shown.keyboard.press("n")
-        wait_until(shown, lambda: shown.evaluate(f"() => Math.hypot({PLACE}[0] - {gallery.STEP}, {PLACE}[2]) < 0.02"))
-        wait_until(shown, lambda: shown.evaluate("() => window.nearfar.viewer.facts.region === 1"))
-        assert shown.evaluate("() => document.querySelector('.note').textContent") == "Place 2 of 3"
+        shown.wait_for_function(f"() => Math.hypot({PLACE}[0] - {gallery.STEP}, {PLACE}[2]) < 0.02", timeout=60e3)
+        shown.wait_for_function("() => window.nearfar.viewer.facts.region === 1", timeout=60e3)
+        assert shown.evaluate("() => document.querySelector('.note').textContent") == f"Place 2 of {PLACES}"
         assert shown.printed == []
 
 
-def test_a_region_that_does_not_come_leaves_the_old_picture(chromium: Any, corridor: Path) -> None:
-    manifest = json.loads((corridor / "manifest.json").read_text())
+def test_a_region_that_does_not_come_leaves_the_old_picture(chromium: Any, hall: Path) -> None:
+    manifest = json.loads((hall / "manifest.json").read_text())
     name = manifest["regions"][1]["rings"][1]["geometry"]
-    with Server.of_bundle(corridor) as server, opened(chromium, *SMALL) as shown:
+    with Server.of_bundle(hall) as server, opened(chromium, *SIZE) as shown:
         shown.route(f"**/{name}", lambda route: route.fulfill(status=404))
         shown.goto(f"{server.url}?aa=0&strategy=clovrd")
-        wait_until(shown, lambda: shown.evaluate("() => window.nearfar?.viewer.facts.shown?.ring === 2"))
+        shown.wait_for_function("() => window.nearfar?.viewer.facts.shown?.ring === 2", timeout=60e3)
         beyond = {"position": [0.9 * gallery.STEP, gallery.EYE, 0.0], "yaw": 0.3, "pitch": PITCH}
         shown.evaluate("(pose) => window.nearfar.setPose(pose)", beyond)
-        wait_until(shown, lambda: shown.evaluate("() => document.querySelector('#message').textContent !== ''"))
+        shown.wait_for_function("() => document.querySelector('#message').textContent !== ''", timeout=60e3)
         assert name in shown.evaluate("() => document.querySelector('#message').textContent")
         assert shown.evaluate("() => window.nearfar.viewer.facts.region") == 0
         assert shown.evaluate("() => window.nearfar.viewer.facts.shown.grown.radius") == gallery.RADII[-1]
         shown.unroute(f"**/{name}")
         shown.keyboard.press("r")
-        wait_until(shown, lambda: shown.evaluate("() => window.nearfar.viewer.facts.region === 1"))
+        shown.wait_for_function("() => window.nearfar.viewer.facts.region === 1", timeout=60e3)
+
+
+def test_files_of_the_next_ring_come_while_a_ring_is_made(chromium: Any, two: Path) -> None:
+    rings = json.loads((two / "manifest.json").read_text())["regions"][0]["rings"]
+    names = [Path(ring["geometry"] or "none").name for ring in rings]
+    asked: list[str] = []
+    with Server.of_bundle(two) as server, opened(chromium, 160, 120) as shown:
+        shown.on("request", lambda request: asked.append(request.url.rsplit("/", 1)[-1]))
+        shown.goto(f"{server.url}?aa=0")
+        stepped = SteppedPage(shown)
+        for _ in range(2000):
+            if names[1] in asked:
+                break
+            stepped.frame(pose(CENTERS[0][0], 0.3), 0.0)
+            shown.wait_for_timeout(10)
+        # Without frames nothing is uploaded, so ring 1 cannot be there.
+        shown.wait_for_timeout(2000)
+        assert shown.evaluate("() => window.nearfar.viewer.facts.arrived") == 0
+        assert names[2] in asked
+        assert names[3] not in asked
