@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from tests.support.changes import ALL, chosen
+from tests.support.changes import ALL, choose
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 PYTEST = ("-m", "pytest", "-n", "auto", "--dist", "worksteal", "-m", "slow and not stress")
@@ -28,7 +28,7 @@ def main() -> int:
     parser.add_argument("--list", action="store_true", help="only say what would run")
     arguments = parser.parse_args()
     paths, source = changes(arguments.base)
-    reasons = {ALL: source} if paths is None else chosen(paths)
+    reasons = {ALL: source} if paths is None else choose(paths)
     if arguments.which == "third":
         return run(third(reasons), is_listed=arguments.list)
     print(f"slow tests of what changed since {source}:" if paths is not None else f"all slow tests, because {source}:")

@@ -12,9 +12,9 @@ from PIL import Image
 
 import nearfar as nf
 from tests.support import need
-from tests.support.made import made
 from tests.support.orthoview_cases import boxes
 from tests.support.orthoview_stores import CELL, SIZE, built_once, few_boxes, layered_tree, world_of
+from tests.support.shared_folders import make_once
 
 Tree = nf.orthoview.OrthoTree
 
@@ -93,7 +93,7 @@ def textured(tmp_path_factory: pytest.TempPathFactory) -> Tree:
         nf.view.write_page(path)
 
     need("zarr")
-    return nf.orthoview.open(made(tmp_path_factory, "textured.zarr", make))
+    return nf.orthoview.open(make_once(tmp_path_factory, "textured.zarr", make))
 
 
 @pytest.fixture

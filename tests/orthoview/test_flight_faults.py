@@ -19,9 +19,9 @@ import nearfar as nf
 from nearfar.orthoview import _loader
 from tests.support import need
 from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, is_same, there, whole
-from tests.support.made import made
 from tests.support.orthoview_stores import CELL, SIZE, box_about, world_of
 from tests.support.range_server import RangeHandler
+from tests.support.shared_folders import make_once
 from tests.support.waiting import wait_until
 
 need("zarr")
@@ -206,7 +206,7 @@ def before(tmp_path_factory: pytest.TempPathFactory) -> Tree:
             patch.setattr("nearfar.orthoview._build.SUBTREE", 2)
             nf.orthoview.build(world_of(BOXES), path, cell=CELL, size=SIZE, directions=5)
 
-    return nf.orthoview.open(made(tmp_path_factory, "small_shards.zarr", make))
+    return nf.orthoview.open(make_once(tmp_path_factory, "small_shards.zarr", make))
 
 
 def updated(tree: Tree) -> Tree:

@@ -20,10 +20,10 @@ from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import BEHIND, CHANNELS
 from tests.support import need
-from tests.support.made import made
 from tests.support.orthoview_page import Damage, Store, ViewKey, cameras, cases_of, in_node
 from tests.support.orthoview_stores import masks_of
 from tests.support.range_server import served
+from tests.support.shared_folders import make_once
 from tests.support.web_cases import web_tests
 
 pytestmark = pytest.mark.slow
@@ -49,7 +49,7 @@ def changed(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.ortho
         tree.update(np.array([low, middle]), scene_of(few.triangles()[:40] + few.origin))
         nf.orthoview.open(path).update(np.array([middle, high]), scene_of(few.triangles() + few.origin + 3.0))
 
-    return nf.orthoview.open(made(tmp_path_factory, "changed.zarr", make))
+    return nf.orthoview.open(make_once(tmp_path_factory, "changed.zarr", make))
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +58,9 @@ def large(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
     rng = np.random.default_rng(4)
     corners = rng.uniform(0, 100, (700, 1, 3)) + rng.uniform(-5, 5, (700, 3, 3))
     settings: dict[str, Any] = {"cell": 26, "size": 48, "directions": 5}
-    path = made(tmp_path_factory, "large.zarr", lambda path: nf.orthoview.build(scene_of(corners), path, **settings))
+    path = make_once(
+        tmp_path_factory, "large.zarr", lambda path: nf.orthoview.build(scene_of(corners), path, **settings)
+    )
     assert max(shard.stat().st_size for shard in path.glob("0/py/*/c/0/0/0/0/0/0")) > 1 << 16
     return nf.orthoview.open(path)
 
@@ -121,7 +123,7 @@ def in_rows(layer: dict[str, Any]) -> NDArray[np.uint32]:
     return found[np.lexsort((found[:, 2] & 4095, found[:, 2] >> 12 & 4095))]
 
 
-def asked(tree: nf.orthoview.OrthoTree, url: str, count: int) -> Store:
+def sample(tree: nf.orthoview.OrthoTree, url: str, count: int) -> Store:
     """Cuts of a tree and views of some of them, which Node compares and reads."""
     some = cameras(tree, count, seed=3)
     cuts = [tree.cut(camera, geometry=False) for camera in some[:6]]
@@ -216,7 +218,7 @@ def test_stores_are_read_as_python_reads_them(
     with served(folder) as server, without_ranges(folder) as whole, served(tmp_path) as other:
         trees = [tree, changed, large, large]
         urls = [f"{url}{Path(own.path).name}/" for own, url in zip(trees, [server.url] * 3 + [whole], strict=True)]
-        stores = [asked(own, url, count) for own, url, count in zip(trees, urls, (60, 40, 12, 12), strict=True)]
+        stores = [sample(own, url, count) for own, url, count in zip(trees, urls, (60, 40, 12, 12), strict=True)]
         few = nf.orthoview.open(copied_few)
         cases = cases_of(few, cameras(few, 1, seed=3))
         stores.append(Store(f"{other.url}{copied_few.name}/", cases, [], damaged(copied_few)))

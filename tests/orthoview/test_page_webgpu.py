@@ -88,7 +88,7 @@ def test_geometry_is_drawn_before_and_behind_splats(with_webgpu: Any, city: nf.o
 
 
 def test_pictures_are_those_of_webgl(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
-    """Which draws where WebGPU fails."""
+    """WebGL draws where WebGPU fails."""
     pictures = []
     with Server.of_bundle(city.path) as server:
         for query, script in (("", REFUSED), ("graphics=webgpu&", "")):

@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import need
-from tests.support.made import made
 from tests.support.range_server import served
 from tests.support.reader_cases import FOLDER, SECONDS, node
+from tests.support.shared_folders import make_once
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "orthoview.md"
 CELL, SIZE, STEPS = 10.0, 16, 4092
@@ -50,7 +50,7 @@ def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
         parts[-1].visual.vertex_colors = rng.integers(40, 256, 4)
     world = nf.Scene.from_trimesh(trimesh.util.concatenate(parts))
     settings: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 9}
-    return made(tmp_path_factory, "far.zarr", lambda path: nf.orthoview.build(world, path, **settings))
+    return make_once(tmp_path_factory, "far.zarr", lambda path: nf.orthoview.build(world, path, **settings))
 
 
 def layout_of(group: Any) -> dict[str, Any]:
@@ -226,7 +226,7 @@ def city(tmp_path_factory: pytest.TempPathFactory) -> Path:
         folder.mkdir()
         run([sys.executable, "-W", "error", "-c", code], folder)
 
-    return made(tmp_path_factory, "page", make)
+    return make_once(tmp_path_factory, "page", make)
 
 
 def run(command: list[str], folder: Path) -> str:

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 import nearfar as nf
 from tests.support import need
-from tests.support.made import made
 from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, contents, ended, masks_of, places, world_of
+from tests.support.shared_folders import make_once
 
 need("zarr")
 
@@ -35,7 +35,7 @@ def built(scene: Any, path: Path) -> nf.orthoview.OrthoTree:
 def trees(tmp_path_factory: pytest.TempPathFactory) -> Trees:
     """The trees of the world as it was and as it is."""
     worlds = {"before": world_of(BEFORE), "after": world_of(AFTER)}
-    paths = {name: made(tmp_path_factory, f"{name}.zarr", partial(built, world)) for name, world in worlds.items()}
+    paths = {name: make_once(tmp_path_factory, f"{name}.zarr", partial(built, world)) for name, world in worlds.items()}
     return {name: nf.orthoview.open(path) for name, path in paths.items()}
 
 
@@ -94,7 +94,7 @@ def test_an_update_computes_the_leaves_in_its_box_and_the_cells_above_them(
 
 
 def check_work(updated: nf.orthoview.OrthoTree, levels: list[set[tuple[int, int, int]]], source: Counted) -> None:
-    """What was drawn and composed of the cells that changed, and what was read of those beside them."""
+    """Check that the cells that changed were drawn and composed, and that only their neighbours were read."""
     done = updated.done
     assert source.queries == len(levels[0]) == done["drawn"] + done["empty"]
     above = [(level, place) for level, cells in enumerate(levels) for place in cells if level]

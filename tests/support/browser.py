@@ -74,7 +74,7 @@ def started(path: str | None = None, flags: Sequence[str] = ()) -> Iterator[Any]
 
 @contextmanager
 def hidden_loop() -> Iterator[None]:
-    """Let other code run an asyncio loop of its own: Playwright's counts as running while it has a browser."""
+    """Hide Playwright's asyncio loop, so that other code can run one: it counts as running while there is a browser."""
     asyncio._set_running_loop(None)
     try:
         yield

@@ -56,7 +56,7 @@ def users_of(room: str) -> set[str]:
     return {other for other, name in names.items() if names[room] in reachable(PACKAGE, name) | {name}}
 
 
-def chosen(paths: Iterable[str]) -> dict[str, str]:
+def choose(paths: Iterable[str]) -> dict[str, str]:
     """Folders of tests to run for changed files, each with the first file that asks for it; `ALL` stands for all."""
     reasons: dict[str, str] = {}
     for path in sorted(paths):

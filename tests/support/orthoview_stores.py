@@ -23,8 +23,8 @@ from nearfar.orthoview import _store
 from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._grid import Grid, Place
 from tests.support import need
-from tests.support.made import made
 from tests.support.orthoview_cases import CORNER, boxes
+from tests.support.shared_folders import make_once
 
 CELL, SIZE = 10.0, 16
 FORMAT = (SIZE, 12, 16)
@@ -63,7 +63,7 @@ def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.Or
 
 
 def of_subtrees(tree: nf.orthoview.OrthoTree) -> Callable[[int, Place], _store.Cells]:
-    """What the records of a tree tell of the subtree at a tier and a place."""
+    """Reader of the cells that the records of a tree list for the subtree at a tier and a place."""
     return _store.cells_of(tree._files, tree._layout, tree.generation, _store.Listed(tree._files, tree._layout))
 
 
@@ -84,7 +84,7 @@ def masks_of(tree: nf.orthoview.OrthoTree) -> dict[tuple[int, Place], int]:
 def built_once(factory: pytest.TempPathFactory, name: str, scene: nf.Scene, **settings: Any) -> nf.orthoview.OrthoTree:
     """The tree of a scene, built once in a run."""
     need("zarr")
-    return nf.orthoview.open(made(factory, name, lambda path: nf.orthoview.build(scene, path, **settings)))
+    return nf.orthoview.open(make_once(factory, name, lambda path: nf.orthoview.build(scene, path, **settings)))
 
 
 def layered_tree(factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:

@@ -15,7 +15,7 @@ IMPORT = re.compile(
     | \bnew\s+URL\(\s*(?P<sign>['"])(?P<script>[\w-]+\.js)(?P=sign)""",
     re.MULTILINE | re.VERBOSE,
 )
-"""What a file names: another one by its path, at once or later, or a script by the name that it is built under."""
+"""Imports of a file, static or dynamic, by path; scripts by the name of their built file."""
 
 
 def file_graph(source: Path, scripts: Mapping[str, str] | None = None) -> dict[str, set[str]]:

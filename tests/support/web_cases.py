@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.made import made
 from tests.support.reader_cases import SECONDS
+from tests.support.shared_folders import make_once
 
 WEB = Path(__file__).resolve().parents[2] / "web"
 
@@ -25,7 +25,7 @@ def run(*command: str, **environment: str) -> None:
 
 def web_tests(factory: pytest.TempPathFactory) -> Path:
     """The folder of the sources' unit tests, bundled for Node once in a run."""
-    return made(factory, "web-tests", lambda path: run("node", "build.mjs", "--tests", str(path)))
+    return make_once(factory, "web-tests", lambda path: run("node", "build.mjs", "--tests", str(path)))
 
 
 @cache

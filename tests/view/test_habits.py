@@ -107,7 +107,7 @@ def test_help_and_the_panel_are_opened_and_closed_by_keys(page: Any) -> None:
     page.keyboard.press("?")
     dialog = page.get_by_role("dialog", name="How to move")
     assert dialog.is_visible()
-    # Nothing is said of a headset where there is none.
+    # The page does not mention headsets where there is none.
     assert not page.get_by_text("enter the headset").is_visible()
     before = pose(page)
     page.keyboard.down("w")

@@ -16,8 +16,8 @@ pub struct Offer {
 }
 
 impl Offer {
-    /// Tell pages of it.
-    pub fn told(&self) -> Datagrams {
+    /// Description of the offer for pages.
+    pub fn description(&self) -> Datagrams {
         Datagrams { port: self.port, hashes: self.pinned.iter().map(|pinned| pinned.hash()).collect() }
     }
 

@@ -163,7 +163,7 @@ impl Router {
 
     /// Where datagrams are taken now, if anywhere.
     pub(crate) fn datagrams(&self) -> Option<Datagrams> {
-        self.offer.as_ref().map(Offer::told)
+        self.offer.as_ref().map(Offer::description)
     }
 
     /// Make the next certificate for datagrams if it is time.

@@ -11,7 +11,7 @@ use super::place::Place;
 pub struct Part {
     /// 0 for what comes first; what comes next of the region is of this stage or of a later one.
     pub stage: u8,
-    /// JSON that tells of the part, with its newline.
+    /// The part as a line of JSON, with its newline.
     pub line: Bytes,
     /// Content of files by name; the last part has the region's manifest.
     pub files: Vec<(String, Bytes)>,

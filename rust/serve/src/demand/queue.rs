@@ -64,7 +64,7 @@ impl<Work, Client: Copy + Eq + Hash> Queue<Work, Client> {
     }
 
     /// How much waiting work comes before one; `is_it` finds that.
-    pub fn before(&self, is_it: impl Fn(&Work) -> bool) -> Option<usize> {
+    pub fn position(&self, is_it: impl Fn(&Work) -> bool) -> Option<usize> {
         self.order().into_iter().position(|place| is_it(&self.waiting[place].work))
     }
 
@@ -147,7 +147,7 @@ mod tests {
     fn late_stages_can_be_left_out() {
         let mut queue = queue(&[(1, "ann", "late")]);
         assert!(queue.take(0).is_none());
-        assert_eq!(queue.before(|work| *work == "late"), Some(0));
+        assert_eq!(queue.position(|work| *work == "late"), Some(0));
         assert_eq!(queue.take(1).unwrap().work, "late");
     }
 }

@@ -51,7 +51,7 @@ impl Ticket {
             if let Some(outcome) = news.outcome {
                 return Event::End(outcome);
             }
-            let before = self.shared.before(&self.region);
+            let before = self.shared.position(&self.region);
             if self.told == 0 && before != self.before {
                 self.before = before;
                 if let Some(before) = before {

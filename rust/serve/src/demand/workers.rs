@@ -110,8 +110,8 @@ impl Shared {
     }
 
     /// Number of regions that are worked on before one that waits.
-    pub fn before(&self, region: &Arc<Region>) -> Option<usize> {
-        self.state().queue.before(|work| Arc::ptr_eq(&work.region, region))
+    pub fn position(&self, region: &Arc<Region>) -> Option<usize> {
+        self.state().queue.position(|work| Arc::ptr_eq(&work.region, region))
     }
 
     /// A client waits no more for a region.

@@ -39,7 +39,7 @@ impl Default for Limits {
 pub enum Refusal {
     /// The client waits for as many regions as it may.
     TooManyOfClient(usize),
-    /// As many regions are waited for as may be.
+    /// The server has as many requests as it may.
     TooMany(usize),
     /// The server ends.
     Closing,
@@ -135,7 +135,7 @@ impl Demand {
         self.shared.state().entries.len()
     }
 
-    /// Counts of what became of requests, and what is there.
+    /// Counts of requests by outcome, and of regions that are there.
     pub fn figures(&self) -> Figures {
         let mut figures = self.shared.state().figures;
         figures.waiting = self.waiting() as u64;

@@ -12,7 +12,7 @@ import pytest
 from nearfar._base import locks
 
 
-def made(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
+def make_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
     """A path below a folder of the run, after a function has written there. Tests that change it copy it first."""
     own = factory.getbasetemp()
     folder = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "made"
