@@ -112,7 +112,8 @@ def test_ctrl_c_ends_processes_and_keeps_what_they_did(tmp_path: Path) -> None:
         return list((tmp_path / "cache").glob("??/*.npy"))
 
     try:
-        assert until(lambda: len(kept()) >= 2)
+        assert until(lambda: len(kept()) >= 2 or program.poll() is not None)
+        assert program.poll() is None, program.communicate()[1]
         workers = children(program.pid)
         assert len(workers) >= 2
         program.send_signal(signal.SIGINT)
@@ -125,4 +126,4 @@ def test_ctrl_c_ends_processes_and_keeps_what_they_did(tmp_path: Path) -> None:
         assert note.startswith(f"measure: {np.isfinite(scores).sum():,} of at most ")
     finally:
         program.kill()
-        program.wait()
+        program.communicate()
