@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from scripts.checkout_copy import Copy, Refused
-from scripts.mutations import Fault, failure, faults, place, suites
+from scripts.mutations import Fault, failures, faults, place, suites, without_fault
 
 CARGO = "failures:\n\n---- a::tests::holds stdout ----\n\nthread panicked at a.rs:1:\nleft: 1\n"
 TAP = "TAP version 13\n# Subtest: it walks\nnot ok 1 - it walks\n  ---\n  failureType: 'x'\n  error: 'two is one'\n"
@@ -47,17 +47,27 @@ def test_faults_are_read_from_tables(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("suite", "status", "output", "expected"),
     [
-        (("pytest", "t"), 0, "3 passed", None),
-        (("pytest", "t"), 1, "FAILED t/a.py::test_b[c d] - assert 1 == 2", ("t/a.py::test_b[c d]", "assert 1 == 2")),
-        (("slow", "t"), 1, "ERROR t/a.py::test_b - OSError: gone", ("t/a.py::test_b", "OSError: gone")),
-        (("cargo", "core", "a::"), 101, CARGO, ("cargo: a::tests::holds", "thread panicked at a.rs:1: left: 1")),
-        (("node", "t"), 1, TAP, ("node: it walks", "'two is one'")),
+        (("pytest", "t"), 0, "3 passed", []),
+        (("pytest", "t"), 1, "FAILED t/a.py::test_b[c d] - assert 1 == 2", [("t/a.py::test_b[c d]", "assert 1 == 2")]),
+        (("slow", "t"), 1, "ERROR t/a.py::test_b - OSError: gone", [("t/a.py::test_b", "OSError: gone")]),
+        (("cargo", "core", "a::"), 101, CARGO, [("cargo: a::tests::holds", "thread panicked at a.rs:1: left: 1")]),
+        (("node", "t"), 1, TAP, [("node: it walks", "'two is one'")]),
     ],
 )
-def test_the_first_failure_is_told(
-    suite: tuple[str, ...], status: int, output: str, expected: tuple[str, str] | None
+def test_failures_are_read_from_what_programs_print(
+    suite: tuple[str, ...], status: int, output: str, expected: list[tuple[str, str]]
 ) -> None:
-    assert failure(Ran(status, output), suite) == expected
+    assert failures(Ran(status, output), suite) == expected
+
+
+def test_few_tests_that_fail_without_a_fault_are_left_out() -> None:
+    lines = [f"FAILED t/a.py::test_{number} - OSError: gone\n" for number in range(4)]
+    assert without_fault(Ran(1, "".join(lines[:3])), ("pytest", "t")) == [
+        f"t/a.py::test_{number}" for number in range(3)
+    ]
+    for output, suite in (("".join(lines), ("pytest", "t")), (CARGO, ("cargo", "core", "a::"))):
+        with pytest.raises(Refused):
+            without_fault(Ran(1, output), suite)
 
 
 @pytest.mark.parametrize(
@@ -72,4 +82,4 @@ def test_the_first_failure_is_told(
 )
 def test_tests_that_do_not_run_catch_nothing(suite: tuple[str, ...], status: int, output: str) -> None:
     with pytest.raises(Refused):
-        failure(Ran(status, output), suite)
+        failures(Ran(status, output), suite)
