@@ -242,6 +242,11 @@ def accessor(**changes: object) -> list[dict[str, object]]:
         (triangle(accessors=accessor(count=10**12)), "does not hold"),
         (triangle(accessors=[{"componentType": 5126, "count": 10**12, "type": "VEC3"}]), "unpacks to more than"),
         (triangle(accessors=accessor(count=-3)), "does not hold"),
+        # Bytes from the end of the buffer, to Python.
+        (
+            triangle(bufferViews=[{"buffer": 0, "byteOffset": -24, "byteLength": 12}], accessors=accessor(count=1)),
+            "does not hold",
+        ),
         (triangle(extensionsRequired=["ACME_gizmo"]), "needs the extension ACME_gizmo, which is not read"),
         (triangle(nodes=[{"mesh": 0, "name": "thing", "scale": [1e300, 1, 1]}]), r"numbers up to 1e\+30"),
         (triangle(nodes=[{"mesh": 0, "name": "thing", "translation": [float("nan"), 0, 0]}]), "at node 'thing'"),

@@ -43,6 +43,14 @@ def test_a_room_is_seen_from_inside() -> None:
     assert (np.abs(np.array(place.eye)[[0, 2]]) < [4, 3]).all()
 
 
+@pytest.mark.parametrize("x", [-2.0, 2.0])
+def test_the_side_with_more_space_comes_first(x: float) -> None:
+    eye = (x, 1.7, 2.0)
+    sides = viewpoint.beside(room(), viewpoint.facing(eye, (x, 1.7, 0.0)), 3.0)
+    # Walls are 2 and 6 m away, and a user keeps 0.4 of that.
+    np.testing.assert_allclose(sides, [(x - np.sign(x) * 3.0, 1.7, 2.0), (x + np.sign(x) * 1.2, 1.7, 2.0)], atol=1e-5)
+
+
 def test_a_plain_without_anything_is_no_object() -> None:
     scene = nf.Scene.from_trimesh(trimesh.creation.box((300, 1, 300)))
     place = viewpoint.find(scene)
