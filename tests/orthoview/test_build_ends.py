@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import ArrayLike
 
 import nearfar as nf
+from nearfar.orthoview import _update
 from nearfar.orthoview._shard import ShardWriter
 from tests.support import need
 from tests.support.orthoview_cases import boxes
@@ -153,7 +154,7 @@ def test_a_source_that_always_fails_ends_the_build(world: nf.Scene, tmp_path: Pa
         nf.orthoview.build(source, tmp_path / "world.zarr", cell=CELL, size=SIZE, directions=5)
 
 
-def test_two_builds_into_one_store_are_refused(world: nf.Scene, tmp_path: Path) -> None:
+def test_two_that_write_into_one_store_are_refused(world: nf.Scene, tmp_path: Path) -> None:
     need("linux")
     path = tmp_path / "world.zarr"
 
@@ -161,6 +162,8 @@ def test_two_builds_into_one_store_are_refused(world: nf.Scene, tmp_path: Path) 
         def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
             with pytest.raises(BlockingIOError, match="another build writes into"):
                 nf.orthoview.build(world, path, cell=40.0, size=SIZE, directions=5)
+            with pytest.raises(BlockingIOError, match="another build writes into"):
+                _update.update(path, world.bounds, world)
             return super().query(aabb, detail)
 
     assert nf.orthoview.build(Second(world), path, cell=40.0, size=SIZE, directions=5).is_complete

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import formats
+from nearfar._reduce.folder import COUNTS
 from nearfar._scene import glb
 from nearfar._scene.builder import SceneBuilder
 from tests.support import data, need, valid
@@ -345,6 +346,7 @@ def test_damage_is_a_sentence_about_the_file(name: str, where: float, value: int
         ({"r1": 60}, "r1"),
         ({"morph": "linear"}, "morph"),
         ({"counts": {}}, "triangles"),
+        ({"counts": dict.fromkeys(COUNTS, -1)}, "expected a whole number"),
         ({"moving": []}, "moving"),
         ({"object_names": ["left"]}, "no object"),
         ({"files": None}, "NoneType"),

@@ -103,6 +103,7 @@ def test_an_adaptive_plane_moves_no_faster_than_its_rate() -> None:
         plane.update(3.0, 0.1)
     rest = plane.rig
     assert plane.update(3.05, 1.0) is rest
+    assert plane.update(10.0, 0.1).planes[0] / rest.planes[0] == pytest.approx(math.exp(0.05))
 
 
 @pytest.mark.parametrize(
