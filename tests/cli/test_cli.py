@@ -165,11 +165,9 @@ def test_mistakes_are_one_sentence(
 
 
 def test_the_program_itself_leaves_with_the_status() -> None:
-    for arguments, status in ((["--version"], 0), (["info", "-i", "missing.glb"], 1), (["info"], 2)):
-        process = subprocess.run(
-            [sys.executable, "-m", "nearfar.cli", *arguments], capture_output=True, text=True, timeout=600, check=False
-        )
-        assert process.returncode == status, process.stderr
+    # No program leaves with 2 by accident.
+    process = subprocess.run([sys.executable, "-m", "nearfar.cli", "info"], capture_output=True, text=True, timeout=600)
+    assert process.returncode == 2, process.stderr
 
 
 def test_the_command_line_loads_late() -> None:
@@ -262,7 +260,8 @@ def test_both_eyes_of_a_headset_are_rendered(city: Path, tmp_path: Path, capsys:
     assert left.shape == (36, 40, 3)
     assert (left != right).any()
     assert np.array_equal(pixels(path), np.concatenate([left, right], axis=1))
-    status, out, _ = command(capsys, *common, "--hmd", "quest_2", "--lens", "generic", "--method", "continuous")
+    generic = ("--lens", "generic", "--face-size", "64")
+    status, out, _ = command(capsys, *common, "--hmd", "quest_2", *generic, "--method", "continuous")
     assert status == 0
     report = document(out, "render")
     assert report["lens"].startswith("generic, that of Cardboard")

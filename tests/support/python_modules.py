@@ -29,6 +29,7 @@ class _Package:
         self.name, self.entries, self.folder = folder.name, entries, folder
         self.paths = {_dotted(path, folder.parent): path for path in sorted(folder.rglob("*.py"))}
         self.trees = {module: ast.parse(_read(path)) for module, path in self.paths.items()}
+        self.nodes = {module: list(ast.walk(tree)) for module, tree in self.trees.items()}
         self.folders = {module for module, path in self.paths.items() if path.name == "__init__.py"}
         self.defined = {module: set(_definitions(tree)) for module, tree in self.trees.items()}
         self.imported = {module: dict(_names(tree, module)) for module, tree in self.trees.items()}
@@ -47,7 +48,7 @@ class _Package:
     def _used(self, module: str) -> Iterator[str]:
         """Modules that one refers to, by imports, by names in what it has imported, and by strings."""
         modules: dict[str, str] = {}
-        for node in ast.walk(self.trees[module]):
+        for node in self.nodes[module]:
             if isinstance(node, ast.ImportFrom) and node.module and self._is_ours(node.module):
                 for alias in node.names:
                     found = self.definer(node.module, alias.name)
@@ -60,7 +61,7 @@ class _Package:
                     # A use of the whole package counts by the names that follow.
                     if alias.name != self.name:
                         yield alias.name
-        for node in ast.walk(self.trees[module]):
+        for node in self.nodes[module]:
             if isinstance(node, ast.Attribute):
                 yield self._referred(node, modules)
             elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value != self.name:
