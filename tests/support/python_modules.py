@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import gc
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -21,7 +22,12 @@ def file_graph(package: Path, entries: Mapping[str, str] | None = None) -> dict[
     entries
         Modules by the names of their entry points, by which other packages import them.
     """
-    return _Package(package, entries or {}).graph()
+    # Trees of all files are millions of objects, which the collector would look through again and again.
+    gc.disable()
+    try:
+        return _Package(package, entries or {}).graph()
+    finally:
+        gc.enable()
 
 
 class _Package:
