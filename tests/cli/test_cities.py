@@ -11,7 +11,6 @@ from nearfar.cli._app import run
 from tests.support.city_cases import collection, everything, feature, square, written
 
 PLACE = ("--center", "-30,1.7,0", "--r1", "10", "--r2", "20", "--face-size", "8", "--samples", "1", "--size", "16x12")
-# Tears are measured at 20 pixels a degree, so that a narrow view is a fast one.
 SMALL = (*PLACE[-4:], "--fov", "10")
 
 

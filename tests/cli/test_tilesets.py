@@ -12,7 +12,6 @@ from nearfar.cli._app import run
 from tests.support.tile_cases import b3dm, glb, tile, tileset, write
 
 PLACE = ("--center", "0,1.7,0", "--r1", "3", "--r2", "8", "--face-size", "8", "--samples", "1", "--size", "16x12")
-# Tears are measured at 20 pixels a degree, so that a narrow view is a fast one.
 SMALL = (*PLACE[-4:], "--fov", "10")
 
 
