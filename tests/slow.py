@@ -71,7 +71,8 @@ def third(reasons: Reasons) -> list[str]:
     """One third of the files with slow tests that were not chosen: the next one with each commit."""
     count = git("rev-list", "--count", "HEAD") if git("rev-parse", "--is-shallow-repository") == "false\n" else None
     turn = int(count or 0) % 3
-    others = [path for path in slow_files() if path not in files_of(reasons)]
+    chosen = set(files_of(reasons))
+    others = [path for path in slow_files() if path not in chosen]
     print(f"slow tests of other stages: third {turn + 1} of 3, {len(others[turn::3])} of {len(others)} files")
     return others[turn::3]
 

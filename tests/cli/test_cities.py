@@ -11,6 +11,7 @@ from nearfar.cli._app import run
 from tests.support.city_cases import collection, everything, feature, square, written
 
 PLACE = ("--center", "-30,1.7,0", "--r1", "10", "--r2", "20", "--face-size", "8", "--samples", "1", "--size", "16x12")
+SMALL = (*PLACE[-4:], "--fov", "10")
 
 
 def triangles(capsys: pytest.CaptureFixture[str], *arguments: str) -> int:
@@ -32,7 +33,7 @@ def test_compare_takes_the_heights_that_reduce_took(tmp_path: Path, capsys: pyte
     assert report["parts"] == {"height": "roof"}
     capsys.readouterr()
     compared = str(tmp_path / "compared")
-    assert run(["compare", "-i", folder, "-o", compared, "--samples", "1", "--size", "16x12", "--json"]) == 0
+    assert run(["compare", "-i", folder, "-o", compared, *SMALL, "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["triangles"] == report["triangles"]
 
 

@@ -19,8 +19,6 @@ from nearfar._trace import viewpoint
 from tests.support import need
 from tests.support.cli_cases import city as city, command, document
 
-SMALL = "city:blocks=3,detail=0"
-
 
 def pixels(path: Path) -> NDArray[np.uint8]:
     with Image.open(path) as picture:
@@ -97,20 +95,8 @@ def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.Capt
     assert pixels(folder / "side_by_side.png").shape[1] == 4 * 96 + 3 * 6
     text = (folder / "report.md").read_text(encoding="utf-8")
     assert f"{report['triangles']:,} triangles become {report['triangles_left']:,}" in text
-
-
-def test_demo_plots_the_load_curve(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     need("matplotlib")
-    settings = ("--size", "48x32", "--samples", "1", "--face-size", "16")
-    status, _, err = command(capsys, "demo", "-i", city, "-o", tmp_path / "demo", *settings)
-    assert (status, err) == (0, "")
-    assert pixels(tmp_path / "demo" / "load_curve.png").std() > 5.0
-
-
-def test_procedural_scenes_need_no_file(capsys: pytest.CaptureFixture[str]) -> None:
-    status, out, _ = command(capsys, "info", "-i", SMALL, "--json")
-    assert status == 0
-    assert document(out, "info")["triangles"] > 100
+    assert pixels(folder / "load_curve.png").std() > 5.0
 
 
 @pytest.mark.parametrize(
@@ -165,11 +151,9 @@ def test_mistakes_are_one_sentence(
 
 
 def test_the_program_itself_leaves_with_the_status() -> None:
-    for arguments, status in ((["--version"], 0), (["info", "-i", "missing.glb"], 1), (["info"], 2)):
-        process = subprocess.run(
-            [sys.executable, "-m", "nearfar.cli", *arguments], capture_output=True, text=True, timeout=600, check=False
-        )
-        assert process.returncode == status, process.stderr
+    # No program leaves with 2 by accident.
+    process = subprocess.run([sys.executable, "-m", "nearfar.cli", "info"], capture_output=True, text=True, timeout=600)
+    assert process.returncode == 2, process.stderr
 
 
 def test_the_command_line_loads_late() -> None:
@@ -262,7 +246,8 @@ def test_both_eyes_of_a_headset_are_rendered(city: Path, tmp_path: Path, capsys:
     assert left.shape == (36, 40, 3)
     assert (left != right).any()
     assert np.array_equal(pixels(path), np.concatenate([left, right], axis=1))
-    status, out, _ = command(capsys, *common, "--hmd", "quest_2", "--lens", "generic", "--method", "continuous")
+    generic = ("--lens", "generic", "--face-size", "64")
+    status, out, _ = command(capsys, *common, "--hmd", "quest_2", *generic, "--method", "continuous")
     assert status == 0
     report = document(out, "render")
     assert report["lens"].startswith("generic, that of Cardboard")

@@ -38,7 +38,7 @@ def test_an_object_of_any_size_is_seen(size: float, tmp_path: Path, capsys: pyte
 
 def test_a_folder_is_seen_as_its_report_shows_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     light = tmp_path / "light"
-    assert command(capsys, "reduce", "-i", "room", "-o", light, *SMALL, "--face-size", "32")[0] == 0
+    assert command(capsys, "reduce", "-i", "room:detail=0", "-o", light, *SMALL, "--face-size", "32")[0] == 0
     assert command(capsys, "render", "-i", light, "-o", tmp_path / "seen.png", *SMALL)[0] == 0
     with Image.open(light / "continuous.png") as one, Image.open(tmp_path / "seen.png") as other:
         difference = np.abs(np.asarray(one.convert("RGB")).astype(int) - np.asarray(other.convert("RGB")))
@@ -72,6 +72,6 @@ def test_a_folder_without_near_geometry_is_described(tmp_path: Path, capsys: pyt
 def test_stretched_headset_pictures_are_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for size, stretched in (("64x40", True), ("72x72", False)):
         arguments = ("--hmd", "quest 2", "-o", tmp_path / "eyes.png", "--size", size, "--samples", "1", "--json")
-        status, out, _ = command(capsys, "render", "-i", "room", *arguments)
+        status, out, _ = command(capsys, "render", "-i", "room:detail=0", *arguments)
         assert status == 0
         assert any("stretched" in text for text in document(out, "render")["findings"]) == stretched

@@ -12,6 +12,7 @@ from nearfar.cli._app import run
 from tests.support.tile_cases import b3dm, glb, tile, tileset, write
 
 PLACE = ("--center", "0,1.7,0", "--r1", "3", "--r2", "8", "--face-size", "8", "--samples", "1", "--size", "16x12")
+SMALL = (*PLACE[-4:], "--fov", "10")
 
 
 @pytest.fixture
@@ -50,7 +51,7 @@ def test_compare_takes_the_tiles_that_reduce_took(path: Path, capsys: pytest.Cap
     report = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))
     assert (report["triangles"], report["parts"]) == (12, {"error": 9.0, "origin": [0.0, 0.0, 0.0]})
     capsys.readouterr()
-    assert run(["compare", "-i", folder, "-o", compared, "--samples", "1", "--size", "16x12", "--json"]) == 0
+    assert run(["compare", "-i", folder, "-o", compared, *SMALL, "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["triangles"] == 12
 
 

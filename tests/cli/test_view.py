@@ -18,7 +18,9 @@ from tests.support.cli_cases import command
 @pytest.fixture(scope="module")
 def bundle(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("view") / "bundle"
-    nf.stream.export(nf.datasets.room(), folder, center=(0.3, 1.6, 0.2), radii=[1.5, 3.0], face_size=64, samples=1)
+    nf.stream.export(
+        nf.datasets.room(detail=0), folder, center=(0.3, 1.6, 0.2), radii=[1.5, 3.0], face_size=64, samples=1
+    )
     return folder
 
 
@@ -48,7 +50,7 @@ def test_the_page_is_written_beside_a_bundle(bundle: Path, capsys: pytest.Captur
 
 
 def test_the_page_is_written_beside_a_reduced_scene(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    reduced = nf.reduce(nf.datasets.room(), center=(0.3, 1.6, 0.2), r1=1.2, r2=2.0, face_size=64)
+    reduced = nf.reduce(nf.datasets.room(detail=0), center=(0.3, 1.6, 0.2), r1=1.2, r2=2.0, face_size=64)
     reduced.save(tmp_path / "light")
     assert command(capsys, "view", tmp_path / "light", "--write")[0] == 0
     assert {"index.html", "manifest.json", "reduced.json"} <= {path.name for path in (tmp_path / "light").iterdir()}

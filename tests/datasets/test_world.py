@@ -116,7 +116,7 @@ PLACES = [(0, 0), (7, -9), (-120, 44), (-139, -151), (150, 90)]
 @pytest.mark.parametrize("place", PLACES)
 def test_coarse_ground_stays_within_its_error(place: tuple[int, int]) -> None:
     i, j = place
-    fine = {(a, b): tiles.tile(0, 0, 4 * i + a, 4 * j + b).height for a in range(4) for b in range(4)}
+    fine = {(a, b): tiles.tile(0, 0, 4 * i + a, 4 * j + b).height for a in range(4) for b in range(a % 2, 4, 2)}
     for level in range(1, 6):
         worst = 0.0
         for (a, b), height in fine.items():

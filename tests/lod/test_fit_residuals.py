@@ -76,8 +76,7 @@ def squared(curve: nf.lod.Curve4PL, x: Array, y: Array) -> float:
     return float(((curve(x) - y) ** 2).sum())
 
 
-@pytest.mark.parametrize("samples", [8, 20, 40])
-@pytest.mark.parametrize("noise", [0.01, 0.05, 0.1, 0.2])
+@pytest.mark.parametrize(("samples", "noise"), [(8, 0.01), (20, 0.05), (40, 0.1), (20, 0.2), (8, 0.1), (40, 0.01)])
 def test_residuals_are_never_above_scipys(samples: int, noise: float) -> None:
     compared = 0
     for x, y in noisy(7, 20, samples, noise):

@@ -45,8 +45,10 @@ def frames() -> dict[str, nf.Frame]:
     }
 
 
-@pytest.mark.parametrize("name", ["truth", "conventional", "continuous"])
-@pytest.mark.parametrize(("epsilon", "least"), [(17.03, 1.0), (3.1, 0.25), (200.3, 5.0)])
+@pytest.mark.parametrize(
+    ("name", "epsilon", "least"),
+    [("truth", 17.03, 1.0), ("conventional", 3.1, 0.25), ("continuous", 200.3, 5.0)],
+)
 def test_discontinuity_is_its_definition(frames: dict[str, nf.Frame], name: str, epsilon: float, least: float) -> None:
     expected = slow_discontinuity(frames[name], epsilon, least)
     found = nf.discontinuity(frames[name], epsilon=epsilon, min_distance=least)

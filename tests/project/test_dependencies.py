@@ -61,6 +61,11 @@ def test_no_file_uses_itself_through_others(source: str) -> None:
     assert cycles(graph_of(source)) == []
 
 
+def test_no_test_imports_a_test() -> None:
+    wrong = {file: {name for name in used if "/test_" in name} for file, used in graph_of("tests").items()}
+    assert {file: names for file, names in wrong.items() if names} == {}
+
+
 @pytest.mark.parametrize("source", TABLES)
 def test_parts_use_what_their_rows_say(source: str) -> None:
     graph, table = graph_of(source), TABLES[source]

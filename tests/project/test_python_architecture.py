@@ -102,13 +102,3 @@ def test_every_stage_has_its_tests_benchmarks_and_page() -> None:
         assert bool(runs) != bool(why_no_benchmark), f"{stage}: expected a benchmark, or the reason why there is none"
     folders = {path.name for path in (CHECKOUT / "tests").iterdir() if any(path.glob("test_*.py"))}
     assert folders <= set(ROOMS) | {"attack", "project", "vectors"}
-
-
-def test_no_test_imports_a_test() -> None:
-    wrong = []
-    for path in sorted((CHECKOUT / "tests").rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            modules = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
-            modules += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
-            wrong += [f"{path.relative_to(CHECKOUT)}: {name}" for name in modules if ".test_" in name]
-    assert wrong == []

@@ -201,7 +201,8 @@ def test_areas_of_a_real_model_are_those_of_newell() -> None:
     faces, ends = surfaces.triangles()
     local = surfaces.local()
     off = 0
-    for number in range(len(surfaces.surfaces) - 1):
+    assert len(surfaces.surfaces) - 1 > 5000
+    for number in np.random.default_rng(4).choice(len(surfaces.surfaces) - 1, 800, replace=False):
         newell = np.zeros(3)
         for ring in range(surfaces.surfaces[number], surfaces.surfaces[number + 1]):
             corners = local[surfaces.rings[ring] : surfaces.rings[ring + 1]]
@@ -212,7 +213,6 @@ def test_areas_of_a_real_model_are_those_of_newell() -> None:
         summed = np.cross(b - a, c - a).sum(axis=0) / 2
         area = np.linalg.norm(newell)
         off += bool(np.linalg.norm(summed - newell) > 1e-9 * area)
-    assert len(surfaces.surfaces) - 1 > 5000
     assert off == 0
 
 

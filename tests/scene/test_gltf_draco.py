@@ -213,13 +213,13 @@ def damaged(stream: bytes, seed: int) -> bytes:
 def test_damaged_streams_are_errors_or_other_triangles(tmp_path: Path, level: int) -> None:
     stream, numbers = square(level)
     refused = 0
-    for seed in range(400):
+    for seed in range(150):
         try:
             assert load(tmp_path, simple(damaged(stream, seed), numbers)).triangle_count <= len(FACES)
         except nf.SceneError as error:
             assert str(error).startswith(str(tmp_path / "a.glb: "))  # noqa: PT017
             refused += 1
-    assert 0 < refused < 400
+    assert 0 < refused < 150
 
 
 def test_streams_that_keep_draco_busy_are_errors(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

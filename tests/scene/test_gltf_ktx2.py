@@ -171,7 +171,7 @@ def test_zeros_that_unpack_to_much_are_errors(tmp_path: Path) -> None:
 def test_files_that_are_cut_off_are_errors(tmp_path: Path, name: str) -> None:
     need("opengl_basisu")
     content = data(f"{FILES}/2d_{name}.ktx2").read_bytes()
-    for length in range(12, len(content), max(1, len(content) // 300)):
+    for length in range(12, len(content), max(1, len(content) // 100)):
         # Bytes are kept behind the largest level of some.
         try:
             assert drawn(load(tmp_path, glb(content[:length]))).shape == (40, 40, 4)
@@ -186,7 +186,7 @@ def test_damaged_files_are_errors_or_other_pictures(tmp_path: Path, name: str) -
     need("opengl_basisu")
     content = data(f"{FILES}/2d_{name}.ktx2").read_bytes()
     refused = 0
-    for seed in range(500):
+    for seed in range(200):
         dice = np.random.default_rng(seed)
         changed = bytearray(content)
         for _ in range(dice.choice([1, 2, 8])):
@@ -197,7 +197,7 @@ def test_damaged_files_are_errors_or_other_pictures(tmp_path: Path, name: str) -
         except nf.SceneError as error:
             assert str(error).startswith(str(tmp_path / "a.glb: "))  # noqa: PT017
             refused += 1
-    assert 0 < refused < 500
+    assert 0 < refused < 200
 
 
 def test_absurd_sizes_take_no_memory(tmp_path: Path) -> None:

@@ -124,7 +124,7 @@ def test_images_that_many_textures_share_are_kept_once(tmp_path: Path) -> None:
 
 
 def test_many_nodes_stand_where_the_file_says(tmp_path: Path) -> None:
-    places = np.random.default_rng(1).integers(-1000, 1000, (100_000, 3))
+    places = np.random.default_rng(1).integers(-1000, 1000, (20_000, 3))
     nodes = [{"mesh": 0, "translation": place} for place in places.tolist()]
     scene = load(
         tmp_path, encode(triangle(nodes=nodes, scenes=[{"nodes": list(range(len(nodes)))}]), CORNERS.tobytes())

@@ -199,7 +199,7 @@ def test_damaged_files_never_do_more_than_raise(tmp_path: Path) -> None:
         assert isinstance(outcome(tmp_path / name), nf.Scene)
     tracemalloc.start()
     for name, data in files.items():
-        for seed in range(60):
+        for seed in range(30):
             dice = random.Random(f"{name} {seed}")
             (tmp_path / name).write_bytes(damaged(data, dice))
             kinds[type(outcome(tmp_path / name, dice.choice(["raise", "drop"])))] += 1
@@ -207,7 +207,7 @@ def test_damaged_files_never_do_more_than_raise(tmp_path: Path) -> None:
     tracemalloc.stop()
     # Each file has a few kilobytes; readers may use little memory, not the amount that a changed count claims.
     assert peak < 300e6
-    assert min(kinds.values()) > 40  # the damage is neither always fatal nor always harmless
+    assert min(kinds.values()) > 20  # the damage is neither always fatal nor always harmless
 
 
 def glb(header: object, binary: bytes = b"") -> bytes:

@@ -19,6 +19,8 @@ from nearfar.stream._on_demand import OnDemand
 
 SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0), "face_size": 576, "samples": 1}
 
+QUICK = SETTINGS | {"face_size": 64}
+
 
 @pytest.fixture(scope="module")
 def scene() -> nf.Scene:
@@ -65,22 +67,22 @@ def test_parts_tell_of_files_that_are_there(server: Server) -> None:
 
 def test_a_place_is_a_bundle(server: Server, scene: nf.Scene, tmp_path: Path) -> None:
     still = scene.subset(objects=[name for name in scene.object_names if name not in scene.poses])
-    with Server({"": Site.of_scene(OnDemand(still, **SETTINGS), None)}) as alone:
+    with Server({"": Site.of_scene(OnDemand(still, **QUICK), None)}) as alone:
         found = nf.stream.open(f"{alone.url}at/3.3,1.75,-2.2")
         found.verify()
-        expected = nf.stream.export(still, tmp_path / "out", center=(3.3, 1.75, -2.2), **SETTINGS)
+        expected = nf.stream.export(still, tmp_path / "out", center=(3.3, 1.75, -2.2), **QUICK)
         assert found.files == expected.files
         # Again, from memory; the page shows it from the same address.
         assert nf.stream.open(f"{alone.url}at/4,1.7,-2").files == expected.files
         assert ask(alone, "/")[0] == 200
-    with Server({"": Site.of_scene(OnDemand(still, **SETTINGS), tmp_path / "cache")}) as alone:
+    with Server({"": Site.of_scene(OnDemand(still, **QUICK), tmp_path / "cache")}) as alone:
         # The first time while it is made, then from disk.
         for _ in range(2):
             nf.stream.open(f"{alone.url}at/4,1.75,-2").verify()
 
 
 def test_regions_that_are_complete_are_kept_on_disk(scene: nf.Scene, tmp_path: Path) -> None:
-    site = Site.of_scene(OnDemand(scene, **SETTINGS), tmp_path / "cache")
+    site = Site.of_scene(OnDemand(scene, **QUICK), tmp_path / "cache")
     with Server({"city": site}) as server:
         assert parts(server, "0,1.75,0")[-1]["event"] == "end"
         (whole,) = parts(server, "0.4,1.75,0.3")

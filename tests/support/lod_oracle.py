@@ -102,7 +102,7 @@ def size(
         low, high = mpf(0), min(mpf(math.inf if lens is None else lens.r_max), abs(x) * 8 + 1)
         if value(high) < abs(x):
             return None
-        for _ in range(120):
+        for _ in range(90):
             middle = (low + high) / 2
             low, high = (middle, high) if value(middle) < abs(x) else (low, middle)
         return mpmath.atan(tan_omega * low) * mpmath.sign(x)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import gc
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -21,7 +22,12 @@ def file_graph(package: Path, entries: Mapping[str, str] | None = None) -> dict[
     entries
         Modules by the names of their entry points, by which other packages import them.
     """
-    return _Package(package, entries or {}).graph()
+    # Trees of all files are millions of objects, which the collector would look through again and again.
+    gc.disable()
+    try:
+        return _Package(package, entries or {}).graph()
+    finally:
+        gc.enable()
 
 
 class _Package:
@@ -29,6 +35,7 @@ class _Package:
         self.name, self.entries, self.folder = folder.name, entries, folder
         self.paths = {_dotted(path, folder.parent): path for path in sorted(folder.rglob("*.py"))}
         self.trees = {module: ast.parse(_read(path)) for module, path in self.paths.items()}
+        self.nodes = {module: list(ast.walk(tree)) for module, tree in self.trees.items()}
         self.folders = {module for module, path in self.paths.items() if path.name == "__init__.py"}
         self.defined = {module: set(_definitions(tree)) for module, tree in self.trees.items()}
         self.imported = {module: dict(_names(tree, module)) for module, tree in self.trees.items()}
@@ -47,7 +54,7 @@ class _Package:
     def _used(self, module: str) -> Iterator[str]:
         """Modules that one refers to, by imports, by names in what it has imported, and by strings."""
         modules: dict[str, str] = {}
-        for node in ast.walk(self.trees[module]):
+        for node in self.nodes[module]:
             if isinstance(node, ast.ImportFrom) and node.module and self._is_ours(node.module):
                 for alias in node.names:
                     found = self.definer(node.module, alias.name)
@@ -60,7 +67,7 @@ class _Package:
                     # A use of the whole package counts by the names that follow.
                     if alias.name != self.name:
                         yield alias.name
-        for node in ast.walk(self.trees[module]):
+        for node in self.nodes[module]:
             if isinstance(node, ast.Attribute):
                 yield self._referred(node, modules)
             elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value != self.name:
