@@ -15,7 +15,9 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar._base.errors import UnusableError
 from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._shard import complete
 from tests.support import need, valid
 from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, contents, places, world_of
 
@@ -92,6 +94,11 @@ def test_altered_chunks_and_damaged_shards_are_noticed_when_they_are_read(copied
         shard.write_bytes(damaged)
         with pytest.raises(nf.FormatError, match="damaged orthoviews"):
             nf.orthoview.open(copied_few).view(0, (x, y, z), 4)
+
+
+def test_a_chunk_of_which_a_byte_is_missing_is_refused() -> None:
+    with pytest.raises(UnusableError, match="world: expected 8 bytes at 64, got 7"):
+        complete("world", bytes(7), 64, 8)
 
 
 def test_verify_names_what_is_damaged(copied_few: Path) -> None:
