@@ -13,6 +13,9 @@ from typing import Any
 Plan = dict[str, Any]
 """Choices of a case in values that JSON has."""
 
+MOST_LETTERS = 1000
+"""Length of a message, beyond the name of its file."""
+
 
 @dataclass(frozen=True)
 class Case:
@@ -55,6 +58,19 @@ def refused(error: BaseException) -> str:
 
 class Finding(Exception):  # noqa: N818  # it is no error of this program
     """A defect that a case shows; the text says it in one line."""
+
+
+def check_sentence(error: Exception, name: str | Path) -> None:
+    """Finding unless the message is one printable line of a usual length that has a file's name in it."""
+    text, kind = str(error), type(error).__name__
+    if any("\ud800" <= letter <= "\udfff" for letter in text):
+        raise Finding(f"the message of {kind} cannot be printed: {text!a:.200}") from error
+    if "\n" in text.strip("\n") or not 5 < len(text) < MOST_LETTERS + len(str(name)):
+        raise Finding(f"the message of {kind} is no short line: {text[:200]!r}") from error
+    if str(name) not in text:
+        raise Finding(f"the message of {kind} does not name the file: {text[:200]!r}") from error
+    if any(word in text for word in ("bug report", "panicked", "charset_normalizer", "UnboundLocalError")):
+        raise Finding(f"an error from inside reached the user: {text[:200]!r}") from error
 
 
 def make(kind: Kind, seed: int, number: int) -> Case:

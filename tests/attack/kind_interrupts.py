@@ -15,7 +15,7 @@ from pathlib import Path
 
 from tests.attack import operations
 from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan
-from tests.attack.saves import SAVES, Save, check_saved, prepare
+from tests.attack.saves import SAVES, Save, check_saved, save_of
 
 LATEST = 0.5
 """Seconds from the signal to the exception."""
@@ -38,7 +38,7 @@ def kinds() -> list[Kind]:
 
 
 def make(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:
-    name = dice.choice([*operations.OPERATIONS, *(f"save {name}" for name in SAVES)])
+    name = dice.choice([*operations.operations(), *(f"save {name}" for name in SAVES)])
     return {"operation": name, "share": dice.uniform(0, 1.1)}, {}
 
 
@@ -53,7 +53,8 @@ def _sender() -> subprocess.Popen[bytes]:
 def _seconds(name: str) -> float:
     """Return the time of an operation once everything that it needs is made."""
     save = _save(name)
-    operations.expected(name) if save is None else prepare(save)
+    if save is None:
+        operations.expected(name)
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
         _perform(name, Path(folder))
@@ -61,7 +62,7 @@ def _seconds(name: str) -> float:
 
 
 def _save(name: str) -> Save | None:
-    return SAVES[name.removeprefix("save ")] if name.startswith("save ") else None
+    return save_of(name.removeprefix("save ")) if name.startswith("save ") else None
 
 
 def _perform(name: str, folder: Path) -> None:

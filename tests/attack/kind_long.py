@@ -14,8 +14,8 @@ from pathlib import Path
 from nearfar._base import memory
 from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan
 from tests.attack.kind_interrupts import LATEST
+from tests.attack.long_operations import OPERATIONS, LongOperation
 from tests.support import missing
-from tests.support.long_operations import OPERATIONS, LongOperation, code
 
 LONGEST = 50.0
 """Seconds, less than what a case may take."""
@@ -52,7 +52,7 @@ def _run(operation: LongOperation, delay: float, folder: Path) -> str:
     import resource
 
     script = folder / "operation.py"
-    script.write_text(code(operation), encoding="utf-8")
+    script.write_text(operation.code, encoding="utf-8")
 
     def free() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (resource.getrlimit(resource.RLIMIT_AS)[1],) * 2)
@@ -77,8 +77,8 @@ def _run(operation: LongOperation, delay: float, folder: Path) -> str:
             process.kill()
         process.wait()
     # Python ends by the signal, too, where it met an interrupt in text that it executes, as dataclasses do.
-    if words not in ("interrupted", "finished") or process.returncode not in (0, -signal.SIGINT) or errors:
+    if words != "interrupted" or process.returncode not in (0, -signal.SIGINT) or errors:
         raise Finding(f"{operation.name} ended with {words!r}, status {process.returncode}: {errors[-300:]!r}")
-    if words == "interrupted" and late > LATEST and os.environ.get("NEARFAR_ATTACK_LIMITS"):
+    if late > LATEST and os.environ.get("NEARFAR_ATTACK_LIMITS"):
         raise Finding(f"late: Ctrl-C in {operation.name} arrived after {late:.2f} s")
     return ACCEPTED

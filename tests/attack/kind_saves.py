@@ -11,7 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, refused
-from tests.attack.saves import SAVES, Save, check_saved, prepare
+from tests.attack.saves import SAVES, Save, check_saved, save_of
 
 LONGEST_START = 60.0
 """Seconds until a forked child has saved once."""
@@ -26,13 +26,12 @@ def kinds() -> list[Kind]:
 
 def _make_kill(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:
     delays = [dice.uniform(0, 0.03) for _ in range(dice.choice((1, 1, 1, 2, 3)))]
-    return {"save": dice.choice(list(SAVES)), "delays": delays}, {}
+    return {"save": dice.choice(SAVES), "delays": delays}, {}
 
 
 def run_kill(case: Case, folder: Path) -> str:
     """Let children save again and again, and kill each after its delay."""
-    save = SAVES[case.plan["save"]]
-    prepare(save)
+    save = save_of(case.plan["save"])
     save.write(save.first, folder / save.name)
     children = [_writer(save, folder / save.name) for _ in case.plan["delays"]]
     try:
@@ -76,15 +75,14 @@ def _writer(save: Save, path: Path) -> tuple[int, int]:
 def _make_limit(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:
     limit = dice.choice(("bytes", "bytes", "descriptors"))
     amount = int(2 ** dice.uniform(0, 14)) if limit == "bytes" else dice.randrange(4)
-    return {"save": dice.choice(list(SAVES)), "limit": limit, "amount": amount}, {}
+    return {"save": dice.choice(SAVES), "limit": limit, "amount": amount}, {}
 
 
 def run_limit(case: Case, folder: Path) -> str:
     """Save while no file may grow beyond a size, or few more files may be opened."""
     import resource
 
-    save, amount = SAVES[case.plan["save"]], case.plan["amount"]
-    prepare(save)
+    save, amount = save_of(case.plan["save"]), case.plan["amount"]
     path = folder / save.name
     save.write(save.first, path)
     if case.plan["limit"] == "bytes":

@@ -13,9 +13,8 @@ import numpy as np
 
 import nearfar as nf
 from tests.attack import mutate, mutate_json, seeds
-from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, refused
+from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, check_sentence, refused
 from tests.attack.glb_parts import joined, split
-from tests.attack.rules import check_sentence
 
 MOST_TRIANGLES = 10_000
 """Triangles up to which a loaded scene goes through all stages; larger ones are only drawn."""

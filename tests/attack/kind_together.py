@@ -31,7 +31,7 @@ def kinds() -> list[Kind]:
 
 def _make(count: int, most: int) -> Callable[[random.Random], tuple[Plan, dict[str, bytes]]]:
     def make(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:
-        names = list(operations.OPERATIONS)
+        names = list(operations.operations())
         lists = [[dice.choice(names) for _ in range(dice.randint(1, most))] for _ in range(count)]
         return {"operations": lists, "threads": dice.randint(1, 5)}, {}
 

@@ -258,35 +258,29 @@ def packed(files: Files) -> bytes:
 CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
 
 
-def _frame() -> nf.Frame:
-    camera = nf.Camera.look_at(CENTER, np.add(CENTER, (1.0, 0, 0)), fov=nf.Fov.symmetric(90), size=(8, 8))
-    return nf.render(street(), camera, channels=CHANNELS, backend="cpu")
-
-
-def _reduced() -> nf.ReducedScene:
-    channels = ("color", "range", "object_id")
-    return nf.reduce(
-        street(dynamic=True), center=CENTER, r1=30, r2=50, face_size=8, samples=1, channels=channels, backend="cpu"
-    )
-
-
-def saved_objects() -> dict[str, tuple[Any, Callable[[Any, Path], None]]]:
-    """Objects that have files, and how each is saved at a path."""
-    reduced = _reduced()
-    model = nf.lod.measure(levels(6, 4), **SMALL)
+def saved_objects(*, other: bool = False) -> dict[str, tuple[Any, Callable[[Any, Path], None]]]:
+    """Objects that have files, or others of the same kinds, and how each is saved at a path."""
+    side = 16 if other else 8
+    zones: dict[str, Any] = {"center": CENTER, "r1": 30, "r2": 50, "channels": CHANNELS[:3], "backend": "cpu"}
+    camera = nf.Camera.look_at(CENTER, np.add(CENTER, (1.0, 0, 0)), fov=nf.Fov.symmetric(90), size=(side, side))
+    reduced = nf.reduce(street(dynamic=True), **zones, face_size=side, samples=1)
+    frame = nf.render(street(), camera, channels=CHANNELS, backend="cpu")
+    model = nf.lod.measure(levels(*((7, 5, 4) if other else (6, 4))), **SMALL)
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(640, 480))
     return {
         "reduced": (reduced, lambda it, path: it.save(path)),
         "bundle": (
-            bundle_cases.village(),
+            bundle_cases.village(height=2.0 if other else 3.0),
             lambda it, path: nf.stream.export(it, path, **bundle_cases.SETTINGS, quality=None),
         ),
         "envmap.exr": (reduced.env, lambda it, path: it.save(path)),
-        "frame.exr": (_frame(), lambda it, path: it.save(path)),
+        "frame.exr": (frame, lambda it, path: it.save(path)),
         "lod.json": (model, lambda it, path: it.save(path)),
         "lod.glb": (model, lambda it, path: it.export(path, view=view, k=0.5, d=1.0, all_levels=True)),
-        "hmd.json": (nf.hmd.INDEX, lambda it, path: it.save(path)),
+        "hmd.json": (nf.hmd.VIVE if other else nf.hmd.INDEX, lambda it, path: it.save(path)),
         "hmdq.json": (nf.hmd.VIVE, lambda it, path: it.save(path, format="hmdq")),
+        "flat.png": (reduced.env, lambda it, path: it.save_equirectangular(path)),
+        "frame.png": (frame, lambda it, path: it.save(path)),
     }
 
 

@@ -1,4 +1,7 @@
-"""Every public callable refuses unusable arguments with messages that name them, whatever is passed."""
+"""Every public callable works with valid arguments, and refuses all others with messages that name them.
+
+`pytest tests/attack/test_arguments.py -k STAGE-` runs the calls of a stage.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +12,22 @@ from collections.abc import Iterator
 import pytest
 
 import nearfar as nf
-from tests.support.argument_cases import OBJECTS, Case, cases
-from tests.support.hostile_values import Hostile, hostile_values
-from tests.support.public_callables import public_callables
-from tests.support.valid_calls import valid_arguments
-from tests.support.valid_objects import Valid
+from tests.support import need
+from tests.support.hostile_calls import Call
+from tests.support.valid.calls import NAMES, callable_of, needs
+from tests.support.valid.objects import Valid
 
-NAMES = sorted(public_callables())
-
-_LONG = ("choose_radii", "datasets.factory", "regions", "stream.export", "stream.simulate")
-"""Callables whose valid calls, which some values make, take tenths of a second."""
+_LONG = (
+    "choose_radii",
+    "datasets.World.q",
+    "datasets.factory",
+    "datasets.room",
+    "regions",
+    "stream.export",
+    "stream.s",
+)
+LONG = tuple(name for name in NAMES if name.startswith(_LONG))
+"""Calls that take tenths of a second with some values that are right."""
 
 
 @pytest.fixture(scope="module")
@@ -28,16 +37,6 @@ def valid(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Valid]:
         patch.chdir(tmp_path_factory.mktemp("working"))
         patch.setenv("MPLBACKEND", "agg")
         yield Valid(tmp_path_factory.mktemp("files"))
-
-
-@pytest.fixture(scope="module")
-def calls(valid: Valid) -> dict[str, Case]:
-    return cases(valid)
-
-
-@pytest.fixture(scope="module")
-def values(valid: Valid) -> list[Hostile]:
-    return hostile_values(valid.folder, {name: getattr(valid, name) for name in OBJECTS})
 
 
 @pytest.fixture(autouse=True)
@@ -50,16 +49,23 @@ def _nothing_left() -> Iterator[None]:
         sys.modules["matplotlib.pyplot"].close("all")
 
 
-def test_every_public_callable_has_a_valid_call(valid: Valid, calls: dict[str, Case]) -> None:
-    assert {name.partition(" @")[0] for name in valid_arguments(valid)} == set(NAMES)
-    failed = {name: error for name, case in calls.items() if (error := case.attempt()) is not None}
-    assert failed == {}
+def call_of(name: str, valid: Valid) -> Call:
+    for part in needs(name):
+        need(part)
+    return Call(name, valid)
 
 
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param(name, marks=[pytest.mark.slow] * (name.removeprefix("nearfar.") in _LONG)) for name in NAMES],
-)
-def test_unusable_arguments_are_named(name: str, calls: dict[str, Case], values: list[Hostile]) -> None:
-    own = [case for case in calls.values() if case.name.partition(" @")[0] == name]
-    assert [complaint for case in own for complaint in case.complaints(values)] == []
+@pytest.mark.parametrize("name", [pytest.param(name, id=f"{callable_of(name).stage}-{name}") for name in NAMES])
+def test_right_arguments_work_and_wrong_ones_are_named(name: str, valid: Valid) -> None:
+    call = call_of(name, valid)
+    assert call.attempt() is None
+    assert list(call.wrong_refusals()) == []
+    assert list(call.differences()) == []
+    if name not in LONG:
+        assert list(call.wrong_uses()) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", LONG)
+def test_odd_arguments_of_long_calls_work(name: str, valid: Valid) -> None:
+    assert list(call_of(name, valid).wrong_uses()) == []

@@ -11,9 +11,10 @@ import trimesh
 import typer
 
 import nearfar as nf
-from nearfar.cli._app import app, run
+from nearfar.cli import _app
+from nearfar.cli._app import run
 from tests.support import need
-from tests.support.hostile_values import FOREIGN, LONGEST
+from tests.support.verdict import FOREIGN, LONGEST
 
 
 def commands(group: Any, before: str = "") -> dict[str, Any]:
@@ -25,7 +26,8 @@ def commands(group: Any, before: str = "") -> dict[str, Any]:
     return found
 
 
-COMMANDS = commands(typer.main.get_command(app))
+COMMAND = typer.main.get_command(_app.app)
+COMMANDS = commands(COMMAND)
 
 PLACE = ("--center", "0,1.7,0", "--r1", "3", "--r2", "8")
 SMALL = ("--samples", "1", "--face-size", "8", "--backend", "cpu", "--size", "16x12")
@@ -78,6 +80,12 @@ def _folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         yield
 
 
+@pytest.fixture
+def _made_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Commands made once: Typer makes all of them anew in each call, which takes forty times as long as a refusal."""
+    monkeypatch.setattr(_app, "app", COMMAND)
+
+
 def options() -> list[tuple[str, str]]:
     return [
         (name, parameter.opts[-1])
@@ -116,6 +124,7 @@ def test_every_command_has_a_valid_call(capsys: pytest.CaptureFixture[str]) -> N
         assert run([*name.split(), *arguments]) == 0, capsys.readouterr().err
 
 
+@pytest.mark.usefixtures("_made_once")
 @pytest.mark.parametrize(("name", "option"), options())
 def test_unusable_values_are_named_in_one_line(name: str, option: str, capsys: pytest.CaptureFixture[str]) -> None:
     names = next(list(p.opts) for p in COMMANDS[name].params if option in p.opts)

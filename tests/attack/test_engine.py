@@ -3,51 +3,51 @@
 from __future__ import annotations
 
 import random
+from pathlib import Path
 
 import pytest
 
 from tests.attack import mutate, mutate_json
-from tests.attack.attack import Attack
 from tests.attack.case import Case, from_json, make, to_json
+from tests.attack.engine import Engine
 from tests.attack.kind_probe import DEEDS, KIND, SLOW
 from tests.attack.report import Report
-from tests.attack.runner import Runner
 from tests.support import need
 
 
-def runner(*, limits: bool = True, patience: float = 60.0) -> Runner:
-    return Runner({KIND.name: KIND}, limits=limits, own_only=True, patience=patience, most_seconds=SLOW / 2)
+def engine(*, limits: bool = True, patience: float = 60.0) -> Engine:
+    return Engine({KIND.name: KIND}, limits=limits, patience=patience, most_seconds=SLOW / 2)
 
 
 @pytest.mark.parametrize("deed", DEEDS)
 def test_every_defect_is_seen(deed: str) -> None:
     need("linux")
     case = Case("probe", {"does": deed})
-    with runner(patience=0.5 if deed == "hang" else 60.0) as engine:
-        result = engine.confirmed(engine.once(case), case)
+    (result,) = engine(patience=0.5 if deed == "hang" else 60.0).run([case])
     assert result.finding.startswith(DEEDS[deed])
-    assert bool(result.finding) == (result.case is not None) == (deed != "nothing")
+    assert bool(result.finding) == (deed != "nothing")
+    assert result.case == case
 
 
 def test_a_refusal_may_take_its_time_without_limits() -> None:
     need("linux")
-    case = Case("probe", {"does": "take time"})
-    with runner(limits=False) as engine:
-        assert engine.confirmed(engine.once(case), case).finding == ""
+    (result,) = engine(limits=False).run([Case("probe", {"does": "take time"})])
+    assert result.finding == ""
 
 
-def test_a_batch_goes_on_after_a_case_that_dies() -> None:
+def test_others_run_after_a_case_that_dies(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     need("linux")
-    report = Report()
-    Attack({KIND.name: KIND}, 3, report, limits=False, own_only=True).run(1, cases=12)
-    deeds = [make(KIND, 3, number).plan["does"] for number in range(12)]
+    report, cases = Report(tmp_path / "findings"), [make(KIND, 3, number) for number in range(12)]
+    deeds = [case.plan["does"] for case in cases]
     assert {"abort", "raise", "nothing"} == set(deeds)
-    row = report.rows["probe"]
-    assert (row.cases, row.accepted) == (12, deeds.count("nothing"))
-    assert row.findings == 12 - row.accepted
+    for result in engine(limits=False).run(cases):
+        report.add(result)
+    assert [report.count(name) for name in ("cases", "accepted")] == [12, deeds.count("nothing")]
+    assert report.count("findings") == 12 - deeds.count("nothing")
     # Those of one cause are one.
-    assert len(report.causes) == 2
+    assert len(report.causes) == len(list((tmp_path / "findings").iterdir())) == 2
     assert "| probe | 12 |" in report.table()
+    assert capsys.readouterr().out.count("\n") == 4
 
 
 def test_cases_come_from_their_seed_and_survive_as_text() -> None:

@@ -1,10 +1,12 @@
-"""A process that runs cases one after another and reports each before it begins and after it ended."""
+"""A process that runs cases one after another and reports each: `python -m tests.attack.worker PIPE FILE [probe]`."""
 
 from __future__ import annotations
 
+import ctypes
 import faulthandler
 import json
 import os
+import resource
 import shutil
 import signal
 import sys
@@ -12,11 +14,11 @@ import tempfile
 import time
 import traceback
 import warnings
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
-from tests.attack import own_process
-from tests.attack.case import Case, Finding, Kind, from_json, make
+from tests.attack.case import Case, Finding, Kind, from_json
 
 MOST_ADDRESSES = 12 << 30
 """Bytes of address space, so that a defect does not take the machine's memory."""
@@ -24,11 +26,13 @@ MOST_ADDRESSES = 12 << 30
 MOST_DESCRIPTORS_MORE = 16
 """Open files that a batch may leave: caches and pools open some once."""
 
+_SET_DEATH_SIGNAL = 1
+
 
 class Worker:
     """Runs cases and writes one line of JSON for each event to `report`."""
 
-    def __init__(self, report: int, kinds: dict[str, Kind]) -> None:
+    def __init__(self, report: int, kinds: Mapping[str, Kind]) -> None:
         self._report, self._kinds = report, kinds
         self._warnings: list[str] = []
         self._printed = os.fstat(2).st_size
@@ -48,33 +52,21 @@ class Worker:
         """Report an event."""
         os.write(self._report, json.dumps(event).encode() + b"\n")
 
-    def batch(self, kind: str, seed: int, first: int, count: int) -> None:
-        """Make cases and run them."""
-        before = _descriptors()
-        for number in range(first, first + count):
-            case = make(self._kinds[kind], seed, number)
-            self.run(case, number)
-        more = _descriptors() - before
-        self.tell(event="idle", leak="" if more <= MOST_DESCRIPTORS_MORE else f"{more} files are left open")
-
-    def run(self, case: Case, number: int) -> None:
+    def run(self, case: Case) -> None:
         """Run a case in a folder of its own."""
         folder = Path(tempfile.mkdtemp())
         try:
             for name, data in case.files.items():
                 (folder / name).parent.mkdir(exist_ok=True)
                 (folder / name).write_bytes(data)
-            self.tell(event="start", number=number)
+            self.tell(begins=case.origin)
             self._warnings.clear()
-            before = own_process.reset_peak()
-            start = time.perf_counter()
+            Path("/proc/self/clear_refs").write_text("5", encoding="ascii")  # forgets the peak so far
+            before, start = memory("VmRSS"), time.perf_counter()
             outcome, finding, trace = self._outcome(case, folder)
-            seconds, peak = time.perf_counter() - start, own_process.peak() - before
+            seconds, more = time.perf_counter() - start, max(0, memory("VmHWM") - before)
             finding = finding or self._aftermath(folder)
-            self.tell(
-                event="end", number=number, outcome=outcome, seconds=seconds, memory=max(0, peak), size=case.size,
-                finding=finding, trace=trace,
-            )  # fmt: skip
+            self.tell(outcome=outcome, seconds=seconds, memory=more, finding=finding, trace=trace)
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
@@ -99,8 +91,10 @@ class Worker:
         return f"temporary files were left: {', '.join(left)}" if left else ""
 
 
-def _descriptors() -> int:
-    return len(os.listdir("/proc/self/fd")) if os.path.isdir("/proc/self/fd") else 0
+def memory(name: str) -> int:
+    """Return a number of bytes from the status of this process."""
+    lines = Path("/proc/self/status").read_text(encoding="ascii", errors="replace").splitlines()
+    return 1024 * int(next(line for line in lines if line.startswith(name)).split()[1])
 
 
 def _trace(error: BaseException) -> str:
@@ -110,35 +104,43 @@ def _trace(error: BaseException) -> str:
     return " < ".join(f"{'/'.join(Path(f.filename).parts[-2:])}:{f.lineno} {f.name}" for f in reversed(own[-3:]))
 
 
-def _kinds(options: list[str]) -> dict[str, Kind]:
-    if "probe" in options:  # without the package
-        from tests.attack import kind_probe
+def all_kinds(*, own_only: bool) -> dict[str, Kind]:
+    """Return the kinds by name; `own_only` makes cases from files made here alone."""
+    from tests.attack import (
+        kind_arguments,
+        kind_interrupts,
+        kind_long,
+        kind_saved,
+        kind_saves,
+        kind_scenes,
+        kind_together,
+    )
 
-        return {kind_probe.KIND.name: kind_probe.KIND}
-    from tests.attack.kinds import all_kinds
+    modules = (kind_saved, kind_arguments, kind_saves, kind_interrupts, kind_together, kind_long)
+    listed = [*kind_scenes.kinds(own_only=own_only), *(kind for module in modules for kind in module.kinds())]
+    return {kind.name: kind for kind in listed}
 
-    return all_kinds(own_only="own" in options)
 
-
-def main() -> NoReturn:
-    """Serve requests, one line of JSON each, until there are no more."""
-    report = int(sys.argv[1])
+def main(report: int, listed: Path, *, probe: bool) -> str:
+    """Run the cases of a file; returns what is wrong at the end."""
     faulthandler.enable(all_threads=True)
     faulthandler.register(signal.SIGUSR1, all_threads=True)
-    own_process.limit_addresses(MOST_ADDRESSES)
-    own_process.die_with_parent()
-    worker = Worker(report, _kinds(sys.argv[2:]))
-    worker.tell(event="ready")
-    for line in sys.stdin:
-        request = json.loads(line)
-        if "case" in request:
-            worker.run(from_json(request["case"]), 0)
-            worker.tell(event="idle", leak="")
-        else:
-            worker.batch(**request)
-    # Code that runs at exit is part of the attack: a crash there counts as a death.
-    sys.exit(0)
+    resource.setrlimit(resource.RLIMIT_AS, (MOST_ADDRESSES, resource.getrlimit(resource.RLIMIT_AS)[1]))
+    # The system kills this process when the one that started it dies, so that no hanging case stays behind.
+    ctypes.CDLL(None).prctl(_SET_DEATH_SIGNAL, signal.SIGKILL)
+    if probe:  # without the package
+        from tests.attack.kind_probe import KIND
+
+        worker = Worker(report, {KIND.name: KIND})
+    else:
+        worker = Worker(report, all_kinds(own_only=True))
+    before = len(os.listdir("/proc/self/fd"))
+    for text in json.loads(listed.read_text(encoding="utf-8")):
+        worker.run(from_json(text))
+    more = len(os.listdir("/proc/self/fd")) - before
+    return f"{more} files are left open" if more > MOST_DESCRIPTORS_MORE else ""
 
 
 if __name__ == "__main__":
-    main()
+    # Code that runs at exit is part of the attack: a crash there counts as a death.
+    sys.exit(main(int(sys.argv[1]), Path(sys.argv[2]), probe=sys.argv[3] == "probe") or None)

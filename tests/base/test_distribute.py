@@ -77,20 +77,6 @@ def test_progress_is_that_of_all_items(monkeypatch: pytest.MonkeyPatch) -> None:
     assert shown == ["squaring", 0.25, 0.75]
 
 
-@pytest.mark.parametrize(
-    ("options", "error", "message"),
-    [
-        ({"workers": 0}, ValueError, "workers: expected a whole number from 1 to 4096, got 0"),
-        ({"workers": 1.5}, TypeError, "workers: expected a whole number"),
-        ({"client": 3}, TypeError, "client: expected a distributed.Client, got int"),
-        ({"workers": 2, "client": object()}, ValueError, "workers: expected None beside a client"),
-    ],
-)
-def test_bad_arguments(options: dict[str, Any], error: type[Exception], message: str) -> None:
-    with pytest.raises(error, match=message):
-        distribute(squared, [1], label="squaring", **options)
-
-
 # Ctrl-C and scripts without a guard ----------------------------------------------------------------------------------
 UNGUARDED = """
 from nearfar._base.distribute import distribute

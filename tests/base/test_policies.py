@@ -45,43 +45,19 @@ def test_array_straightens_strides_and_alignment() -> None:
 @pytest.mark.parametrize(
     ("error", "words", "call"),
     [
-        (TypeError, "points: expected real numbers, got list of type <U1", lambda: check.array("points", ["a"])),
-        (TypeError, "points: expected real numbers", lambda: check.array("points", [[1j, 0, 0]])),
-        (TypeError, "points: expected real numbers, got NoneType", lambda: check.array("points", None)),  # type: ignore[arg-type]
-        (ValueError, r"points: expected shape \(N, 3\), got \(3,\)", lambda: check.array("points", [1, 2, 3])),
-        (ValueError, "points: expected rows of equal length", lambda: check.array("points", [[1, 2], [3]])),
         (
             ValueError,
             r"got 2 that are not, the first at \(0, 1\)",
             lambda: check.array("points", [[0, np.nan, np.inf]], finite=True),
         ),
-        (TypeError, "faces: expected whole numbers", lambda: check.array("faces", [[0.5, 1, 2]], dtype=np.uint32)),
         (
             ValueError,
             "faces: expected whole numbers from 0 to 4294967295, got -1 to 2",
             lambda: check.array("faces", [[-1, 1, 2]], dtype=np.uint32),
         ),
-        (ValueError, "center: expected 3 finite numbers", lambda: check.vector("center", (0, np.nan, 0))),
-        (ValueError, r"center: expected 3 numbers, got shape \(2,\)", lambda: check.vector("center", (0, 1))),
-        (TypeError, "center: expected real numbers", lambda: check.vector("center", "abc")),
-        (ValueError, "size: expected a number above 0, got 0.0", lambda: check.positive("size", 0)),
-        (TypeError, "size: expected a number, got str 'a'", lambda: check.positive("size", "a")),  # type: ignore[arg-type]
-        (ValueError, "samples: expected a whole number from 1 to 9, got 0", lambda: check.integer("samples", 0, 1, 9)),
-        (TypeError, "samples: expected a whole number", lambda: check.integer("samples", 1.5, 1, 9)),  # type: ignore[arg-type]
-        (ValueError, "kind: expected one of 'a', 'b', got 'c'", lambda: check.choice("kind", "c", ("a", "b"))),
-        (TypeError, "kind: expected a string", lambda: check.choice("kind", 3, ("a", "b"))),  # type: ignore[arg-type]
         (TypeError, r"cells: expected two whole numbers, got \(1,\)", lambda: check.pair("cells", (1,), 1, 9)),  # type: ignore[arg-type]
-        (TypeError, "cells: expected two whole numbers, got 3", lambda: check.pair("cells", 3, 1, 9)),  # type: ignore[arg-type]
         (TypeError, r"cells\[1\]: expected a whole number", lambda: check.pair("cells", (1, 2.0), 1, 9)),  # type: ignore[arg-type]
-        (
-            ValueError,
-            r"cells\[0\]: expected a whole number from 1 to 9, got 0",
-            lambda: check.pair("cells", (0, 2), 1, 9),
-        ),
-        (TypeError, r"size: expected \(width, height\) in pixels, got None", lambda: check.size("size", None)),  # type: ignore[arg-type]
-        (ValueError, "r1: expected less than r2 = 3.0, got 3.0", lambda: check.radii(3, 3)),
-        (ValueError, "r1: expected a radius of at least 0, got -1.0", lambda: check.radii(-1, 3)),
-        (ValueError, "r2: expected a finite number, got inf", lambda: check.radii(1, np.inf)),
+        (ValueError, r"cells\[0\]: .* number from 1 to 9, got 0", lambda: check.pair("cells", (0, 2), 1, 9)),
     ],
 )
 def test_wrong_arguments_are_named(error: type[Exception], words: str, call: Callable[[], Any]) -> None:
@@ -110,13 +86,7 @@ def masked(values: Any) -> Any:
     [
         ("points", lambda m: check.array("points", m(np.zeros((4, 3))))),
         ("center", lambda m: check.vector("center", m([0.0, 1.0, 2.0]))),
-        ("triangles", lambda m: nf.Scene.from_arrays(np.eye(3), [[0, 1, 2]]).subset(triangles=m([0]))),
         ("faces", lambda m: nf.cube_lookup(m(np.zeros((6, 4, 4), np.uint8)), [[1.0, 0, 0]])),
-        ("values", lambda m: nf.convert_envmap(m(np.zeros((6, 4, 4))), source="cube", target="octahedral", size=8)),
-        ("depth", lambda m: nf.range_from_depth(m(np.full((2, 3), 0.5)), nf.Fov(-1, 1, -1, 1), near=0.1)),
-        ("ranges", lambda m: nf.depth_from_range(m(np.full((2, 3), 0.5)), nf.Fov(-1, 1, -1, 1), near=0.1)),
-        ("frames", lambda m: list(nf.visual_continuity([m(np.zeros((8, 8))), np.zeros((8, 8))], data_range=1))),
-        ("test", lambda m: nf.rmse(np.zeros((8, 8)), m(np.zeros((8, 8))))),
     ],
 )
 def test_masked_values_are_refused(name: str, call: Callable[[Any], Any]) -> None:

@@ -96,25 +96,9 @@ def test_finer_tolerances_only_add_points() -> None:
     assert counts[0] < counts[-1]
 
 
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"directions": [[0, 0, 0]]}, "directions"),
-        ({"directions": [[1, 0]]}, "directions"),
-        ({"directions": [[np.nan, 0, 1]]}, "directions"),
-        ({"tolerance": 0}, "tolerance"),
-        ({"tolerance": np.inf}, "tolerance"),
-        ({"tolerance": 1e-10}, "tolerance: expected at least 1e-9"),
-        ({"kind": "none"}, "kind"),
-        ({"r1": 60}, "r2"),
-        ({"user": [0, np.inf, 0]}, "user"),
-    ],
-)
-def test_refuses_rays_that_have_no_curve(changes: dict[str, Any], message: str) -> None:
-    good: dict[str, Any] = {"directions": [[0, 0, 1]], "user": CENTER, "tolerance": 1e-3, **RADII}
-    arguments = good | changes
-    with pytest.raises(ValueError, match=message):
-        nf.bend_rays(arguments.pop("directions"), **arguments)
+def test_refuses_tolerances_below_rounding() -> None:
+    with pytest.raises(ValueError, match="tolerance: expected at least 1e-9"):
+        nf.bend_rays([[0, 0, 1]], user=CENTER, tolerance=1e-10, **RADII)
 
 
 def determinants(points: Array, user: Array, r1: float, r2: float) -> Array:
@@ -151,8 +135,6 @@ def test_margins_of_the_paper_and_of_the_cylinder() -> None:
     assert 19.0 < nf.fold_margin(CENTER, **RADII) < 19.9
     assert nf.fold_margin(CENTER + np.array([25.0, 0, 0]), **RADII) < 0
     assert nf.fold_margin(CENTER + np.array([3.0, 9, 4]), kind="cylinder", **RADII) == R1 - 5
-    with pytest.raises(ValueError, match="r2"):
-        nf.fold_margin(CENTER, center=CENTER, r1=30, r2=20)
     # A hundred metres above the centre the ground folds wherever the user is.
     assert nf.fold_margin([0, 100, 0], center=[0, 0, 0], r1=30, r2=50) == -math.inf
     with pytest.raises(ValueError, match="user: expected a place within 1e30 m"):
@@ -336,11 +318,6 @@ def test_exact_frames_miss_the_morph_by_no_more_than_their_tolerance(
 
 
 def test_exact_frames_refuse_what_has_no_bent_rays(reduced: nf.ReducedScene) -> None:
-    view = camera(CENTER + 1.0, (1, 0, 0))
-    with pytest.raises(ValueError, match="tolerance_px"):
-        reduced.render(view, method="exact", tolerance_px=np.inf)
-    with pytest.raises(ValueError, match="method"):
-        reduced.render(view, method="pixel")
     flat = nf.Camera((4.0, 2.7, -1.0), fov=nf.Orthographic(-5, 5, -5, 5), size=(8, 8))
     build = SceneBuilder()
     build.instance(build.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), name="near")

@@ -312,27 +312,16 @@ def test_values_beyond_0_and_1_are_refused(value: float, dtype: type) -> None:
     ("words", "arguments"),
     [
         ("near: expected the near plane", {}),
-        ("near: expected a number above 0", {"near": 0.0}),
         ("near: expected a finite number above 0 .*, got 1e-310$", {"near": 1e-310}),
         ("depth: expected values from 0 to 1, got -1e-300 in row", {"near": 1.0, "depth": [[-1e-300]]}),
-        ("far: expected a number above near", {"near": 1.0, "far": 0.5}),
-        ("far: expected a number above near", {"near": 1.0, "far": math.nan}),
-        ("depth_range: expected one of", {"projection": np.eye(4), "depth_range": "0..2"}),
         (r"depth_range: expected '0\.\.1' or '-1\.\.1' .*, got None", {"projection": np.eye(4)}),
-        ("depth_range: expected None beside Fov", {"near": 1.0, "depth_range": "0..1"}),
         ("depth_range: expected None beside CubeFace", {"projection": nf.CubeFace(0), "depth_range": "-1..1"}),
-        ("reverse: expected None beside a matrix", {"projection": np.eye(4), "reverse": False, "depth_range": "0..1"}),
-        ("reverse: expected None beside a matrix", {"projection": np.eye(4), "reverse": True, "depth_range": "0..1"}),
         ("far: expected finite near and far", {"near": 1.0, "projection": nf.Orthographic(-1, 1, -1, 1)}),
-        ("near: expected None beside a matrix", {"near": 1.0, "projection": np.eye(4)}),
         (
             "projection: expected rays|projection: expected a matrix",
             {"projection": np.ones((4, 4)), "depth_range": "0..1"},
         ),
-        (r"projection: expected a \(4, 4\) matrix", {"projection": np.ones((3, 4))}),
         ("expected square images", {"near": 1.0, "projection": nf.CubeFace(0)}),
-        (r"depth: expected shape \(H, W\)", {"near": 1.0, "depth": [0.5, 0.5]}),
-        (r"depth: expected shape \(H, W\)", {"near": 1.0, "depth": np.zeros((0, 4))}),
         (
             "depth: expected whole numbers from 0 to 16777215, got 16777216 in row 0",
             {"near": 1.0, "depth": np.full((1, 2), 2**24, np.uint32)},
@@ -352,22 +341,12 @@ def test_depth_of_types_that_do_not_say_what_1_is_are_refused(kind: type) -> Non
         pytest.skip("long double is float64 here")
     with pytest.raises(TypeError, match=words):
         nf.range_from_depth(np.ones((2, 3), kind), FOV, near=0.1)
-    with pytest.raises(TypeError, match=words):
-        nf.range_from_depth([["a"]], FOV, near=0.1)
     assert nf.range_from_depth([[1.0, 0.5]], FOV, near=0.1).dtype == np.float64
-
-
-@pytest.mark.parametrize("value", [math.nan, -1.0, 0.05])
-def test_ranges_before_the_near_plane_are_refused(value: float) -> None:
-    with pytest.raises(ValueError, match="ranges: expected distances that are not before"):
-        nf.depth_from_range(np.array([[1.0, value]]), AXIS, near=0.1)
 
 
 def test_distances_of_bounds_lie_between_the_planes() -> None:
     with pytest.raises(ValueError, match="distance: expected 1 to 10 metres"):
         nf.range_error([0.5, 2.0], near=1.0, far=10.0)
-    with pytest.raises(ValueError, match="depth_format: expected one of"):
-        nf.range_error(2.0, near=1.0, depth_format="float16")
 
 
 def test_threads_change_nothing() -> None:

@@ -40,13 +40,10 @@ def test_tiles_are_a_world_again(capsys: pytest.CaptureFixture[str], tmp_path: P
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("-o", "part.glb", "--box", "0,0,1"), "--box: expected x0,z0,x1,z1"),
         (("-o", "part.glb", "--box", "2,0,1,1"), "--box: expected least x and z before"),
         (("-o", "part.glb", "--box", "nan,0,1,1"), "--box: expected least x and z before"),
         (("-o", "part.glb", "--box", "9e5,0,9e6,1"), "--box: expected one with triangles"),
         (("-o", "part.obj", "--box", "0,0,1,1"), "expected a name ending in .glb"),
-        (("-o", "tiles", "--cell", "0"), "--cell: expected"),
-        (("-o", "part.glb", "--detail", "-1"), "--detail: expected"),
     ],
 )
 def test_what_cannot_be_cut_is_refused(

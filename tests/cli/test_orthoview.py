@@ -89,11 +89,8 @@ def test_a_damaged_tree_is_a_sentence(capsys: pytest.CaptureFixture[str], tmp_pa
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("build", "-i", "spheres", "-o", "new", "--cell", "0"), "cell: expected"),
-        (("build", "-i", "city", "-o", "new", "--cell", "9", "--box", "1"), "--box: expected x0,z0,x1,z1"),
         (("build", "-i", "city", "-o", "new", "--cell", "9", "--scale", "2"), "--scale: expected none with city"),
         (("build", "-i", "none.glb", "-o", "new", "--cell", "9"), "none.glb"),
-        (("build", "-i", "spheres", "-o", "new", "--cell", "9", "--cluster", "x"), "--cluster: expected local or"),
         (("info", "new"), "no store of orthoviews"),
         (("update", "new", "-i", "city", "--box", "0,0,1,1"), "no store of orthoviews"),
         (("verify", "new"), "no store of orthoviews"),

@@ -58,8 +58,6 @@ def test_compare_takes_the_tiles_that_reduce_took(path: Path, capsys: pytest.Cap
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("--error", "-1"), "--error: expected a number of at least 0"),
-        (("--triangles", "0"), "--triangles: expected a whole number from 1"),
         (("--error", "1", "--triangles", "5"), "--triangles: expected none beside an error"),
         (("--origin", "1,2"), "--origin: expected longitude,latitude,height such as"),
         (("--origin", "1,200,2"), "--origin: expected longitude within"),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -62,10 +61,6 @@ def test_maps_keep_object_names(tmp_path: Path) -> None:
     document, _ = exr.read(tmp_path / "env.exr", "envmap", 1)
     assert valid(document, "envmap")
     assert nf.EnvMap(env.center, env.color).object_names == ()
-    wrongs: list[Any] = ["car", (1, 2)]
-    for wrong in wrongs:
-        with pytest.raises(TypeError, match="object_names: expected a sequence of strings"):
-            dataclasses.replace(env, object_names=wrong)
 
 
 def test_half_ranges(tmp_path: Path) -> None:
@@ -154,8 +149,6 @@ def test_loading_refuses_what_is_no_map(tmp_path: Path) -> None:
         nf.EnvMap.load(path)
     with pytest.raises(FileNotFoundError):
         nf.EnvMap.load(tmp_path / "missing.exr")
-    with pytest.raises(TypeError, match="path: expected a string or a path"):
-        nf.EnvMap.load(None)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="half: expected False"):
         nf.EnvMap((0, 0, 0), np.full((6, 1, 1, 3), 1e6, np.float32)).save(path)
     with pytest.raises(ValueError, match=r"ending in \.exr"):
@@ -181,38 +174,9 @@ def test_samples_by_channel() -> None:
     for mixing in ("linear", "cubic", "min", "max"):
         with pytest.raises(ValueError, match=f"expected 'nearest' for object_id, got '{mixing}'"):
             env.sample(directions, channel="object_id", filter=mixing)
-    for channel in env.channels:
-        with pytest.raises(ValueError, match="filter: expected one of 'nearest'"):
-            env.sample(directions, channel=channel, filter="")
     widest = env.sample(directions, channel="range", filter="max", radius=0.3)
     np.testing.assert_array_equal(widest, nf.cube_lookup(env.range, directions, filter="max", radius=0.3))
     with pytest.raises(ValueError, match="expected one of color, which were baked"):
         nf.EnvMap((0, 0, 0), env.color).sample(directions, channel="range")
     with pytest.raises(ValueError, match="read-only"):
         env.color[0] = 0
-
-
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        ({"color": np.zeros((6, 2, 2))}, "color: expected shape"),
-        ({"color": np.zeros((6, 0, 0, 3))}, "color: expected shape"),
-        ({"color": np.zeros((5, 4, 4, 3))}, "color: expected shape"),
-        ({"range": np.zeros((6, 3, 3))}, "range: expected shape"),
-        ({"object_id": np.zeros((6, 4), np.int32)}, "object_id: expected shape"),
-        ({"center": (0, 0, np.nan)}, "center: expected 3 finite"),
-        ({"color": np.full((6, 4, 4, 3), np.nan)}, "color: expected finite numbers"),
-        ({"range": np.full((6, 4, 4), np.nan, np.float32)}, "range: expected metres"),
-        ({"range": np.full((6, 4, 4), -1, np.float32)}, "range: expected metres"),
-    ],
-)
-def test_maps_refuse(change: dict[str, Any], words: str) -> None:
-    env = example()
-    given: dict[str, Any] = {
-        "center": env.center,
-        "color": env.color,
-        "range": env.range,
-        "object_id": env.object_id,
-    } | change
-    with pytest.raises(ValueError, match=words):
-        nf.EnvMap(**given)

@@ -234,20 +234,12 @@ def test_shapes_and_types_follow_the_values() -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"source": "sphere"}, "source: expected one of"),
-        ({"target": "sphere"}, "target: expected one of"),
-        ({"filter": "box"}, "filter: expected one of"),
-        ({"values": np.zeros((6, 2, 3))}, r"values: expected shape \(6, S, S"),
         ({"values": np.zeros((4, 5)), "source": "equirectangular"}, "even W"),
         ({"values": np.zeros((4, 6)), "source": "octahedral"}, r"values: expected shape \(S, S"),
         ({"values": np.zeros((6, 2, 2), np.int32)}, "filter: expected 'nearest' for values of type int32"),
         ({"filter": "nearest", "samples": 2}, "samples: expected 1"),
-        ({"samples": 0}, "samples: expected a whole number"),
-        ({"size": 0}, "size: expected a whole number"),
-        ({"size": 16385}, "size: expected a whole number"),
         ({"target": "equirectangular", "size": (4, 5)}, "size: expected an even W"),
         ({"target": "equirectangular", "size": (4, 5, 6)}, "size: expected"),
-        ({"target": "equirectangular", "size": np.array([4, 5, 6])}, "size: expected"),
     ],
 )
 def test_refuses(change: dict[str, Any], words: str) -> None:
@@ -264,5 +256,3 @@ def test_refuses_what_has_no_direction_and_other_types() -> None:
             nf.envmap_directions(size, layout=layout)  # type: ignore[arg-type]
     shape = nf.envmap_directions(np.array([3, 6]), layout="equirectangular").shape  # type: ignore[arg-type]
     assert shape == (3, 6, 3)
-    with pytest.raises(TypeError, match="values: expected real numbers"):
-        nf.convert_envmap(np.zeros((6, 2, 2), complex), source="cube", target="cube", size=4)

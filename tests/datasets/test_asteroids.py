@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from typing import Any
 
 import numpy as np
 import pytest
@@ -127,21 +126,3 @@ def test_equal_in_other_processes() -> None:
     said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
     assert said == digest(datasets.asteroids(40, 300, seed=9).scene(5.0).triangles())
     assert said != digest(datasets.asteroids(40, 300, seed=8).scene(5.0).triangles())
-
-
-@pytest.mark.parametrize(
-    ("arguments", "name"),
-    [({"count": 0}, "count"), ({"count": 10**7}, "count"), ({"polygons": 47}, "polygons"), ({"seed": -1}, "seed")],
-)
-def test_bad_belts_are_named(arguments: dict[str, Any], name: str) -> None:
-    with pytest.raises(ValueError, match=name):
-        datasets.asteroids(**arguments)
-
-
-@pytest.mark.parametrize(
-    ("box", "detail", "name"),
-    [([[0, 0, 0], [1, 1, -1]], 0.0, "aabb"), ([[0, 0, 0]], 0.0, "aabb"), ([[0] * 3, [1] * 3], -1.0, "detail")],
-)
-def test_bad_queries_are_named(box: Any, detail: float, name: str) -> None:
-    with pytest.raises(ValueError, match=name):
-        FEW.query(box, detail)

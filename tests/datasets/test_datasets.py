@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
@@ -234,21 +233,6 @@ def test_moving_cars_are_dynamic() -> None:
         scene.at({"tree_1": pose})
 
 
-@pytest.mark.parametrize(
-    ("arguments", "name"),
-    [
-        ({"blocks": 0}, "blocks"),
-        ({"blocks": 65}, "blocks"),
-        ({"detail": 7}, "detail"),
-        ({"detail": -1}, "detail"),
-        ({"seed": -1}, "seed"),
-    ],
-)
-def test_bad_arguments_are_named(arguments: dict[str, Any], name: str) -> None:
-    with pytest.raises(ValueError, match=f"^{name}"):
-        datasets.city(**arguments)
-
-
 FURNISHINGS: dict[str, Callable[[int], Soup]] = {
     "sofa": _furnishings.sofa,
     "table": _furnishings.table,
@@ -331,18 +315,3 @@ def test_textures_repeat_and_are_cut_out() -> None:
     alpha = _vegetation.leaf_texture()[..., 3]
     assert set(np.unique(alpha)) == {0, 255}
     assert 0.1 < (alpha == 255).mean() < 0.7
-
-
-@pytest.mark.parametrize(
-    ("make", "arguments", "name"),
-    [
-        (datasets.forest, {"trees": 0}, "trees"),
-        (datasets.forest, {"detail": 4}, "detail"),
-        (datasets.forest, {"seed": 2**63}, "seed"),
-        (datasets.room, {"detail": -1}, "detail"),
-        (datasets.room, {"seed": -5}, "seed"),
-    ],
-)
-def test_bad_arguments_of_rooms_and_forests_are_named(make: Any, arguments: dict[str, int], name: str) -> None:
-    with pytest.raises(ValueError, match=f"^{name}"):
-        make(**arguments)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
@@ -236,23 +235,6 @@ def test_what_is_near_amounts_to_the_published_scene() -> None:
     eye, _ = datasets.factory_view()
     near = nf.stream.assign(scene, center=eye, radii=[63.0]).summary()[0]
     assert 2_200_000 < near["triangles"] < 2_500_000
-
-
-@pytest.mark.parametrize(
-    ("make", "arguments", "error", "name"),
-    [
-        (datasets.factory, {"detail": 4}, ValueError, "detail"),
-        (datasets.factory, {"detail": -1}, ValueError, "detail"),
-        (datasets.factory, {"seed": -1}, ValueError, "seed"),
-        (datasets.factory, {"seed": 2**63}, ValueError, "seed"),
-        (datasets.factory, {"instanced": 1}, TypeError, "instanced"),
-        (datasets.city, {"instanced": "no"}, TypeError, "instanced"),
-        (datasets.factory_view, {"place": 2}, ValueError, "place"),
-    ],
-)
-def test_bad_arguments_are_named(make: Any, arguments: dict[str, Any], error: type[Exception], name: str) -> None:
-    with pytest.raises(error, match=f"^{name}"):
-        make(**arguments)
 
 
 def test_loads_of_pallets_lie_on_them() -> None:

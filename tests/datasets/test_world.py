@@ -229,31 +229,6 @@ def test_a_point_touches_its_triangle() -> None:
     assert (flat.max((0, 1)) >= [801, -901]).all()
 
 
-@pytest.mark.parametrize(
-    ("arguments", "name"),
-    [({"km": 0}, "km"), ({"km": 10_001}, "km"), ({"km": 1.5}, "km"), ({"seed": -1}, "seed"), ({"seed": 2**63}, "seed")],
-)
-def test_bad_worlds_are_named(arguments: dict[str, Any], name: str) -> None:
-    with pytest.raises((ValueError, TypeError), match=name):
-        datasets.world(**arguments)
-
-
-@pytest.mark.parametrize(
-    ("box", "detail", "name"),
-    [
-        ([0, 1], 0.0, "aabb"),
-        ([[0, 0, 0], [1, 1, -1]], 0.0, "aabb"),
-        ([[0, np.nan, 0], [1, 1, 1]], 0.0, "aabb"),
-        (FARMLAND, -1.0, "detail"),
-        (FARMLAND, np.nan, "detail"),
-        ("box", 0.0, "aabb"),
-    ],
-)
-def test_bad_queries_are_named(box: Any, detail: float, name: str) -> None:
-    with pytest.raises((ValueError, TypeError), match=name):
-        WORLD.query(box, detail)
-
-
 def test_a_box_of_too_much_is_refused_at_once() -> None:
     with pytest.raises(ValueError, match=r"aabb: expected at most 8,192 tiles .* at detail 0, got 1,600,000,000"):
         datasets.world(10_000).query([[-np.inf] * 3, [np.inf] * 3])

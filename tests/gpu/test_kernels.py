@@ -92,13 +92,6 @@ def test_frames_say_what_they_lack(device: _core.GpuDevice) -> None:
         gpu.discontinuity(frame)
     with pytest.raises(ValueError, match="test: expected 96 × 60 pixels, got 32 × 60"):
         gpu.ssim(frame, gpu.render(scene, view(size=(32, 60)), channels=("color",)))
-    with pytest.raises(TypeError, match="test"):
-        gpu.ssim(frame, frame.read())  # type: ignore[arg-type]
-    for wrong in ({"window": "global"}, {"size": 0}, {"size": 18}, {"sigma": 0}):
-        with pytest.raises(ValueError, match=next(iter(wrong))):
-            gpu.ssim(frame, frame, **wrong)
-    with pytest.raises(TypeError, match="camera"):
-        gpu.render(scene, None)  # type: ignore[arg-type]
 
 
 def test_reading_and_comparing_take_turns(device: _core.GpuDevice) -> None:
@@ -218,13 +211,6 @@ def test_a_truth_of_another_size_is_refused(device: _core.GpuDevice) -> None:
 def test_discontinuity_checks_its_arguments(device: _core.GpuDevice) -> None:
     frame = gpu.render(street(), view(), channels=("position",))
     assert np.isnan(gpu.discontinuity(frame, epsilon=1e-3)).all()
-    for wrong in ({"epsilon": 0}, {"epsilon": 1e-7}, {"epsilon": 2e4}, {"min_distance": 1e-20}):
-        with pytest.raises(ValueError, match=next(iter(wrong))):
-            gpu.discontinuity(frame, **wrong)
-    with pytest.raises(TypeError, match="truth_camera"):
-        gpu.discontinuity(frame, 3)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="frame"):
-        gpu.discontinuity(frame.read())  # type: ignore[arg-type]
 
 
 # morph ----------------------------------------------------------------------------------------------------------------
@@ -293,11 +279,6 @@ def test_morph_checks_its_arguments(device: _core.GpuDevice) -> None:
     place: dict[str, Any] = {"user": (0, 0, 0), "center": (0, 0, 0), "r1": 1, "r2": 2}
     with pytest.raises(TypeError, match=r"points: expected float32, got float64; nearfar\.morph"):
         gpu.morph(points.astype(float), **place)
-    with pytest.raises(ValueError, match="points"):
-        gpu.morph(points[:, :2], **place)
-    for name, wrong in (("r1", 3), ("kind", "x"), ("user", (0, 0, np.nan))):
-        with pytest.raises(ValueError, match=name):
-            gpu.morph(points, **{**place, name: wrong})
 
 
 # lookup ---------------------------------------------------------------------------------------------------------------
@@ -349,14 +330,8 @@ def test_lookups_check_their_arguments(device: _core.GpuDevice) -> None:
         bad[1_500_000, 1] = wrong
         with pytest.raises(ValueError, match=r"directions: .* at index 1500000"):
             gpu.cube_lookup(faces, bad)
-    with pytest.raises(ValueError, match="filter"):
-        gpu.cube_lookup(faces, directions, filter="linear")
-    with pytest.raises(ValueError, match=r"faces: expected shape \(6, S, S\)"):
-        gpu.cube_lookup(faces[:5], directions)
     with pytest.raises(TypeError, match="faces: expected float32"):
         gpu.cube_lookup(faces.astype(int), directions)
-    with pytest.raises(ValueError, match="directions"):
-        gpu.cube_lookup(faces, directions[:, :2])
 
 
 # loss -----------------------------------------------------------------------------------------------------------------

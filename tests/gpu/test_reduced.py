@@ -251,8 +251,6 @@ def test_bent_rays_are_for_the_cpu(city: nf.Scene) -> None:
     reduced.render(camera, method="exact")
     with pytest.raises(ValueError, match="channels: expected an environment map with object_id"):
         reduced.render(camera, channels=("object_id",), backend="gpu")
-    with pytest.raises(ValueError, match="tolerance_px"):
-        reduced.render(camera, tolerance_px=-1, backend="gpu")
 
 
 @pytest.mark.slow

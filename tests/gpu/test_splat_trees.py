@@ -76,8 +76,6 @@ def test_auto_is_the_processor_where_adapters_are_software(tree: Tree) -> None:
     chosen, right = tree.render(camera), tree.render(camera, backend="cpu")
     assert backends.opened().kind == "software"
     assert chosen.require("color").tobytes() == right.require("color").tobytes()
-    with pytest.raises(ValueError, match="backend: expected"):
-        tree.render(camera, backend="both")
 
 
 def test_flights_bring_views_to_the_adapter_before_a_picture_shows_them(

@@ -10,17 +10,6 @@ import pytest
 import nearfar as nf
 
 
-@pytest.mark.parametrize("ipd", [64, 64.0, 0.64, 6.4, 0.039, 0.091, 0, -0.064, 1e-9])
-def test_distances_that_no_eyes_have_are_refused(ipd: float) -> None:
-    message = r"ipd: expected 0.04 to 0.09, in metres: 0.064, not 64; got "
-    with pytest.raises(ValueError, match=message):
-        nf.hmd.QUEST_2.with_ipd(ipd)
-    with pytest.raises(ValueError, match="ipd: expected a finite number"):
-        nf.hmd.QUEST_2.with_ipd(math.nan)
-    with pytest.raises(TypeError, match="ipd: expected a number, got str"):
-        nf.hmd.QUEST_2.with_ipd("64 mm")  # type: ignore[arg-type]
-
-
 def test_every_profile_has_a_distance_that_eyes_have() -> None:
     for name in nf.hmd.names():
         hmd = nf.hmd.get(name)
@@ -50,15 +39,5 @@ def test_a_headset_takes_another_lens(tmp_path: Path) -> None:
         name="one", left=nf.hmd.VIVE.left, right=nf.hmd.VIVE.right, render_size=(2, 2), lens=nf.RadialLens((0.1,))
     )
     assert one.lens_source == "not stated"
-    for arguments, words in (
-        ({"lens_radius": 1.0}, "lens_radius: expected None with the generic lens"),
-        ({"source": "me"}, "source: expected None with the generic lens"),
-        ({"lens": nf.RadialLens((0.1,)), "lens_radius": 0.0}, "lens_radius: expected a number above 0"),
-        ({"lens": nf.RadialLens((0.1,), (0.1, 0.0))}, "lens: expected one without tangential"),
-    ):
-        with pytest.raises(ValueError, match=words):
-            nf.hmd.QUEST_2.with_lens(**arguments)
-    with pytest.raises(TypeError, match="source: expected a string, got int"):
-        nf.hmd.QUEST_2.with_lens(nf.RadialLens((0.1,)), source=5)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="lens: expected a RadialLens, got tuple"):
-        nf.hmd.QUEST_2.with_lens((0.1,))  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="lens: expected one without tangential"):
+        nf.hmd.QUEST_2.with_lens(nf.RadialLens((0.1,), (0.1, 0.0)))

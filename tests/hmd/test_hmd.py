@@ -154,12 +154,8 @@ def test_profiles_are_read_on_first_use() -> None:
 
 
 def test_names_that_are_not_there_are_said() -> None:
-    with pytest.raises(ValueError, match=r"name: expected one of .*VIVE_PRO.*, got 'VIVE_9'"):
-        nf.hmd.get("VIVE_9")
     with pytest.raises(ValueError, match=r"got 'qest 2' \(did you mean QUEST_2\?\)"):
         nf.hmd.get("qest 2")
-    with pytest.raises(TypeError, match="name: expected text, got int"):
-        nf.hmd.get(3)  # type: ignore[arg-type]
     for name in ("quest_2", "Quest 2", "quest-2"):
         assert nf.hmd.get(name) is nf.hmd.QUEST_2
     with pytest.raises(AttributeError, match="VIVE_9"):
@@ -210,8 +206,6 @@ def test_what_is_no_rotation_is_refused() -> None:
     for matrix in (np.diag([1.0, 1, -1]), np.diag([1.01, 1, 1]), np.zeros((3, 3))):
         with pytest.raises(ValueError, match="eye_to_head: expected a rotation"):
             nf.hmd.Eye.from_matrix(fov, np.column_stack([matrix, np.zeros(3)]))
-    with pytest.raises(ValueError, match=r"eye_to_head: expected shape \(3, 4\)"):
-        nf.hmd.Eye.from_matrix(fov, np.eye(4))
 
 
 def test_an_eye_that_looks_past_the_horizon_has_no_angles() -> None:
@@ -239,8 +233,6 @@ def test_cameras_stand_where_the_head_and_the_eye_say(
         expected = (200 * (f.left / 2 - f.left) / (f.right - f.left), 100 * (f.up - f.up / 3) / (f.up - f.down), 5.0)
         np.testing.assert_allclose((x, y, depth), expected, rtol=0, atol=1e-9)
     assert hmd.camera("left", place, head, size=(8, 9)).size == (8, 9)
-    with pytest.raises(ValueError, match="eye: expected one of 'left', 'right', got 'both'"):
-        hmd.camera("both", place)
 
 
 @given(eyes, eyes, st.floats(0.04, 0.09))
@@ -271,21 +263,8 @@ EYE = nf.hmd.Eye(nf.Fov(-1, 1, -1, 1), (0, 0, 0))
     ("error", "words", "changes"),
     [
         (ValueError, "name: expected a name", {"name": ""}),
-        (TypeError, "left: expected Eye, got Fov", {"left": nf.Fov(-1, 1, -1, 1)}),
-        (ValueError, r"render_size\[0\]: expected", {"render_size": (0, 5)}),
-        (TypeError, "panel_size: expected two", {"panel_size": 5}),
-        (ValueError, "refresh_hz: expected a number above 0", {"refresh_hz": 0}),
-        (TypeError, "lens: expected a RadialLens, got tuple", {"lens": (0.1,)}),
         (ValueError, "lens: expected one without tangential", {"lens": nf.RadialLens((0.1,), (0.1, 0.0))}),
-        (ValueError, "lens_radius: expected", {"lens_radius": -1}),
         (ValueError, "triangle_budget: expected the least", {"triangle_budget": (5, 3)}),
-        (ValueError, "hidden_area_percent: expected 0 to 100", {"hidden_area_percent": 101}),
-        (ValueError, "name: expected text .* lone surrogate", {"name": "a\ud800"}),
-        (TypeError, "sources: expected a sequence of strings", {"sources": "one"}),
-        (TypeError, "sources: expected a sequence of strings, got NoneType", {"sources": None}),
-        (TypeError, "sources: expected a sequence of strings, got int 5", {"sources": 5}),
-        (TypeError, "sources: expected a sequence of strings", {"sources": ("one", 2)}),
-        (ValueError, r"sources\[1\]: expected text .* lone surrogate", {"sources": ("one", "\udfff")}),
     ],
 )
 def test_wrong_fields_are_named(error: type[Exception], words: str, changes: dict[str, Any]) -> None:

@@ -201,13 +201,6 @@ def test_beyond_the_fold_nothing_is_made_up() -> None:
 
 
 def test_lenses_without_a_fold_refuse_what_is_no_number() -> None:
-    for method in ("newton", "lut"):
-        with pytest.raises(ValueError, match="r: expected numbers that stay below 1e290, got NaN"):
-            nf.RadialLens(RIFT_S).undistort([1.0, math.nan], method=method)
-    for lens in (nf.RadialLens(RIFT_S), nf.RadialLens(())):
-        for call in (lens.distort, lens.undistort, lens.derivative):
-            with pytest.raises(ValueError, match="r: expected numbers that stay below 1e290, got inf"):
-                call([math.inf])
     with pytest.raises(ValueError, match="r: expected numbers that stay below 1e290"):
         nf.RadialLens(RIFT_S).distort(1e160)
     assert nf.RadialLens(()).derivative(1e200) == 1.0
@@ -291,9 +284,6 @@ def test_lenses_are_values() -> None:
 @pytest.mark.parametrize(
     ("arguments", "error", "message"),
     [
-        (([math.nan],), ValueError, "k: expected finite numbers"),
-        (([[0.1]],), ValueError, "k: expected a sequence of numbers"),
-        ((["x"],), TypeError, "k: expected real numbers"),
         (([0.1] * 65,), ValueError, "k: expected at most 64"),
         (([0.1, -1e300],), ValueError, "k: expected coefficients of at most 1e290, got -1e300"),
         (([1e100],), ValueError, "k: expected terms that reach r at radii from 1e-30 to 1e30"),
@@ -304,20 +294,6 @@ def test_lenses_are_values() -> None:
 def test_bad_lenses(arguments: tuple[Any, ...], error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         nf.RadialLens(*arguments)
-
-
-def test_bad_arguments() -> None:
-    lens = nf.RadialLens(RIFT_S)
-    with pytest.raises(ValueError, match="method: expected one of 'newton', 'fixed_point'"):
-        lens.undistort(1.0, method="brent")
-    with pytest.raises(ValueError, match="outside: expected one of 'raise', 'nan'"):
-        lens.undistort(1.0, outside="clip")
-    with pytest.raises(ValueError, match="iterations: expected a whole number"):
-        lens.undistort(1.0, method="fixed_point", iterations=-1)
-    with pytest.raises(ValueError, match=r"points: expected shape \(N, 2\)"):
-        lens.distort_points([1.0, 2.0])
-    with pytest.raises(TypeError, match="r: expected real numbers"):
-        lens.distort("1")
 
 
 tangentials = st.tuples(st.floats(-0.05, 0.05), st.floats(-0.05, 0.05))

@@ -144,8 +144,6 @@ def test_colours_have_lenses_of_their_own() -> None:
         )
     with pytest.raises(ValueError, match=r"image: expected shape \(H, W, 3\), a channel"):
         both.warp(image[..., :2])
-    with pytest.raises(TypeError, match="green: expected a RadialLens, got tuple"):
-        nf.ChromaticLens(lenses[0], (0.1,), lenses[2])  # type: ignore[arg-type]
     mesh = both.warp_mesh((500, 500), fov="symmetric")
     assert mesh.texcoords.shape[0] == 3
     assert mesh.error_px <= 0.25
@@ -157,14 +155,6 @@ def test_colours_have_lenses_of_their_own() -> None:
     ("arguments", "error", "message"),
     [
         ({"image": np.zeros((3, 3), np.int32)}, TypeError, "image: expected one of uint8, uint16, float32, float64"),
-        ({"image": np.zeros((3, 3, 3, 3))}, ValueError, r"image: expected shape \(H, W\)"),
-        ({"image": np.zeros((0, 3))}, ValueError, r"image: expected shape \(H, W\)"),
-        ({"filter": "nearest"}, ValueError, "filter: expected one of 'linear', 'cubic'"),
-        ({"fov": (1, 2, 3, 4)}, TypeError, "fov: expected a Fov, got tuple"),
-        ({"output_fov": 90.0}, TypeError, "output_fov: expected a Fov, got float"),
-        ({"size": (0, 4)}, ValueError, r"size\[0\]: expected a whole number from 1"),
-        ({"size": 4}, TypeError, r"size: expected \(width, height\)"),
-        ({"fill": "black"}, TypeError, "fill: expected a number"),
         ({"image": np.zeros((4, 4), np.uint8), "fill": np.nan}, ValueError, "fill: expected a finite number"),
         ({"image": np.zeros((4, 4), np.uint8), "fill": 256}, ValueError, "fill: expected a number from 0 to 255"),
     ],
@@ -246,8 +236,6 @@ def test_the_lens_is_the_same_whatever_the_picture_shows() -> None:
         for picture, fov in ((image, wide), (np.ascontiguousarray(narrow), screen))
     ]
     assert np.allclose(shown[0][60:140, 60:140], shown[1][60:140, 60:140], atol=1e-9)
-    with pytest.raises(ValueError, match="lens_radius: expected a number above 0"):
-        RIFT_S.warp(image, fov="symmetric", lens_radius=0)
     eye = nf.hmd.VIVE.left.fov
     meshes = [RIFT_S.warp_mesh((100, 100), fov=eye, lens_radius=r, cells=(5, 5)) for r in (None, 2.0)]
     assert not np.array_equal(meshes[0].texcoords, meshes[1].texcoords)
@@ -259,14 +247,6 @@ def test_long_pictures_are_refused_before_they_cost_much() -> None:
     for size, tolerance in (((20, 2000), 0.001), ((2, 6000), 1e-4)):
         with pytest.raises(ValueError, match="tolerance_px: expected one that 262,144 cells hold"):
             RIFT_S.warp_mesh(size, fov="symmetric", tolerance_px=tolerance)
-    for cells in (5, (5, 5, 5)):
-        with pytest.raises(TypeError, match="cells: expected two whole numbers"):
-            RIFT_S.warp_mesh((10, 10), fov="symmetric", cells=cells)  # type: ignore[arg-type]
-
-
-def test_masked_pictures_are_refused() -> None:
-    with pytest.raises(TypeError, match="image: expected an array without masked values"):
-        RIFT_S.warp(np.ma.masked_greater(np.eye(4), 0.5))
 
 
 def test_meshes_have_as_many_cells_as_a_tolerance_needs() -> None:
@@ -308,5 +288,3 @@ def test_meshes_leave_out_what_the_lens_cannot_show() -> None:
         lens.warp_mesh((800, 800), fov=wide, output_fov=nf.Fov(2, 3, 2, 3), cells=(4, 4))
     with pytest.raises(ValueError, match=r"cells\[1\]: expected a whole number"):
         lens.warp_mesh((800, 800), fov="symmetric", cells=(4, 0))
-    with pytest.raises(ValueError, match="tolerance_px: expected a number above 0"):
-        lens.warp_mesh((800, 800), fov="symmetric", tolerance_px=0)

@@ -50,16 +50,6 @@ def test_a_frame_brings_its_field_of_view(frame: nf.Frame, lens: Any) -> None:
         assert mesh.texcoords.tobytes() == lens.warp_mesh(SIZE, fov=EYE.fov, cells=(6, 6)).texcoords.tobytes()
 
 
-@pytest.mark.parametrize("lens", [RIFT_S, COLOURED])
-def test_a_picture_without_a_field_of_view_is_refused(lens: Any) -> None:
-    message = r"fov: expected the Fov of the picture, such as hmd.left.fov, or \"symmetric\" .*, got "
-    for fov in (None, "middle"):
-        with pytest.raises(ValueError, match=message + repr(fov)):
-            lens.warp(np.zeros((4, 4, 3)), True, fov=fov)
-        with pytest.raises(ValueError, match=message + repr(fov)):
-            lens.warp_mesh((4, 4), fov=fov)
-
-
 def test_symmetric_pictures_are_asked_for() -> None:
     image = np.random.default_rng(0).random((30, 40))
     ours = RIFT_S.warp(image, fov="symmetric")
@@ -67,8 +57,6 @@ def test_symmetric_pictures_are_asked_for() -> None:
 
 
 def test_frames_that_cannot_be_warped_are_refused(frame: nf.Frame) -> None:
-    with pytest.raises(ValueError, match="fov: expected None, because image has the field"):
-        RIFT_S.warp(frame, fov=EYE.fov)
     with pytest.raises(ValueError, match="fov: expected None, because size has the field"):
         RIFT_S.warp_mesh(frame, fov="symmetric")
     flat = nf.Camera((0, 0, 0), fov=nf.Orthographic(-1, 1, -1, 1), size=(4, 4))

@@ -94,25 +94,6 @@ def test_models_without_the_scores_of_views_are_refused() -> None:
         model_of((2, 1)).refit("mean")
 
 
-@pytest.mark.parametrize(
-    ("percentile", "error", "message"),
-    [
-        (101, ValueError, "percentile: expected a number from 0 to 100"),
-        (float("nan"), ValueError, "percentile"),
-        ("median", ValueError, "percentile: expected a number from 0 to 100, or \"mean\", got 'median'"),
-        (None, TypeError, "percentile"),
-        (True, TypeError, "percentile"),
-        ([5], TypeError, "percentile"),
-    ],
-)
-def test_other_statistics_are_refused(percentile: Any, error: type[Exception], message: str) -> None:
-    model = nf.lod.measure(levels(8), **SMALL)
-    with pytest.raises(error, match=message):
-        model.refit(percentile)
-    with pytest.raises(error, match=message):
-        nf.lod.MeasureSettings(**SMALL, percentile=percentile)
-
-
 def test_one_level_has_no_curve_to_refit() -> None:
     model = nf.lod.measure(levels(8), **SMALL)
     assert_same(model.refit("mean"), model)

@@ -244,42 +244,20 @@ def test_curves_that_no_level_reaches() -> None:
 @pytest.mark.parametrize(
     ("changed", "error", "message"),
     [
-        ({"models": usual()}, TypeError, "models: expected a sequence of LodModel, got LodModel"),
-        ({"models": [3]}, TypeError, "models: expected a sequence of LodModel, got int 3 at index 0"),
         ({"models": []}, ValueError, "model_index: expected no objects where there are no models, got 0 at index 0"),
         ({"model_index": [1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got 1 at index 0"),
         ({"model_index": [-1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got -1 at index 0"),
         ({"model_index": [0, 0]}, ValueError, r"model_index: expected shape \(1,\), got \(2,\)"),
         ({"model_index": [0.5]}, TypeError, "model_index: expected whole numbers"),
-        ({"centers": [[0, 0, math.nan]]}, ValueError, "centers: expected finite numbers.* at index 0"),
-        ({"centers": [[0, 0, math.inf]]}, ValueError, "centers: expected finite numbers.* at index 0"),
-        ({"centers": [[0, 0]]}, ValueError, "centers: expected shape"),
         ({"radii": [-1.0]}, ValueError, "radii: expected finite numbers of at least 0, got -1 at index 0"),
-        ({"radii": math.nan}, ValueError, "radii: expected finite numbers of at least 0, got NaN at index 0"),
-        ({"radii": math.inf}, ValueError, "radii: expected finite numbers of at least 0, got inf at index 0"),
-        ({"camera": 3}, TypeError, "camera: expected a Camera or a sequence of them, got int"),
-        ({"camera": []}, ValueError, "camera: expected at least one, got none"),
         (
             {"camera": nf.Camera((0, 0, 0), fov=nf.CubeFace(0), size=(8, 8))},
             TypeError,
             "camera: expected one with a Fov",
         ),
-        ({"lens": (0.1,)}, TypeError, "lens: expected a RadialLens, got tuple"),
         ({"lens": nf.RadialLens((0.1,), (0.1, 0.0))}, ValueError, "lens: expected one without tangential terms"),
-        ({"lens_radius": 0}, ValueError, "lens_radius: expected a number above 0"),
-        ({"reference": -1}, ValueError, "reference: expected a number above 0"),
-        ({"k": math.nan}, ValueError, "k: expected a finite number"),
-        ({"threshold": "exact"}, ValueError, "threshold: expected one of"),
-        ({"mode": "eccentricity"}, ValueError, "mode: expected one of"),
-        ({"inverse": "fixed_point"}, ValueError, "inverse: expected one of"),
-        ({"hysteresis": 1.5}, ValueError, "hysteresis: expected a number from 0 to 1, got 1.5"),
-        ({"fade": -0.5}, ValueError, "fade: expected a number from 0 to 1"),
-        ({"gaze": (0, 0, 0)}, ValueError, "gaze: expected a direction"),
-        ({"acuity_slope": -1}, ValueError, "acuity_slope: expected a number of at least 0"),
-        ({"acuity_limit_deg": 0}, ValueError, "acuity_limit_deg: expected a number above 0"),
         ({"previous": [8]}, ValueError, "previous: expected whole numbers from -1 to 7, got 8 at index 0"),
         ({"previous": [-2]}, ValueError, "previous: expected whole numbers from -1 to 7, got -2 at index 0"),
-        ({"previous": [1, 1]}, ValueError, r"previous: expected shape \(1,\)"),
     ],
 )
 def test_bad_arguments(changed: dict[str, Any], error: type[Exception], message: str) -> None:
@@ -303,8 +281,6 @@ def test_models_of_curves_alone() -> None:
 
 
 def test_models_of_other_sizes_and_samples_are_refused() -> None:
-    with pytest.raises(ValueError, match="sigma: expected the least and the greatest solid angle"):
-        replace(usual(), sigma=(1.0, 0.1))
     samples = nf.lod.Samples(np.array([0.1, 0.01]), np.ones((3, 2)))
     with pytest.raises(ValueError, match="samples: expected scores of 8 levels at 2 sizes"):
         replace(usual(), samples=samples)

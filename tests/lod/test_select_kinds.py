@@ -148,12 +148,3 @@ def test_published_lenses_never_save_on_the_panel() -> None:
         found = nf.lod.panel_magnification(np.linspace(0, 45, 100), lens=LENSES[name], view=FOV)
         assert found.min() >= 1.0
         assert found.max() > 1.0
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [({"limit": "both"}, "limit: expected"), ({"size": "length"}, "size: expected"), ({"mode": "screen"}, "mode: ")],
-)
-def test_other_settings_are_refused(options: dict[str, Any], message: str) -> None:
-    with pytest.raises(ValueError, match=f"^{message}"):
-        nf.lod.Selector(**options)

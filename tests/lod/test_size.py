@@ -19,9 +19,6 @@ def test_acuity_is_guenters() -> None:
         nf.lod.acuity(away, slope=0.022, limit_deg=0.02, pixel_deg=0.1), np.minimum(1, 0.1 / (0.022 * away + 0.02))
     )
     assert nf.lod.acuity(3.0).shape == ()
-    for bad in ({"eccentricity_deg": -1.0}, {"eccentricity_deg": [math.nan]}, {"slope": -1}, {"limit_deg": 0}):
-        with pytest.raises(ValueError, match=next(iter(bad))):
-            nf.lod.acuity(**({"eccentricity_deg": 1.0} | bad))
 
 
 def test_distortion_is_the_size_of_what_is_small() -> None:
@@ -34,8 +31,6 @@ def test_distortion_is_the_size_of_what_is_small() -> None:
     np.testing.assert_allclose(nf.lod.distortion(away, lens=LENS, view=camera), expected, rtol=1e-9)
     assert nf.lod.distortion([90.0, 120.0], lens=LENS, view=camera).tolist() == [1, 1]
     assert nf.lod.distortion([60.0], lens=nf.RadialLens((-0.5,)), view=nf.Fov.symmetric(87)).tolist() == [1]
-    with pytest.raises(TypeError, match="view: expected a headset"):
-        nf.lod.distortion(0.0, lens=LENS, view=3)  # type: ignore[arg-type]
 
 
 def test_the_reference_size() -> None:

@@ -154,5 +154,3 @@ def test_a_selector_is_the_call_with_its_settings() -> None:
     assert np.array_equal(one.shown, other.shown)
     assert np.array_equal(selector.select([usual()], index, centers, radii, camera=VIEW), other.level)
     assert selector == nf.lod.Selector(**settings)
-    with pytest.raises(ValueError, match="fade: expected a number from 0 to 1, got 2"):
-        nf.lod.Selector(fade=2)

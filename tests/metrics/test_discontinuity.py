@@ -99,11 +99,6 @@ def test_pixels_without_a_surface_or_neighbours_have_none(frames: dict[str, nf.F
     assert np.isnan(nf.discontinuity(seen, epsilon=1e-3)).all()
     with pytest.raises(ValueError, match="position"):
         nf.discontinuity(nf.render(street(), view, channels=("color",)))
-    with pytest.raises(TypeError, match="frame"):
-        nf.discontinuity(np.zeros((3, 3)))  # type: ignore[arg-type]
-    for wrong in ({"epsilon": 0}, {"epsilon": 1e-7}, {"epsilon": 2e4}, {"min_distance": 1e-20}):
-        with pytest.raises(ValueError, match=next(iter(wrong))):
-            nf.discontinuity(seen, **wrong)
 
 
 @given(st.integers(0, 2**32 - 1), st.floats(0.3, 40), st.floats(0.05, 3))
@@ -145,5 +140,3 @@ def test_outlines_before_what_is_far_are_no_surfaces_across_the_radius() -> None
     floor = crossed[15:]
     assert floor.any(axis=0).all()
     np.testing.assert_array_equal(every[18:], crossed[18:])
-    with pytest.raises(TypeError, match="surfaces"):
-        nf.boundary(frame, center=(0, 0, 0), radius=50, surfaces=2)  # type: ignore[arg-type]

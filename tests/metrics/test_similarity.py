@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import pickle
 from collections.abc import Iterator
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import pytest
@@ -314,34 +314,17 @@ def test_sequences_are_read_as_they_go() -> None:
     ("call", "error", "message"),
     [
         (lambda a, b: nf.ssim(a, b), ValueError, "data_range: expected"),
-        (lambda a, b: nf.ssim(a, b, data_range=0), ValueError, "data_range"),
         (lambda a, b: nf.ssim(a, b, data_range=1e-200), ValueError, "data_range, k1, k2: expected squares"),
-        (lambda a, b: nf.ssim(a, b[1:], data_range=1), ValueError, r"test: expected shape \(37, 53\), got"),
         (lambda a, b: nf.ssim(a[:0], b[:0], data_range=1), ValueError, "at least one value"),
         (lambda a, b: nf.ssim(a[0], b[0], data_range=1), ValueError, "reference: expected shape"),
         (lambda a, b: nf.ssim(np.float64(1), 1.0, data_range=1), ValueError, r"reference: expected shape"),
-        (lambda a, b: nf.ssim(a, b, data_range=1, window="box"), ValueError, "window"),
-        (lambda a, b: nf.ssim(a, b, data_range=1, size=0), ValueError, "size"),
-        (lambda a, b: nf.ssim(a, b, data_range=1, sigma=0), ValueError, "sigma"),
-        (lambda a, b: nf.ssim(a, b, data_range=1, convention="matlab"), ValueError, "convention"),
         (lambda a, b: nf.ssim(a, b, data_range=1, convention="skimage", size=1), ValueError, "size"),
-        (lambda a, b: nf.ssim(a, b, data_range=1, masking="box"), ValueError, "masking"),
         (lambda a, b: nf.ssim(a, b, data_range=1, masking="windows", convention="skimage"), ValueError, "masking"),
         (lambda a, b: nf.ssim(a, b, data_range=1, mask=a > 2), ValueError, "mask: expected at least one"),
-        (lambda a, b: nf.ssim(a, b, data_range=1, mask=a[1:] > 0), ValueError, "mask: expected shape"),
-        (lambda a, b: nf.ssim(a, b, data_range=1, mask=a), TypeError, "mask: expected true and false"),
         (lambda a, b: nf.ssim(a, b * np.nan, data_range=1), ValueError, r"test: expected finite .* at \(0, 0\)"),
         (lambda a, b: nf.ssim(a + np.inf, b, data_range=1), ValueError, "reference: expected finite"),
         (lambda a, b: nf.ssim(a * 1e200, b, data_range=1), ValueError, "values up to 1e\\+150"),
-        (lambda a, b: nf.ssim(a + 1j, b, data_range=1), TypeError, "reference: expected real numbers"),
-        (lambda a, b: nf.ssim(a, [["x"]], data_range=1), TypeError, "test: expected real numbers"),
-        (lambda a, b: nf.ssim(a, [[1], [1, 2]], data_range=1), ValueError, "test: expected rows of equal length"),
-        (lambda a, b: nf.ssim_pairs(a, b[1:], data_range=1), ValueError, "tests: expected pictures of"),
-        (lambda a, b: nf.ssim_pairs(a[0], b[0], data_range=1), ValueError, "references: expected shape"),
         (lambda a, b: nf.ssim_pairs([a] * 2, [b] * 3, data_range=1), ValueError, "tests, masks: expected axes"),
-        (lambda a, b: nf.ssim_pairs(a, b, data_range=1, masks=a[1:] > 0), ValueError, "masks: expected pictures"),
-        (lambda a, b: nf.ssim_pairs(a, b, data_range=cast(Any, None)), ValueError, "data_range"),
-        (lambda a, b: nf.ms_ssim(a, b, data_range=1, weights=[]), ValueError, "weights"),
         (lambda a, b: nf.ssim(a, b, data_range=1e200), ValueError, "data_range, k1, k2: expected squares"),
         (lambda a, b: nf.ssim(a, b, data_range=1, masking="windows"), ValueError, "masking: expected a mask"),
         (
@@ -349,21 +332,12 @@ def test_sequences_are_read_as_they_go() -> None:
             ValueError,
             "masking: expected 'mean'",
         ),
-        (lambda a, b: nf.ssim(a, b, data_range=1, mask=[[1], [1, 2]]), ValueError, "mask: expected rows"),
-        (
-            lambda a, b: nf.ssim(np.ma.masked_less(a, 0.5), b, data_range=1),
-            TypeError,
-            "reference: expected an array without",
-        ),
-        (lambda a, b: nf.ssim_pairs(a, b, data_range=1, masks=True), ValueError, "masks: expected pictures"),
         (lambda a, b: nf.ssim_pairs(a * np.nan, b, data_range=1), ValueError, "references: expected finite"),
-        (lambda a, b: nf.ssim_pairs(a, "x", data_range=1), TypeError, "tests: expected real numbers"),
         (
             lambda a, b: nf.ssim(np.stack([a] * 3, -1), np.stack([b, b, np.full_like(b, np.inf)], -1), data_range=1),
             ValueError,
             r"2\)$",
         ),
-        (lambda a, b: nf.ms_ssim(a, b, data_range=1, weights=[-1]), ValueError, "weights"),
     ],
 )
 def test_refuses_what_cannot_be_compared(call: Any, error: type[Exception], message: str) -> None:

@@ -148,12 +148,3 @@ def test_a_border_out_of_sight_has_no_tear(plane: nf.Scene) -> None:
     frame = nf.render(plane, camera, channels=("position",))
     found = nf.boundary_tear(frame, center=(0, 1.7, 0), radius=50)
     assert (found.pixels, found.shared, found.tear, found.kink) == (0, None, None, None)
-
-
-@pytest.mark.parametrize(("wrong", "match"), [({"epsilon": 0}, "epsilon"), ({"radius": -1}, "radius")])
-def test_wrong_arguments_are_named(plane: nf.Scene, wrong: dict[str, float], match: str) -> None:
-    frame = torn(1.0, 0.0)
-    with pytest.raises(ValueError, match=match):
-        nf.boundary_tear(frame, **{"center": (0, 0, 0), "radius": 5.0} | wrong)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="frame"):
-        nf.tear(3)  # type: ignore[arg-type]

@@ -151,15 +151,12 @@ def test_results_are_written_where_the_caller_wants() -> None:
     frozen.flags.writeable = False
     for out, words in (
         (points.astype(np.float32), r"out: expected \(1000, 3\) of float64, got \(1000, 3\) of float32"),
-        (points[:5].copy(), r"out: expected \(1000, 3\) of float64, got \(5, 3\)"),
         (np.empty((3, 1000)).T, "out: expected a C-contiguous array that can be written"),
         (frozen, "out: expected a C-contiguous array that can be written"),
         (points, "out: expected memory of its own"),
     ):
         with pytest.raises(ValueError, match=words):
             nf.morph(points, out=out, **where)
-    with pytest.raises(TypeError, match="out: expected an array, got list"):
-        nf.morph(points, out=[], **where)  # type: ignore[arg-type]
 
 
 def cylinder_oracle(p: NDArray[Any], user: Any, center: Any, r1: float, r2: float) -> NDArray[np.float64]:
@@ -240,32 +237,6 @@ def test_shapes_types_and_places() -> None:
     np.testing.assert_array_equal(np.delete(shown, 7, 0), np.delete(whole, 7, 0))
 
 
-@pytest.mark.parametrize(
-    ("change", "sentence"),
-    [
-        ({"points": [[1.0, 2.0]]}, "points: expected shape"),
-        ({"user": (np.nan, 0, 0)}, "user: expected 3 finite numbers"),
-        ({"center": (0, np.inf, 0)}, "center: expected 3 finite numbers"),
-        ({"center": (0, 0)}, "center: expected 3 numbers"),
-        ({"r1": 50.0}, "r1: expected less than r2"),
-        ({"r1": -1.0}, "r1: expected a radius of at least 0"),
-        ({"r2": np.nan}, "r2: expected a finite number"),
-        ({"r1": 0, "r2": 0}, "r1: expected less than r2"),
-        ({"kind": "sphere"}, "kind: expected one of"),
-    ],
-)
-def test_bad_input_is_a_sentence(change: dict[str, Any], sentence: str) -> None:
-    arguments: dict[str, Any] = {
-        "points": [[1.0, 2.0, 3.0]],
-        "user": (0, 0, 0),
-        "center": (0, 0, 0),
-        "r1": R1,
-        "r2": R2,
-    }
-    with pytest.raises(ValueError, match=sentence):
-        nf.morph(**(arguments | change))
-
-
-def test_words_are_no_points() -> None:
-    with pytest.raises(TypeError, match="points: expected real numbers"):
-        nf.morph([["a", "b", "c"]], user=(0, 0, 0), center=(0, 0, 0), r1=R1, r2=R2)
+def test_a_blend_has_room_between_its_radii() -> None:
+    with pytest.raises(ValueError, match="r1: expected less than r2"):
+        nf.morph([[1.0, 2.0, 3.0]], user=(0, 0, 0), center=(0, 0, 0), r1=0, r2=0)

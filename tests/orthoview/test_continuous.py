@@ -139,16 +139,3 @@ def test_the_gaze_is_drawn_as_finely_as_ever(shown: Tree) -> None:
     same = (evenly.require("color") == foveated.require("color")).all(axis=2)
     assert same[180:204, 180:204].all()
     assert not same.all()
-
-
-def test_bad_calls_are_named(shown: Tree) -> None:
-    camera, wrong = camera_at(shown, 100), shown.render
-    calls: list[tuple[dict[str, Any], type[Exception], str]] = [
-        ({"budget": 0}, ValueError, "budget: expected"),
-        ({"budget": 2.5}, TypeError, "budget: expected"),
-        ({"continuous": "yes"}, TypeError, "continuous: expected"),
-        ({"gaze": (1, 2, 3)}, ValueError, "gaze: expected two numbers or None"),
-    ]
-    for arguments, kind, message in calls:
-        with pytest.raises(kind, match=message):
-            wrong(camera, **arguments)

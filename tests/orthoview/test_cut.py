@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -263,50 +262,9 @@ def test_keys_are_the_views_of_the_cut(tree: nf.orthoview.OrthoTree) -> None:
     assert within.leaf_places() == cut.leaf_places(in_picture=True)
 
 
-BAD: dict[str, tuple[dict[str, Any], type[Exception], str]] = {
-    "a camera that is none": ({"camera": (0, 0, 0)}, TypeError, "camera: expected a Camera, got tuple"),
-    "no views": ({"views": 0}, ValueError, "views: expected"),
-    "many views": ({"views": 9}, ValueError, "views: expected"),
-    "views in parts": ({"views": 2.5}, TypeError, "views: expected"),
-    "no error": ({"error_px": 0}, ValueError, "error_px: expected"),
-    "an error of NaN": ({"error_px": math.nan}, ValueError, "error_px: expected"),
-    "an endless error": ({"error_px": math.inf}, ValueError, "error_px: expected"),
-    "an error below 0": ({"error_px": -1.0}, ValueError, "error_px: expected"),
-    "an error in words": ({"error_px": "1"}, TypeError, "error_px: expected"),
-    "a number for geometry": ({"geometry": 1}, TypeError, "geometry: expected"),
-    "a number for around": ({"around": 0}, TypeError, "around: expected"),
-    "a word for around": ({"around": "yes"}, TypeError, "around: expected"),
-    "a number for continuous": ({"continuous": 1}, TypeError, "continuous: expected"),
-    "a lift below 0": ({"lift_deg": -1}, ValueError, "lift_deg: expected a number from 0 to 90, got -1"),
-    "a lift beyond the zenith": ({"lift_deg": 90.5}, ValueError, "lift_deg: expected a number from 0 to 90, got 90.5"),
-    "a lift of NaN": ({"lift_deg": math.nan}, ValueError, "lift_deg: expected"),
-    "a lift in words": ({"lift_deg": "30"}, TypeError, "lift_deg: expected"),
-    "no lift": ({"lift_deg": None}, TypeError, "lift_deg: expected"),
-    "a gaze of three numbers": ({"gaze": (1, 2, 3)}, ValueError, "gaze: expected two numbers or None, got"),
-    "a gaze of one number": ({"gaze": 3.0}, ValueError, "gaze: expected two numbers or None, got"),
-    "a gaze of NaN": ({"gaze": (1, math.nan)}, ValueError, "gaze: expected"),
-    "a gaze of a plan": ({"gaze": (1, 2), "camera": CAMERAS["a plan"]}, ValueError, "gaze: expected a camera with"),
-}
-
-
-@pytest.mark.parametrize("name", BAD)
-def test_bad_calls_are_named(tree: nf.orthoview.OrthoTree, name: str) -> None:
-    arguments, kind, message = BAD[name]
-    call: Callable[..., OrthoCut] = tree.cut
-    with pytest.raises(kind, match=message):
-        call(**{"camera": CAMERAS["inside"]} | arguments)
-
-
-@pytest.mark.parametrize("name", [name for name in BAD if "lift" in name])
-def test_pictures_flights_and_queues_name_bad_lifts(tree: nf.orthoview.OrthoTree, name: str) -> None:
-    arguments, kind, message = BAD[name]
-    for call in (
-        lambda: tree.render(CAMERAS["inside"], **arguments),
-        lambda: tree.fly(**arguments),
-        lambda: tree.prefetch_queue(MIDDLE, **arguments),
-    ):
-        with pytest.raises(kind, match=message):
-            call()
+def test_a_plan_has_no_gaze(tree: nf.orthoview.OrthoTree) -> None:
+    with pytest.raises(ValueError, match="gaze: expected a camera with"):
+        tree.cut(CAMERAS["a plan"], gaze=(1, 2))
 
 
 def test_a_tree_that_is_not_complete_has_no_cut(tmp_path: Path) -> None:

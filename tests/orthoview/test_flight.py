@@ -254,40 +254,6 @@ def test_threads_end_with_the_flight(tree: Tree) -> None:
     flight.close()
 
 
-def test_bad_calls_are_named(tree: Tree, flight: nf.orthoview.Flight) -> None:
-    camera = camera_at(tree, 60, size=(16, 16))
-    wrong: Any = flight
-    fly: Any = tree.fly
-    calls: list[tuple[Any, Any, str]] = [
-        (lambda: wrong.look("camera"), TypeError, "camera"),
-        (lambda: flight.look(camera, np.nan), ValueError, "time"),
-        (lambda: wrong.look(camera, "now"), TypeError, "time"),
-        (lambda: flight.render(camera, time=np.inf), ValueError, "time"),
-        (lambda: wrong.render("camera"), TypeError, "camera"),
-        (lambda: flight.render(camera, channels=["depth"]), ValueError, "channels"),
-        (lambda: flight.render(camera, samples=8), ValueError, "samples: expected 1, 4, 9"),
-        (lambda: flight.wait(-1.0), ValueError, "seconds"),
-        (lambda: wrong.wait("long"), TypeError, "seconds"),
-        (lambda: wrong.trace(camera), TypeError, "shot"),
-        (lambda: fly(views=0), ValueError, "views"),
-        (lambda: fly(error_px=0), ValueError, "error_px"),
-        (lambda: fly(geometry=1), TypeError, "geometry"),
-        (lambda: fly(prefetch="yes"), TypeError, "prefetch"),
-        (lambda: fly(margin_deg=181), ValueError, "margin_deg"),
-        (lambda: fly(margin_deg=-1), ValueError, "margin_deg"),
-        (lambda: fly(adapt=None), TypeError, "adapt"),
-        (lambda: fly(threads=0), ValueError, "threads"),
-        (lambda: fly(threads=65), ValueError, "threads"),
-        (lambda: fly(on_error=3), TypeError, "on_error: expected a function or None"),
-        (lambda: flight.render(camera, backend="both"), ValueError, "backend"),
-        (lambda: nf.orthoview.Flight(*wrong_arguments), TypeError, "opened: expected what OrthoTree.fly passes"),
-    ]
-    wrong_arguments: Any = (3, None, None, 1, None)
-    for call, kind, message in calls:
-        with pytest.raises(kind, match=message):
-            call()
-
-
 def test_limits_and_masks_hold(tree: Tree, flight: nf.orthoview.Flight) -> None:
     camera = camera_at(tree, 60)
     mask = np.random.default_rng(0).random((48, 64)) < 0.5

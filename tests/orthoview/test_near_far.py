@@ -75,8 +75,6 @@ def test_what_moves_is_seen_where_it_is_nearer(
 def test_a_tree_in_which_nothing_moves_takes_no_poses(tree: Tree, mover: nf.Scene) -> None:
     with pytest.raises(ValueError, match="nothing moves"):
         tree.at({"box": np.eye(4)})
-    with pytest.raises(ValueError, match="nobody"):
-        tree.with_dynamic(mover).at({"nobody": np.eye(4)})
     assert tree.poses == {}
 
 

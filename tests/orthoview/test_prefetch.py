@@ -127,23 +127,6 @@ def test_an_empty_place_has_a_queue(tree: Tree) -> None:
     assert found.soon == []
 
 
-def test_bad_calls_are_named(tree: Tree) -> None:
-    call: Any = tree.prefetch_queue
-    cases: list[tuple[dict[str, Any], Any, str]] = [
-        ({"position": (1, 2)}, ValueError, "position"),
-        ({"position": (1, 2, np.nan)}, ValueError, "position"),
-        ({"position": "here"}, (TypeError, ValueError), "position"),
-        ({"position": (1, 2, 3), "velocity": (1, np.inf, 0)}, ValueError, "velocity"),
-        ({"position": (1, 2, 3), "camera": 3}, TypeError, "camera"),
-        ({"position": (1, 2, 3), "views": 0}, ValueError, "views"),
-        ({"position": (1, 2, 3), "error_px": -1}, ValueError, "error_px"),
-        ({"position": (1, 2, 3), "geometry": "no"}, TypeError, "geometry"),
-    ]
-    for arguments, kind, message in cases:
-        with pytest.raises(kind, match=message):
-            call(**arguments)
-
-
 # Outlooks.
 
 unit = st.tuples(*[st.floats(-1, 1)] * 4).filter(lambda turn: np.linalg.norm(turn) > 0.1)

@@ -306,29 +306,8 @@ def test_bad_calls_are_named(shown: Tree) -> None:
     for samples in (8, 81, 2):
         with pytest.raises(ValueError, match=f"samples: expected 1, 4, 9 … 64 for orthoviews, got {samples}"):
             shown.render(camera, samples=samples)
-    wrong: Any = shown
-    calls: list[tuple[Any, Any, str]] = [
-        (lambda: shown.render(camera, samples=0), ValueError, "samples"),
-        (lambda: shown.render(camera, channels=["depth"]), ValueError, "channels"),
-        (lambda: wrong.render(camera, channels=3), TypeError, "channels"),
-        (lambda: wrong.render("camera"), TypeError, "camera"),
-        (lambda: wrong.cut("camera"), TypeError, "camera"),
-        (lambda: shown.render(camera, views=0), ValueError, "views"),
-        (lambda: shown.render(camera, views=9), ValueError, "views"),
-        (lambda: wrong.render(camera, views=2.5), TypeError, "views"),
-        (lambda: shown.render(camera, error_px=0), ValueError, "error_px"),
-        (lambda: shown.render(camera, error_px=np.nan), ValueError, "error_px"),
-        (lambda: wrong.render(camera, geometry=1), TypeError, "geometry"),
-        (lambda: shown.render(camera, t_min=5, t_max=4), ValueError, "t_max"),
-        (lambda: wrong.render(camera, clip=3), TypeError, "clip"),
-        (lambda: wrong.trace(camera), TypeError, "shot"),
-        (lambda: nf.orthoview.open(shown.path, cache_bytes=-1), ValueError, "cache_bytes"),
-        (lambda: shown.render(camera, backend="both"), ValueError, "backend"),
-        (lambda: nf.render(shown, camera, at={"car": np.eye(4)}), (ValueError, TypeError), "at"),
-    ]
-    for call, kind, message in calls:
-        with pytest.raises(kind, match=message):
-            call()
+    with pytest.raises((ValueError, TypeError), match="at"):
+        nf.render(shown, camera, at={"car": np.eye(4)})
 
 
 def test_damaged_stores_are_named(shown: Tree, tmp_path: Path) -> None:

@@ -207,15 +207,9 @@ def contents(folder: Path) -> dict[str, bytes]:
 def test_bad_arguments(few_tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     out = tmp_path / "out"
     for match, wrong in (
-        ("level", {"level": few_tree.levels}),
-        ("format", {"format": "ply"}),
-        ("light", {"light": "moon"}),
         ("light", {"light": (0, 0, 0)}),
-        ("light", {"light": (0, 1)}),
-        ("compression", {"compression": "zip"}),
         ("compression", {"format": "spz", "compression": "spz"}),
         ("aabb", {"aabb": [(1e6, 0, 0), (2e6, 1, 1)]}),
-        ("aabb", {"aabb": [(0, 0, 0)]}),
     ):
         with pytest.raises(ValueError, match=match):
             few_tree.export_splats(out, **wrong)

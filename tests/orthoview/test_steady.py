@@ -233,18 +233,9 @@ print(frame.stats["agreed"], [hashlib.sha256(one.color.tobytes()).hexdigest() fo
 
 def test_bad_input_is_refused() -> None:
     picture = board(20.0)
-    for name in ("seconds", "moving"):
-        with pytest.raises(ValueError, match=f"{name}: expected a number above 0"):
-            Steady(**{name: 0.0})
-    with pytest.raises(ValueError, match="least: expected a number from 0 to 1"):
-        Steady(least=1.5)
     steady = Steady()
-    with pytest.raises(TypeError, match="frame: expected"):
-        steady.next("picture", 0.0)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"frame: .*range"):
         steady.next(replace(picture, range=None), 0.0)
-    with pytest.raises(ValueError, match="time: expected a finite number"):
-        steady.next(picture, np.nan)
     steady.next(picture, 1.0)
     with pytest.raises(ValueError, match="time: expected more than 1, that of the picture before"):
         steady.next(picture, 1.0)

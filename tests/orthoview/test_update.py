@@ -206,10 +206,6 @@ def test_changes_beyond_the_tree_are_refused(tree: nf.orthoview.OrthoTree) -> No
 
 
 def test_bad_calls_are_named(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="aabb"):
-        tree.update([[0, 0, 0], [-1, 0, 0]], world_of(BEFORE))
-    with pytest.raises(TypeError, match="source: expected a source"):
-        tree.update(tree.bounds, 3)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="path: expected another place"):
         tree.compact(tree.path)
     failing = built(Counted(world_of(BEFORE), {5}), tmp_path / "part.zarr")

@@ -62,13 +62,6 @@ def test_a_scene_without_near_objects_stays_as_it_is(scene: nf.Scene) -> None:
     assert parts.summary()["nsf"] == 0
 
 
-def test_unknown_units_are_refused(scene: nf.Scene) -> None:
-    with pytest.raises(ValueError, match="unit: expected"):
-        nf.partition(scene, center=CENTER, r1=R1, r2=R2, unit="mesh")
-    with pytest.raises(ValueError, match="unit: expected"):
-        nf.reduce(scene, center=CENTER, r1=R1, r2=R2, unit="mesh")
-
-
 @pytest.mark.parametrize("backend", ["cpu", *ADAPTERS])
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 def test_near_objects_beyond_r2_are_seen_as_the_centre_sees_them(scene: nf.Scene, kind: str, backend: str) -> None:

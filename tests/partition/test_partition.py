@@ -124,29 +124,6 @@ def test_all_near_and_all_far() -> None:
     assert far.summary()["examined"] == 0
 
 
-@pytest.mark.parametrize(
-    ("change", "sentence"),
-    [
-        ({"r1": 50.0}, "r1: expected less than r2"),
-        ({"r1": -3.0}, "r1: expected a radius of at least 0"),
-        ({"r2": np.inf}, "r2: expected a finite number"),
-        ({"center": (np.nan, 0, 0)}, "center: expected 3 finite numbers"),
-        ({"center": 3.0}, "center: expected 3 numbers"),
-    ],
-)
-def test_bad_radii_and_centres_are_sentences(change: dict[str, Any], sentence: str) -> None:
-    arguments: dict[str, Any] = {"center": (0, 0, 0), "r1": 30.0, "r2": 50.0}
-    with pytest.raises(ValueError, match=sentence):
-        nf.partition(soup(town()), **(arguments | change))
-
-
-def test_other_things_are_no_scenes() -> None:
-    with pytest.raises(TypeError, match="scene: expected a Scene, got str"):
-        nf.partition("city.glb", center=(0, 0, 0), r1=1, r2=2)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="scene: expected a Scene, got list"):
-        nf.load_curve([], center=(0, 0, 0))  # type: ignore[arg-type]
-
-
 @pytest.mark.parametrize("city", ["city/tokyo23/tokyo_core_lod1.glb", "city/manhattan_deckgl/manhattan_core.glb"])
 def test_real_cities(city: str) -> None:
     scene = nf.Scene.load(data(city))

@@ -79,21 +79,11 @@ def test_radii_that_would_fold_are_refused(scene: nf.Scene) -> None:
         nf.choose_radii(scene, CENTER, budget=nf.load_curve(scene, center=CENTER).count(10))
 
 
-@pytest.mark.parametrize(
-    ("wrong", "match"),
-    [
-        ({}, "r2: expected either r2 or budget, got neither"),
-        ({"r2": 50, "budget": 9}, "r2: expected either r2 or budget, got both"),
-        ({"r2": 0}, "r2"),
-        ({"r2": 50, "reach": 0}, "reach"),
-        ({"r2": 50, "eye_height": -1}, "eye_height"),
-        ({"r2": 50, "shear": float("nan")}, "shear"),
-        ({"budget": -1}, "budget"),
-    ],
-)
-def test_wrong_arguments_are_named(scene: nf.Scene, wrong: dict[str, float], match: str) -> None:
-    with pytest.raises(ValueError, match=match):
-        nf.choose_radii(scene, CENTER, **wrong)  # type: ignore[arg-type]
+def test_a_radius_or_a_budget_is_given(scene: nf.Scene) -> None:
+    with pytest.raises(ValueError, match="r2: expected either r2 or budget, got neither"):
+        nf.choose_radii(scene, CENTER)
+    with pytest.raises(ValueError, match="budget"):
+        nf.choose_radii(scene, CENTER, budget=-1)
 
 
 def test_low_places_do_not_fold_within_reach() -> None:

@@ -184,13 +184,6 @@ def test_moving_objects_stay_where_they_are_posed() -> None:
     assert ((red[..., 0] > 120) & (red[..., 1] < 90)).any()
 
 
-@pytest.mark.parametrize("wrong", [{"size": (0, 10)}, {"size": (64, 5000)}, {"face_size": 0}, {"face_size": 4096}])
-def test_sizes_out_of_range_are_refused(scene: nf.Scene, wrong: dict[str, object]) -> None:
-    need("ipywidgets")
-    with pytest.raises(ValueError, match=next(iter(wrong))):
-        small(scene).explore(**wrong)  # type: ignore[arg-type]
-
-
 def test_a_notebook_gets_the_widget_and_a_text(explorer: Explorer) -> None:
     bundle = explorer._repr_mimebundle_()
     assert "application/vnd.jupyter.widget-view+json" in bundle

@@ -107,19 +107,6 @@ def test_adapters_show_the_same_radius(name: str, kind: str, radius: float) -> N
         check_color(one, other)
 
 
-@pytest.mark.parametrize(
-    ("radius", "words"),
-    [
-        (50.1, r"radius: expected 0 to r2 = 50 metres, got 50\.1"),
-        (-1.0, "radius: expected a number of at least 0, got -1"),
-        (math.nan, "radius: expected a finite number"),
-    ],
-)
-def test_radii_out_of_the_near_part_are_refused(radius: float, words: str) -> None:
-    with pytest.raises(ValueError, match=words):
-        reduced("blend").render(camera(USER, AHEAD), radius=radius)
-
-
 def test_the_conventional_method_has_no_radius() -> None:
     with pytest.raises(ValueError, match="radius: expected None without a morph"):
         reduced("none").render(camera(USER, AHEAD), radius=20.0)

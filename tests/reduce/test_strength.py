@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from typing import Any
 
 import numpy as np
@@ -208,19 +207,6 @@ def test_balls_of_a_weaker_morph_hold_their_points() -> None:
     assert np.linalg.norm(apart, axis=1).max() <= shown.radii[0]
 
 
-@pytest.mark.parametrize("wrong", [-0.1, 1.1, math.nan])
-def test_strengths_out_of_range_are_refused(wrong: float) -> None:
-    whole, points = reduced("cylinder"), scattered(2)
-    for call in (
-        lambda: nf.morph(points, strength=wrong, **PLACE),
-        lambda: nf.bend_rays(points, tolerance=1e-3, strength=wrong, **PLACE),
-        lambda: nf.fold_margin(USER, center=CENTER, r1=R1, r2=R2, strength=wrong),
-        lambda: whole.with_growth(strength=wrong),
-        lambda: whole.render(camera(USER, AHEAD), strength=wrong),
-    ):
-        with pytest.raises(ValueError, match="strength: expected"):
-            call()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        with pytest.raises(ValueError, match="strength: expected 1 without a morph"):
-            reduced("none").render(camera(USER, AHEAD), strength=0.5)
+def test_the_conventional_method_has_no_strength() -> None:
+    with pytest.raises(ValueError, match="strength: expected 1 without a morph"):
+        reduced("none").render(camera(USER, AHEAD), strength=0.5)

@@ -197,27 +197,5 @@ def test_the_measured_jump_of_a_far_tower_is_the_predicted_one(scene: nf.Scene) 
     assert abs(middles[1] - middles[0]) == pytest.approx(predicted, rel=0.1)
 
 
-@pytest.mark.parametrize(
-    ("wrong", "match"),
-    [
-        ({"fade": -1}, "fade: expected a number from 0 to 60"),
-        ({"transition": "jump"}, "transition: expected one of 'fade', 'cut'"),
-        ({"ahead": 1}, "ahead: expected True or False"),
-    ],
-)
-def test_wrong_settings_are_named(regions: nf.Regions, wrong: dict[str, Any], match: str) -> None:
-    with pytest.raises((ValueError, TypeError), match=match):
-        regions.walk(**wrong)
-
-
-def test_wrong_pictures_are_named(regions: nf.Regions) -> None:
-    walk = regions.walk()
-    with pytest.raises(TypeError, match="camera: expected a Camera"):
-        walk.render("here", 0.0)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="seconds: expected a finite number"):
-        walk.render(view(START), math.nan)
-    with pytest.raises(ValueError, match="user: expected 3 numbers"):
-        walk.render(view(START), 0.0, user=(1, 2))
-    assert "region None" in repr(walk)
-    with pytest.raises(TypeError, match="regions: expected Regions"):
-        nf.Walk(3)  # type: ignore[arg-type]
+def test_a_walk_begins_in_no_region(regions: nf.Regions) -> None:
+    assert "region None" in repr(regions.walk())

@@ -138,11 +138,5 @@ def test_arguments_are_checked() -> None:
         nf.render(scene, NOW, channels=("motion",))
     with pytest.raises(ValueError, match="before: expected a camera of"):
         nf.render(scene, NOW, before=small, channels=("motion",))
-    with pytest.raises(ValueError, match="before_at: expected None without"):
-        nf.render(scene, NOW, before_at={}, channels=("motion",))
-    with pytest.raises(ValueError, match="before_at: "):
-        nf.render(scene, NOW, before=THEN, before_at={"nothing": np.eye(4)}, channels=("motion",))
-    with pytest.raises(TypeError, match="before: expected a Camera"):
-        nf.render(scene, NOW, before="then", channels=("motion",))  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="cameras: expected all of one size for motion"):
         list(nf.render_path(scene, [NOW, small], channels=("motion",)))

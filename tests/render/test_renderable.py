@@ -99,12 +99,8 @@ def test_kinds_that_neither_move_nor_have_levels_say_so(sky: Sky) -> None:
     (camera,) = cameras(1)
     with pytest.raises(ValueError, match="nothing moves"):
         nf.render(sky, camera, at={"car": np.eye(4)})
-    with pytest.raises(ValueError, match="objects have levels"):
-        nf.render(sky, camera, lod="depth")
     with pytest.raises(ValueError, match="which no graphics adapter draws"):
         Still().begin(None, None)  # type: ignore[arg-type]  # refused before they are looked at
-    with pytest.raises(TypeError, match="scene: expected a Scene, a ReducedScene or another"):
-        nf.render(3, camera)  # type: ignore[arg-type]
 
 
 class Still(nf.Renderable):
@@ -121,12 +117,6 @@ class Moves(Still):
 def test_errors_of_poses_of_any_type_name_the_argument() -> None:
     with pytest.raises(ValueError, match="at: no pose: line 1"):
         nf.render(Moves(), cameras(1)[0], at={"car": np.eye(4)})
-
-
-@pytest.mark.parametrize(("t_min", "t_max"), [(-1.0, 2.0), (2.0, 2.0), (3.0, 1.0), (np.nan, 1.0), (0.0, np.nan)])
-def test_parts_of_rays_are_checked(sky: Sky, t_min: float, t_max: float) -> None:
-    with pytest.raises(ValueError, match="t_m"):
-        nf.render(sky, cameras(1)[0], t_min=t_min, t_max=t_max)
 
 
 def test_scenes_and_reduced_scenes_are_renderables() -> None:

@@ -110,27 +110,6 @@ def test_an_end_in_the_middle_drops_what_is_under_way(backend: str) -> None:
     equal(first[0], nf.render(scene, CAMERAS[0], backend=backend))
 
 
-@pytest.mark.parametrize(
-    ("error", "words", "arguments"),
-    [
-        (TypeError, "source: expected a Scene, a ReducedScene or another Renderable, got int", {"source": 3}),
-        (TypeError, "cameras: expected an iterable of Cameras, got Camera", {"cameras": CAMERAS[0]}),
-        (TypeError, "cameras: expected an iterable of Cameras, got int", {"cameras": 3}),
-        (TypeError, "cameras: expected Cameras, got str as number 1", {"cameras": [CAMERAS[0], "here"]}),
-        (ValueError, "at: expected a pose for each of 5 cameras, got 1", {"at": [{}]}),
-        (TypeError, "at: expected matrices by name, or one such mapping for each camera, got str", {"at": "here"}),
-        (TypeError, "at: expected matrices by name, or one such mapping for each camera, got int", {"at": 3}),
-        (ValueError, "channels: expected one of", {"channels": ["colour"]}),
-        (ValueError, "samples: expected a whole number from 1 to 1024, got 0", {"samples": 0}),
-        (ValueError, "backend: expected one of", {"backend": "cuda"}),
-    ],
-)
-def test_arguments_are_checked_at_the_call(error: type[Exception], words: str, arguments: dict[str, Any]) -> None:
-    given: dict[str, Any] = {"source": crowd(), "cameras": CAMERAS, "backend": "cpu"} | arguments
-    with pytest.raises(error, match=words):
-        nf.render_path(given.pop("source"), given.pop("cameras"), **given)
-
-
 def test_what_iterators_bring_is_checked_when_it_comes(backend: str) -> None:
     scene = crowd(("one_7",))
     ahead = 2 if backend == "gpu" else 1

@@ -100,12 +100,3 @@ def test_commands_pass_it_on(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     status, _, said = command(capsys, "info", "-i", tmp_path / "a.glb", "--blend", "glass")
     assert status != 0
     assert "blend: expected one of 'opaque', 'cutout', got 'glass'" in said
-
-
-@pytest.mark.parametrize("blend", ["half", "", None, 1])
-def test_other_ways_are_errors(tmp_path: Path, blend: Any) -> None:
-    (tmp_path / "a.glb").write_bytes(pane([255]))
-    with pytest.raises((ValueError, TypeError), match="blend: expected"):
-        nf.Scene.load(tmp_path / "a.glb", blend=blend)
-    with pytest.raises((ValueError, TypeError), match="blend: expected"):
-        nf.Scene.from_trimesh(trimesh.creation.box(), blend=blend)

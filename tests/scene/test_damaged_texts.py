@@ -9,7 +9,7 @@ import pytest
 import trimesh
 
 import nearfar as nf
-from tests.support.hostile_values import FOREIGN
+from tests.support.verdict import FOREIGN
 
 # trimesh guesses an encoding where charset_normalizer is installed; then the byte is a letter where a number belongs.
 UNKNOWN = "its text is in an unknown encoding|a row of it has too few or too many numbers|no triangles"

@@ -272,5 +272,3 @@ def test_wrong_arguments_are_named() -> None:
     for message, arguments in wrong.items():
         with pytest.raises(ValueError, match=message):
             builder.material(**arguments)
-    with pytest.raises(TypeError, match="unlit: "):
-        builder.material(unlit="yes")  # type: ignore[arg-type]

@@ -47,7 +47,6 @@ def test_unit_normals_are_borrowed_and_others_normalised() -> None:
     ("normals", "words"),
     [
         (np.zeros((41, 3)), r"normals: expected shape \(42, 3\), one row for each vertex, got \(41, 3\)"),
-        (np.zeros((42, 2)), r"normals: expected shape \(N, 3\), got \(42, 2\)"),
         (np.full((42, 3), np.nan), "normals: expected finite coordinates, got 42 normals with NaN or infinity"),
     ],
 )

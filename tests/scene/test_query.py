@@ -182,25 +182,3 @@ def test_pictures_of_the_part_are_those_of_the_triangles() -> None:
     expected = nf.render(scene.subset(triangles=touching(scene, aabb)), camera)
     for channel in ("color", "range", "object_id"):
         assert np.array_equal(getattr(part, channel), getattr(expected, channel)), channel
-
-
-@pytest.mark.parametrize(
-    "aabb",
-    [
-        [[0, 0, 0], [-1, 1, 1]],
-        [[0, 0, 0], [np.nan, 1, 1]],
-        [[np.nan] * 3, [np.nan] * 3],
-        [[0, 0], [1, 1]],
-        [0, 1],
-        [[0, 0, 0, 1, 1, 1]],
-    ],
-)
-def test_boxes_that_are_none_are_refused(scene: nf.Scene, aabb: ArrayLike) -> None:
-    with pytest.raises(ValueError, match=r"^aabb: expected"):
-        scene.query(aabb)
-
-
-@pytest.mark.parametrize("detail", [-1.0, np.nan, np.inf])
-def test_details_that_are_none_are_refused(scene: nf.Scene, detail: float) -> None:
-    with pytest.raises(ValueError, match=r"^detail: expected"):
-        scene.query(BOXES[0], detail)

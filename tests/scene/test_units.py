@@ -109,18 +109,6 @@ def test_up_and_scale_go_together() -> None:
     assert np.allclose(scene.bounds, [(-2.0, -2.5, -2.5), (2.0, 2.5, 0.0)])
 
 
-@pytest.mark.parametrize("scale", [0, -1.0, float("nan"), float("inf")])
-def test_scales_that_are_none_are_refused(scale: float, tmp_path: Path) -> None:
-    path = tmp_path / "room.glb"
-    boxes().export(path)
-    with pytest.raises(ValueError, match="scale: expected a"):
-        nf.Scene.load(path, scale=scale)
-    with pytest.raises(ValueError, match="scale: expected a"):
-        nf.Scene.from_trimesh(boxes(), scale=scale)
-    with pytest.raises(TypeError, match="scale: expected a number, got str"):
-        nf.Scene.load(path, scale="mm")  # type: ignore[arg-type]
-
-
 def test_a_scale_that_leaves_float32_is_a_flaw_of_the_source() -> None:
     with pytest.raises(nf.SceneError, match="coordinates that are not finite in mesh"):
         nf.Scene.from_trimesh(boxes(), scale=1e38)

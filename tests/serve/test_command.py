@@ -103,9 +103,7 @@ def test_a_folder_with_nothing_to_show_is_named(tmp_path: Path, capsys: pytest.C
 @pytest.mark.parametrize(
     ("arguments", "reason"),
     [
-        (("--log", "xml"), "--log: expected"),
         (("--host", "nowhere"), "host: expected an address"),
-        (("--connections", "0"), "connections: expected"),
         (("--key", "k.pem"), "--certificate: expected --certificate and --key together"),
         (("--self-signed", "--key", "k.pem"), "--self-signed: expected no"),
         (("--certificate", "c.pem", "--key", "k.pem"), "c.pem: expected a certificate in PEM"),

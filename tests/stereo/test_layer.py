@@ -88,16 +88,6 @@ def test_highlights_do_not_jump_at_the_plane() -> None:
     assert np.abs(np.diff(smooth)).max() < 4.0 * step
 
 
-def test_arguments_are_checked() -> None:
-    made = rig()
-    with pytest.raises(ValueError, match="blend: expected"):
-        made.view_vectors("left", [[0.0, 0.0, 0.0]], HEAD, blend=0.0)
-    with pytest.raises(ValueError, match="eye: "):
-        made.view_vectors("middle", [[0.0, 0.0, 0.0]], HEAD)
-    with pytest.raises(ValueError, match="points: "):
-        made.view_vectors("left", [[0.0, 0.0]], HEAD)
-
-
 SHADE = """
 import json, os, sys
 import numpy as np
@@ -159,8 +149,3 @@ def test_shader_texts_compute_the_same_vectors() -> None:
     depths = -points[:, 2]
     assert ((depths > 5.7) & (depths < 6.0)).any()
     np.testing.assert_allclose(json.loads(found.stdout), expected, atol=2e-6)
-
-
-def test_other_shading_languages_are_refused() -> None:
-    with pytest.raises(ValueError, match="language: expected"):
-        nf.stereo.view_vector_shader("hlsl")

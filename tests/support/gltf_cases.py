@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-MAPS = ("normalTexture", "occlusionTexture", "emissiveTexture")
-
 MATERIALS: list[dict[str, Any]] = [
     {
         "name": "lamp",

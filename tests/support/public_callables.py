@@ -1,4 +1,7 @@
-"""Finds every public callable of nearfar: functions, constructors and methods of `nearfar` and its public modules."""
+"""Finds every public callable of nearfar: functions, constructors and methods of `nearfar` and its public modules.
+
+Constructors of results are left out: records that take anything, because only the package makes them.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,9 @@ class PublicCallable:
     """A function, constructor or method that a caller reaches by public names."""
 
     name: str
-    """Qualified public name, such as "nearfar.Scene.load"."""
+    """Public name without the package's, such as "Scene.load"."""
+    stage: str
+    """Name of the stage that it belongs to."""
     owner: str | None
     """Public name of the class whose instances have the method; None for what is called without an instance."""
     target: Callable[..., Any] | None
@@ -29,10 +34,10 @@ class PublicCallable:
     signature: inspect.Signature
 
     @property
-    def parameters(self) -> tuple[str, ...]:
-        """Names of the parameters, without the instance, and without ``*args`` and ``**kwargs``."""
+    def parameters(self) -> dict[str, inspect.Parameter]:
+        """The parameters by name, without the instance, and without ``*args`` and ``**kwargs``."""
         variable = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
-        return tuple(p.name for p in self.signature.parameters.values() if p.kind not in variable)
+        return {p.name: p for p in self.signature.parameters.values() if p.kind not in variable}
 
     def on(self, instance: object) -> Callable[..., Any]:
         """Return what is called, of an instance for methods."""
@@ -44,21 +49,27 @@ class PublicCallable:
 
 def public_callables() -> dict[str, PublicCallable]:
     """Return all public callables by name, each under the first public name that it has."""
-    return {entry.name: entry for entry in _module(nf, "nearfar", set())}
+    return {entry.name: entry for entry in _module(nf, "", set())}
+
+
+def _stage(value: Any) -> str:
+    """The stage of a class or a function."""
+    stage: str = value.__module__.split(".")[1]
+    return stage.lstrip("_")
 
 
 def _module(module: types.ModuleType, name: str, seen: set[int]) -> Iterator[PublicCallable]:
     for member in module.__all__:
-        value, public = getattr(module, member), f"{name}.{member}"
+        value, public = getattr(module, member), f"{name}{member}"
         if id(value) in seen:
             continue
         seen.add(id(value))
         if isinstance(value, types.ModuleType):
-            yield from _module(value, public, seen)
+            yield from _module(value, f"{public}.", seen)
         elif inspect.isclass(value):
             yield from _class(value, public)
         elif callable(value) and not _is_instance_of_ours(value):
-            yield PublicCallable(public, None, value, inspect.signature(value))
+            yield PublicCallable(public, _stage(value), None, value, inspect.signature(value))
 
 
 def _is_instance_of_ours(value: object) -> bool:
@@ -66,11 +77,18 @@ def _is_instance_of_ours(value: object) -> bool:
     return not isinstance(value, types.FunctionType) and type(value).__module__.startswith("nearfar")
 
 
+def _is_record(kind: type) -> bool:
+    """Whether a class is a tuple, or a dataclass whose constructor looks at nothing."""
+    settings = getattr(kind, "__dataclass_params__", None)
+    is_plain = settings is not None and settings.init and not hasattr(kind, "__post_init__")
+    return is_plain or issubclass(kind, tuple)
+
+
 def _class(kind: type, name: str) -> Iterator[PublicCallable]:
     if getattr(kind, "_is_protocol", False):
         return  # its methods are tested on the classes that have them
-    if not issubclass(kind, BaseException):
-        yield PublicCallable(name, None, kind, inspect.signature(kind))
+    if not issubclass(kind, BaseException) and not _is_record(kind):
+        yield PublicCallable(name, _stage(kind), None, kind, inspect.signature(kind))
     for member in dir(kind):
         if member.startswith("_") and member not in SPECIAL:
             continue
@@ -82,8 +100,8 @@ def _class(kind: type, name: str) -> Iterator[PublicCallable]:
         static, public = vars(holder)[member], f"{name}.{member}"
         if isinstance(static, classmethod | staticmethod):
             bound = getattr(kind, member)
-            yield PublicCallable(public, None, bound, inspect.signature(bound))
+            yield PublicCallable(public, _stage(kind), None, bound, inspect.signature(bound))
         elif isinstance(static, types.FunctionType):
             whole = inspect.signature(static)
             own = whole.replace(parameters=list(whole.parameters.values())[1:])
-            yield PublicCallable(public, name, None, own)
+            yield PublicCallable(public, _stage(kind), name, None, own)

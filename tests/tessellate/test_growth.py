@@ -101,9 +101,6 @@ def test_pieces_grow_with_the_height() -> None:
 @pytest.mark.parametrize(
     ("changed", "named"),
     [
-        ({"radius": 33.0}, "radius"),
-        ({"radius": 0.0}, "radius"),
-        ({"strength": 1.5}, "strength"),
         ({"reach": 8.0, "radius": 22.0}, "user_region"),
         ({"tolerance_px": 1e-9}, "tolerance_px"),
     ],

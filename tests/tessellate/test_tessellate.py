@@ -217,12 +217,7 @@ def test_finer_pixels_and_corners_count() -> None:
 @pytest.mark.parametrize(
     ("wrong", "message"),
     [
-        ({"r1": 60.0}, "r1: expected less than r2"),
-        ({"user_region": -1.0}, "user_region: expected a radius of at least 0"),
         ({"user_region": 25.0}, "user_region: expected users within"),
-        ({"user_region": [[1, 2, 3], [0, 0, 0]]}, "user_region: expected a radius or a box"),
-        ({"user_region": [[1, 2, 3]]}, "user_region: expected a radius or a box"),
-        ({"tolerance_px": 0.0}, "tolerance_px: expected a number above 0"),
         ({"tolerance_px": 1e-9}, "tolerance_px: expected a tolerance that"),
         ({"camera": nf.Camera((0, 0, 0), fov=nf.Orthographic(-1, 1, -1, 1), size=(9, 9))}, "camera: expected a persp"),
     ],
@@ -232,11 +227,3 @@ def test_what_cannot_be_bounded_is_refused(wrong: dict[str, Any], message: str) 
     for mesh in (ground(), crowd()):
         with pytest.raises(ValueError, match=message):
             nf.tessellate(mesh, center=CENTER, **given)
-
-
-def test_other_types_are_refused() -> None:
-    settings: dict[str, Any] = {"center": CENTER, "r1": R1, "r2": R2, "user_region": 5.0, "tolerance_px": 0.5}
-    with pytest.raises(TypeError, match=r"mesh: expected a Scene or a trimesh\.Trimesh, got ndarray"):
-        nf.tessellate(np.zeros((3, 3)), camera=VIEW, **settings)
-    with pytest.raises(TypeError, match="camera: expected a Camera, got str"):
-        nf.tessellate(ground(), camera="hmd", **settings)  # type: ignore[arg-type]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
@@ -136,24 +135,6 @@ def test_the_number_of_threads_does_not_matter() -> None:
         "print(hash(f.distance.tobytes() and f.distance.sum()), f.triangle_index.sum(), f.barycentric.sum())"
     )
     assert len(printed_by_threads(code)) == 1
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (([[0, 0]],), r"points: expected shape \(N, 3\)"),
-        (([[0, 0, np.nan]],), "points: expected finite coordinates .* 1 row"),
-        (([[0, 0, 1e31]],), "points: expected finite coordinates"),
-        (([[0, 0, 0]], [[0, 1, 0], [0, 1, 0]]), r"facing: expected shape \(1, 3\)"),
-        (([[0, 0, 0]], [[0, np.inf, 0]]), "facing: expected finite"),
-    ],
-)
-def test_bad_points_are_refused(arguments: tuple[Any, ...], message: str) -> None:
-    scene = nf.Scene.from_arrays([[0, 0, 0], [0, 0, 1], [1, 0, 0]], [[0, 1, 2]])
-    with pytest.raises(ValueError, match=message):
-        nf.nearest_points(scene, arguments[0], facing=arguments[1] if len(arguments) > 1 else None)
-    with pytest.raises(TypeError, match="scene: expected a Scene"):
-        nf.nearest_points("scene", [[0, 0, 0]])  # type: ignore[arg-type]
 
 
 def test_an_empty_scene_has_nothing_near() -> None:

@@ -272,7 +272,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         """
         near = self._near_part
         settings = (self.center, self.r1, self.r2, self._morph, self._boundary)
-        folder.save(path, folder.Contents(near, self._env, *settings, self._counts), half=half)
+        folder.save(path, folder.Contents(near, self._env, *settings, self._counts), half=check.flag("half", half))
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> ReducedScene:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
+from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
 from nearfar.orthoview._directions import widest
@@ -85,6 +86,7 @@ class OrthoCut:
 
     def keys(self, in_picture: bool = False) -> list[tuple[int, Place, int]]:
         """Level, place and direction of each view, the nearest cells first; of those in the picture alone if asked."""
+        in_picture = check.flag("in_picture", in_picture)
         rows = zip(self.level.tolist(), self.place.tolist(), self.directions.tolist(), self.in_picture, strict=True)
         return [
             (level, (x, y, z), direction)
@@ -96,6 +98,7 @@ class OrthoCut:
 
     def leaf_places(self, in_picture: bool = False) -> list[Place]:
         """Places of the leaves that are drawn as geometry; of those in the picture alone if asked."""
+        in_picture = check.flag("in_picture", in_picture)
         rows = zip(self.leaves.tolist(), self.leaf_in_picture, strict=True)
         return [(x, y, z) for (x, y, z), seen in rows if seen or not in_picture]
 

@@ -23,24 +23,36 @@ MATRIX = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, -1.0, 
 
 
 class Valid:
-    """Valid arguments for tests: objects of every public kind, made once, and files in a folder."""
+    """Valid arguments for tests: objects of every public kind, made once, and files in a folder.
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
+    Large ones take milliseconds, so that calls meet in threads.
+    """
+
+    def __init__(self, folder: Path, *, large: bool = False) -> None:
+        self.folder, self._large = folder, large
+        draw = np.random.default_rng(3)
+        self._size, count, side = ((96, 64), 2000, 32) if large else (SIZE, 2, 4)
         self.vertices = np.array([[-1, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 6], [1, 0, 6], [0, 1, 6]], np.float32)
         self.faces = np.array([[0, 1, 2], [3, 4, 5]], np.uint32)
-        self.directions = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-        self.picture = np.random.default_rng(3).integers(0, 256, (SIZE[1], SIZE[0]), np.uint8)
-        self.cube = np.random.default_rng(4).random((6, 4, 4, 3), np.float32)
+        self.points = np.tile(self.vertices.astype(np.float64), (count // 2, 1))
+        self.directions = np.tile([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]], (count // 2, 1))
         self.single = np.asarray(self.directions, np.float32)
+        self.picture = draw.integers(0, 256, self._size[::-1], np.uint8)
+        self.cube = draw.random((6, side, side, 3), np.float32)
+        for value in vars(self).values():
+            if isinstance(value, np.ndarray):
+                value.setflags(write=False)  # no call may change what it is given
 
     @functools.cached_property
     def scene(self) -> nf.Scene:
-        """Two objects, of which "far" can be posed."""
+        """Two objects, of which "far" can be posed; a large one has a ball."""
         builder = nf.SceneBuilder()
         for number, name in enumerate(("near", "far")):
             rows = self.faces[number : number + 1]
             builder.instance(builder.mesh(self.vertices, rows, copy=True), name=name)
+        if self._large:
+            ball = trimesh.creation.icosphere(4)
+            builder.instance(builder.mesh(ball.vertices, ball.faces), name="ball")
         return builder.build(dynamic=["far"])
 
     @functools.cached_property
@@ -69,7 +81,7 @@ class Valid:
     @functools.cached_property
     def camera(self) -> nf.Camera:
         """A view of the scene."""
-        return nf.Camera.look_at(EYE, (0.0, 1.0, 0.0), fov=nf.Fov.symmetric(90.0), size=SIZE)
+        return nf.Camera.look_at(EYE, (0.0, 1.0, 0.0), fov=nf.Fov.symmetric(90.0), size=self._size)
 
     @functools.cached_property
     def frame(self) -> nf.Frame:
@@ -80,7 +92,9 @@ class Valid:
     @functools.cached_property
     def reduced(self) -> nf.ReducedScene:
         """The scene, reduced."""
-        return nf.reduce(self.scene, **ZONES, face_size=4, samples=1, channels=("color", "range"), backend="cpu")
+        return nf.reduce(
+            self.scene, **ZONES, face_size=len(self.cube[0]), samples=1, channels=("color", "range"), backend="cpu"
+        )
 
     @functools.cached_property
     def reduced_leveled(self) -> nf.ReducedScene:
@@ -118,15 +132,20 @@ class Valid:
         return path
 
     @functools.cached_property
+    def orthotree(self) -> nf.orthoview.OrthoTree:
+        """The tree of this store."""
+        return nf.orthoview.open(self.store)
+
+    @functools.cached_property
     def flown(self) -> nf.orthoview.FlightLog:
         """Two frames of a simulated flight."""
-        return nf.orthoview.simulate(nf.orthoview.open(self.store), [self.camera] * 2, link=nf.stream.Link(50.0))
+        return nf.orthoview.simulate(self.orthotree, [self.camera] * 2, link=nf.stream.Link(50.0))
 
     @functools.cached_property
     def env(self) -> nf.EnvMap:
         """A map with all channels."""
-        ranges = np.full((6, 4, 4), 9.0, np.float32)
-        return nf.EnvMap((0.0, 1.0, 0.0), self.cube, ranges, np.zeros((6, 4, 4), np.int32), ("a",))
+        shape = self.cube.shape[:3]
+        return nf.EnvMap((0.0, 1.0, 0.0), self.cube, np.full(shape, 9.0, np.float32), np.zeros(shape, np.int32), ("a",))
 
     @functools.cached_property
     def lens(self) -> nf.RadialLens:
@@ -176,9 +195,14 @@ class Valid:
         return backends.opened()
 
     @functools.cached_property
-    def task(self) -> nf.datasets.SphereTask:
-        """A task of the study."""
-        return nf.datasets.sphere_task()[1]
+    def selection(self) -> nf.lod.Selection:
+        """The levels of two objects."""
+        return nf.lod.select([self.model], [0, 0], np.zeros((2, 3)), [1.0, 2.0], camera=self.camera, full=True)
+
+    @functools.cached_property
+    def rig(self) -> nf.stereo.HybridRig:
+        """Cameras of a headset with one picture far away."""
+        return nf.stereo.HybridRig.of(self.hmd, mono_plane=8.0, size=SIZE)
 
     def builder(self) -> nf.SceneBuilder:
         """A builder with one mesh and one object, new each time, because calls change it."""

@@ -1,0 +1,110 @@
+"""Calls of every public callable with one argument replaced: by a hostile value, or by the same numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from tests.support.digest import digest
+from tests.support.hostile import Hostile, constant, hostile_values, variants
+from tests.support.parameters import added_kinds, kinds_of, range_of, wrong
+from tests.support.valid import calls
+from tests.support.valid.objects import Valid
+from tests.support.verdict import attempt, outcome, verdict
+
+HARMLESS = frozenset(("none", "big", "flag", "scene", "camera", "frame", "model", "mesh", "lens", "hmd"))
+"""Kinds of values that are no longer hostile where they are right."""
+
+
+class Call:
+    """A valid call, whose arguments are to be replaced."""
+
+    def __init__(self, name: str, valid: Valid) -> None:
+        self.name, self._valid = name, valid
+        self._entry = calls.callable_of(name)
+        self.arguments = calls.arguments(name, valid)
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """All parameters, also those whose default the call uses."""
+        return tuple(self._entry.parameters)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names that a message may state: other arguments may no longer fit to one that changed."""
+        return (*self.parameters, "vertices") if "positions" in self.parameters else self.parameters
+
+    def attempt(self, **changes: Any) -> BaseException | None:
+        """Call with changed arguments, and return the exception."""
+        return attempt(calls.target(self.name, self._valid), {**self.arguments, **changes})
+
+    def outcome(self, **changes: Any) -> str:
+        """Call with changed arguments, and return the digest of the result; an empty text for a refusal."""
+        return outcome(calls.target(self.name, self._valid), {**self.arguments, **changes})
+
+    def wrong_refusals(self) -> Iterator[str]:
+        """Describe each wrong outcome of calls with a value that the parameter has to refuse."""
+        yield from self._complaints(is_right=False)
+
+    def wrong_uses(self) -> Iterator[str]:
+        """Describe each wrong outcome of calls with a value that is odd, and may be right."""
+        yield from self._complaints(is_right=True)
+
+    def _complaints(self, *, is_right: bool) -> Iterator[str]:
+        before = digest(self.arguments)
+        for parameter in self.parameters:
+            for value in self._values(parameter, is_right=is_right):
+                error = self.attempt(**{parameter: value.make()})
+                flaw = "nothing" if error is None and not is_right else verdict(error, parameter, self.names)
+                if flaw is not None:
+                    yield f"{self.name}({parameter}={value.name}) raised {flaw}"
+        if digest(self.arguments) != before:
+            yield f"{self.name} changed its arguments"
+
+    def differences(self) -> Iterator[str]:
+        """Describe each array argument whose layout in memory changes the result."""
+        arrays = {
+            name: value
+            for name, value in self.arguments.items()
+            if isinstance(value, np.ndarray) and value.size > 1 and value.dtype.kind in "fiu"
+        }
+        expected = self.outcome() if arrays else ""
+        for name, value in arrays.items():
+            for layout, array in _layouts(value):
+                # A refusal is judged elsewhere.
+                if self.outcome(**{name: array}) not in (expected, ""):
+                    yield f"{self.name}({name}={layout}) gives another result"
+
+    def _values(self, parameter: str, *, is_right: bool) -> Iterator[Hostile]:
+        """Yield values that a parameter may take, or those that it has to refuse."""
+        name = f"{self._entry.name}.{parameter}"
+        kinds = kinds_of(self._entry.parameters[parameter])
+        also = added_kinds(name) | added_kinds(f"{self.name}.{parameter}")
+        numeric = kinds & {"number", "whole"} - also
+        limits = range_of(name, self._everything()) if numeric and "any" not in also else None
+        for value in (*hostile_values(self._valid), *variants(self.arguments.get(parameter))):
+            fits = value.kinds & (kinds | also)
+            is_fit = "any" in also or bool(fits)
+            if limits is not None and value.kinds & numeric:
+                is_fit = float(value.make()) in limits
+            if is_fit == is_right and not fits & HARMLESS:
+                yield value
+        if not is_right:
+            near = limits.outside(is_whole="whole" in numeric) if limits is not None else []
+            yield from (Hostile(f"{value!r:.40}", constant(value)) for value in (*near, *wrong(name)))
+
+    def _everything(self) -> dict[str, Any]:
+        """Arguments and defaults."""
+        return {name: entry.default for name, entry in self._entry.parameters.items()} | self.arguments
+
+
+def _layouts(array: Any) -> Iterator[tuple[str, Any]]:
+    """Yield the same numbers in other places and another order of bytes."""
+    every = tuple(slice(None, None, 2) for _ in array.shape)
+    spread = np.zeros([2 * side for side in array.shape], array.dtype)
+    spread[every] = array
+    yield "every other number", spread[every]
+    yield "columns first", np.asfortranarray(array)
+    yield "bytes swapped", array.astype(array.dtype.newbyteorder())

@@ -1,0 +1,260 @@
+"""Values that parameters take: kinds by their annotations, ranges of numbers and exceptions by their names.
+
+Names in the tables are those of parameters, or patterns such as "lod.*.k" of callables and parameters.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from inspect import Parameter
+from typing import Any
+
+import numpy as np
+
+ANNOTATIONS: dict[str, str] = {
+    r"None": "none", r"(.*')?(Supports)?[Ff]loat('\))?": "number big", r"int|SupportsIndex": "whole", r"bool": "flag",
+    r"str": "text", r"os\.PathLike\[str\]": "path", r"ArrayLike|NDArray.*|Point": "rows",
+    r"NDArray\[np.bool_\]": "flags", r"(Sequence|Iterable|tuple)\[(float|int).*": "rows", r"Payload|bytes": "bytes",
+    r"(Mapping|dict|InitVar\[Mapping).*": "mapping", r"(Sequence|Iterable|Collection|tuple)\[str.*": "texts",
+    r"Callable.*|Report|Listener": "callable", r"(Sequence|Iterable|tuple|list)\[[A-Z_].*": "objects",
+    r"Scene|Renderable|SceneSource|Mesh": "scene", r"trimesh\..*|Mesh": "mesh", r"Frame": "frame", r"Camera": "camera",
+    r"Hmd": "hmd", r"RadialLens": "lens", r"Measured.*|Lod|LodModel": "model mapping",
+}  # fmt: skip
+"""Kinds of hostile values that may be right, by what a part of an annotation says."""
+
+TAKEN: dict[str, str] = {
+    "rows": "LoadCurve.* visual_continuity.frames",
+    "endless": "visual_continuity.frames",
+    "any": "lod.Curve4PL.[abcd] *.reason *.rms *.status Frame.lod Scene.dropped Scene.frames Scene.notes Scene.rest"
+    " Scene.table Scene.undrawn Scene.used lod.Selection.counts lod.Selection.level lod.Selection.spent similarities"
+    " *.shown_to.user stereo.mono_plane_for.slope ReducedScene.render?@levels.radius"
+    " ReducedScene.render?@levels.tolerance_px",
+    "number big": "LoadCurve.*.budget LoadCurve.*.r2 lod *.bytes_at.time eccentricity_deg index *.__call__.sigma radii"
+    " r range_dtype range_error.distance lod.measure.* user_region",
+    "nan": "stereo.AdaptivePlane.*.depth *.__call__.sigma Similarity.mean RadialLens.warp.fill *.shown.depth",
+    "nans": "*.__call__.x Frame.color *.__call__.sigma cube_*.faces *.displayed.points lod.fit_4pl.* morph.points"
+    " *.project.points convert_envmap.values *.warp.image gpu.*.faces gpu.*.points",
+    "infs": "*.__call__.x Frame.color LoadCurve.*.r2 lod.LodModel.sigma *.__call__.sigma aabb cube_*.faces gpu.*.faces"
+    " *.displayed.points convert_envmap.values depth_from_range.ranges eccentricity_deg lod.fit_4pl.* morph.points"
+    " *.project.points *.warp.image gpu.*.points EnvMap.range",
+    "empty": "Clip.planes *.__call__.x lod.LodModel.errors LoadCurve.* *.__call__.sigma k r Scene.subset.triangles"
+    " *.bytes_at.time centers directions eccentricity_deg faces index points range_error.distance ratios",
+    "hollow": "Clip.planes lod.LodModel.errors LoadCurve.* *.__call__.sigma r Scene.subset.triangles *.__call__.x"
+    " *.bytes_at.time eccentricity_deg range_error.distance ratios frames",
+    "shape": "*.__call__.x LoadCurve.*.r2 *.__call__.sigma RadialLens.k r bounding_spheres.offsets *.bytes_at.time"
+    " eccentricity_deg visual_continuity.frames",
+    "axes": "*.__call__.x r *.bytes_at.time directions depth_from_range.ranges stream.export.center lod.fit_4pl.*"
+    " range_error.distance range_from_depth.depth ratios ssim_pairs.* *.warp.image visual_continuity.frames",
+    "columns": "stream.Growth.radii RadialLens.k r Scene.subset.triangles stream.assign.radii *.bytes_at.time *.faces"
+    " convert_envmap.values bounding_spheres.offsets depth_from_range.ranges range_error.distance *.__call__.x"
+    " range_from_depth.depth ratios *.warp.image visual_continuity.frames",
+    "free": "Hmd.name lod.Level.note lod.*.name SceneBuilder.* stream.client.*.room stream.client.*.name relative"
+    " stream.client.*.token",
+    "path": "relative",
+    "names": "object_names Hmd.sources SceneBuilder.objects.names Shot.channels",
+    "entries": "*.stats lod.LodModel.measured ReducedScene.counts lod.Selection.columns",
+    "mapping": "at",
+    "set": "radii",
+    "flag": "index",
+}
+"""Kinds of values that single parameters take beside those of their annotations."""
+
+RANGES: dict[str, str] = {
+    "(0, inf)": "acuity_limit_deg aspect blend cell data_range distance error_px eye_height focal k1 k2 lens_radius"
+    " limit_deg moving pixel radius *.AdaptivePlane.rate reach reference refresh_hz scale seconds shear sigma speed"
+    " step tolerance tolerance_px choose_radii.r2 regions.r2 r_max mono_plane",
+    "(0, inf]": "depth ReducedScene.render.tolerance_px cast_rays.t_max",
+    "[0, inf)": "acuity_slope datasets.Asteroids.*.detail datasets.World.*.detail detail error floor hysteresis near"
+    " pixel_deg slope time stream.Growth.fade budget cache_bytes ReducedScene.*.radius *.AdaptivePlane.update.seconds",
+    "(-inf, inf)": "cutoff d k t lod.Level.* orthoview.*.time Walk.render.seconds index",
+    "[-inf, inf]": "Similarity.mean Scene.dropped *.shown.depth *.mono_plane_for.slope RadialLens.warp.fill",
+    "[0, r2)": "r1",
+    "(r1, inf)": "r2",
+    "(near, inf]": "far",
+    "(t_min, inf]": "t_max",
+    "[0, inf]": "t_min price",
+    "(0, r_max]": "base_radius",
+    "(-inf, right)": "left",
+    "(left, inf)": "right",
+    "(-inf, up)": "down",
+    "(down, inf)": "up",
+    "(0, r2]": "tessellate.radius",
+    "[0, 4)": "ReducedScene.with_r1.r1",
+    "[0, 4]": "ReducedScene.render.radius stream.Bundle.at.radius *.view.direction",
+    "[1e-6, 1e9]": "bandwidth decode_mbs",
+    "[1e-6, 1e4]": "epsilon min_distance",
+    "[1e-3, 1e6]": "every grid",
+    "[1e-6, 1]": "stream.*.step *.TemporalAntialiasing.share",
+    "[1e-6, 0.1]": "range_error",
+    "[0.001, 1000]": "split_px",
+    "[0.04, 0.09]": "ipd",
+    "[0.1, 1e5]": "nearest",
+    "[0, 0.5]": "loss",
+    "[0, 1]": "least pursuit share shutter spread strength lod.*.fade lod.*.hysteresis level place",
+    "[-1, 1]": "saturated",
+    "[0, 1.5708)": "angle cube_lookup.radius",
+    "(0, 3.2)": "orthoview.size_for.fov",
+    "[0, 10]": "handshake",
+    "[0, 60]": "fade",
+    "[0, 90]": "lift_deg",
+    "(0, 90)": "kink_deg",
+    "[0, 100]": "delay gain intercept lapse lapses reaction reaction_spread search tremor tremor_time percentile"
+    " hidden_area_percent quality stream.collect.*.slope",
+    "[0, 180]": "margin_deg",
+    "(0, 180)": "horizontal_deg",
+    "[0, 255]": "fill",
+    "[0, 60000]": "rtt_ms",
+    "[0, 86400]": "hold pause rest",
+    "(0, 86400]": "stream.collect.*.duration",
+    "[0, 1e6]": "duration latency rise stream.collect.*.distance",
+    "(0, 1e6]": "mbps",
+    "(0, 1000]": "stream.collect.*.radius",
+    "[0, 1e9]": "frame_ms orthoview.Flight.wait.seconds",
+    "[0, 1e15]": "map_bytes",
+    "[1, 1e15]": "triangles_per_second",
+    "[1, 500]": "pixels_per_degree",
+    "[1, 1000]": "rate width distances",
+    "[1, 2]": "http layers *.changed_tiles.ring",
+    "[1, 8]": "views",
+    "[1, 17]": "gpu.ssim.size",
+    "[1, 26]": "orthoview.*.directions",
+    "[1, 64]": "blocks groups users threads poses orthoview.*.samples",
+    "[1, 255]": "trials",
+    "[1, 256]": "convert_envmap.samples",
+    "[1, 1024]": "samples offsets ReducedScene.explore.face_size",
+    "[1, 4096]": "workers",
+    "[1, 10000]": "km",
+    "[1, 16384]": "face_size size",
+    "[1, 32768]": "*.height",
+    "[1, 65536]": "stream.*.face_size",
+    "[1, 1e6]": "count trees orthoview.size_for.pixels",
+    "[1, 2e6]": "datasets.forest.trees",
+    "[1, inf)": "max_bytes triangles convert_envmap.size envmap_*.size",
+    "[2, 15]": "boxes rectangles",
+    "[3, 65536]": "keep",
+    "[4, 4096]": "orthoview.build.size",
+    "[4, 1048576]": "lod.*.views",
+    "[8, 16]": "depth_bits",
+    "[16, 24]": "normal_bits",
+    "[16, 4096]": "stream.simulate.size",
+    "[48, 4e6]": "polygons",
+    "[64, 4096]": "stream.export.face_size",
+    "[-3, 2]": "channel_axis",
+    "[0, 0]": "layer region mesh material",
+    "[0, 2]": "i j current ring",
+    "[0, 3]": "*.Rings.objects.ring",
+    "[0, 5]": "face",
+    "[0, 7]": "datasets.*.detail",
+    "[0, 1000]": "iterations",
+    "[0, 65535]": "group user",
+    "[0, 4294967295]": "stream.collect.*.seed SceneBuilder.objects.names",
+    "[0, 9223372036854775807]": "seed",
+}
+"""Numbers that parameters take; a bound may be another argument."""
+
+UNLIKE_POSES: list[Any] = [
+    {"nobody": np.eye(4)}, {"far": np.eye(3)}, {"far": np.stack([np.eye(4)] * 2)},
+    {"far": np.full((4, 4), math.nan)}, {"far": np.diag([1.0, 0.0, 1.0, 1.0])}, {"far": np.diag([1.0, 1.0, 1.0, 2.0])},
+    {"far": np.diag([1e31, 1.0, 1.0, 1.0])}, {"near": np.eye(4)},
+]  # fmt: skip
+"""Poses of an unknown object, matrices that place nothing, and the pose of an object that does not move."""
+
+WRONG: dict[str, list[Any]] = {
+    "Scene.at.poses ReducedScene.at.poses before_at render.at": UNLIKE_POSES,
+    "*.OrthoTree.at.poses": UNLIKE_POSES[:-1],
+    "aabb": [[[1.0, 1.0, 1.0], [0.0, 0.0, 0.0]]],
+    "orientation": [(0.0, 0.0, 0.0, 2.0), (0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, math.inf)],
+    "rotation": [(0.0, 0.0, 0.0, 0.5), (0.0, 0.0, 0.0)],
+    "render*.size Camera.*size *.render_size *.warp.size *.explore.size": [(0, 5), (5, 0), (2.5, 5), (1, 2, 3)],
+    "Camera.size": [(4, 2**17)],
+    "*.explore.size": [(64, 5000)],
+    "EnvMap.range": [np.full((6, 4, 4), -1.0)],
+    "directions": [np.zeros((2, 3), np.float32)],
+    "gaze": [(0.0, 0.0, 0.0)],
+    "range_dtype": [np.float64],
+    "orthoview.*.gaze": [(1.0, math.nan)],
+    "triangle_radii.faces Scene.from_arrays.faces SceneBuilder.mesh.faces": [[[0, 1, 99]], [[0, 1, -1]], [[0.5, 1, 2]]],
+    "stream.*.radii": [[10.0, 9.0], [10.0, 10.0], [-1.0], [math.nan]],
+    "bounding_spheres.offsets": [[0, 5, 3], [0, 5, 5], [-1, 5], [0.5, 5]],
+    "ratios": [[0.5, 0.0], [1.5]],
+    "depth_from_range.ranges": [[[0.05]], [[-1.0]]],
+    "range_from_depth.depth": [[[-1e-9]], [[1.0001]]],
+    "weights": [[-1.0], []],
+    "user_region": [-1.0, [[1, 2, 3], [0, 0, 0]]],
+    "origins cast_rays.points": [(0.0, 1e300, 0.0)],
+}
+"""Further values that parameters have to refuse."""
+
+
+@dataclass(frozen=True)
+class Range:
+    """Numbers from a bound to another, which belong to it or not."""
+
+    low: float
+    high: float
+    has_low: bool
+    has_high: bool
+
+    @classmethod
+    def parse(cls, text: str, arguments: Mapping[str, Any]) -> Range:
+        """Read "[0, r2)" in a call with these arguments."""
+        low, high = (
+            float(arguments.get(bound) or unbounded if bound.isidentifier() and bound != "inf" else bound)
+            for bound, unbounded in zip(text[1:-1].split(", "), (-math.inf, math.inf), strict=True)
+        )
+        return cls(low, high, text[0] == "[", text[-1] == "]")
+
+    def __contains__(self, value: float) -> bool:
+        return (self.low < value or (self.has_low and value == self.low)) and (
+            value < self.high or (self.has_high and value == self.high)
+        )
+
+    def outside(self, *, is_whole: bool) -> list[float]:
+        """Numbers just beyond the finite bounds."""
+        found: list[float] = []
+        for bound, belongs, sign in ((self.low, self.has_low, -1), (self.high, self.has_high, 1)):
+            if math.isfinite(bound):
+                step = 1 if is_whole else max(1e-9, 0.01 * abs(bound))
+                found.append((int(bound) if is_whole else bound) + sign * belongs * step)
+        return found
+
+
+def fits(name: str, patterns: str) -> int:
+    """Length of the longest of the patterns, or names of parameters, that fit to "callable.parameter"."""
+    parameter = name.rpartition(".")[2]
+    found = (text for text in patterns.split() if text == parameter or ("." in text and fnmatchcase(name, text)))
+    return max(map(len, found), default=0)
+
+
+@functools.cache
+def added_kinds(name: str) -> frozenset[str]:
+    """Return kinds that a parameter takes beside those of its annotation."""
+    return frozenset(kind for kinds, patterns in TAKEN.items() if fits(name, patterns) for kind in kinds.split())
+
+
+@functools.cache
+def wrong(name: str) -> list[Any]:
+    """Return further values that a parameter has to refuse."""
+    return [value for patterns, values in WRONG.items() if fits(name, patterns) for value in values]
+
+
+def kinds_of(parameter: Parameter) -> frozenset[str]:
+    """Return the kinds of values that may be right by an annotation."""
+    found = {"none"} if parameter.default is None else set()
+    for part in str(parameter.annotation).split(" | "):
+        for pattern, kinds in ANNOTATIONS.items():
+            if re.fullmatch(pattern, part):
+                found.update(kinds.split())
+    return frozenset(found)
+
+
+def range_of(name: str, arguments: Mapping[str, Any]) -> Range:
+    """Return the numbers that a parameter takes in a call with these arguments."""
+    best = max(RANGES, key=lambda text: fits(name, RANGES[text]))
+    assert fits(name, RANGES[best]), f"{name}: no range of numbers is stated"
+    return Range.parse(best, arguments)

@@ -1,0 +1,70 @@
+"""A valid call of every public callable, with small scenes and pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from inspect import Parameter
+from typing import Any
+
+from tests.support.public_callables import PublicCallable, public_callables
+from tests.support.valid.objects import Valid
+from tests.support.valid.pictures import PICTURES
+from tests.support.valid.scenes import SCENES
+from tests.support.valid.streams import STREAMS
+from tests.support.valid.values import INSTANCES, SMALL, required
+
+OWN = {**SCENES, **PICTURES, **STREAMS}
+"""Arguments by the callable's name, or by the beginning of names that ends in a full stop.
+
+A name followed by " @" and a word is another call of the same callable, which reaches other checks.
+"""
+
+CALLABLES = public_callables()
+NAMES = sorted({*CALLABLES, *(name for name in OWN if not name.endswith("."))})
+"""Names of all calls."""
+
+NEEDS = {
+    "FlightLog.plot": "matplotlib", "LoadCurve.plot": "matplotlib", "LodModel.plot": "matplotlib",
+    "Timeline.plot": "matplotlib", "explore": "ipywidgets", ".show": "anywidget", "lod.simplify": "fast_simplification",
+    "orthoview.": "zarr", "stream.client.": "aiohttp", "collect.play": "aiohttp", "gpu.": "adapter",
+    ".begin": "adapter",
+}  # fmt: skip
+"""Parts of `tests.support.PARTS` that calls need, by parts of their names."""
+
+
+def callable_of(name: str) -> PublicCallable:
+    """Return the callable of a call."""
+    return CALLABLES[name.partition(" @")[0]]
+
+
+def needs(name: str) -> list[str]:
+    """Return the parts of the system that a call needs."""
+    return [part for key, part in NEEDS.items() if key in name]
+
+
+def arguments(name: str, valid: Valid) -> dict[str, Any]:
+    """Return the keywords of a call."""
+    found = dict(OWN[name](valid)) if name in OWN else {}
+    shared = {
+        key: value
+        for part in OWN
+        if part.endswith(".") and name.startswith(part)
+        for key, value in OWN[part](valid).items()
+    }
+    for parameter in callable_of(name).parameters.values():
+        if parameter.name in found:
+            continue
+        if parameter.name in SMALL:
+            found[parameter.name] = SMALL[parameter.name]
+        elif parameter.default is Parameter.empty:
+            own = parameter.name in shared
+            found[parameter.name] = shared[parameter.name] if own else required(parameter.name, valid)
+    return found
+
+
+def target(name: str, valid: Valid) -> Callable[..., Any]:
+    """Return what is called; methods of objects that calls change get a new one each time."""
+    entry = callable_of(name)
+    if entry.owner is None:
+        return entry.on(None)
+    return entry.on(INSTANCES.get(name, INSTANCES[entry.owner])(valid))
