@@ -149,18 +149,17 @@ def test_a_long_path_ends_with_control_c(backend: str) -> None:
     need("linux")
     scene = crowd()
     # A frame of these takes some milliseconds; the path is endless.
-    assert interrupted(nf.render_path(scene, itertools.repeat(CAMERAS[0]), backend=backend), 0.5) < 5.0
+    assert interrupted(nf.render_path(scene, itertools.repeat(CAMERAS[0]), backend=backend), 0.2) < 5.0
     equal(next(nf.render_path(scene, CAMERAS, backend=backend)), nf.render(scene, CAMERAS[0], backend=backend))
 
 
 @pytest.mark.parametrize("name", ADAPTERS)
 def test_a_long_frame_ends_with_control_c(name: str) -> None:
     need("linux")
-    scene, camera = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(1920, 1080))
+    scene, camera = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(960, 540))
     with adapter(name):
         nf.render(scene, camera, backend="gpu")
         frames = nf.render_path(scene, itertools.repeat(camera), samples=1024, channels=("color",), backend="gpu")
-        # Signals are polled between two of 128 submissions: a software adapter spends CPU-seconds on each, and minutes
-        # on the frame.
-        assert interrupted(frames, 1.0) < 20.0
+        # Signals are polled between two of 128 submissions: a software adapter spends a part of a CPU-second on each.
+        assert interrupted(frames, 0.4) < 20.0
         assert np.isfinite(nf.render(scene, CAMERAS[0], backend="gpu").require("color")).all()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 from dataclasses import dataclass
 from typing import Any
@@ -30,13 +31,14 @@ class Axes:
     toward: NDArray[np.float64]
 
     @classmethod
+    @functools.cache
     def of(cls, direction: Triple) -> Axes:
         toward = np.array(direction, np.float64)
         right = np.cross([0, 1, 0], toward) if toward[0] or toward[2] else np.array([1.0, 0, 0])
         up = np.cross(toward, right)
         return cls(*(axis / np.linalg.norm(axis) for axis in (right, up, toward)))
 
-    @property
+    @functools.cached_property
     def extents(self) -> NDArray[np.float64]:
         extents: NDArray[np.float64] = np.abs(np.array([self.right, self.up, self.toward])).sum(axis=1)
         return extents

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
@@ -30,9 +29,9 @@ Mesh = tuple[NDArray[np.float32], NDArray[np.uint32]]
 def mesh(request: pytest.FixtureRequest) -> Mesh:
     """Mesh with merged vertices, so that shared edges show in the faces."""
     need("data")
-    loaded = trimesh.load_scene(data.require(SCENES[request.param])).to_geometry()
-    points, inverse = np.unique(np.asarray(loaded.vertices, np.float32), axis=0, return_inverse=True)
-    faces = inverse[loaded.faces].astype(np.uint32)
+    corners = nf.Scene.load(data.require(SCENES[request.param])).triangles().reshape(-1, 3)
+    _, first, inverse = np.unique((corners + 0.0).view("V12"), return_index=True, return_inverse=True)
+    points, faces = corners[first], inverse.reshape(-1, 3).astype(np.uint32)
     distinct = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
     return points, np.ascontiguousarray(faces[distinct])
 
