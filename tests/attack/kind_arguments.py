@@ -12,8 +12,8 @@ from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, refused
 from tests.support import missing
 from tests.support.hostile import Hostile, hostile_values
 from tests.support.hostile_calls import Call
-from tests.support.valid.calls import NAMES, needs
-from tests.support.valid.objects import Valid
+from tests.support.valid_calls.calls import NAMES, needs
+from tests.support.valid_calls.objects import Valid
 from tests.support.verdict import verdict
 
 

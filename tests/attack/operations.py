@@ -9,8 +9,8 @@ from pathlib import Path
 
 from tests.support import missing
 from tests.support.hostile_calls import Call
-from tests.support.valid.calls import NAMES, needs
-from tests.support.valid.objects import Valid
+from tests.support.valid_calls.calls import NAMES, needs
+from tests.support.valid_calls.objects import Valid
 
 APART = (
     "gpu.", "stream.client.", "stream.collect.play", "orthoview.Flight.", "orthoview.build",

@@ -14,8 +14,8 @@ import pytest
 import nearfar as nf
 from tests.support import need
 from tests.support.hostile_calls import Call
-from tests.support.valid.calls import NAMES, callable_of, needs
-from tests.support.valid.objects import Valid
+from tests.support.valid_calls.calls import NAMES, callable_of, needs
+from tests.support.valid_calls.objects import Valid
 
 _LONG = (
     "choose_radii",

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.support.valid.objects import Valid
+from tests.support.valid_calls.objects import Valid
 
 TOO_MANY = 2**50
 """Rows of views without memory of their own: a copy cannot be made, and a pass over them would not end."""

@@ -10,8 +10,8 @@ import numpy as np
 from tests.support.digest import digest
 from tests.support.hostile import Hostile, constant, hostile_values, variants
 from tests.support.parameters import added_kinds, kinds_of, range_of, wrong
-from tests.support.valid import calls
-from tests.support.valid.objects import Valid
+from tests.support.valid_calls import calls
+from tests.support.valid_calls.objects import Valid
 from tests.support.verdict import attempt, outcome, verdict
 
 HARMLESS = frozenset(("none", "big", "flag", "scene", "camera", "frame", "model", "mesh", "lens", "hmd"))

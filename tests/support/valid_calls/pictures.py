@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from tests.support.valid.fields import fields
-from tests.support.valid.objects import EYE, MATRIX, SIZE
-from tests.support.valid.values import Make
+from tests.support.valid_calls.fields import fields
+from tests.support.valid_calls.objects import EYE, MATRIX, SIZE
+from tests.support.valid_calls.values import Make
 
 NEAR_PLANE = {"near": 0.5, "far": 50.0}
 DEPTH = np.full((2, 3), 0.5, np.float32)

@@ -7,11 +7,11 @@ from inspect import Parameter
 from typing import Any
 
 from tests.support.public_callables import PublicCallable, public_callables
-from tests.support.valid.objects import Valid
-from tests.support.valid.pictures import PICTURES
-from tests.support.valid.scenes import SCENES
-from tests.support.valid.streams import STREAMS
-from tests.support.valid.values import INSTANCES, SMALL, required
+from tests.support.valid_calls.objects import Valid
+from tests.support.valid_calls.pictures import PICTURES
+from tests.support.valid_calls.scenes import SCENES
+from tests.support.valid_calls.streams import STREAMS
+from tests.support.valid_calls.values import INSTANCES, SMALL, required
 
 OWN = {**SCENES, **PICTURES, **STREAMS}
 """Arguments by the callable's name, or by the beginning of names that ends in a full stop.

@@ -6,8 +6,8 @@ from typing import Any
 
 import nearfar as nf
 from nearfar._scene.names import Names
-from tests.support.valid.objects import EYE
-from tests.support.valid.values import Make
+from tests.support.valid_calls.objects import EYE
+from tests.support.valid_calls.values import Make
 
 WALK: dict[str, Any] = {"reach": 0.5, "hysteresis": 0.1}
 

@@ -11,10 +11,10 @@ import nearfar as nf
 from nearfar.orthoview._cut import Settings
 from nearfar.orthoview._pilot import Ahead
 from nearfar.stream import collect
-from tests.support.valid.fields import fields
-from tests.support.valid.objects import EYE, ZONES, Valid
-from tests.support.valid.rooms import URL, Told, room
-from tests.support.valid.values import Make
+from tests.support.valid_calls.fields import fields
+from tests.support.valid_calls.objects import EYE, ZONES, Valid
+from tests.support.valid_calls.rooms import URL, Told, room
+from tests.support.valid_calls.values import Make
 
 SIZES = np.geomspace(1e-4, 0.3, 8)
 PLACE = (np.zeros(3), np.array([0.0, 0.0, 0.0, 1.0]))

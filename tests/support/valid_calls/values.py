@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from tests.support.valid.objects import EYE, SIZE, ZONES, Valid
-from tests.support.valid.rooms import room
+from tests.support.valid_calls.objects import EYE, SIZE, ZONES, Valid
+from tests.support.valid_calls.rooms import room
 
 Make = Callable[[Valid], Any]
 
