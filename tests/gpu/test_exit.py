@@ -32,8 +32,7 @@ ENDS = {
 
 @pytest.mark.parametrize(
     ("name", "end"),
-    [(ADAPTERS[0], end) for end in ENDS]
-    + [(name, end) for name in ADAPTERS[1:] for end in ("jobs under way", "a frame on the device", *list(ENDS)[-2:])],
+    [(name, end) for name in ADAPTERS for end in ENDS if name == ADAPTERS[0] or not end.startswith("an ")],
 )
 def test_processes_end_in_order(name: str, end: str) -> None:
     need(name)

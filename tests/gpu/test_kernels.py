@@ -162,8 +162,7 @@ NEIGHBOURS = [(17.03, 1.0), (5.01, 0.25), (200.3, 5.0), (1e4, 1.0)]
 
 
 @pytest.mark.parametrize(
-    ("name", "epsilon", "least"),
-    [(name, *NEIGHBOURS[(i + j) % 4]) for i, name in enumerate(TRUTHS) for j in (0, 1)],
+    ("name", "epsilon", "least"), [(name, *NEIGHBOURS[(i + j) % 4]) for i, name in enumerate(TRUTHS) for j in (0, 1)]
 )
 def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, epsilon: float, least: float) -> None:
     truth = TRUTHS[name]

@@ -35,8 +35,9 @@ def city() -> nf.Scene:
 
 @pytest.fixture(scope="module", params=["blend", "cylinder", "none"])
 def reduced(city: nf.Scene, request: pytest.FixtureRequest) -> nf.ReducedScene:
-    morph = request.param
-    return nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=128, morph=morph, channels=CHANNELS, samples=1)
+    return nf.reduce(
+        city, center=CENTER, r1=30, r2=50, face_size=128, morph=request.param, channels=CHANNELS, samples=1
+    )
 
 
 @pytest.fixture(scope="module")
@@ -283,12 +284,7 @@ def street_with_a_drone() -> tuple[nf.Scene, dict[str, NDArray[np.float64]]]:
 
 @pytest.mark.parametrize(
     ("morph", "user"),
-    [
-        ("blend", (-16.0, 1.7, 0.0)),
-        ("blend", (-25.0, 1.7, 3.0)),
-        ("cylinder", (-25.0, 1.7, 3.0)),
-        ("none", (-16.0, 1.7, 0.0)),
-    ],
+    [*zip(["blend", "cylinder", "none", "blend"], [(-16.0, 1.7, 0.0), (-25.0, 1.7, 3.0)] * 2, strict=True)],
 )
 def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: str, user: tuple[float, float, float]) -> None:
     """Includes a user nearer to the wall than the centre is, and scenes without triangles wholly within r1."""

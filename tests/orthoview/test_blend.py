@@ -138,10 +138,7 @@ PARTIAL = {
 }
 
 
-@pytest.mark.parametrize(
-    ("name", "distance"),
-    [("the top and one child", 24.0), ("the top and one child", 31.0), ("the top", 40.0), ("children", 31.0)],
-)
+@pytest.mark.parametrize(("name", "distance"), [*zip(PARTIAL, (24.0, 40.0, 31.0), strict=True)])
 def test_splats_are_drawn_that_are_coarse_enough_and_not_covered(pyramid: Pyramid, name: str, distance: float) -> None:
     partial = PARTIAL[name]
     camera, reach = eye_at(distance), 15.0 if name == "children" else 7.5

@@ -47,14 +47,7 @@ def with_area(scene: nf.Scene) -> nf.Scene:
 # what belongs to a leaf -----------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("offset", "cell", "part"),
-    [
-        ((0, 0, 0), 10.0, None),
-        (FAR, 0.7 * 13, None),
-        ((0, 0, 0), 7.0, PART),
-        (FAR, 10.0, PART),
-        (FAR, 7.0, SMALL),
-        ((0, 0, 0), 0.7 * 13, SMALL),
-    ],
+    [*zip([(0, 0, 0), FAR] * 3, [10.0, 0.7 * 13, 7.0] * 2, [None, None, PART, PART, SMALL, SMALL], strict=True)],
 )
 def test_each_triangle_belongs_to_one_of_the_leaves_that_it_touches(offset: Any, cell: float, part: Any) -> None:
     world = soup(offset)
@@ -105,7 +98,7 @@ def test_a_triangle_across_a_tree_of_a_part_belongs_to_the_leaf_in_its_middle() 
 
 
 # positions ------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize(("world", "cell"), [("boxes", 20.0), ("far", 20.0), ("balls", 4.0)])
+@pytest.mark.parametrize(("world", "cell"), [("boxes", 20.0), ("boxes", 8.0), ("far", 20.0), ("balls", 4.0)])
 def test_positions_are_within_the_stated_error(world: str, cell: float) -> None:
     scene = {"boxes": lambda: boxes(60, 80.0)[0], "far": lambda: with_area(soup(FAR)), "balls": balls}[world]()
     grid = Grid.over(scene.bounds, cell)

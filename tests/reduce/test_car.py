@@ -104,7 +104,7 @@ def test_its_pixels_move_with_its_middle_and_stay_together(scene: nf.Scene, radi
 @pytest.mark.parametrize("turn", TURNS)
 def test_vertex_and_exact_pictures_hide_the_same_of_it(scene: nf.Scene, turn: str) -> None:
     channels = ("color", "object_id")
-    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, channels=channels)
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=512, samples=1, channels=channels)
     number = scene.object_names.index(CAR)
     seen, differ = [], 0
     for pose in drive(turn)[::24]:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, edges
+from tests.support.gpu_cases import edges
 from tests.support.growth_cases import AHEAD, CAR, KINDS, USER, reduced
 from tests.support.reduce_cases import ALL, CENTER, R1, R2, camera, rho
 
@@ -88,23 +88,6 @@ def test_a_growing_radius_changes_the_picture_continuously(kind: str) -> None:
     inside = np.isfinite(shown).all(axis=(0, 2))
     assert inside.sum() > 3
     assert np.abs(np.diff(np.array(shown)[:, inside], axis=0)).max() < 1.0
-
-
-@pytest.mark.parametrize("radius", [0.0, 25.0])
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("name", ADAPTERS)
-def test_adapters_show_the_same_radius(name: str, kind: str, radius: float) -> None:
-    whole = reduced(kind)
-    view = camera(USER, AHEAD, (320, 180))
-    settings: dict[str, Any] = {"channels": ALL[:4], "radius": radius, "method": "vertex", "env": False}
-    with adapter(name):
-        cpu, gpu = (whole.render(view, backend=backend, **settings) for backend in ("cpu", "gpu"))
-        assert cpu.stats["fold_margin"] == gpu.stats["fold_margin"]
-        # Back to the whole radius: what was split for the other one is not taken.
-        after = [whole.render(view, backend=backend, channels=ALL[:4], env=False) for backend in ("cpu", "gpu")]
-    for one, other in ((cpu, gpu), after):
-        check_ids(one.require("object_id"), other.require("object_id"))
-        check_color(one, other)
 
 
 def test_the_conventional_method_has_no_radius() -> None:

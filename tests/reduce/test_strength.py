@@ -172,12 +172,13 @@ def test_growing_strength_moves_points_continuously(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_adapters_show_the_same_strength(name: str, kind: str) -> None:
+def test_adapters_show_the_same_strength_and_radius(name: str, kind: str) -> None:
     whole, view = reduced(kind), camera(USER, AHEAD, (320, 180))
     settings: dict[str, Any] = {"channels": ALL[:4], "method": "vertex", "env": False}
     with adapter(name):
-        states: list[dict[str, Any]] = [{"strength": 0.6}, {"strength": 0.3, "radius": 40.0}, {}]
-        for growth in states:
+        # Back to the whole radius: what was split for another one is not taken.
+        states: list[dict[str, Any]] = [{"strength": 0.6}, {"strength": 0.3, "radius": 40.0}, {"radius": 25.0}, {}]
+        for growth in [*states, {"radius": 0.0}, {}]:
             cpu, gpu = (whole.render(view, backend=backend, **growth, **settings) for backend in ("cpu", "gpu"))
             assert cpu.stats["fold_margin"] == gpu.stats["fold_margin"]
             check_ids(cpu.require("object_id"), gpu.require("object_id"))

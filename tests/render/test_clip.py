@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import functools
+import itertools
 import math
 from typing import Any
 
@@ -96,21 +96,15 @@ def test_reduced_scenes_are_cut_where_they_are_shown(name: str, kind: str) -> No
     assert hit.any()
 
 
-@functools.cache
-def sources() -> tuple[nf.Renderable, ...]:
-    """A street with a car, and what is left of it by each morph."""
+@pytest.mark.parametrize("adapter_name", ADAPTERS)
+def test_adapters_cut_the_same(adapter_name: str) -> None:
     scene = street(dynamic=True).at({"car": place(30.0, 0.75, -16.0)})
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, channels=("color", "range", "object_id"))
-    return scene, reduced, reduced.with_morph("cylinder"), reduced.with_morph("none")
-
-
-@pytest.mark.parametrize("name", CLIPS)
-@pytest.mark.parametrize("adapter_name", ADAPTERS)
-def test_adapters_cut_the_same(adapter_name: str, name: str) -> None:
-    for source in sources():
+    sources: list[nf.Renderable] = [scene, reduced, reduced.with_morph("cylinder"), reduced.with_morph("none")]
+    for source, clip in itertools.product(sources, CLIPS.values()):
         with adapter(adapter_name):
             cpu, gpu = (
-                nf.render(source, view((160, 90)), clip=CLIPS[name], channels=ALL[:3], backend=backend)
+                nf.render(source, view((160, 90)), clip=clip, channels=ALL[:3], backend=backend)
                 for backend in ("cpu", "gpu")
             )
         check_ids(cpu.require("object_id"), gpu.require("object_id"))

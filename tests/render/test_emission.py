@@ -87,16 +87,16 @@ def test_adapters_show_the_same(name: str, samples: int) -> None:
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_the_conventional_picture_at_the_centre_is_the_truth(backend: str) -> None:
     """Near geometry and the map show one light; texels are smaller than pixels."""
-    view = nf.Camera.look_at(CENTER, (3, 2, -20), fov=nf.Fov.symmetric(80), size=(80, 60))
     with backend_of(backend) as chosen:
-        settings: dict[str, Any] = {"face_size": 512, "samples": 1, "backend": chosen}
-        reduced = nf.reduce(lamps(), center=CENTER, r1=15, r2=25, morph="none", **settings)
-        truth = nf.render(lamps(), view, channels=("color", "face_id"))
-        seen = reduced.render(view, channels=("color",), backend=chosen)
+        reduced = nf.reduce(
+            lamps(), center=CENTER, r1=15, r2=25, morph="none", face_size=512, samples=1, backend=chosen
+        )
+        truth = nf.render(lamps(), VIEW, channels=("color", "face_id"))
+        seen = reduced.render(VIEW, channels=("color",), backend=chosen)
     assert reduced.env is not None
     assert reduced.env.color.max() > 3.0
     codes = np.abs(srgb(seen.require("color")) - srgb(truth.require("color"))).max(-1)
-    near = reduced.render(view, channels=("face_id",)).require("face_id") >= 0
+    near = reduced.render(VIEW, channels=("face_id",)).require("face_id") >= 0
     assert np.percentile(codes[near], 99) <= 2
     # Those of the map have textures and edges that are filtered once more.
     assert np.percentile(codes[~near], 80) <= 6

@@ -15,6 +15,7 @@ from nearfar.orthoview._grid import Grid, Place
 from tests.support import orthoview_oracle
 from tests.support.orthoview_oracle import Axes, Triple
 
+pixel_points = functools.cache(orthoview_oracle.pixel_points)
 Key = tuple[int, Place, int]
 """Level, place and number of the direction of a view."""
 
@@ -54,22 +55,13 @@ class Blend:
         """Surfaces of the views' pixels, in the middle of their steps (q, q, 3)."""
         return {key: self._points(key) for key in self.depths}
 
-    @functools.cached_property
-    def fronts(self) -> dict[Key, NDArray[np.float64]]:
-        """Points before the views' pixels, where their depths begin (q, q, 3)."""
-        return {
-            key: orthoview_oracle.pixel_points(
-                self.grid.corner(*key[:2]), self.grid.side(key[0]), self.directions[key[2]], len(depths)
-            )
-            for key, depths in self.depths.items()
-        }
-
     def _points(self, key: Key) -> NDArray[np.float64]:
-        level, _, number = key
+        level, place, number = key
         direction, side, depths = self.directions[number], self.grid.side(level), self.depths[key]
+        front = pixel_points(self.grid.corner(level, place), side, direction, len(depths))
         axes = Axes.of(direction)
         behind = (depths[..., None] - 0.5) * axes.extents[2] * side / self.steps
-        points: NDArray[np.float64] = self.fronts[key] - behind * axes.toward
+        points: NDArray[np.float64] = front - behind * axes.toward
         return points
 
     def is_coarse(self, key: Key, pixel: tuple[int, int]) -> bool:
@@ -100,8 +92,9 @@ class Blend:
         level, (x, y, z), number = key
         axes, size = Axes.of(self.directions[number]), len(self.depths[key])
         side = self.grid.side(level)
+        front = pixel_points(self.grid.corner(level, (x, y, z)), side, self.directions[number], size)
         center = self.grid.corner(level + 1, (x // 2, y // 2, z // 2)) + np.full(3, side)
-        offset = self.fronts[key][pixel] - center
+        offset = front[pixel] - center
         width, height = axes.extents[:2] * 2 * side
         column = (offset @ axes.right / width + 0.5) * size
         row = (0.5 - offset @ axes.up / height) * size
