@@ -54,3 +54,9 @@ proptest! {
         prop_assert!(narrow.radius <= found.radius * (1.0 + 1e-14));
     }
 }
+
+#[test]
+fn radii_that_are_no_numbers_are_refused() {
+    let refused = |radius: f64| check(&[[0.0; 3]], &[radius], DVec3::ONE, 0).is_err();
+    assert_eq!([f64::NAN, f64::INFINITY, -1e-300, -0.0, 0.0].map(refused), [true, true, true, false, false]);
+}

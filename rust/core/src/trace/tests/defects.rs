@@ -143,6 +143,18 @@ fn a_cancelled_build_stops_and_can_be_repeated() {
 }
 
 #[test]
+fn a_cancelled_cast_stops_and_can_be_repeated() {
+    let scene = scene(vec![(mesh(&wall(1.0, 1.0)), DAffine3::IDENTITY)], vec![]);
+    let (origins, directions) = ([[0.0f64; 3]], [[0.0f64, 0.0, 1.0]]);
+    let (from, towards) = (Points::Double(&origins), Points::Double(&directions));
+    assert_eq!(cast(&scene, from, towards, f32::INFINITY, &Progress::new()).unwrap().t_hit, [1.0]);
+    let progress = Progress::new();
+    progress.cancel();
+    let cancelled = cast(&scene, from, towards, f32::INFINITY, &progress);
+    assert_eq!(cancelled.err(), Some(crate::base::Error::Cancelled));
+}
+
+#[test]
 fn rays_that_overflow_are_no_panics() {
     let placed = DAffine3::from_scale_rotation_translation(DVec3::splat(1e-35), DQuat::IDENTITY, DVec3::X);
     for transform in [DAffine3::IDENTITY, placed] {
