@@ -19,7 +19,7 @@ pip := $(bin)/python -m pip install --quiet --disable-pip-version-check --no-com
 # Not empty if Rust differs from BASE, or may: half of the set-up is compiling it twice more, for its lints and its tests.
 rust_changed = $(shell git merge-base --is-ancestor $(BASE) HEAD 2>/dev/null && git diff --quiet $(BASE) -- $(rust_parts) && test -z "$$(git ls-files --others --exclude-standard $(rust_parts))" || echo yes)
 rust_parts := rust fuzz Cargo.toml Cargo.lock rustfmt.toml Makefile
-# Each program that a test starts would compile all that it imports again.
+# With this variable set, each program that a test starts compiles all that it imports again.
 unexport PYTHONDONTWRITEBYTECODE
 # Much of compiling takes one core, which leaves the other one to pip and the linters.
 MAKEFLAGS += -j3

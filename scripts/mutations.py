@@ -116,6 +116,8 @@ def failures(copy: Copy, suite: Suite, left_out: Sequence[str] | None = None) ->
     if status == 0:
         return []
     if status < 0:
+        if left_out is None:
+            raise Refused(f"{' '.join(suite)} never ends or crashes without a fault")
         return [(f"{' '.join(suite)} never ends or crashes", f"ended by a signal, or after {LONGEST} s")]
     failed = []
     for found in re.finditer(pattern, output, re.MULTILINE):
@@ -147,8 +149,8 @@ def without_fault(copy: Copy, suite: Suite) -> list[str]:
 def seeded(copy: Copy, fault: Fault, left_out: Mapping[Suite, Sequence[str]]) -> dict[str, Any]:
     """Seed one fault and run its tests without those that fail anyway.
 
-    Returns its name, its language, the first test that failed (empty for none), its message, and the seconds of the
-    processors for building and testing.
+    Returns its name, its language, the first test that failed (empty for none), its message, the seconds of the
+    processors for building and testing, and the tests that were left out.
     """
     path, begin = place(copy.folder, fault), seconds()
     chosen = suites(fault, path, copy.folder)
@@ -161,7 +163,9 @@ def seeded(copy: Copy, fault: Fault, left_out: Mapping[Suite, Sequence[str]]) ->
         path.write_text(text, encoding="utf-8")
     language = LANGUAGES[path.suffix] if path.parent.name != "shaders" else "shaders"
     taken = round(seconds() - begin, 1)
-    return {"name": fault.name, "language": language, "caught": found[0], "message": found[1], "seconds": taken}
+    skipped = sorted({name for suite in chosen for name in left_out[suite]})
+    row = {"name": fault.name, "language": language, "caught": found[0], "message": found[1], "seconds": taken}
+    return row | {"left out": skipped}
 
 
 def table(results: Iterable[Mapping[str, Any]], earlier: Mapping[str, str]) -> str:

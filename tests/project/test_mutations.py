@@ -65,9 +65,13 @@ def test_few_tests_that_fail_without_a_fault_are_left_out() -> None:
     assert without_fault(Ran(1, "".join(lines[:3])), ("pytest", "t")) == [
         f"t/a.py::test_{number}" for number in range(3)
     ]
-    for output, suite in (("".join(lines), ("pytest", "t")), (CARGO, ("cargo", "core", "a::"))):
+    for status, output, suite in (
+        (1, "".join(lines), ("pytest", "t")),
+        (1, CARGO, ("cargo", "core", "a::")),
+        (-9, "", ("pytest", "t")),
+    ):
         with pytest.raises(Refused):
-            without_fault(Ran(1, output), suite)
+            without_fault(Ran(status, output), suite)
 
 
 @pytest.mark.parametrize(

@@ -137,9 +137,10 @@ def test_what_is_no_file_is_not_waited_for(place: Path, tmp_path: Path) -> None:
 def test_requests_that_are_sent_in_half_end_alone() -> None:
     halves = (b"", b"GET", b"GET / HTTP/1.1\r\nHost: localhost\r\n", b"GET /files/other HTTP/1.1\r\nHo")
     with served(header_seconds=1.0) as hasty:
-        lines = [connect(hasty) for _ in range(20) for _ in halves]
-        for line, text in zip(lines, 20 * halves, strict=True):
-            line.sendall(text)
+        lines = []
+        for text in 20 * halves:
+            lines.append(connect(hasty))
+            lines[-1].sendall(text)
         assert get(hasty.url + "files/other").content == b"other"
         for line in lines:
             # Its own limit ends it, with 408 or without a word.
