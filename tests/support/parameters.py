@@ -203,11 +203,15 @@ class Range:
     @classmethod
     def parse(cls, text: str, arguments: Mapping[str, Any]) -> Range:
         """Read "[0, r2)" in a call with these arguments."""
-        low, high = (
-            float(arguments.get(bound) or unbounded if bound.isidentifier() and bound != "inf" else bound)
-            for bound, unbounded in zip(text[1:-1].split(", "), (-math.inf, math.inf), strict=True)
-        )
-        return cls(low, high, text[0] == "[", text[-1] == "]")
+
+        def number(bound: str, unbounded: float) -> float:
+            if bound == "inf" or not bound.isidentifier():
+                return float(bound)
+            given = arguments.get(bound)
+            return unbounded if given is None else float(given)
+
+        low, high = text[1:-1].split(", ")
+        return cls(number(low, -math.inf), number(high, math.inf), text[0] == "[", text[-1] == "]")
 
     def __contains__(self, value: float) -> bool:
         return (self.low < value or (self.has_low and value == self.low)) and (
@@ -224,8 +228,11 @@ class Range:
         return found
 
 
-def fits(name: str, patterns: str) -> int:
-    """Length of the longest of the patterns, or names of parameters, that fit to "callable.parameter"."""
+def match_length(name: str, patterns: str) -> int:
+    """Return the length of the longest pattern that matches "callable.parameter", or 0.
+
+    A pattern without a full stop is the name of a parameter.
+    """
     parameter = name.rpartition(".")[2]
     found = (text for text in patterns.split() if text == parameter or ("." in text and fnmatchcase(name, text)))
     return max(map(len, found), default=0)
@@ -234,13 +241,15 @@ def fits(name: str, patterns: str) -> int:
 @functools.cache
 def added_kinds(name: str) -> frozenset[str]:
     """Return kinds that a parameter takes beside those of its annotation."""
-    return frozenset(kind for kinds, patterns in TAKEN.items() if fits(name, patterns) for kind in kinds.split())
+    return frozenset(
+        kind for kinds, patterns in TAKEN.items() if match_length(name, patterns) for kind in kinds.split()
+    )
 
 
 @functools.cache
-def wrong(name: str) -> list[Any]:
+def wrong_values(name: str) -> list[Any]:
     """Return further values that a parameter has to refuse."""
-    return [value for patterns, values in WRONG.items() if fits(name, patterns) for value in values]
+    return [value for patterns, values in WRONG.items() if match_length(name, patterns) for value in values]
 
 
 def kinds_of(parameter: Parameter) -> frozenset[str]:
@@ -255,6 +264,6 @@ def kinds_of(parameter: Parameter) -> frozenset[str]:
 
 def range_of(name: str, arguments: Mapping[str, Any]) -> Range:
     """Return the numbers that a parameter takes in a call with these arguments."""
-    best = max(RANGES, key=lambda text: fits(name, RANGES[text]))
-    assert fits(name, RANGES[best]), f"{name}: no range of numbers is stated"
+    best = max(RANGES, key=lambda text: match_length(name, RANGES[text]))
+    assert match_length(name, RANGES[best]), f"{name}: no range of numbers is stated"
     return Range.parse(best, arguments)

@@ -73,7 +73,7 @@ def _result(call: Callable[..., Any], arguments: Mapping[str, Any]) -> Any:
 def verdict(exception: BaseException | None, parameter: str, others: Iterable[str] = ()) -> str | None:
     """Return why an exception is wrong for an unusable value of a parameter; None if it is right or there is none.
 
-    The message has to name the parameter, or one of the call's `others`, which may no longer fit to it.
+    The message has to name the parameter, or one of the call's `others`, which may no longer fit it.
     """
     if exception is None:
         return None

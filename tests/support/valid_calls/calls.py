@@ -11,7 +11,7 @@ from tests.support.valid_calls.objects import Valid
 from tests.support.valid_calls.pictures import PICTURES
 from tests.support.valid_calls.scenes import SCENES
 from tests.support.valid_calls.streams import STREAMS
-from tests.support.valid_calls.values import INSTANCES, SMALL, required
+from tests.support.valid_calls.values import INSTANCES, SMALL, required_argument
 
 OWN = {**SCENES, **PICTURES, **STREAMS}
 """Arguments by the callable's name, or by the beginning of names that ends in a full stop.
@@ -58,7 +58,7 @@ def arguments(name: str, valid: Valid) -> dict[str, Any]:
             found[parameter.name] = SMALL[parameter.name]
         elif parameter.default is Parameter.empty:
             own = parameter.name in shared
-            found[parameter.name] = shared[parameter.name] if own else required(parameter.name, valid)
+            found[parameter.name] = shared[parameter.name] if own else required_argument(parameter.name, valid)
     return found
 
 
