@@ -50,7 +50,7 @@ def run(case: Case, folder: Path) -> str:
     before = Path.cwd()
     os.chdir(folder)
     try:
-        error = call.attempt(**{parameter: _values()[name].make() for parameter, name in names.items()})
+        error = call.attempt({parameter: _values()[name].make() for parameter, name in names.items()})
     finally:
         os.chdir(before)
     if error is None:

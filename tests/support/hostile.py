@@ -159,6 +159,8 @@ def variants(argument: Any) -> Iterator[Hostile]:
     if array.ndim == 0 or array.dtype.kind not in "fiu":
         return
     found = {("one axis more", "axes"): array[None], ("columns without the last", "columns"): array[..., :-1]}
+    if len(array) > 1:
+        found["rows without the last", "fewer"] = array[:-1]
     for value in (math.nan, math.inf, -math.inf) if array.dtype.kind == "f" else ():
         changed = found[f"{value} at the end", "nans" if math.isnan(value) else "infs"] = array.astype(array.dtype)
         changed.flat[-1] = value

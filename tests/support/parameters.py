@@ -10,11 +10,10 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from fnmatch import fnmatchcase
 from inspect import Parameter
 from typing import Any
 
-import numpy as np
+from tests.support.name_patterns import match_length
 
 ANNOTATIONS: dict[str, str] = {
     r"None": "none", r"(.*')?(Supports)?[Ff]loat('\))?": "number big", r"int|SupportsIndex": "whole", r"bool": "flag",
@@ -53,6 +52,12 @@ TAKEN: dict[str, str] = {
     "columns": "stream.Growth.radii RadialLens.k r Scene.subset.triangles stream.assign.radii *.bytes_at.time *.faces"
     " convert_envmap.values bounding_spheres.offsets depth_from_range.ranges range_error.distance *.__call__.x"
     " range_from_depth.depth ratios *.warp.image visual_continuity.frames",
+    "fewer": "*.project.points *.displayed.points *.warp.image *.directions RadialLens.*.r *.faces regions.path"
+    " SceneBuilder.place_many.transforms bounding_sphere.points bounding_spheres.offsets depth_from_range.ranges"
+    " range_from_depth.depth gpu.morph.points morph.points nearest_points.points *.view_vectors.points"
+    " lod.simplify.ratios range_error.distance stream.Growth.radii stream.assign.radii *.bytes_at.time"
+    " visual_continuity.frames",
+    "callable": "render_path.lod",
     "free": "Hmd.name lod.Level.note lod.*.name SceneBuilder.* stream.client.*.room stream.client.*.name relative"
     " stream.client.*.token",
     "path": "relative",
@@ -67,7 +72,9 @@ TAKEN: dict[str, str] = {
 RANGES: dict[str, str] = {
     "(0, inf)": "acuity_limit_deg aspect blend cell data_range distance error_px eye_height focal k1 k2 lens_radius"
     " limit_deg moving pixel radius *.AdaptivePlane.rate reach reference refresh_hz scale seconds shear sigma speed"
-    " step tolerance tolerance_px choose_radii.r2 regions.r2 r_max mono_plane",
+    " step tolerance tolerance_px choose_radii.r2 regions.r2 r_max mono_plane depth_from_range.near"
+    " range_from_depth.near range_error.near regions.budget",
+    "(0, 4294967295)": "orthoview.OrthoTree.render.budget",
     "(0, inf]": "depth ReducedScene.render.tolerance_px cast_rays.t_max",
     "[0, inf)": "acuity_slope datasets.Asteroids.*.detail datasets.World.*.detail detail error floor hysteresis near"
     " pixel_deg slope time stream.Growth.fade budget cache_bytes ReducedScene.*.radius *.AdaptivePlane.update.seconds",
@@ -157,39 +164,6 @@ RANGES: dict[str, str] = {
 }
 """Numbers that parameters take; a bound may be another argument."""
 
-UNLIKE_POSES: list[Any] = [
-    {"nobody": np.eye(4)}, {"far": np.eye(3)}, {"far": np.stack([np.eye(4)] * 2)},
-    {"far": np.full((4, 4), math.nan)}, {"far": np.diag([1.0, 0.0, 1.0, 1.0])}, {"far": np.diag([1.0, 1.0, 1.0, 2.0])},
-    {"far": np.diag([1e31, 1.0, 1.0, 1.0])}, {"near": np.eye(4)},
-]  # fmt: skip
-"""Poses of an unknown object, matrices that place nothing, and the pose of an object that does not move."""
-
-WRONG: dict[str, list[Any]] = {
-    "Scene.at.poses ReducedScene.at.poses before_at render.at": UNLIKE_POSES,
-    "*.OrthoTree.at.poses": UNLIKE_POSES[:-1],
-    "aabb": [[[1.0, 1.0, 1.0], [0.0, 0.0, 0.0]]],
-    "orientation": [(0.0, 0.0, 0.0, 2.0), (0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, math.inf)],
-    "rotation": [(0.0, 0.0, 0.0, 0.5), (0.0, 0.0, 0.0)],
-    "render*.size Camera.*size *.render_size *.warp.size *.explore.size": [(0, 5), (5, 0), (2.5, 5), (1, 2, 3)],
-    "Camera.size": [(4, 2**17)],
-    "*.explore.size": [(64, 5000)],
-    "EnvMap.range": [np.full((6, 4, 4), -1.0)],
-    "directions": [np.zeros((2, 3), np.float32)],
-    "gaze": [(0.0, 0.0, 0.0)],
-    "range_dtype": [np.float64],
-    "orthoview.*.gaze": [(1.0, math.nan)],
-    "triangle_radii.faces Scene.from_arrays.faces SceneBuilder.mesh.faces": [[[0, 1, 99]], [[0, 1, -1]], [[0.5, 1, 2]]],
-    "stream.*.radii": [[10.0, 9.0], [10.0, 10.0], [-1.0], [math.nan]],
-    "bounding_spheres.offsets": [[0, 5, 3], [0, 5, 5], [-1, 5], [0.5, 5]],
-    "ratios": [[0.5, 0.0], [1.5]],
-    "depth_from_range.ranges": [[[0.05]], [[-1.0]]],
-    "range_from_depth.depth": [[[-1e-9]], [[1.0001]]],
-    "weights": [[-1.0], []],
-    "user_region": [-1.0, [[1, 2, 3], [0, 0, 0]]],
-    "origins cast_rays.points": [(0.0, 1e300, 0.0)],
-}
-"""Further values that parameters have to refuse."""
-
 
 @dataclass(frozen=True)
 class Range:
@@ -228,28 +202,12 @@ class Range:
         return found
 
 
-def match_length(name: str, patterns: str) -> int:
-    """Return the length of the longest pattern that matches "callable.parameter", or 0.
-
-    A pattern without a full stop is the name of a parameter.
-    """
-    parameter = name.rpartition(".")[2]
-    found = (text for text in patterns.split() if text == parameter or ("." in text and fnmatchcase(name, text)))
-    return max(map(len, found), default=0)
-
-
 @functools.cache
 def added_kinds(name: str) -> frozenset[str]:
     """Return kinds that a parameter takes beside those of its annotation."""
     return frozenset(
         kind for kinds, patterns in TAKEN.items() if match_length(name, patterns) for kind in kinds.split()
     )
-
-
-@functools.cache
-def wrong_values(name: str) -> list[Any]:
-    """Return further values that a parameter has to refuse."""
-    return [value for patterns, values in WRONG.items() if match_length(name, patterns) for value in values]
 
 
 def kinds_of(parameter: Parameter) -> frozenset[str]:
