@@ -17,7 +17,7 @@ from tests.support.name_patterns import match_length
 
 ANNOTATIONS: dict[str, str] = {
     r"None": "none", r"(.*')?(Supports)?[Ff]loat('\))?": "number big", r"int|SupportsIndex": "whole", r"bool": "flag",
-    r"str": "text", r"os\.PathLike\[str\]": "path", r"ArrayLike|NDArray.*|Point": "rows",
+    r"os\.PathLike\[str\]": "path", r"ArrayLike|NDArray.*|Point": "rows",
     r"NDArray\[np.bool_\]": "flags", r"(Sequence|Iterable|tuple)\[(float|int).*": "rows", r"Payload|bytes": "bytes",
     r"(Mapping|dict|InitVar\[Mapping).*": "mapping", r"(Sequence|Iterable|Collection|tuple)\[str.*": "texts",
     r"Callable.*|Report|Listener": "callable", r"(Sequence|Iterable|tuple|list)\[[A-Z_].*": "objects",
@@ -27,45 +27,52 @@ ANNOTATIONS: dict[str, str] = {
 """Kinds of hostile values that may be right, by what a part of an annotation says."""
 
 TAKEN: dict[str, str] = {
-    "rows": "LoadCurve.* visual_continuity.frames",
+    "rows": "LoadCurve.count.r2 visual_continuity.frames",
     "endless": "visual_continuity.frames",
     "any": "lod.Curve4PL.[abcd] *.reason *.rms *.status Frame.lod Scene.dropped Scene.frames Scene.notes Scene.rest"
     " Scene.table Scene.undrawn Scene.used lod.Selection.counts lod.Selection.level lod.Selection.spent similarities"
-    " *.shown_to.user stereo.mono_plane_for.slope ReducedScene.render?@levels.radius"
-    " ReducedScene.render?@levels.tolerance_px",
-    "number big": "LoadCurve.*.budget LoadCurve.*.r2 lod *.bytes_at.time eccentricity_deg index *.__call__.sigma radii"
-    " r range_dtype range_error.distance lod.measure.* user_region",
+    " *.shown_to.user",
+    "number big": "LoadCurve.*.budget LoadCurve.*.r2 Frame.lod *.bytes_at.time eccentricity_deg *.__call__.sigma r"
+    " lod.Curve4PL.__getitem__.index corrected_solid_angle.radii *.select.radii solid_angle.radii range_dtype"
+    " range_error.distance user_region",
     "nan": "stereo.AdaptivePlane.*.depth *.__call__.sigma Similarity.mean RadialLens.warp.fill *.shown.depth",
     "nans": "*.__call__.x Frame.color *.__call__.sigma cube_*.faces *.displayed.points lod.fit_4pl.* morph.points"
-    " *.project.points convert_envmap.values *.warp.image gpu.*.faces gpu.*.points",
-    "infs": "*.__call__.x Frame.color LoadCurve.*.r2 lod.LodModel.sigma *.__call__.sigma aabb cube_*.faces gpu.*.faces"
-    " *.displayed.points convert_envmap.values depth_from_range.ranges eccentricity_deg lod.fit_4pl.* morph.points"
-    " *.project.points *.warp.image gpu.*.points EnvMap.range",
-    "empty": "Clip.planes *.__call__.x lod.LodModel.errors LoadCurve.* *.__call__.sigma k r Scene.subset.triangles"
-    " *.bytes_at.time centers directions eccentricity_deg faces index points range_error.distance ratios",
-    "hollow": "Clip.planes lod.LodModel.errors LoadCurve.* *.__call__.sigma r Scene.subset.triangles *.__call__.x"
-    " *.bytes_at.time eccentricity_deg range_error.distance ratios frames",
+    " *.project.points convert_envmap.values RadialLens.warp.image gpu.cube_lookup.faces gpu.*.points",
+    "infs": "*.__call__.x Frame.color LoadCurve.*.r2 lod.LodModel.sigma *.__call__.sigma *.query.aabb *.touches.aabb"
+    " *.update.aabb cube_*.faces gpu.cube_lookup.faces *.displayed.points convert_envmap.values EnvMap.range"
+    " depth_from_range.ranges eccentricity_deg lod.fit_4pl.* morph.points *.project.points RadialLens.warp.image"
+    " gpu.*.points",
+    "empty": "Clip.planes *.__call__.x lod.LodModel.errors LoadCurve.*.r2 LoadCurve.*.budget *.__call__.sigma r ratios"
+    " RadialLens.k Scene.subset.triangles *.bytes_at.time corrected_solid_angle.centers solid_angle.centers"
+    " EnvMap.sample.directions bend_rays.directions cube_lookup.directions envmap_texels.directions eccentricity_deg"
+    " Scene.from_arrays.faces SceneBuilder.mesh.faces triangle_radii.faces lod.Curve4PL.__getitem__.index"
+    " *.project.points *.displayed.points morph.points nearest_points.points *.view_vectors.points"
+    " range_error.distance",
+    "hollow": "Clip.planes lod.LodModel.errors LoadCurve.*.r2 LoadCurve.*.budget *.__call__.sigma r ratios frames"
+    " Scene.subset.triangles *.__call__.x *.bytes_at.time eccentricity_deg range_error.distance",
     "shape": "*.__call__.x LoadCurve.*.r2 *.__call__.sigma RadialLens.k r bounding_spheres.offsets *.bytes_at.time"
     " eccentricity_deg visual_continuity.frames",
-    "axes": "*.__call__.x r *.bytes_at.time directions depth_from_range.ranges stream.export.center lod.fit_4pl.*"
-    " range_error.distance range_from_depth.depth ratios ssim_pairs.* *.warp.image visual_continuity.frames",
-    "columns": "stream.Growth.radii RadialLens.k r Scene.subset.triangles stream.assign.radii *.bytes_at.time *.faces"
-    " convert_envmap.values bounding_spheres.offsets depth_from_range.ranges range_error.distance *.__call__.x"
-    " range_from_depth.depth ratios *.warp.image visual_continuity.frames",
-    "fewer": "*.project.points *.displayed.points *.warp.image *.directions RadialLens.*.r *.faces regions.path"
-    " SceneBuilder.place_many.transforms bounding_sphere.points bounding_spheres.offsets depth_from_range.ranges"
-    " range_from_depth.depth gpu.morph.points morph.points nearest_points.points *.view_vectors.points"
-    " lod.simplify.ratios range_error.distance stream.Growth.radii stream.assign.radii *.bytes_at.time"
-    " visual_continuity.frames",
+    "axes": "*.__call__.x r *.bytes_at.time EnvMap.sample.directions *cube_lookup.directions envmap_texels.directions"
+    " depth_from_range.ranges stream.export.center lod.fit_4pl.* range_error.distance range_from_depth.depth ratios"
+    " ssim_pairs.references ssim_pairs.tests RadialLens.warp.image visual_continuity.frames",
+    "columns": "stream.Growth.radii RadialLens.k r Scene.subset.triangles stream.assign.radii *.bytes_at.time"
+    " cube_*.faces gpu.cube_lookup.faces convert_envmap.values bounding_spheres.offsets depth_from_range.ranges ratios"
+    " range_error.distance *.__call__.x range_from_depth.depth RadialLens.warp.image visual_continuity.frames",
+    "fewer": "*.project.points *.displayed.points *.warp.image RadialLens.*.r regions.path ratios"
+    " EnvMap.sample.directions bend_rays.directions *cube_lookup.directions envmap_texels.directions"
+    " Scene.from_arrays.faces SceneBuilder.mesh.faces triangle_radii.faces SceneBuilder.place_many.transforms"
+    " bounding_sphere.points bounding_spheres.offsets depth_from_range.ranges range_from_depth.depth gpu.morph.points"
+    " morph.points nearest_points.points *.view_vectors.points range_error.distance stream.Growth.radii"
+    " stream.assign.radii *.bytes_at.time visual_continuity.frames",
     "callable": "render_path.lod",
-    "free": "Hmd.name lod.Level.note lod.*.name SceneBuilder.* stream.client.*.room stream.client.*.name relative"
-    " stream.client.*.token",
+    "free": "Hmd.name lod.Level.note lod.*.name SceneBuilder.*.name SceneBuilder.place_many.names relative"
+    " stream.client.*.room stream.client.*.name stream.client.*.token",
     "path": "relative",
     "names": "object_names Hmd.sources SceneBuilder.objects.names Shot.channels",
     "entries": "*.stats lod.LodModel.measured ReducedScene.counts lod.Selection.columns",
-    "mapping": "at",
-    "set": "radii",
-    "flag": "index",
+    "mapping": "render_path.at",
+    "set": "stream.Growth.radii stream.assign.radii stream.export.radii",
+    "flag": "lod.Levels.__getitem__.index",
 }
 """Kinds of values that single parameters take beside those of their annotations."""
 
@@ -73,13 +80,13 @@ RANGES: dict[str, str] = {
     "(0, inf)": "acuity_limit_deg aspect blend cell data_range distance error_px eye_height focal k1 k2 lens_radius"
     " limit_deg moving pixel radius *.AdaptivePlane.rate reach reference refresh_hz scale seconds shear sigma speed"
     " step tolerance tolerance_px choose_radii.r2 regions.r2 r_max mono_plane depth_from_range.near"
-    " range_from_depth.near range_error.near regions.budget",
+    " stereo.mono_plane_for.slope range_from_depth.near range_error.near regions.budget",
     "(0, 4294967295)": "orthoview.OrthoTree.render.budget",
     "(0, inf]": "depth ReducedScene.render.tolerance_px cast_rays.t_max",
     "[0, inf)": "acuity_slope datasets.Asteroids.*.detail datasets.World.*.detail detail error floor hysteresis near"
     " pixel_deg slope time stream.Growth.fade budget cache_bytes ReducedScene.*.radius *.AdaptivePlane.update.seconds",
     "(-inf, inf)": "cutoff d k t lod.Level.* orthoview.*.time Walk.render.seconds index",
-    "[-inf, inf]": "Similarity.mean Scene.dropped *.shown.depth *.mono_plane_for.slope RadialLens.warp.fill",
+    "[-inf, inf]": "Similarity.mean Scene.dropped *.shown.depth RadialLens.warp.fill",
     "[0, r2)": "r1",
     "(r1, inf)": "r2",
     "(near, inf]": "far",
@@ -107,6 +114,7 @@ RANGES: dict[str, str] = {
     "[0, 1.5708)": "angle cube_lookup.radius",
     "(0, 3.2)": "orthoview.size_for.fov",
     "[0, 10]": "handshake",
+    "[0, 10)": "Scene.load.lod open_source.lod",
     "[0, 60]": "fade",
     "[0, 90]": "lift_deg",
     "(0, 90)": "kink_deg",
