@@ -50,7 +50,7 @@ def run(case: Case, folder: Path) -> str:
     before = Path.cwd()
     os.chdir(folder)
     try:
-        error = call.attempt(**{parameter: _values()[name].make() for parameter, name in names.items()})
+        error = call.attempt({parameter: _values()[name].make() for parameter, name in names.items()})
     finally:
         os.chdir(before)
     if error is None:
@@ -59,7 +59,7 @@ def run(case: Case, folder: Path) -> str:
         # It is called, and its errors are the caller's own.
         return refused(error)
     # Where arguments contradict each other, a message may name any of them.
-    flaw = verdict(error, next(iter(names)), call.names)
+    flaw = verdict(error, next(iter(names)), (*names, *call.names))
     if flaw is not None:
         shown = ", ".join(f"{parameter}={name}" for parameter, name in names.items())
         raise Finding(f"{call.name}({shown}) raised {flaw}"[:400]) from error

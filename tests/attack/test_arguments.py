@@ -19,12 +19,12 @@ from tests.support.valid_calls.objects import Valid
 
 _LONG = (
     "choose_radii",
-    "datasets.World.q",
+    "datasets.World.query",
     "datasets.factory",
     "datasets.room",
     "regions",
     "stream.export",
-    "stream.s",
+    "stream.simulate",
 )
 LONG = tuple(name for name in NAMES if name.startswith(_LONG))
 """Calls that take tenths of a second with some values that are right."""

@@ -102,6 +102,13 @@ def test_levels_that_stay_gather_nothing_anew(reduced: nf.ReducedScene) -> None:
     assert reduced.at_levels({"near": 2})._core is not first._core
 
 
+def test_levels_that_stay_are_drawn_with_the_settings_of_each_picture(reduced: nf.ReducedScene) -> None:
+    camera, coarse = views(2)[1], reduced.at_levels({"near": 1})
+    grown = bytes_of(coarse.with_growth(0.0).render(camera))
+    assert grown != bytes_of(coarse.render(camera))
+    assert grown == bytes_of(reduced.with_growth(0.0).at_levels({"near": 1}).render(camera))
+
+
 def test_a_saved_scene_has_no_levels(reduced: nf.ReducedScene, tmp_path: object) -> None:
     folder = f"{tmp_path}/light"
     reduced.save(folder)

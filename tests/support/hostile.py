@@ -1,4 +1,28 @@
-"""Hostile values, each with the kinds of parameters that may take it; all others have to refuse it."""
+"""Hostile values, each with the kinds of parameters that may take it; all others have to refuse it.
+
+A kind is a word for what is odd about a value:
+
+number, whole, big
+    Numbers, whole numbers, and whole numbers beyond 32 bits. A range decides which of them are right.
+flag, none, nan
+    A truth value, None, and one number that is NaN.
+free, path, names, texts, bytes
+    Any text, a place of a file, a list of names, an iterable that may hold no text at all, and bytes.
+empty, hollow
+    No rows, and rows without columns.
+rows, shape
+    Rows of numbers of another type or size, and arrays with another number of axes.
+nans, infs, flags, endless
+    Arrays with NaN, with infinities, of truth values, and of more rows than memory holds.
+axes, columns, fewer
+    The array of the valid call with one axis more, without its last column, and without its last row.
+mapping, entries, set, objects, callable
+    An empty mapping, mappings with keys that mean nothing, a set, an iterable without items, and what can be called.
+scene, camera, frame, model, mesh, lens, hmd
+    Objects of the package, where another kind of object is expected.
+
+A value without kinds is wrong everywhere.
+"""
 
 from __future__ import annotations
 
@@ -159,6 +183,8 @@ def variants(argument: Any) -> Iterator[Hostile]:
     if array.ndim == 0 or array.dtype.kind not in "fiu":
         return
     found = {("one axis more", "axes"): array[None], ("columns without the last", "columns"): array[..., :-1]}
+    if len(array) > 1:
+        found["rows without the last", "fewer"] = array[:-1]
     for value in (math.nan, math.inf, -math.inf) if array.dtype.kind == "f" else ():
         changed = found[f"{value} at the end", "nans" if math.isnan(value) else "infs"] = array.astype(array.dtype)
         changed.flat[-1] = value

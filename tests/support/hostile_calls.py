@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from tests.support.digest import digest
 from tests.support.hostile import Hostile, constant, hostile_values, variants
-from tests.support.parameters import added_kinds, kinds_of, range_of, wrong
+from tests.support.name_patterns import match_length
+from tests.support.parameters import added_kinds, kinds_of, range_of
 from tests.support.valid_calls import calls
 from tests.support.valid_calls.objects import Valid
 from tests.support.verdict import attempt, outcome, verdict
+from tests.support.wrong_values import wrong_values
 
 HARMLESS = frozenset(("none", "big", "flag", "scene", "camera", "frame", "model", "mesh", "lens", "hmd"))
 """Kinds of values that are no longer hostile where they are right."""
+
+ITEM_BY_ITEM = "render_path.cameras render_path.at visual_continuity.*"
+"""Parameters that may be iterators, whose items are checked when they come; others are checked at the call."""
 
 
 class Call:
@@ -23,22 +29,28 @@ class Call:
 
     def __init__(self, name: str, valid: Valid) -> None:
         self.name, self._valid = name, valid
-        self._entry = calls.callable_of(name)
+        self._parameters = calls.parameters_of(name)
         self.arguments = calls.arguments(name, valid)
 
     @property
     def parameters(self) -> tuple[str, ...]:
         """All parameters, also those whose default the call uses."""
-        return tuple(self._entry.parameters)
+        return tuple(self._parameters)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names that a message may state: other arguments may no longer fit to one that changed."""
-        return (*self.parameters, "vertices") if "positions" in self.parameters else self.parameters
+        """Names that a message may state: other arguments may no longer fit one that changed.
 
-    def attempt(self, **changes: Any) -> BaseException | None:
-        """Call with changed arguments, and return the exception."""
-        return attempt(calls.target(self.name, self._valid), {**self.arguments, **changes})
+        "at" is not among them, because "at least" is in many messages.
+        """
+        others = tuple(name for name in self.parameters if name != "at")
+        return (*others, "vertices") if "positions" in others else others
+
+    def attempt(
+        self, changes: Mapping[str, Any] = MappingProxyType({}), *, begins: bool = True
+    ) -> BaseException | None:
+        """Call with changed arguments, and return the exception; `begins` is that of `verdict.attempt`."""
+        return attempt(calls.target(self.name, self._valid), {**self.arguments, **changes}, begins=begins)
 
     def outcome(self, **changes: Any) -> str:
         """Call with changed arguments, and return the digest of the result; an empty text for a refusal."""
@@ -55,8 +67,9 @@ class Call:
     def _complaints(self, *, is_right: bool) -> Iterator[str]:
         before = digest(self.arguments)
         for parameter in self.parameters:
+            begins = is_right or match_length(self._parameters[parameter][0], ITEM_BY_ITEM) > 0
             for value in self._values(parameter, is_right=is_right):
-                error = self.attempt(**{parameter: value.make()})
+                error = self.attempt({parameter: value.make()}, begins=begins)
                 flaw = "nothing" if error is None and not is_right else verdict(error, parameter, self.names)
                 if flaw is not None:
                     yield f"{self.name}({parameter}={value.name}) raised {flaw}"
@@ -73,14 +86,13 @@ class Call:
         expected = self.outcome() if arrays else ""
         for name, value in arrays.items():
             for layout, array in _layouts(value):
-                # A refusal is judged elsewhere.
-                if self.outcome(**{name: array}) not in (expected, ""):
+                if self.outcome(**{name: array}) != expected:
                     yield f"{self.name}({name}={layout}) gives another result"
 
     def _values(self, parameter: str, *, is_right: bool) -> Iterator[Hostile]:
         """Yield values that a parameter may take, or those that it has to refuse."""
-        name = f"{self._entry.name}.{parameter}"
-        kinds = kinds_of(self._entry.parameters[parameter])
+        name, entry = self._parameters[parameter]
+        kinds = kinds_of(entry)
         also = added_kinds(name) | added_kinds(f"{self.name}.{parameter}")
         numeric = kinds & {"number", "whole"} - also
         limits = range_of(name, self._everything()) if numeric and "any" not in also else None
@@ -93,11 +105,14 @@ class Call:
                 yield value
         if not is_right:
             near = limits.outside(is_whole="whole" in numeric) if limits is not None else []
-            yield from (Hostile(f"{value!r:.40}", constant(value)) for value in (*near, *wrong(name)))
+            yield from (
+                Hostile(f"{value!r:.40}", constant(value))
+                for value in (*near, *wrong_values(name, f"{self.name}.{parameter}"))
+            )
 
     def _everything(self) -> dict[str, Any]:
         """Arguments and defaults."""
-        return {name: entry.default for name, entry in self._entry.parameters.items()} | self.arguments
+        return {name: entry.default for name, (_, entry) in self._parameters.items()} | self.arguments
 
 
 def _layouts(array: Any) -> Iterator[tuple[str, Any]]:

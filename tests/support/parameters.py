@@ -10,15 +10,14 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from fnmatch import fnmatchcase
 from inspect import Parameter
 from typing import Any
 
-import numpy as np
+from tests.support.name_patterns import match_length
 
 ANNOTATIONS: dict[str, str] = {
     r"None": "none", r"(.*')?(Supports)?[Ff]loat('\))?": "number big", r"int|SupportsIndex": "whole", r"bool": "flag",
-    r"str": "text", r"os\.PathLike\[str\]": "path", r"ArrayLike|NDArray.*|Point": "rows",
+    r"os\.PathLike\[str\]": "path", r"ArrayLike|NDArray.*|Point": "rows",
     r"NDArray\[np.bool_\]": "flags", r"(Sequence|Iterable|tuple)\[(float|int).*": "rows", r"Payload|bytes": "bytes",
     r"(Mapping|dict|InitVar\[Mapping).*": "mapping", r"(Sequence|Iterable|Collection|tuple)\[str.*": "texts",
     r"Callable.*|Report|Listener": "callable", r"(Sequence|Iterable|tuple|list)\[[A-Z_].*": "objects",
@@ -28,51 +27,66 @@ ANNOTATIONS: dict[str, str] = {
 """Kinds of hostile values that may be right, by what a part of an annotation says."""
 
 TAKEN: dict[str, str] = {
-    "rows": "LoadCurve.* visual_continuity.frames",
+    "rows": "LoadCurve.count.r2 visual_continuity.frames",
     "endless": "visual_continuity.frames",
     "any": "lod.Curve4PL.[abcd] *.reason *.rms *.status Frame.lod Scene.dropped Scene.frames Scene.notes Scene.rest"
     " Scene.table Scene.undrawn Scene.used lod.Selection.counts lod.Selection.level lod.Selection.spent similarities"
-    " *.shown_to.user stereo.mono_plane_for.slope ReducedScene.render?@levels.radius"
-    " ReducedScene.render?@levels.tolerance_px",
-    "number big": "LoadCurve.*.budget LoadCurve.*.r2 lod *.bytes_at.time eccentricity_deg index *.__call__.sigma radii"
-    " r range_dtype range_error.distance lod.measure.* user_region",
+    " *.shown_to.user",
+    "number big": "LoadCurve.*.budget LoadCurve.*.r2 Frame.lod *.bytes_at.time eccentricity_deg *.__call__.sigma r"
+    " lod.Curve4PL.__getitem__.index corrected_solid_angle.radii *.select.radii solid_angle.radii range_dtype"
+    " range_error.distance user_region",
     "nan": "stereo.AdaptivePlane.*.depth *.__call__.sigma Similarity.mean RadialLens.warp.fill *.shown.depth",
     "nans": "*.__call__.x Frame.color *.__call__.sigma cube_*.faces *.displayed.points lod.fit_4pl.* morph.points"
-    " *.project.points convert_envmap.values *.warp.image gpu.*.faces gpu.*.points",
-    "infs": "*.__call__.x Frame.color LoadCurve.*.r2 lod.LodModel.sigma *.__call__.sigma aabb cube_*.faces gpu.*.faces"
-    " *.displayed.points convert_envmap.values depth_from_range.ranges eccentricity_deg lod.fit_4pl.* morph.points"
-    " *.project.points *.warp.image gpu.*.points EnvMap.range",
-    "empty": "Clip.planes *.__call__.x lod.LodModel.errors LoadCurve.* *.__call__.sigma k r Scene.subset.triangles"
-    " *.bytes_at.time centers directions eccentricity_deg faces index points range_error.distance ratios",
-    "hollow": "Clip.planes lod.LodModel.errors LoadCurve.* *.__call__.sigma r Scene.subset.triangles *.__call__.x"
-    " *.bytes_at.time eccentricity_deg range_error.distance ratios frames",
+    " *.project.points convert_envmap.values RadialLens.warp.image gpu.cube_lookup.faces gpu.*.points",
+    "infs": "*.__call__.x Frame.color LoadCurve.*.r2 lod.LodModel.sigma *.__call__.sigma *.query.aabb *.touches.aabb"
+    " *.update.aabb cube_*.faces gpu.cube_lookup.faces *.displayed.points convert_envmap.values EnvMap.range"
+    " depth_from_range.ranges eccentricity_deg lod.fit_4pl.* morph.points *.project.points RadialLens.warp.image"
+    " gpu.*.points",
+    "empty": "Clip.planes *.__call__.x lod.LodModel.errors LoadCurve.*.r2 LoadCurve.*.budget *.__call__.sigma r ratios"
+    " RadialLens.k Scene.subset.triangles *.bytes_at.time corrected_solid_angle.centers solid_angle.centers"
+    " EnvMap.sample.directions bend_rays.directions cube_lookup.directions envmap_texels.directions eccentricity_deg"
+    " Scene.from_arrays.faces SceneBuilder.mesh.faces triangle_radii.faces lod.Curve4PL.__getitem__.index"
+    " *.project.points *.displayed.points morph.points nearest_points.points *.view_vectors.points"
+    " range_error.distance",
+    "hollow": "Clip.planes lod.LodModel.errors LoadCurve.*.r2 LoadCurve.*.budget *.__call__.sigma r ratios frames"
+    " Scene.subset.triangles *.__call__.x *.bytes_at.time eccentricity_deg range_error.distance",
     "shape": "*.__call__.x LoadCurve.*.r2 *.__call__.sigma RadialLens.k r bounding_spheres.offsets *.bytes_at.time"
     " eccentricity_deg visual_continuity.frames",
-    "axes": "*.__call__.x r *.bytes_at.time directions depth_from_range.ranges stream.export.center lod.fit_4pl.*"
-    " range_error.distance range_from_depth.depth ratios ssim_pairs.* *.warp.image visual_continuity.frames",
-    "columns": "stream.Growth.radii RadialLens.k r Scene.subset.triangles stream.assign.radii *.bytes_at.time *.faces"
-    " convert_envmap.values bounding_spheres.offsets depth_from_range.ranges range_error.distance *.__call__.x"
-    " range_from_depth.depth ratios *.warp.image visual_continuity.frames",
-    "free": "Hmd.name lod.Level.note lod.*.name SceneBuilder.* stream.client.*.room stream.client.*.name relative"
-    " stream.client.*.token",
+    "axes": "*.__call__.x r *.bytes_at.time EnvMap.sample.directions *cube_lookup.directions envmap_texels.directions"
+    " depth_from_range.ranges stream.export.center lod.fit_4pl.* range_error.distance range_from_depth.depth ratios"
+    " ssim_pairs.references ssim_pairs.tests RadialLens.warp.image visual_continuity.frames",
+    "columns": "stream.Growth.radii RadialLens.k r Scene.subset.triangles stream.assign.radii *.bytes_at.time"
+    " cube_*.faces gpu.cube_lookup.faces convert_envmap.values bounding_spheres.offsets depth_from_range.ranges ratios"
+    " range_error.distance *.__call__.x range_from_depth.depth RadialLens.warp.image visual_continuity.frames",
+    "fewer": "*.project.points *.displayed.points *.warp.image RadialLens.*.r regions.path ratios"
+    " EnvMap.sample.directions bend_rays.directions *cube_lookup.directions envmap_texels.directions"
+    " Scene.from_arrays.faces SceneBuilder.mesh.faces triangle_radii.faces SceneBuilder.place_many.transforms"
+    " bounding_sphere.points bounding_spheres.offsets depth_from_range.ranges range_from_depth.depth gpu.morph.points"
+    " morph.points nearest_points.points *.view_vectors.points range_error.distance stream.Growth.radii"
+    " stream.assign.radii *.bytes_at.time visual_continuity.frames",
+    "callable": "render_path.lod",
+    "free": "Hmd.name lod.Level.note lod.*.name SceneBuilder.*.name SceneBuilder.place_many.names relative"
+    " stream.client.*.room stream.client.*.name stream.client.*.token",
     "path": "relative",
     "names": "object_names Hmd.sources SceneBuilder.objects.names Shot.channels",
     "entries": "*.stats lod.LodModel.measured ReducedScene.counts lod.Selection.columns",
-    "mapping": "at",
-    "set": "radii",
-    "flag": "index",
+    "mapping": "render_path.at",
+    "set": "stream.Growth.radii stream.assign.radii stream.export.radii",
+    "flag": "lod.Levels.__getitem__.index",
 }
 """Kinds of values that single parameters take beside those of their annotations."""
 
 RANGES: dict[str, str] = {
     "(0, inf)": "acuity_limit_deg aspect blend cell data_range distance error_px eye_height focal k1 k2 lens_radius"
     " limit_deg moving pixel radius *.AdaptivePlane.rate reach reference refresh_hz scale seconds shear sigma speed"
-    " step tolerance tolerance_px choose_radii.r2 regions.r2 r_max mono_plane",
+    " step tolerance tolerance_px choose_radii.r2 regions.r2 r_max mono_plane depth_from_range.near"
+    " stereo.mono_plane_for.slope range_from_depth.near range_error.near regions.budget",
+    "(0, 4294967295)": "orthoview.OrthoTree.render.budget",
     "(0, inf]": "depth ReducedScene.render.tolerance_px cast_rays.t_max",
     "[0, inf)": "acuity_slope datasets.Asteroids.*.detail datasets.World.*.detail detail error floor hysteresis near"
     " pixel_deg slope time stream.Growth.fade budget cache_bytes ReducedScene.*.radius *.AdaptivePlane.update.seconds",
     "(-inf, inf)": "cutoff d k t lod.Level.* orthoview.*.time Walk.render.seconds index",
-    "[-inf, inf]": "Similarity.mean Scene.dropped *.shown.depth *.mono_plane_for.slope RadialLens.warp.fill",
+    "[-inf, inf]": "Similarity.mean Scene.dropped *.shown.depth RadialLens.warp.fill",
     "[0, r2)": "r1",
     "(r1, inf)": "r2",
     "(near, inf]": "far",
@@ -100,6 +114,7 @@ RANGES: dict[str, str] = {
     "[0, 1.5708)": "angle cube_lookup.radius",
     "(0, 3.2)": "orthoview.size_for.fov",
     "[0, 10]": "handshake",
+    "[0, 10)": "Scene.load.lod open_source.lod",
     "[0, 60]": "fade",
     "[0, 90]": "lift_deg",
     "(0, 90)": "kink_deg",
@@ -157,39 +172,6 @@ RANGES: dict[str, str] = {
 }
 """Numbers that parameters take; a bound may be another argument."""
 
-UNLIKE_POSES: list[Any] = [
-    {"nobody": np.eye(4)}, {"far": np.eye(3)}, {"far": np.stack([np.eye(4)] * 2)},
-    {"far": np.full((4, 4), math.nan)}, {"far": np.diag([1.0, 0.0, 1.0, 1.0])}, {"far": np.diag([1.0, 1.0, 1.0, 2.0])},
-    {"far": np.diag([1e31, 1.0, 1.0, 1.0])}, {"near": np.eye(4)},
-]  # fmt: skip
-"""Poses of an unknown object, matrices that place nothing, and the pose of an object that does not move."""
-
-WRONG: dict[str, list[Any]] = {
-    "Scene.at.poses ReducedScene.at.poses before_at render.at": UNLIKE_POSES,
-    "*.OrthoTree.at.poses": UNLIKE_POSES[:-1],
-    "aabb": [[[1.0, 1.0, 1.0], [0.0, 0.0, 0.0]]],
-    "orientation": [(0.0, 0.0, 0.0, 2.0), (0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, math.inf)],
-    "rotation": [(0.0, 0.0, 0.0, 0.5), (0.0, 0.0, 0.0)],
-    "render*.size Camera.*size *.render_size *.warp.size *.explore.size": [(0, 5), (5, 0), (2.5, 5), (1, 2, 3)],
-    "Camera.size": [(4, 2**17)],
-    "*.explore.size": [(64, 5000)],
-    "EnvMap.range": [np.full((6, 4, 4), -1.0)],
-    "directions": [np.zeros((2, 3), np.float32)],
-    "gaze": [(0.0, 0.0, 0.0)],
-    "range_dtype": [np.float64],
-    "orthoview.*.gaze": [(1.0, math.nan)],
-    "triangle_radii.faces Scene.from_arrays.faces SceneBuilder.mesh.faces": [[[0, 1, 99]], [[0, 1, -1]], [[0.5, 1, 2]]],
-    "stream.*.radii": [[10.0, 9.0], [10.0, 10.0], [-1.0], [math.nan]],
-    "bounding_spheres.offsets": [[0, 5, 3], [0, 5, 5], [-1, 5], [0.5, 5]],
-    "ratios": [[0.5, 0.0], [1.5]],
-    "depth_from_range.ranges": [[[0.05]], [[-1.0]]],
-    "range_from_depth.depth": [[[-1e-9]], [[1.0001]]],
-    "weights": [[-1.0], []],
-    "user_region": [-1.0, [[1, 2, 3], [0, 0, 0]]],
-    "origins cast_rays.points": [(0.0, 1e300, 0.0)],
-}
-"""Further values that parameters have to refuse."""
-
 
 @dataclass(frozen=True)
 class Range:
@@ -203,11 +185,15 @@ class Range:
     @classmethod
     def parse(cls, text: str, arguments: Mapping[str, Any]) -> Range:
         """Read "[0, r2)" in a call with these arguments."""
-        low, high = (
-            float(arguments.get(bound) or unbounded if bound.isidentifier() and bound != "inf" else bound)
-            for bound, unbounded in zip(text[1:-1].split(", "), (-math.inf, math.inf), strict=True)
-        )
-        return cls(low, high, text[0] == "[", text[-1] == "]")
+
+        def number(bound: str, unbounded: float) -> float:
+            if bound == "inf" or not bound.isidentifier():
+                return float(bound)
+            given = arguments.get(bound)
+            return unbounded if given is None else float(given)
+
+        low, high = text[1:-1].split(", ")
+        return cls(number(low, -math.inf), number(high, math.inf), text[0] == "[", text[-1] == "]")
 
     def __contains__(self, value: float) -> bool:
         return (self.low < value or (self.has_low and value == self.low)) and (
@@ -224,23 +210,12 @@ class Range:
         return found
 
 
-def fits(name: str, patterns: str) -> int:
-    """Length of the longest of the patterns, or names of parameters, that fit to "callable.parameter"."""
-    parameter = name.rpartition(".")[2]
-    found = (text for text in patterns.split() if text == parameter or ("." in text and fnmatchcase(name, text)))
-    return max(map(len, found), default=0)
-
-
 @functools.cache
 def added_kinds(name: str) -> frozenset[str]:
     """Return kinds that a parameter takes beside those of its annotation."""
-    return frozenset(kind for kinds, patterns in TAKEN.items() if fits(name, patterns) for kind in kinds.split())
-
-
-@functools.cache
-def wrong(name: str) -> list[Any]:
-    """Return further values that a parameter has to refuse."""
-    return [value for patterns, values in WRONG.items() if fits(name, patterns) for value in values]
+    return frozenset(
+        kind for kinds, patterns in TAKEN.items() if match_length(name, patterns) for kind in kinds.split()
+    )
 
 
 def kinds_of(parameter: Parameter) -> frozenset[str]:
@@ -255,6 +230,6 @@ def kinds_of(parameter: Parameter) -> frozenset[str]:
 
 def range_of(name: str, arguments: Mapping[str, Any]) -> Range:
     """Return the numbers that a parameter takes in a call with these arguments."""
-    best = max(RANGES, key=lambda text: fits(name, RANGES[text]))
-    assert fits(name, RANGES[best]), f"{name}: no range of numbers is stated"
+    best = max(RANGES, key=lambda text: match_length(name, RANGES[text]))
+    assert match_length(name, RANGES[best]), f"{name}: no range of numbers is stated"
     return Range.parse(best, arguments)

@@ -37,13 +37,16 @@ FOREIGN = re.compile(
 """Parts of messages of Python, NumPy and PyO3."""
 
 
-def attempt(call: Callable[..., Any], arguments: Mapping[str, Any]) -> BaseException | None:
-    """Call with keywords and return the exception; warnings count as such."""
+def attempt(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> BaseException | None:
+    """Call with keywords and return the exception; warnings count as such.
+
+    Without `begins` an iterator that the call returns is left alone: wrong arguments are refused at the call.
+    """
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", "the picture folds")
         try:
-            _result(call, arguments)
+            _result(call, arguments, begins=begins)
         except Exception as error:
             return error
         except BaseException as error:
@@ -62,18 +65,18 @@ def outcome(call: Callable[..., Any], arguments: Mapping[str, Any]) -> str:
     return ""
 
 
-def _result(call: Callable[..., Any], arguments: Mapping[str, Any]) -> Any:
-    """The result of a call; an iterator is begun, and a coroutine is run."""
+def _result(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> Any:
+    """The result of a call; an iterator is begun unless told otherwise, and a coroutine is run."""
     result = call(**arguments)
     if inspect.iscoroutine(result):
         return asyncio.run(result)
-    return list(itertools.islice(result, 2)) if isinstance(result, Iterator) else result
+    return list(itertools.islice(result, 2)) if begins and isinstance(result, Iterator) else result
 
 
 def verdict(exception: BaseException | None, parameter: str, others: Iterable[str] = ()) -> str | None:
     """Return why an exception is wrong for an unusable value of a parameter; None if it is right or there is none.
 
-    The message has to name the parameter, or one of the call's `others`, which may no longer fit to it.
+    The message has to name the parameter, or one of the call's `others`, which may no longer fit it.
     """
     if exception is None:
         return None

@@ -90,7 +90,7 @@ def morphed(
         moved = leveled.centers + np.subtract(place, center)
         return replace(leveled, centers=moved, radii=leveled.radii + (away if kind == "cylinder" else 0.0))
     shown = morph(leveled.centers, user=user, center=center, kind=kind, **grown)
-    if strength < 1.0:
+    if strength < 1.0 or r2 < 1e-100:  # the inverse of a smaller radius is no number
         return replace(leveled, centers=shown, radii=leveled.radii + 4.0 * away)
     stretch = 1.0 + away * (2.0 / (r2 - grown["r1"]) + 1.0 / max(grown["r1"], away, 1e-300))
     return replace(leveled, centers=shown, radii=leveled.radii * stretch)

@@ -168,7 +168,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
             self._at_levels = chosen, self._with(scene, zones, self._counts | zones.summary())
         left_out = {name for name, level in zip(leveled.names, chosen.tolist(), strict=True) if level < 0}
         poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
-        reduced = self._at_levels[1]
+        reduced = self._at_levels[1]._drawn_by(self._drawing)  # it may have been made for another drawing
         return reduced.at(poses) if poses else reduced
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:

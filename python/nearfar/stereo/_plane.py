@@ -65,12 +65,13 @@ def mono_plane_for(
     deep = check.number("depth", depth, finite=False)
     if deep <= 0.0:
         raise ValueError(f"depth: expected a distance above 0 metres, got {deep:g}")
+    least = check.positive("slope", slope)
     if (error_px is None) == (kink_deg is None):
         raise ValueError("error_px: expected either this or kink_deg, got both or none")
     if error_px is not None:
         return _for_error(hmd, size, check.positive("error_px", error_px), deep, axis)
     assert kink_deg is not None
-    return _for_kink(hmd, size, check.number("kink_deg", kink_deg), check.positive("slope", slope))
+    return _for_kink(hmd, size, check.number("kink_deg", kink_deg), least)
 
 
 def _for_kink(hmd: Hmd, size: tuple[int, int] | None, bend: float, slope: float) -> float:

@@ -11,7 +11,7 @@ from tests.support.valid_calls.objects import Valid
 from tests.support.valid_calls.pictures import PICTURES
 from tests.support.valid_calls.scenes import SCENES
 from tests.support.valid_calls.streams import STREAMS
-from tests.support.valid_calls.values import INSTANCES, SMALL, required
+from tests.support.valid_calls.values import INSTANCES, SMALL, required_argument
 
 OWN = {**SCENES, **PICTURES, **STREAMS}
 """Arguments by the callable's name, or by the beginning of names that ends in a full stop.
@@ -23,13 +23,16 @@ CALLABLES = public_callables()
 NAMES = sorted({*CALLABLES, *(name for name in OWN if not name.endswith("."))})
 """Names of all calls."""
 
+PASSED_ON = {"Walk.render": "ReducedScene.render", "lod.measure": "lod.MeasureSettings"}
+"""Callables to which others pass all keywords that they do not name."""
+
 NEEDS = {
     "FlightLog.plot": "matplotlib", "LoadCurve.plot": "matplotlib", "LodModel.plot": "matplotlib",
-    "Timeline.plot": "matplotlib", "explore": "ipywidgets", ".show": "anywidget", "lod.simplify": "fast_simplification",
-    "orthoview.": "zarr", "stream.client.": "aiohttp", "collect.play": "aiohttp", "gpu.": "adapter",
-    ".begin": "adapter",
+    "Timeline.plot": "matplotlib", "explore": "ipywidgets", ".show ": "anywidget",
+    "lod.simplify": "fast_simplification", "orthoview.": "zarr", "stream.client.": "aiohttp", "collect.play": "aiohttp",
+    "gpu.": "adapter", ".begin": "adapter",
 }  # fmt: skip
-"""Parts of `tests.support.PARTS` that calls need, by parts of their names."""
+"""Parts of `tests.support.PARTS` that calls need, by parts of their names; a space is the end of a name."""
 
 
 def callable_of(name: str) -> PublicCallable:
@@ -37,9 +40,20 @@ def callable_of(name: str) -> PublicCallable:
     return CALLABLES[name.partition(" @")[0]]
 
 
+def parameters_of(name: str) -> dict[str, tuple[str, Parameter]]:
+    """Return the parameters of a call, each with its full name, such as "Scene.load.path".
+
+    Keywords that the callable passes on are those of the other callable.
+    """
+    entry = callable_of(name)
+    found = {key: (f"{entry.name}.{key}", value) for key, value in entry.parameters.items()}
+    passed_on = PASSED_ON.get(entry.name)
+    return found if passed_on is None else {**parameters_of(passed_on), **found}
+
+
 def needs(name: str) -> list[str]:
     """Return the parts of the system that a call needs."""
-    return [part for key, part in NEEDS.items() if key in name]
+    return [part for key, part in NEEDS.items() if key in f"{name} "]
 
 
 def arguments(name: str, valid: Valid) -> dict[str, Any]:
@@ -58,7 +72,7 @@ def arguments(name: str, valid: Valid) -> dict[str, Any]:
             found[parameter.name] = SMALL[parameter.name]
         elif parameter.default is Parameter.empty:
             own = parameter.name in shared
-            found[parameter.name] = shared[parameter.name] if own else required(parameter.name, valid)
+            found[parameter.name] = shared[parameter.name] if own else required_argument(parameter.name, valid)
     return found
 
 

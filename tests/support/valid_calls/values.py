@@ -106,7 +106,7 @@ INSTANCES: Mapping[str, Make] = {
 """An instance of each class that has methods, or of the class for one call."""
 
 
-def required(parameter: str, valid: Valid) -> Any:
+def required_argument(parameter: str, valid: Valid) -> Any:
     """Return an argument that callables require under this name."""
     if parameter in CONSTANTS:
         return CONSTANTS[parameter]

@@ -1,0 +1,64 @@
+"""The table of hostile values excuses a parameter only from values that this parameter really takes."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from pathlib import Path
+
+import pytest
+
+from tests.support import missing
+from tests.support.hostile import hostile_values, variants
+from tests.support.hostile_calls import Call
+from tests.support.name_patterns import match_length
+from tests.support.parameters import ANNOTATIONS, RANGES, TAKEN, kinds_of
+from tests.support.valid_calls.calls import NAMES, needs, parameters_of
+from tests.support.valid_calls.objects import Valid
+from tests.support.wrong_values import WRONG
+
+
+def full_names(call: str) -> list[str]:
+    """Names of a call's parameters, by the callable and by the call."""
+    return [name for key, (own, _) in parameters_of(call).items() for name in (own, f"{call}.{key}")]
+
+
+def test_every_pattern_matches_a_parameter() -> None:
+    names = {name for call in NAMES for name in full_names(call)}
+    patterns = {pattern for text in (*TAKEN.values(), *RANGES.values(), *WRONG) for pattern in text.split()}
+    assert [pattern for pattern in patterns if not any(match_length(name, pattern) for name in names)] == []
+
+
+def test_every_kind_is_that_of_a_value(tmp_path: Path) -> None:
+    valid = Valid(tmp_path)
+    values = (*hostile_values(valid), *variants(valid.vertices))
+    stated = {kind for text in (*TAKEN, *ANNOTATIONS.values()) for kind in text.split()}
+    assert stated - {"any"} - {kind for value in values for kind in value.kinds} == set()
+
+
+def test_every_exception_is_taken_by_all_parameters_that_it_matches(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    valid = Valid(tmp_path)
+    calls = [Call(name, valid) for name in NAMES if not any(map(missing, needs(name)))]
+    taken: dict[tuple[str, str, str], bool] = defaultdict(bool)
+    for kinds, patterns in TAKEN.items():
+        for call in calls:
+            for parameter in call.parameters:
+                for pattern in patterns.split():
+                    own, _ = parameters_of(call.name)[parameter]
+                    if match_length(own, pattern) or match_length(f"{call.name}.{parameter}", pattern):
+                        key = (kinds, pattern, own)
+                        taken[key] = taken[key] or is_taken(call, parameter, frozenset(kinds.split()), valid)
+    assert [key for key, is_needed in taken.items() if not is_needed] == []
+
+
+def is_taken(call: Call, parameter: str, kinds: frozenset[str], valid: Valid) -> bool:
+    """Whether a parameter takes a value of these kinds which its annotation does not state."""
+    usual = kinds_of(parameters_of(call.name)[parameter][1])
+    return any(
+        call.attempt({parameter: value.make()}, begins=False) is None
+        for value in (*hostile_values(valid), *variants(call.arguments.get(parameter)))
+        if ("any" in kinds or value.kinds & kinds) and not value.kinds & usual
+    )

@@ -1,0 +1,81 @@
+"""Values that single parameters have to refuse, beside the hostile ones that all of them are given.
+
+Names are patterns as in `tests.support.parameters`, of callables or of single calls, where "?@" begins a call's word.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import Any
+
+import numpy as np
+
+from tests.support.name_patterns import match_length
+
+UNLIKE_POSES: list[Any] = [
+    {"nobody": np.eye(4)}, {"far": np.eye(3)}, {"far": np.stack([np.eye(4)] * 2)},
+    {"far": np.full((4, 4), math.nan)}, {"far": np.diag([1.0, 0.0, 1.0, 1.0])}, {"far": np.diag([1.0, 1.0, 1.0, 2.0])},
+    {"far": np.diag([1e31, 1.0, 1.0, 1.0])}, {"near": np.eye(4)},
+]  # fmt: skip
+"""Poses of an unknown object, matrices that place nothing, and the pose of an object that does not move."""
+
+WRONG: dict[str, list[Any]] = {
+    "Scene.at.poses ReducedScene.at.poses before_at render.at": UNLIKE_POSES,
+    "*.OrthoTree.at.poses": UNLIKE_POSES[:-1],
+    "aabb": [[[1.0, 1.0, 1.0], [0.0, 0.0, 0.0]]],
+    "orientation": [(0.0, 0.0, 0.0, 2.0), (0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, math.inf)],
+    "rotation": [(0.0, 0.0, 0.0, 0.5), (0.0, 0.0, 0.0)],
+    "render*.size Camera.*size *.render_size *.warp.size *.explore.size": [(0, 5), (5, 0), (2.5, 5), (1, 2, 3)],
+    "Camera.size": [(4, 2**17)],
+    "*.explore.size": [(64, 5000)],
+    "EnvMap.range": [np.full((6, 4, 4), -1.0)],
+    "directions": [np.zeros((2, 3), np.float32)],
+    "gaze": [(0.0, 0.0, 0.0)],
+    "range_dtype": [np.float64],
+    "orthoview.*.gaze": [(1.0, math.nan)],
+    "triangle_radii.faces Scene.from_arrays.faces SceneBuilder.mesh.faces": [[[0, 1, 99]], [[0, 1, -1]], [[0.5, 1, 2]]],
+    "stream.*.radii": [[10.0, 9.0], [10.0, 10.0], [-1.0], [math.nan]],
+    "bounding_spheres.offsets": [[0, 5, 3], [0, 5, 5], [-1, 5], [0.5, 5], [0, 99]],
+    "ratios": [[0.5, 0.0], [1.5]],
+    "depth_from_range.ranges": [[[0.05]], [[-1.0]]],
+    "range_from_depth.depth": [[[-1e-9]], [[1.0001]]],
+    "weights": [[-1.0], []],
+    "eccentricity_deg": [-1.0],
+    "*.__call__.x": [-1.0],
+    "stream.Bundle.read.name": ["../manifest.json"],
+    "Clip.box": [[[-1.0, -1.0, -1.0], [1.0, -1.0, 1.0]]],
+    "Hmd.with_lens.lens_radius": [1.0],
+    "Hmd.with_lens.source": ["measured"],
+    "Scene.subset?@triangles.objects": [["near"]],
+    "Scene.subset?@triangles.triangles": [None, [-1], [0.5]],
+    "SceneBuilder.mesh.colors": [np.full((6, 3), 0.5)],
+    "SceneBuilder.material.*texture": [np.full((2, 2, 4), 0.5)],
+    "choose_radii.budget": [1000],
+    "choose_radii.r2": [None],
+    "gpu.cube_lookup.faces": [np.zeros((5, 4, 4, 3), np.float32)],
+    "lod.select.camera": [[]],
+    "lod.LodModel.sigma": [(1.0, 0.1)],
+    "lod.select.weight lod.Selector.weight": ["pixels"],
+    "lod.select.price lod.Selector.select.price": [0.1],
+    "orthoview.build.normal_bits": [20],
+    "range_from_depth?@matrix.near": [0.1],
+    "range_from_depth?@matrix.reverse": [True, False],
+    "regions?@area.path": [[(0.0, 1.0, 1.0), (0.0, 1.0, 2.0)]],
+    "regions?@area.area regions?@area.budget": [None],
+    "regions?@area.r2": [4.0],
+    "render?@levels.before_at": [{}],
+    "render_eyes.scale": [0.5],
+    "render_path.at": [[{}]],
+    "ssim.mask": [np.ones((16, 24))],
+    "user_region": [-1.0, [[1, 2, 3], [0, 0, 0]]],
+    "origins": [(0.0, 1e300, 0.0)],
+}
+"""Further values that parameters have to refuse."""
+
+
+@functools.cache
+def wrong_values(*names: str) -> list[Any]:
+    """Return further values that a parameter has to refuse; its names are those of a callable and of a call."""
+    found = (values for patterns, values in WRONG.items() if any(match_length(name, patterns) for name in names))
+    return [value for values in found for value in values]
