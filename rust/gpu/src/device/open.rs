@@ -173,11 +173,11 @@ impl Device {
 
     /// Closes the device, whose queue nobody else uses meanwhile.
     pub(super) fn destroy(&self) {
+        // Before the device goes: another thread may read a frame, and looks after that whether it was whole.
+        self.lost.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| "it was closed".to_string());
         self.wgpu.destroy();
         // The callback comes with the next poll.
         let _ = self.wgpu.poll(PollType::Poll);
-        let mut lost = self.lost.lock().unwrap_or_else(PoisonError::into_inner);
-        lost.get_or_insert_with(|| "it was closed".to_string());
     }
 
     pub(super) fn lost_because(&self) -> Option<String> {

@@ -96,6 +96,8 @@ impl Device {
         let view = buffer.get_mapped_range(..room);
         let taken = view.map(|view| take(&view[..bytes as usize])).map_err(|error| self.failure(&error));
         buffer.unmap();
+        // The data are undefined if the device was lost meanwhile.
+        self.check()?;
         taken
     }
 

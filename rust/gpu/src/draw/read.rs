@@ -26,7 +26,8 @@ pub(super) fn copy(
     for (frame, outputs) in frames.iter_mut().zip(&submitted.outputs) {
         fill(bytemuck::cast_slice(&view), submitted, outputs, picture, width, frame);
     }
-    Ok(())
+    // The data are undefined if the device was lost meanwhile.
+    device.check()
 }
 
 /// Puts a window's words into its place in a frame of `width` pixels a row.
