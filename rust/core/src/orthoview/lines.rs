@@ -62,11 +62,7 @@ impl<'a> Lines<'a> {
         let Segment { t_max, .. } = self.limits.of(point, line);
         let ray = Ray { origin: point.as_vec3(), direction: line.as_vec3(), t_min: distance as f32, t_max };
         let mut is_hit = [false];
-        if self.scene.has_cutouts() {
-            any_hits(self.scene, &[ray], &AlphaFilter { scene: self.scene, inner: All }, &mut is_hit);
-        } else {
-            any_hits(self.scene, &[ray], &All, &mut is_hit);
-        }
+        any_hits(self.scene, &[ray], &AlphaFilter::new(self.scene, All), &mut is_hit);
         !is_hit[0]
     }
 }

@@ -8,7 +8,7 @@ use crate::camera::Footprint;
 use crate::render::truth::Truth;
 use crate::render::{Channels, Picture, Sample, Spots};
 use crate::scene::Scene;
-use crate::trace::{Hit, HitFilter, Ray};
+use crate::trace::{Counted, Hit, HitFilter, Ray};
 
 /// Where the search for each pixel's second surface starts.
 pub struct Start {
@@ -59,33 +59,25 @@ impl<'a> Fronts<'a> {
 }
 
 impl HitFilter for Fronts<'_> {
-    const ACCEPTS_ALL: bool = true;
-
-    #[inline]
-    fn shows(&self, instance: u32, face: u32) -> bool {
-        self.holds(instance, face)
-    }
-
-    #[inline(always)]
-    fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
-        true
+    fn counted(&self, instance: u32, face: u32) -> Counted {
+        if self.holds(instance, face) { Counted::All } else { Counted::None }
     }
 }
 
 /// A picture along rays that start behind the first surfaces.
-pub struct StartingLate<'a, F> {
-    truth: Truth<'a, F>,
+pub struct StartingLate<'a> {
+    truth: Truth<'a>,
     start: &'a Start,
 }
 
-impl<'a, F: HitFilter> StartingLate<'a, F> {
+impl<'a> StartingLate<'a> {
     /// The surfaces of a scene that a filter accepts; the scene must have been built.
-    pub fn new(scene: &'a Scene, filter: F, start: &'a Start) -> Self {
+    pub fn new(scene: &'a Scene, filter: &'a dyn HitFilter, start: &'a Start) -> Self {
         Self { truth: Truth { scene, filter }, start }
     }
 }
 
-impl<F: HitFilter> Picture for StartingLate<'_, F> {
+impl Picture for StartingLate<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
         for (n, ray) in rays.iter_mut().enumerate() {
             ray.t_min = ray.t_min.max(self.start.least[spots.index(n)]);

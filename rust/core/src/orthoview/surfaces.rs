@@ -66,12 +66,8 @@ impl<'a> Drawing<'a> {
         };
         let pixels = Pixels { mask: Some(start.mask()), ..Pixels::default() };
         let view = RenderView { camera: &camera, origin: scene.origin, channels: CHANNELS, samples: 1, limits, pixels };
-        let filter = Fronts::new(scene, sight);
-        let picture = if scene.has_cutouts() {
-            draw(&view, &StartingLate::new(scene, AlphaFilter { scene, inner: filter }, start), progress)?
-        } else {
-            draw(&view, &StartingLate::new(scene, filter, start), progress)?
-        };
+        let filter = AlphaFilter::new(scene, Fronts::new(scene, sight));
+        let picture = draw(&view, &StartingLate::new(scene, &filter, start), progress)?;
         Ok(ByRays { picture, step })
     }
 

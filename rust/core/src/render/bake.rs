@@ -75,12 +75,7 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     settings.check(scene)?;
     let standing = standing_only(scene, progress)?;
     let beyond = BeyondRadius { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
-    if standing.has_cutouts() {
-        let filter = || AlphaFilter { scene: &standing, inner: &beyond };
-        faces(scene, settings, &Truth { scene: &standing, filter: filter() }, progress)
-    } else {
-        faces(scene, settings, &Truth { scene: &standing, filter: &beyond }, progress)
-    }
+    faces(scene, settings, &Truth { scene: &standing, filter: &AlphaFilter::new(&standing, beyond) }, progress)
 }
 
 /// The scene without what moves, built.
@@ -120,8 +115,7 @@ struct BeyondRadius<'a> {
     two_texels: f64,
 }
 
-impl HitFilter for &BeyondRadius<'_> {
-    #[inline]
+impl HitFilter for BeyondRadius<'_> {
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         // Rays start at the centre and have unit direction.
         let (direction, t) = (ray.direction.as_dvec3(), f64::from(candidate.t));

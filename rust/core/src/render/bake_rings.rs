@@ -6,12 +6,12 @@
 
 use super::bake::{Bake, standing_only};
 use super::frame::{Band, Channels, Frame};
-use super::ring_layers::{OfRings, RingLayers};
+use super::ring_layers::RingLayers;
 use super::tiles::{CENTER, Caster, ImageTile, NO_RAYS, PIXELS, Picture, TILE};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Hit, HitFilter, Layer, LayerHits, Ray, closest_hits_by_layer};
+use crate::trace::{All, Hit, Layer, LayerHits, Ray, closest_hits_by_layer};
 
 /// The maps of all rings.
 #[derive(Debug)]
@@ -42,25 +42,13 @@ pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, pro
     settings.channels().check_room(6 * settings.texels() as u64)?;
     let scene = &standing_only(scene, progress)?;
     let layers = RingLayers::new(scene, rings, count, progress)?;
-    if scene.has_cutouts() {
-        maps(scene, settings, &layers.with(|inner| AlphaFilter { scene, inner }), progress)
-    } else {
-        maps(scene, settings, &layers.with(|filter: OfRings<'_>| filter), progress)
-    }
-}
-
-fn maps<F: HitFilter>(
-    scene: &Scene,
-    settings: &Bake,
-    layers: &[Layer<'_, F>],
-    progress: &Progress,
-) -> Result<RingMaps> {
+    let layers = &layers.layers();
     let mut maps = RingMaps { first: Frame::default(), changes: vec![] };
     maps.changes.resize_with(layers.len() - 1, Change::default);
     for face in 0..6 {
         let camera = settings.camera(face)?;
         let view = settings.view(scene, &camera);
-        let truth = Truth { scene, filter: All };
+        let truth = Truth { scene, filter: &All };
         let baker = Baker { truth, layers, caster: Caster::new(&view)?, channels: view.channels };
         let mut frame = Frame::new(view.channels, settings.texels())?;
         let bands = baker.caster.for_tiles(&mut frame, progress, |tile, band, rows| baker.bake(tile, band, rows))?;
@@ -78,10 +66,10 @@ fn maps<F: HitFilter>(
     Ok(maps)
 }
 
-struct Baker<'a, F> {
-    truth: Truth<'a, All>,
-    /// That beyond all rings, then those of rings from the last to the first.
-    layers: &'a [Layer<'a, F>],
+struct Baker<'a> {
+    truth: Truth<'a>,
+    /// The layer beyond all rings, then the rings from the last to the first.
+    layers: &'a [Layer<'a>],
     caster: Caster<'a>,
     channels: Channels,
 }
@@ -95,7 +83,7 @@ struct TileMap {
     own: u64,
 }
 
-impl<F: HitFilter> Baker<'_, F> {
+impl Baker<'_> {
     /// Bakes a tile: map 0 into its band, the changes into `rows`, `TILE` for each ring.
     fn bake(&self, tile: &ImageTile, band: &mut Band<'_>, rows: &mut Vec<Change>) {
         let count = self.layers.len() - 1;
@@ -205,6 +193,7 @@ mod tests {
     use crate::base::FaceMap;
     use crate::base::random::uniform;
     use crate::scene::{Instance, Mesh};
+    use crate::trace::HitFilter;
 
     /// Triangles around the centre: 400 of 40 objects in one mesh, which is placed twice, and the same as object 7.
     fn scene() -> Scene {
@@ -228,7 +217,7 @@ mod tests {
     /// Objects of rings after one, each hit by itself.
     struct After<'a>(&'a Scene, &'a [u16], u16);
 
-    impl HitFilter for &After<'_> {
+    impl HitFilter for After<'_> {
         fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
             let object = self.0.instance(candidate.instance).object_of(candidate.face);
             self.1[usize::try_from(object).unwrap_or(40)] > self.2

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::base::{Progress, Result};
 use crate::scene::{Instance, Scene};
-use crate::trace::{Hit, HitFilter, Layer, LayerTree, Ray};
+use crate::trace::{AlphaFilter, Counted, HitFilter, Layer, LayerTree};
 
 /// A tree of each layer's instances. An instance with faces of several layers is in the tree of each; its faces are then
 /// told apart ray by ray.
@@ -44,12 +44,12 @@ impl<'a> RingLayers<'a> {
         Ok(Self { scene, rings, mixed: classes.iter().map(|layers| layers.len() > 1).collect(), trees })
     }
 
-    /// The layers, beginning beyond all rings, with filters made from those of rings.
-    pub(super) fn with<F: HitFilter>(&'a self, filter: impl Fn(OfRings<'a>) -> F) -> Vec<Layer<'a, F>> {
+    /// The layers, beginning beyond all rings.
+    pub(super) fn layers(&'a self) -> Vec<Layer<'a>> {
         let Self { scene, rings, mixed, trees } = self;
         let layer = |(tree, numbers): &'a (LayerTree, RangeInclusive<u16>)| {
             let of_rings = OfRings { scene, rings, mixed, numbers: numbers.clone() };
-            Layer { tree, filter: filter(of_rings) }
+            Layer { tree, filter: Box::new(AlphaFilter::new(scene, of_rings)) }
         };
         trees.iter().map(layer).collect()
     }
@@ -73,8 +73,7 @@ fn ring_of(rings: &[u16], object: i32) -> u16 {
 }
 
 /// Faces of some rings, where the instances are those of a layer's tree.
-#[derive(Clone)]
-pub(super) struct OfRings<'a> {
+struct OfRings<'a> {
     scene: &'a Scene,
     rings: &'a [u16],
     mixed: &'a [bool],
@@ -82,16 +81,9 @@ pub(super) struct OfRings<'a> {
 }
 
 impl HitFilter for OfRings<'_> {
-    const ACCEPTS_ALL: bool = true;
-
-    #[inline]
-    fn shows(&self, instance: u32, face: u32) -> bool {
+    fn counted(&self, instance: u32, face: u32) -> Counted {
         let is_mixed = self.mixed[instance as usize];
-        !is_mixed || self.numbers.contains(&ring_of(self.rings, self.scene.instance(instance).object_of(face)))
-    }
-
-    #[inline(always)]
-    fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
-        true
+        let holds = || self.numbers.contains(&ring_of(self.rings, self.scene.instance(instance).object_of(face)));
+        if !is_mixed || holds() { Counted::All } else { Counted::None }
     }
 }

@@ -14,7 +14,7 @@ use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::camera::{Camera, Rays};
 use crate::scene::Scene;
 use crate::scene::srgb::srgb_from_linear;
-use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, any_hits, beam_touches, closest_hits, closest_hits_apart};
+use crate::trace::{All, AlphaFilter, Hit, Ray, any_hits, beam_touches, closest_hits, closest_hits_apart};
 
 /// Number of rays that are traced side by side.
 const PACKET: usize = 64;
@@ -62,64 +62,8 @@ impl<'a> Sides<'a> {
 
     /// Returns whether each pixel's centre shows the scene, picture by picture and row by row.
     pub fn silhouettes(&self, progress: &Progress) -> Result<Vec<bool>> {
-        let scene = self.scene;
-        if scene.has_cutouts() {
-            self.silhouettes_with(&AlphaFilter { scene, inner: All }, progress)
-        } else {
-            self.silhouettes_with(&All, progress)
-        }
-    }
-
-    /// Returns the luma, 0 to 255, of the pixels near those of `shown` (in the order of `silhouettes`), and 0 elsewhere.
-    pub fn luma(&self, shown: &[bool], how: &Luma, progress: &Progress) -> Result<Vec<f64>> {
-        if !(1..=MAX_SAMPLES).contains(&how.samples) {
-            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), how.samples));
-        }
-        if shown.len() != self.pixels() {
-            return Err(Error::value("shown", format!("{} pixels", self.pixels()), shown.len()));
-        }
-        let scene = self.scene;
-        if scene.has_cutouts() {
-            self.luma_with(&AlphaFilter { scene, inner: All }, shown, how, progress)
-        } else {
-            self.luma_with(&All, shown, how, progress)
-        }
-    }
-
-    fn pixels(&self) -> usize {
-        self.cameras.len() * self.width * self.height
-    }
-
-    /// Calls a function for each band of rows of each picture with the view, the picture's number, the band's first row
-    /// and its values.
-    fn bands<T: Copy + Default + Send>(
-        &self,
-        progress: &Progress,
-        paint: impl Fn(&View, usize, usize, &mut [T]) + Sync,
-    ) -> Result<Vec<T>> {
-        room_for((self.pixels() * size_of::<T>()) as u64)?;
-        progress.expect(self.pixels() as u64);
-        let mut values = vec![T::default(); self.pixels()];
-        let size = (self.width * self.height).max(1);
-        let pictures = values.par_chunks_mut(size).zip(self.cameras).enumerate();
-        pictures.try_for_each(|(number, (picture, camera))| {
-            let view = View { rays: camera.rays(), eye: camera.position - self.scene.origin };
-            picture.par_chunks_mut(ROWS * self.width).enumerate().try_for_each(|(band, values)| {
-                paint(&view, number, band * ROWS, values);
-                progress.report(values.len() as u64)
-            })
-        })?;
-        Ok(values)
-    }
-
-    /// Returns true if rays through a block of this height and width should be traced one by one.
-    fn is_crowded(&self, block: [usize; 2]) -> bool {
-        let share = (block[0] * block[1]) as f64 / (self.width * self.height).max(1) as f64;
-        self.scene.triangle_count() as f64 * share > CROWDED
-    }
-
-    fn silhouettes_with(&self, filter: &impl HitFilter, progress: &Progress) -> Result<Vec<bool>> {
         let (scene, block) = (self.scene, [TILE, TILE]);
+        let filter = &AlphaFilter::new(scene, All);
         let is_crowded = self.is_crowded(block);
         let order = pixel_order(block);
         self.bands(progress, |view, _, first_row, shown| {
@@ -153,12 +97,20 @@ impl<'a> Sides<'a> {
         })
     }
 
-    fn luma_with<F: HitFilter>(&self, filter: &F, shown: &[bool], how: &Luma, progress: &Progress) -> Result<Vec<f64>> {
+    /// Returns the luma, 0 to 255, of the pixels near those of `shown` (in the order of `silhouettes`), and 0 elsewhere.
+    pub fn luma(&self, shown: &[bool], how: &Luma, progress: &Progress) -> Result<Vec<f64>> {
+        if !(1..=MAX_SAMPLES).contains(&how.samples) {
+            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), how.samples));
+        }
+        if shown.len() != self.pixels() {
+            return Err(Error::value("shown", format!("{} pixels", self.pixels()), shown.len()));
+        }
+        let filter = &AlphaFilter::new(self.scene, All);
         let samples = how.samples as usize;
         let (offsets, block) = (sample_offsets(how.samples), block_of(samples));
         let (scale, share) = (1.0 / f64::from(how.samples).sqrt(), 1.0 / how.samples as f32);
         let (is_crowded, order) = (self.is_crowded(block), pixel_order(block));
-        let picture = Truth { scene: self.scene, filter: ByReference(filter) };
+        let picture = Truth { scene: self.scene, filter };
         let size = self.width * self.height;
         self.bands(progress, |view, number, first_row, luma| {
             let rows = luma.len() / self.width;
@@ -199,6 +151,38 @@ impl<'a> Sides<'a> {
         })
     }
 
+    fn pixels(&self) -> usize {
+        self.cameras.len() * self.width * self.height
+    }
+
+    /// Calls a function for each band of rows of each picture with the view, the picture's number, the band's first row
+    /// and its values.
+    fn bands<T: Copy + Default + Send>(
+        &self,
+        progress: &Progress,
+        paint: impl Fn(&View, usize, usize, &mut [T]) + Sync,
+    ) -> Result<Vec<T>> {
+        room_for((self.pixels() * size_of::<T>()) as u64)?;
+        progress.expect(self.pixels() as u64);
+        let mut values = vec![T::default(); self.pixels()];
+        let size = (self.width * self.height).max(1);
+        let pictures = values.par_chunks_mut(size).zip(self.cameras).enumerate();
+        pictures.try_for_each(|(number, (picture, camera))| {
+            let view = View { rays: camera.rays(), eye: camera.position - self.scene.origin };
+            picture.par_chunks_mut(ROWS * self.width).enumerate().try_for_each(|(band, values)| {
+                paint(&view, number, band * ROWS, values);
+                progress.report(values.len() as u64)
+            })
+        })?;
+        Ok(values)
+    }
+
+    /// Returns true if rays through a block of this height and width should be traced one by one.
+    fn is_crowded(&self, block: [usize; 2]) -> bool {
+        let share = (block[0] * block[1]) as f64 / (self.width * self.height).max(1) as f64;
+        self.scene.triangle_count() as f64 * share > CROWDED
+    }
+
     /// Returns for each pixel of some rows whether it is at most `reach` pixels across and down from a shown one.
     fn near(&self, shown: &[bool], first_row: usize, rows: usize, reach: usize) -> Vec<bool> {
         let width = self.width;
@@ -228,21 +212,6 @@ impl View {
     /// Returns the ray through an image position.
     fn ray(&self, x: f64, y: f64) -> Ray {
         ray_at(&self.rays, self.eye, x, y, &Limits::NONE)
-    }
-}
-
-/// A filter that is passed by reference.
-struct ByReference<'a, F>(&'a F);
-
-impl<F: HitFilter> HitFilter for ByReference<'_, F> {
-    const ACCEPTS_ALL: bool = F::ACCEPTS_ALL;
-
-    fn shows(&self, instance: u32, face: u32) -> bool {
-        self.0.shows(instance, face)
-    }
-
-    fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
-        self.0.accepts(ray, candidate)
     }
 }
 

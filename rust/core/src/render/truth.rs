@@ -22,24 +22,20 @@ pub fn render(
 ) -> Result<Frame> {
     scene.build(progress)?;
     let view = RenderView { camera, origin: scene.origin, channels, samples, limits, pixels };
-    if scene.has_cutouts() {
-        draw(&view, &Truth { scene, filter: AlphaFilter { scene, inner: All } }, progress)
-    } else {
-        draw(&view, &Truth { scene, filter: All }, progress)
-    }
+    draw(&view, &Truth { scene, filter: &AlphaFilter::new(scene, All) }, progress)
 }
 
 /// A scene seen along straight rays, with the surfaces that a filter accepts in front of the sky.
-pub struct Truth<'a, F> {
+pub struct Truth<'a> {
     /// The scene, which must have been built.
     pub scene: &'a Scene,
     /// Filter that decides which intersections count.
-    pub filter: F,
+    pub filter: &'a dyn HitFilter,
 }
 
-impl<F: HitFilter> Picture for Truth<'_, F> {
+impl Picture for Truth<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
-        closest_hits(self.scene, rays, &self.filter, hits);
+        closest_hits(self.scene, rays, self.filter, hits);
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {

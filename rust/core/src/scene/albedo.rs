@@ -106,6 +106,12 @@ impl Scene {
         Some(texture.color(interpolate(uvs, spot.at), level, cutout))
     }
 
+    /// Whether a face's material is cut out, so that `is_solid` may be false somewhere on it.
+    #[inline]
+    pub fn may_have_hole(&self, mesh: &Mesh, face: u32) -> bool {
+        matches!(self.material_of(mesh, face).alpha, Alpha::Mask { .. })
+    }
+
     /// False if a cut-out material leaves a hole at weights (u, v) of a face. The texture is read at its finest level,
     /// so a hole has the same shape at every distance.
     pub fn is_solid(&self, mesh: &Mesh, face: u32, at: (f32, f32)) -> bool {

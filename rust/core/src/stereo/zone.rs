@@ -15,7 +15,7 @@ use crate::render::frame::{Channels, Frame, Sample};
 use crate::render::tiles::{PIXELS, Picture, RenderView, Spots, draw};
 use crate::render::truth::Truth;
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits, touches};
+use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits, touches};
 
 /// Share by which each part of a ray is lengthened, so that rounding leaves no gap to the next one.
 const OVERLAP: f32 = 1e-5;
@@ -40,12 +40,8 @@ impl Rig {
         let (axes, depths) = (Axes::new(self, scene, head), self.leg_depths(head.far)?);
         let pixels = self.pixels_per_tangent(side).min_element();
         let aside = self.max_error(self.planes().end, Axis::Both)? / pixels;
-        if scene.has_cutouts() {
-            let truth = Truth { scene, filter: AlphaFilter { scene, inner: All } };
-            draw(view, &Zone { rig: self, side, axes, depths, aside, truth }, progress)
-        } else {
-            draw(view, &Zone { rig: self, side, axes, depths, aside, truth: Truth { scene, filter: All } }, progress)
-        }
+        let truth = Truth { scene, filter: &AlphaFilter::new(scene, All) };
+        draw(view, &Zone { rig: self, side, axes, depths, aside, truth }, progress)
     }
 
     /// Depths at which bent rays have corners, from m₁ to m₂ or to the end of what is drawn, evenly in 1/z.
@@ -78,7 +74,7 @@ impl Rig {
 }
 
 /// A scene before m₂, as an eye is shown it.
-struct Zone<'a, F> {
+struct Zone<'a> {
     rig: &'a Rig,
     side: Side,
     axes: Axes,
@@ -86,10 +82,10 @@ struct Zone<'a, F> {
     depths: Vec<f64>,
     /// Tangents by which points are moved at most.
     aside: f64,
-    truth: Truth<'a, F>,
+    truth: Truth<'a>,
 }
 
-impl<F: HitFilter> Zone<'_, F> {
+impl Zone<'_> {
     /// The k-th corner of a ray, relative to the scene's origin.
     fn corner(&self, ray: &Ray, k: usize) -> Vec3 {
         let direction = self.axes.to_head(ray.direction.as_dvec3());
@@ -118,7 +114,7 @@ impl<F: HitFilter> Zone<'_, F> {
         for (leg, &n) in legs.iter_mut().zip(&*open) {
             (leg.origin, leg.direction) = (starts[n], ends[n] - starts[n]);
         }
-        closest_hits(self.truth.scene, &legs[..open.len()], &self.truth.filter, &mut found[..open.len()]);
+        closest_hits(self.truth.scene, &legs[..open.len()], self.truth.filter, &mut found[..open.len()]);
         let mut left = 0;
         for i in 0..open.len() {
             let n = open[i];
@@ -141,7 +137,7 @@ struct Tile<'a> {
     hits: &'a mut [Hit],
 }
 
-impl<F: HitFilter> Picture for Zone<'_, F> {
+impl Picture for Zone<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
         rays.iter_mut().for_each(|ray| ray.t_max *= 1.0 + OVERLAP);
         self.truth.trace(rays, hits, spots);

@@ -1,25 +1,37 @@
 //! Cut-out materials: rays pass through their holes.
 
-use super::ray::{Hit, HitFilter, Ray};
+use super::ray::{Counted, Hit, HitFilter, Ray};
 use crate::scene::Scene;
 
-/// Rejects hits in the holes of cut-out materials; `inner` decides about the others.
+/// Rejects hits in the holes of cut-out materials; another filter decides about the rest.
 pub struct AlphaFilter<'a, F> {
-    /// The scene whose materials are looked up.
-    pub scene: &'a Scene,
-    /// The filter for hits outside holes.
-    pub inner: F,
+    /// The scene whose materials are looked up, if it has any with holes.
+    cutouts: Option<&'a Scene>,
+    inner: F,
+}
+
+impl<'a, F: HitFilter> AlphaFilter<'a, F> {
+    /// The filter for hits on a scene; `inner` decides about hits outside holes.
+    pub fn new(scene: &'a Scene, inner: F) -> Self {
+        Self { cutouts: scene.has_cutouts().then_some(scene), inner }
+    }
 }
 
 impl<F: HitFilter> HitFilter for AlphaFilter<'_, F> {
-    #[inline(always)]
-    fn shows(&self, instance: u32, face: u32) -> bool {
-        self.inner.shows(instance, face)
+    fn counted(&self, instance: u32, face: u32) -> Counted {
+        let counted = self.inner.counted(instance, face);
+        match self.cutouts {
+            Some(scene) if counted == Counted::All && scene.may_have_hole(&scene.instance(instance).mesh, face) => {
+                Counted::Accepted
+            }
+            _ => counted,
+        }
     }
 
-    #[inline]
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
-        let mesh = &self.scene.instance(candidate.instance).mesh;
-        self.scene.is_solid(mesh, candidate.face, (candidate.u, candidate.v)) && self.inner.accepts(ray, candidate)
+        let is_solid = self.cutouts.is_none_or(|scene| {
+            scene.is_solid(&scene.instance(candidate.instance).mesh, candidate.face, (candidate.u, candidate.v))
+        });
+        is_solid && self.inner.accepts(ray, candidate)
     }
 }

@@ -4,7 +4,7 @@ use std::mem::MaybeUninit;
 
 use super::lanes::{Isa, Lanes};
 use super::packet::{Loader, Packet, RAYS};
-use super::ray::{Hit, HitFilter, Ray};
+use super::ray::{Counted, Hit, HitFilter, Ray};
 use super::single::{self, Local, Search};
 use super::triangle::{self, Crossing};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
@@ -14,10 +14,10 @@ use crate::scene::{Instance, InstanceSet};
 const LEAST_BEAM: usize = 8;
 
 /// Query of a packet: its rays and their filter.
-pub(crate) struct Quest<'a, F> {
+pub(crate) struct Quest<'a> {
     /// Rays in scene space, in the packet's order.
     pub(crate) rays: &'a [Ray],
-    pub(crate) filter: &'a F,
+    pub(crate) filter: &'a dyn HitFilter,
 }
 
 /// Buffers for a packet in the frame of a placed instance, allocated when the first such instance is met.
@@ -36,11 +36,11 @@ impl BeamScratch {
 /// Traverses one set of instances. The packet must be filled for the set's bounds; `first` is the number of its first
 /// instance.
 #[inline(always)]
-pub(crate) fn walk_set<I: Isa, F: HitFilter>(
+pub(crate) fn walk_set<I: Isa>(
     isa: I,
     set: &InstanceSet,
     first: u32,
-    quest: &Quest<'_, F>,
+    quest: &Quest<'_>,
     packet: &mut Packet,
     room: &mut Option<Box<BeamScratch>>,
 ) {
@@ -58,11 +58,11 @@ pub(crate) fn walk_set<I: Isa, F: HitFilter>(
 
 /// Traverses a tree over some of a set's instances. The packet must be filled for the bounds of the whole set.
 #[inline(always)]
-pub(crate) fn walk_some<I: Isa, F: HitFilter>(
+pub(crate) fn walk_some<I: Isa>(
     isa: I,
     tlas: &Tlas,
     instances: &[Instance],
-    quest: &Quest<'_, F>,
+    quest: &Quest<'_>,
     packet: &mut Packet,
     room: &mut Option<Box<BeamScratch>>,
 ) {
@@ -129,15 +129,15 @@ trait BeamLeaves<I> {
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool;
 }
 
-struct BeamInstances<'a, F> {
+struct BeamInstances<'a> {
     tlas: &'a Tlas,
     instances: &'a [Instance],
     first: u32,
-    quest: &'a Quest<'a, F>,
+    quest: &'a Quest<'a>,
     room: &'a mut Option<Box<BeamScratch>>,
 }
 
-impl<I: Isa, F: HitFilter> BeamLeaves<I> for BeamInstances<'_, F> {
+impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
     #[inline(always)]
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
         let Some(slot) = self.tlas.instance(leaf) else { return false };
@@ -175,7 +175,7 @@ impl<I: Isa, F: HitFilter> BeamLeaves<I> for BeamInstances<'_, F> {
     }
 }
 
-impl<F: HitFilter> BeamInstances<'_, F> {
+impl BeamInstances<'_> {
     /// Traces the rays in `room` through a placed instance, together if they still make a beam.
     #[inline(always)]
     fn enter_instance<I: Isa>(&mut self, isa: I, bvh: &Bvh, number: u32, packet: &mut Packet) {
@@ -211,13 +211,13 @@ impl<F: HitFilter> BeamInstances<'_, F> {
     }
 }
 
-struct BeamTriangles<'a, F> {
+struct BeamTriangles<'a> {
     bvh: &'a Bvh,
     instance: u32,
-    quest: &'a Quest<'a, F>,
+    quest: &'a Quest<'a>,
 }
 
-impl<I: Isa, F: HitFilter> BeamLeaves<I> for BeamTriangles<'_, F> {
+impl<I: Isa> BeamLeaves<I> for BeamTriangles<'_> {
     #[inline(always)]
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
         let mut found = false;
@@ -233,7 +233,7 @@ impl<I: Isa, F: HitFilter> BeamLeaves<I> for BeamTriangles<'_, F> {
     }
 }
 
-impl<F: HitFilter> BeamTriangles<'_, F> {
+impl BeamTriangles<'_> {
     /// Intersects a group of rays with the triangles of a block, one triangle after the other.
     #[inline(always)]
     fn test_block<I: Isa>(&self, isa: I, block: &Block, packet: &mut Packet, at: usize, mask: u32) -> bool {
@@ -287,10 +287,11 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
             return false;
         }
         let face = block.faces[lane];
-        if !self.quest.filter.shows(self.instance, face) {
+        let counted = self.quest.filter.counted(self.instance, face);
+        if counted == Counted::None {
             return false;
         }
-        if F::ACCEPTS_ALL && t.eq(best) & mask == 0 {
+        if counted == Counted::All && t.eq(best) & mask == 0 {
             packet.changes = packet.changes.wrapping_add(1);
             let rows = &mut packet.best;
             t.select(mask, best).store(&mut rows.t[at..]);
@@ -306,12 +307,19 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
         t.store(&mut lanes[0]);
         crossing.u.store(&mut lanes[1]);
         crossing.v.store(&mut lanes[2]);
-        self.ask(packet, at, mask, face, &lanes)
+        self.ask(packet, at, mask, (face, counted), &lanes)
     }
 
     /// The slow path, for ties and filters.
     #[inline(never)]
-    fn ask(&self, packet: &mut Packet, at: usize, mut mask: u32, face: u32, lanes: &[[f32; 16]; 3]) -> bool {
+    fn ask(
+        &self,
+        packet: &mut Packet,
+        at: usize,
+        mut mask: u32,
+        (face, counted): (u32, Counted),
+        lanes: &[[f32; 16]; 3],
+    ) -> bool {
         let mut found = false;
         while mask != 0 {
             let lane = mask.trailing_zeros() as usize;
@@ -319,7 +327,9 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
             let [t, u, v] = [lanes[0][lane], lanes[1][lane], lanes[2][lane]];
             let candidate = Hit { t, u, v, instance: self.instance, face };
             let ray = at + lane;
-            if candidate.is_before(&packet.hit(ray)) && self.quest.filter.accepts(&self.quest.rays[ray], &candidate) {
+            if candidate.is_before(&packet.hit(ray))
+                && (counted == Counted::All || self.quest.filter.accepts(&self.quest.rays[ray], &candidate))
+            {
                 packet.set_hit(ray, &candidate);
                 found = true;
             }

@@ -96,11 +96,7 @@ pub fn cast(
         let direction = unit(directions.at(row)).as_vec3();
         Ray { origin: (origin - scene.origin).as_vec3(), direction, t_min: 0.0, t_max }
     };
-    if scene.has_cutouts() {
-        trace(scene, count, ray, &AlphaFilter { scene, inner: All }, progress)
-    } else {
-        trace(scene, count, ray, &All, progress)
-    }
+    trace(scene, count, ray, &AlphaFilter::new(scene, All), progress)
 }
 
 pub(super) fn refuse(argument: &'static str, expected: &str, wrong: Option<(usize, usize)>) -> Result<()> {
@@ -127,7 +123,7 @@ fn trace(
     scene: &Scene,
     count: usize,
     ray: impl Fn(usize) -> Ray + Sync,
-    filter: &impl HitFilter,
+    filter: &dyn HitFilter,
     progress: &Progress,
 ) -> Result<Hits> {
     let mut hits = Hits {

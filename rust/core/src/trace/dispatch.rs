@@ -13,20 +13,20 @@ use super::single::{Search, walk_set};
 use crate::scene::{InstanceSet, Scene};
 
 /// The nearest hit of one ray. The scene must have been built (`Scene::build`).
-pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &impl HitFilter) -> Hit {
+pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &dyn HitFilter) -> Hit {
     let mut hit = [Hit::MISS];
     closest_hits(scene, slice::from_ref(ray), filter, &mut hit);
     hit[0]
 }
 
 /// Nearest hits of many rays; neighbours in the slice are assumed to be coherent.
-pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut [Hit]) {
+pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     closest_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
 /// Writes the nearest hit of each ray, traced alone. This is faster than packets for rays that are not coherent, and
 /// where so many triangles lie between neighbouring rays that packets share few nodes of the tree.
-pub fn closest_hits_apart(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut [Hit]) {
+pub fn closest_hits_apart(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     closest_hits_apart_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
@@ -35,12 +35,7 @@ pub fn closest_hits_apart(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, 
 ///
 /// The best hits of one layer bound the search in the next: a layer of far surfaces should come first if all hits are
 /// wanted. Hits are those of `closest_hits` in a scene where other faces are not shown, bit for bit.
-pub fn closest_hits_by_layer<F: HitFilter>(
-    scene: &Scene,
-    rays: &[Ray],
-    layers: &[Layer<'_, F>],
-    hits: &mut [LayerHits],
-) {
+pub fn closest_hits_by_layer(scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], hits: &mut [LayerHits]) {
     closest_hits_by_layer_with(InstructionSet::current(), scene, rays, layers, hits);
 }
 
@@ -52,7 +47,7 @@ pub fn beam_touches(scene: &Scene, corners: &[Ray; 4]) -> bool {
 }
 
 /// Writes for each ray whether it hits anything within its segment.
-pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut [bool]) {
+pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [bool]) {
     any_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
@@ -60,21 +55,15 @@ pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut
 /// of that set.
 macro_rules! kernels {
     ($name:ident, $kernel:ident, $filter:ty, $out:ty) => {
-        pub(super) fn $name<F: HitFilter>(
-            level: InstructionSet,
-            scene: &Scene,
-            rays: &[Ray],
-            filter: $filter,
-            out: &mut [$out],
-        ) {
+        pub(super) fn $name(level: InstructionSet, scene: &Scene, rays: &[Ray], filter: $filter, out: &mut [$out]) {
             #[cfg(target_arch = "x86_64")]
             {
                 #[target_feature(enable = "avx2")]
-                fn avx2<F: HitFilter>(isa: Avx2, scene: &Scene, rays: &[Ray], filter: $filter, out: &mut [$out]) {
+                fn avx2(isa: Avx2, scene: &Scene, rays: &[Ray], filter: $filter, out: &mut [$out]) {
                     $kernel(isa, scene, rays, filter, out);
                 }
                 #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
-                fn avx512<F: HitFilter>(isa: Avx512, scene: &Scene, rays: &[Ray], filter: $filter, out: &mut [$out]) {
+                fn avx512(isa: Avx512, scene: &Scene, rays: &[Ray], filter: $filter, out: &mut [$out]) {
                     $kernel(isa, scene, rays, filter, out);
                 }
                 match level {
@@ -91,14 +80,14 @@ macro_rules! kernels {
     };
 }
 
-kernels!(closest_hits_with, closest, &F, Hit);
-kernels!(closest_hits_apart_with, one_by_one, &F, Hit);
-kernels!(closest_hits_by_layer_with, by_layer, &[Layer<'_, F>], LayerHits);
-kernels!(any_hits_with, any, &F, bool);
-kernels!(beam_touches_with, touches, &F, bool);
+kernels!(closest_hits_with, closest, &dyn HitFilter, Hit);
+kernels!(closest_hits_apart_with, one_by_one, &dyn HitFilter, Hit);
+kernels!(closest_hits_by_layer_with, by_layer, &[Layer<'_>], LayerHits);
+kernels!(any_hits_with, any, &dyn HitFilter, bool);
+kernels!(beam_touches_with, touches, &dyn HitFilter, bool);
 
 #[inline(always)]
-fn closest<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
+fn closest<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     if rays.len() < LEAST_PACKET {
         return one_by_one(isa, scene, rays, filter, hits);
     }
@@ -126,7 +115,7 @@ fn closest<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F
 }
 
 #[inline(always)]
-fn touches<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], _filter: &F, touched: &mut [bool]) {
+fn touches<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], _filter: &dyn HitFilter, touched: &mut [bool]) {
     let mut packet = Packet::new();
     packet.clear();
     // This is a loop because a closure would be compiled without the instruction set.
@@ -152,21 +141,21 @@ fn numbered(scene: &Scene) -> impl Iterator<Item = (&InstanceSet, u32)> {
 }
 
 #[inline(always)]
-fn one_by_one<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
+fn one_by_one<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     for (ray, hit) in rays.iter().zip(hits) {
         *hit = trace(isa, scene, Search { ray, filter, best: Hit::MISS, any: false });
     }
 }
 
 #[inline(always)]
-fn any<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [bool]) {
+fn any<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [bool]) {
     for (ray, hit) in rays.iter().zip(hits) {
         *hit = !trace(isa, scene, Search { ray, filter, best: Hit::MISS, any: true }).is_miss();
     }
 }
 
 #[inline(always)]
-fn trace<I: Isa, F: HitFilter>(isa: I, scene: &Scene, mut search: Search<'_, F>) -> Hit {
+fn trace<I: Isa>(isa: I, scene: &Scene, mut search: Search<'_>) -> Hit {
     for (set, first) in numbered(scene) {
         walk_set(isa, set, first, &mut search);
         if search.is_done() {

@@ -23,12 +23,11 @@ impl LayerTree {
 }
 
 /// Some static instances of a scene.
-#[derive(Debug)]
-pub struct Layer<'a, F> {
+pub struct Layer<'a> {
     /// The tree of their boxes.
     pub tree: &'a LayerTree,
     /// Filter of their faces.
-    pub filter: F,
+    pub filter: Box<dyn HitFilter + 'a>,
 }
 
 /// The hits of a packet after a layer.
@@ -64,13 +63,7 @@ impl LayerHits {
 
 /// See `closest_hits_by_layer`.
 #[inline(always)]
-pub(super) fn by_layer<I: Isa, F: HitFilter>(
-    isa: I,
-    scene: &Scene,
-    rays: &[Ray],
-    layers: &[Layer<'_, F>],
-    out: &mut [LayerHits],
-) {
+pub(super) fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], out: &mut [LayerHits]) {
     out.iter_mut().for_each(|out| out.changed = 0);
     let instances = scene.standing.instances();
     let Some(whole) = scene.standing.tlas().filter(|_| !instances.is_empty()) else { return };
@@ -81,7 +74,7 @@ pub(super) fn by_layer<I: Isa, F: HitFilter>(
         packet.shorten(isa);
         for (layer, out) in layers.iter().zip(out) {
             let before = packet.changes;
-            let quest = Quest { rays, filter: &layer.filter };
+            let quest = Quest { rays, filter: &*layer.filter };
             beam::walk_some(isa, &layer.tree.0, instances, &quest, &mut packet, &mut room);
             if packet.changes != before {
                 out.store(rays.len(), &mut last, |i| packet.hit(i));
@@ -92,7 +85,7 @@ pub(super) fn by_layer<I: Isa, F: HitFilter>(
     for (layer, out) in layers.iter().zip(out) {
         let mut found = last;
         for (ray, best) in rays.iter().zip(&mut found) {
-            let mut search = Search { ray, filter: &layer.filter, best: *best, any: false };
+            let mut search = Search { ray, filter: &*layer.filter, best: *best, any: false };
             let local = Local::new(ray, &whole.bounds);
             single::walk_some(isa, &layer.tree.0, instances, &local, &mut search);
             *best = search.best;

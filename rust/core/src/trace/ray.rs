@@ -45,29 +45,38 @@ impl Hit {
     }
 }
 
-/// Decides which intersections count, for cut-out materials and for pixels split at a radius.
-pub trait HitFilter: Sync {
-    /// Whether every intersection with a face that is shown counts, so that `accepts` need not be called.
-    const ACCEPTS_ALL: bool = false;
+/// Which hits on a face count, whichever ray makes them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counted {
+    /// No hit.
+    None,
+    /// The hits that the filter accepts.
+    Accepted,
+    /// Every hit.
+    All,
+}
 
-    /// Whether hits on a face can count, whichever ray makes them. It is asked first, and once for many rays.
-    #[inline(always)]
-    fn shows(&self, _instance: u32, _face: u32) -> bool {
-        true
+/// Decides which intersections count, for cut-out materials and for pixels split at a radius.
+///
+/// The kernels take it as a trait object: they ask it only about triangles that a ray crosses before its best hit, and a
+/// copy of the kernels for each filter would take half of the crate's compile time.
+pub trait HitFilter: Sync {
+    /// Which hits on a face count. It is asked first, and once for many rays.
+    fn counted(&self, _instance: u32, _face: u32) -> Counted {
+        Counted::Accepted
     }
 
-    /// Whether the candidate counts as a hit.
-    fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool;
+    /// Whether a hit counts on a face of which not all hits do.
+    fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
+        true
+    }
 }
 
 /// The filter that accepts every intersection.
 pub struct All;
 
 impl HitFilter for All {
-    const ACCEPTS_ALL: bool = true;
-
-    #[inline(always)]
-    fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
-        true
+    fn counted(&self, _instance: u32, _face: u32) -> Counted {
+        Counted::All
     }
 }

@@ -5,7 +5,7 @@ use std::mem::MaybeUninit;
 use glam::Vec3;
 
 use super::lanes::{Isa, Lanes};
-use super::ray::{Hit, HitFilter, Ray};
+use super::ray::{Counted, Hit, HitFilter, Ray};
 use super::slab::Slabs;
 use super::triangle::{self, Shear};
 use crate::base::Aabb;
@@ -52,25 +52,34 @@ impl Ray {
 }
 
 /// The search of one ray: its segment and filter, and the best hit so far.
-pub(crate) struct Search<'a, F> {
+pub(crate) struct Search<'a> {
     /// The ray in scene space.
     pub(crate) ray: &'a Ray,
-    pub(crate) filter: &'a F,
+    pub(crate) filter: &'a dyn HitFilter,
     pub(crate) best: Hit,
     /// Whether any hit ends the search.
     pub(crate) any: bool,
 }
 
-impl<F: HitFilter> Search<'_, F> {
+impl Search<'_> {
     #[inline(always)]
     pub(crate) fn is_done(&self) -> bool {
         self.any && !self.best.is_miss()
+    }
+
+    #[inline(always)]
+    fn counts(&self, candidate: &Hit) -> bool {
+        match self.filter.counted(candidate.instance, candidate.face) {
+            Counted::None => false,
+            Counted::Accepted => self.filter.accepts(self.ray, candidate),
+            Counted::All => true,
+        }
     }
 }
 
 /// Traverses one set of instances; `first` is the number of its first instance.
 #[inline(always)]
-pub(crate) fn walk_set<I: Isa, F: HitFilter>(isa: I, set: &InstanceSet, first: u32, search: &mut Search<'_, F>) {
+pub(crate) fn walk_set<I: Isa>(isa: I, set: &InstanceSet, first: u32, search: &mut Search<'_>) {
     let Some(tlas) = set.tlas() else { return };
     let instances = set.instances();
     let local = Local::new(search.ray, &tlas.bounds);
@@ -87,20 +96,14 @@ pub(crate) fn walk_set<I: Isa, F: HitFilter>(isa: I, set: &InstanceSet, first: u
 
 /// Traverses a tree over some of a set's instances with a ray that is prepared for all of them.
 #[inline(always)]
-pub(crate) fn walk_some<I: Isa, F: HitFilter>(
-    isa: I,
-    tlas: &Tlas,
-    instances: &[Instance],
-    local: &Local,
-    search: &mut Search<'_, F>,
-) {
+pub(crate) fn walk_some<I: Isa>(isa: I, tlas: &Tlas, instances: &[Instance], local: &Local, search: &mut Search<'_>) {
     walk(isa, &tlas.wide, local, search, &Instances { tlas, instances, first: 0 });
 }
 
 /// Action at a leaf. It is a trait instead of a closure, because only code that is certainly inlined is compiled with
 /// the caller's instruction set.
-trait Leaves<I, F> {
-    fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>);
+trait Leaves<I> {
+    fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_>);
 }
 
 struct Instances<'a> {
@@ -109,9 +112,9 @@ struct Instances<'a> {
     first: u32,
 }
 
-impl<I: Isa, F: HitFilter> Leaves<I, F> for Instances<'_> {
+impl<I: Isa> Leaves<I> for Instances<'_> {
     #[inline(always)]
-    fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>) {
+    fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_>) {
         let Some(slot) = self.tlas.instance(leaf) else { return };
         let instance = &self.instances[slot as usize];
         let Some(bvh) = instance.mesh.bvh() else { return };
@@ -130,9 +133,9 @@ struct Triangles<'a> {
     instance: u32,
 }
 
-impl<I: Isa, F: HitFilter> Leaves<I, F> for Triangles<'_> {
+impl<I: Isa> Leaves<I> for Triangles<'_> {
     #[inline(always)]
-    fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>) {
+    fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_>) {
         for block in self.bvh.leaf(leaf) {
             test_block(isa, block, local, self.instance, search);
         }
@@ -148,13 +151,7 @@ pub(crate) fn enter(local: &Local, bounds: &Aabb) -> Option<f32> {
 
 /// Traverses one mesh.
 #[inline(always)]
-pub(crate) fn walk_mesh<I: Isa, F: HitFilter>(
-    isa: I,
-    bvh: &Bvh,
-    local: &Local,
-    instance: u32,
-    search: &mut Search<'_, F>,
-) {
+pub(crate) fn walk_mesh<I: Isa>(isa: I, bvh: &Bvh, local: &Local, instance: u32, search: &mut Search<'_>) {
     walk(isa, &bvh.wide, local, search, &Triangles { bvh, instance });
 }
 
@@ -163,13 +160,7 @@ const LOCAL_STACK: usize = 256;
 
 /// Visits leaves whose boxes the ray meets within its segment and not beyond the best hit, the nearest leaf first.
 #[inline(always)]
-fn walk<I: Isa, F: HitFilter>(
-    isa: I,
-    tree: &Wide,
-    local: &Local,
-    search: &mut Search<'_, F>,
-    leaves: &impl Leaves<I, F>,
-) {
+fn walk<I: Isa>(isa: I, tree: &Wide, local: &Local, search: &mut Search<'_>, leaves: &impl Leaves<I>) {
     if tree.nodes.is_empty() {
         return;
     }
@@ -243,7 +234,7 @@ fn walk<I: Isa, F: HitFilter>(
 
 /// Intersects one ray with the triangles of a block.
 #[inline(always)]
-fn test_block<I: Isa, F: HitFilter>(isa: I, block: &Block, local: &Local, instance: u32, search: &mut Search<'_, F>) {
+fn test_block<I: Isa>(isa: I, block: &Block, local: &Local, instance: u32, search: &mut Search<'_>) {
     type Four<I> = <I as Isa>::Four;
     let corners = [gather(isa, block, local, 0), gather(isa, block, local, 1), gather(isa, block, local, 2)];
     let [sx, sy, sz] = local.shear.scale;
@@ -277,10 +268,7 @@ fn test_block<I: Isa, F: HitFilter>(isa: I, block: &Block, local: &Local, instan
         mask &= mask - 1;
         let [t, u, v] = lanes.map(|row| row[lane]);
         let candidate = Hit { t, u, v, instance, face: block.faces[lane] };
-        if candidate.is_before(&search.best)
-            && search.filter.shows(instance, candidate.face)
-            && search.filter.accepts(search.ray, &candidate)
-        {
+        if candidate.is_before(&search.best) && search.counts(&candidate) {
             search.best = candidate;
         }
     }

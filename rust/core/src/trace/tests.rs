@@ -61,7 +61,7 @@ fn bits(hit: &Hit) -> [u32; 5] {
 
 /// Traces in packets and one by one on every instruction set, asserts that all results have the same bits, and returns
 /// them.
-fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &impl HitFilter) -> Vec<Hit> {
+fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter) -> Vec<Hit> {
     let mut expected = vec![Hit::MISS; rays.len()];
     for (ray, hit) in rays.iter().zip(&mut expected) {
         // Slices of one ray never become packets.

@@ -175,9 +175,5 @@ impl Behind {
 
 /// Closest opaque points along rays.
 pub(super) fn closest(scene: &Scene, rays: &[Ray], hits: &mut [Hit]) {
-    if scene.has_cutouts() {
-        closest_hits(scene, rays, &AlphaFilter { scene, inner: All }, hits);
-    } else {
-        closest_hits(scene, rays, &All, hits);
-    }
+    closest_hits(scene, rays, &AlphaFilter::new(scene, All), hits);
 }

@@ -26,7 +26,6 @@ struct Split<'a> {
 }
 
 impl HitFilter for Split<'_> {
-    #[inline]
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         let Bent { scene, shown, backdrop, radius } = self.bent;
         let piece = shown.piece(candidate.instance, candidate.face);

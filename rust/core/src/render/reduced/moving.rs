@@ -40,7 +40,6 @@ impl ConventionalDynamic {
 pub(super) struct Moving {
     scene: Scene,
     first: u32,
-    cutouts: bool,
 }
 
 impl Moving {
@@ -50,7 +49,6 @@ impl Moving {
         moves.then(|| Self {
             scene: Scene { standing: Arc::default(), ..scene.clone() },
             first: scene.standing.instances().len() as u32,
-            cutouts: scene.has_cutouts(),
         })
     }
 
@@ -80,7 +78,7 @@ impl Moving {
                 *other = Ray { t_min: from_center.t_min.max(t_min), t_max, ..from_center };
             }
         }
-        self.search(Before { backdrop }, others, found);
+        closest_hits(&self.scene, others, &AlphaFilter::new(&self.scene, Before { backdrop }), found);
         for ((hit, found), ray) in hits.iter_mut().zip(found).zip(rays) {
             if !found.is_miss() {
                 let instance = self.first + found.instance;
@@ -99,17 +97,9 @@ impl Moving {
                 *other = Ray { t_min, t_max, ..*ray };
             }
         }
-        self.search(All, others, found);
+        closest_hits(&self.scene, others, &AlphaFilter::new(&self.scene, All), found);
         for (hit, found) in hits.iter_mut().zip(found).filter(|(_, found)| !found.is_miss()) {
             *hit = Hit { instance: self.first + found.instance, ..*found };
-        }
-    }
-
-    fn search<F: HitFilter>(&self, filter: F, rays: &[Ray], found: &mut [Hit]) {
-        if self.cutouts {
-            closest_hits(&self.scene, rays, &AlphaFilter { scene: &self.scene, inner: filter }, found);
-        } else {
-            closest_hits(&self.scene, rays, &filter, found);
         }
     }
 }
