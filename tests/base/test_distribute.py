@@ -88,24 +88,26 @@ ENDLESS = """
 import multiprocessing, sys, time
 from pathlib import Path
 from nearfar._base.distribute import distribute
-from tests.support.distribute_cases import endless
+from tests.support import distribute_cases
 
 if __name__ == "__main__":
     own = multiprocessing.get_context("spawn").Process(target=time.sleep, args=(1000,))
     own.start()
     try:
-        distribute(endless, [Path(sys.argv[1]) / str(n) for n in range(4)], label="waiting", workers=2)
+        work = getattr(distribute_cases, sys.argv[2])
+        distribute(work, [Path(sys.argv[1]) / str(n) for n in range(4)], label="waiting", workers=2)
     finally:
         Path(sys.argv[1], "own").write_text(str(own.is_alive()))
         own.kill()
 """
 
 
-def started(folder: Path, code: str) -> subprocess.Popen[str]:
+def started(folder: Path, code: str, *arguments: str) -> subprocess.Popen[str]:
     script = folder / "script.py"
     script.write_text(code)
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
-    return subprocess.Popen([sys.executable, script, folder], env=environment, stderr=subprocess.PIPE, text=True)
+    command = [sys.executable, script, folder, *arguments]
+    return subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True)
 
 
 @pytest.mark.slow
@@ -116,9 +118,10 @@ def test_a_script_without_a_guard_is_told_of_it(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_ctrl_c_ends_all_processes(tmp_path: Path) -> None:
+@pytest.mark.parametrize("work", ["endless", "half_written"])
+def test_ctrl_c_ends_all_processes(tmp_path: Path, work: str) -> None:
     need("linux")
-    program = started(tmp_path, ENDLESS)
+    program = started(tmp_path, ENDLESS, work)
 
     def until(is_reached: Any) -> bool:
         deadline = time.monotonic() + 600

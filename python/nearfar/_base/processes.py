@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing.process import BaseProcess
 from multiprocessing.synchronize import Event
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from nearfar._base import progress
 
@@ -54,6 +54,9 @@ def over_processes(
         stop.set()
         # The pool tells nobody else which processes are its own, and forgets them at its shutdown.
         own = list((pool._processes or {}).values())
+        # One that is terminated while it writes a result leaves a part of it, whose reader would wait for the rest.
+        results: Any = pool._result_queue
+        results._writer.close()
         pool.shutdown(wait=False, cancel_futures=True)
         _end(own)
         raise
