@@ -106,7 +106,7 @@ def started(folder: Path, code: str, *arguments: str) -> subprocess.Popen[str]:
     script = folder / "script.py"
     script.write_text(code)
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
-    command = [sys.executable, script, folder, *arguments]
+    command = [sys.executable, str(script), str(folder), *arguments]
     return subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True)
 
 

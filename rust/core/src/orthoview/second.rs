@@ -8,7 +8,7 @@ use crate::camera::Footprint;
 use crate::render::truth::Truth;
 use crate::render::{Channels, Picture, Sample, Spots};
 use crate::scene::Scene;
-use crate::trace::{Counted, Hit, HitFilter, Ray};
+use crate::trace::{FaceHits, Hit, HitFilter, Ray};
 
 /// Where the search for each pixel's second surface starts.
 pub struct Start {
@@ -59,8 +59,8 @@ impl<'a> Fronts<'a> {
 }
 
 impl HitFilter for Fronts<'_> {
-    fn counted(&self, instance: u32, face: u32) -> Counted {
-        if self.holds(instance, face) { Counted::All } else { Counted::None }
+    fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
+        if self.holds(instance, face) { FaceHits::All } else { FaceHits::None }
     }
 }
 

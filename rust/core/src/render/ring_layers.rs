@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::base::{Progress, Result};
 use crate::scene::{Instance, Scene};
-use crate::trace::{AlphaFilter, Counted, HitFilter, Layer, LayerTree};
+use crate::trace::{AlphaFilter, FaceHits, HitFilter, Layer, LayerTree};
 
 /// A tree of each layer's instances. An instance with faces of several layers is in the tree of each; its faces are then
 /// told apart ray by ray.
@@ -81,9 +81,9 @@ struct OfRings<'a> {
 }
 
 impl HitFilter for OfRings<'_> {
-    fn counted(&self, instance: u32, face: u32) -> Counted {
+    fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
         let is_mixed = self.mixed[instance as usize];
         let holds = || self.numbers.contains(&ring_of(self.rings, self.scene.instance(instance).object_of(face)));
-        if !is_mixed || holds() { Counted::All } else { Counted::None }
+        if !is_mixed || holds() { FaceHits::All } else { FaceHits::None }
     }
 }

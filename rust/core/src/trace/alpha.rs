@@ -1,6 +1,6 @@
 //! Cut-out materials: rays pass through their holes.
 
-use super::ray::{Counted, Hit, HitFilter, Ray};
+use super::ray::{FaceHits, Hit, HitFilter, Ray};
 use crate::scene::Scene;
 
 /// Rejects hits in the holes of cut-out materials; another filter decides about the rest.
@@ -18,13 +18,13 @@ impl<'a, F: HitFilter> AlphaFilter<'a, F> {
 }
 
 impl<F: HitFilter> HitFilter for AlphaFilter<'_, F> {
-    fn counted(&self, instance: u32, face: u32) -> Counted {
-        let counted = self.inner.counted(instance, face);
+    fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
+        let hits = self.inner.face_hits(instance, face);
         match self.cutouts {
-            Some(scene) if counted == Counted::All && scene.may_have_hole(&scene.instance(instance).mesh, face) => {
-                Counted::Accepted
+            Some(scene) if hits == FaceHits::All && scene.may_have_hole(&scene.instance(instance).mesh, face) => {
+                FaceHits::Accepted
             }
-            _ => counted,
+            _ => hits,
         }
     }
 

@@ -4,7 +4,7 @@ use std::mem::MaybeUninit;
 
 use super::lanes::{Isa, Lanes};
 use super::packet::{Loader, Packet, RAYS};
-use super::ray::{Counted, Hit, HitFilter, Ray};
+use super::ray::{FaceHits, Hit, HitFilter, Ray};
 use super::single::{self, Local, Search};
 use super::triangle::{self, Crossing};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
@@ -287,11 +287,11 @@ impl BeamTriangles<'_> {
             return false;
         }
         let face = block.faces[lane];
-        let counted = self.quest.filter.counted(self.instance, face);
-        if counted == Counted::None {
+        let hits = self.quest.filter.face_hits(self.instance, face);
+        if hits == FaceHits::None {
             return false;
         }
-        if counted == Counted::All && t.eq(best) & mask == 0 {
+        if hits == FaceHits::All && t.eq(best) & mask == 0 {
             packet.changes = packet.changes.wrapping_add(1);
             let rows = &mut packet.best;
             t.select(mask, best).store(&mut rows.t[at..]);
@@ -307,7 +307,7 @@ impl BeamTriangles<'_> {
         t.store(&mut lanes[0]);
         crossing.u.store(&mut lanes[1]);
         crossing.v.store(&mut lanes[2]);
-        self.ask(packet, at, mask, (face, counted), &lanes)
+        self.ask(packet, at, mask, (face, hits), &lanes)
     }
 
     /// The slow path, for ties and filters.
@@ -317,7 +317,7 @@ impl BeamTriangles<'_> {
         packet: &mut Packet,
         at: usize,
         mut mask: u32,
-        (face, counted): (u32, Counted),
+        (face, hits): (u32, FaceHits),
         lanes: &[[f32; 16]; 3],
     ) -> bool {
         let mut found = false;
@@ -328,7 +328,7 @@ impl BeamTriangles<'_> {
             let candidate = Hit { t, u, v, instance: self.instance, face };
             let ray = at + lane;
             if candidate.is_before(&packet.hit(ray))
-                && (counted == Counted::All || self.quest.filter.accepts(&self.quest.rays[ray], &candidate))
+                && (hits == FaceHits::All || self.quest.filter.accepts(&self.quest.rays[ray], &candidate))
             {
                 packet.set_hit(ray, &candidate);
                 found = true;

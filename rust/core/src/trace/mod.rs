@@ -24,5 +24,5 @@ pub use dispatch::{any_hits, beam_touches, closest_hit, closest_hits, closest_hi
 pub use lanes::{instruction_sets, use_instruction_set};
 pub use layer::{Layer, LayerHits, LayerTree};
 pub use nearest::{Nearest, nearest};
-pub use ray::{All, Counted, Hit, HitFilter, Ray};
+pub use ray::{All, FaceHits, Hit, HitFilter, Ray};
 pub use region::touches;

@@ -45,9 +45,9 @@ impl Hit {
     }
 }
 
-/// Which hits on a face count, whichever ray makes them.
+/// Hits on a face that count, whichever ray makes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Counted {
+pub enum FaceHits {
     /// No hit.
     None,
     /// The hits that the filter accepts.
@@ -61,9 +61,9 @@ pub enum Counted {
 /// The kernels take it as a trait object: they ask it only about triangles that a ray crosses before its best hit, and a
 /// copy of the kernels for each filter would take half of the crate's compile time.
 pub trait HitFilter: Sync {
-    /// Which hits on a face count. It is asked first, and once for many rays.
-    fn counted(&self, _instance: u32, _face: u32) -> Counted {
-        Counted::Accepted
+    /// Returns the hits on a face that count. It is asked first, and once for many rays.
+    fn face_hits(&self, _instance: u32, _face: u32) -> FaceHits {
+        FaceHits::Accepted
     }
 
     /// Whether a hit counts on a face of which not all hits do.
@@ -76,7 +76,7 @@ pub trait HitFilter: Sync {
 pub struct All;
 
 impl HitFilter for All {
-    fn counted(&self, _instance: u32, _face: u32) -> Counted {
-        Counted::All
+    fn face_hits(&self, _instance: u32, _face: u32) -> FaceHits {
+        FaceHits::All
     }
 }

@@ -5,7 +5,7 @@ use std::mem::MaybeUninit;
 use glam::Vec3;
 
 use super::lanes::{Isa, Lanes};
-use super::ray::{Counted, Hit, HitFilter, Ray};
+use super::ray::{FaceHits, Hit, HitFilter, Ray};
 use super::slab::Slabs;
 use super::triangle::{self, Shear};
 use crate::base::Aabb;
@@ -69,10 +69,10 @@ impl Search<'_> {
 
     #[inline(always)]
     fn counts(&self, candidate: &Hit) -> bool {
-        match self.filter.counted(candidate.instance, candidate.face) {
-            Counted::None => false,
-            Counted::Accepted => self.filter.accepts(self.ray, candidate),
-            Counted::All => true,
+        match self.filter.face_hits(candidate.instance, candidate.face) {
+            FaceHits::None => false,
+            FaceHits::Accepted => self.filter.accepts(self.ray, candidate),
+            FaceHits::All => true,
         }
     }
 }
