@@ -28,6 +28,7 @@ EXPECTED = {
     "pyproject.toml": {ALL},
     "Cargo.lock": {ALL},
     ".ci/run": {ALL},
+    ".ci/landed": set(),
     "a/new/folder.py": {ALL},
     "docs/lod.md": {"project"},
     "benchmarks/lod/fit.py": set(),
