@@ -125,7 +125,7 @@ fn optimize(tree: &mut Bvh2, share: f32, progress: &Progress) -> Result<()> {
     progress.check()
 }
 
-/// A power of two that scales boxes so that their areas neither overflow nor underflow in float32; usually 1.
+/// Returns a power of two that scales boxes so that their areas neither overflow nor underflow in float32; usually 1.
 fn scale_for(boxes: &[Aabb]) -> f32 {
     let greatest = boxes.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f32::max);
     if greatest == 0.0 || (1e-9..1e12).contains(&greatest) {

@@ -58,14 +58,14 @@ pub(crate) struct Wide {
     pub(crate) stack: usize,
 }
 
-/// An inner node of the binary tree, or a leaf, that becomes a child of a wide node.
+/// Child of a future wide node: an inner node of the binary tree, or a leaf.
 pub(crate) struct Slot {
     pub(crate) bounds: Aabb,
     /// A node to open, or a finished leaf.
     pub(crate) content: Content,
 }
 
-/// The content of a `Slot`.
+/// Content of a `Slot`.
 pub(crate) enum Content {
     /// Number of a node of the binary tree.
     Inner(u32),
@@ -76,9 +76,10 @@ pub(crate) enum Content {
 }
 
 impl Wide {
-    /// Converts a binary tree, and returns what its leaves contain. Each wide node opens the child with the largest box
-    /// until it has eight children, as Embree does. `leaf` converts a leaf of the binary tree: it appends the contents
-    /// to a list and returns a slot, whose references are `LEAF` plus places in that list and bits above them.
+    /// Converts a binary tree; also returns the contents of its leaves. Each wide node opens the child with the
+    /// largest box until it has eight children, as Embree does. `leaf` converts a leaf of the binary tree: it appends
+    /// the contents to a list and returns a slot, whose references are `LEAF`, an index into that list and higher
+    /// bits.
     pub(crate) fn convert<B: Send>(
         tree: &Bvh2,
         leaf: impl Fn(&[u32], &mut Vec<B>) -> Slot + Sync,

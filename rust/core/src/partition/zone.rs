@@ -16,12 +16,12 @@ pub enum Zone {
 }
 
 impl Zone {
-    /// Whether least ρ ≤ r₁.
+    /// Returns whether minimum ρ ≤ r₁.
     pub fn is_near(self) -> bool {
         matches!(self, Self::Near | Self::NearStraddling)
     }
 
-    /// Whether the triangle lies on both sides of r₂.
+    /// Returns whether the triangle lies on both sides of r₂.
     pub fn is_straddling(self) -> bool {
         matches!(self, Self::NearStraddling | Self::IntermediateStraddling)
     }
