@@ -105,7 +105,7 @@ macro_rules! images {
                 sample
             }
 
-            /// Adds a pixel to the ends of the requested images.
+            /// Appends a pixel to the requested images.
             #[inline]
             pub(crate) fn push(&mut self, wanted: Channels, $($sampled: $color,)+ sample: &Sample) {
                 $(if wanted.$sampled {
