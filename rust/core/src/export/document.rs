@@ -226,7 +226,7 @@ fn entry_at(buffer: usize, offset: usize, length: usize) -> Value {
     json!({ "buffer": buffer, "byteOffset": offset, "byteLength": length })
 }
 
-/// Adds the buffer target and normalisation that vertex attributes and corners need; placements need nothing.
+/// Adds the buffer target and stride that vertex attributes and corners need; placements need nothing.
 fn describe_use(entry: &mut Value, attribute: Attribute) {
     match attribute.kind() {
         Kind::Corners => entry["target"] = json!(ELEMENT_ARRAY_BUFFER),

@@ -11,8 +11,8 @@ use crate::scene::{Instance, Mesh};
 /// Number of faces per task.
 const TILE: usize = 1 << 16;
 
-/// Most faces of one primitive. Larger ones are divided, so that several threads share the work, cancelling takes less
-/// than a second, and viewers get meshes that all of them can draw.
+/// Maximum number of faces per primitive. Larger ones are divided, so that several threads share the work, cancelling
+/// takes less than a second, and all viewers can draw the meshes.
 const MOST_FACES: usize = 1 << 18;
 
 /// Material and attributes of a primitive.
