@@ -9,9 +9,9 @@ pub const REACH: f64 = 1e30;
 /// An axis-aligned box; empty while `min > max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
-    /// Least corner.
+    /// Minimum corner.
     pub min: Vec3,
-    /// Greatest corner.
+    /// Maximum corner.
     pub max: Vec3,
 }
 
@@ -24,7 +24,7 @@ impl Aabb {
         self.min.x > self.max.x
     }
 
-    /// Greatest absolute coordinate; 0 for the empty box.
+    /// Maximum absolute coordinate; 0 for the empty box.
     pub fn reach(&self) -> f32 {
         if self.is_empty() { 0.0 } else { self.min.abs().max(self.max.abs()).max_element() }
     }

@@ -5,9 +5,9 @@ use rayon::prelude::*;
 use super::mapped::mapped;
 use super::{Buffer, Error, Progress, Result};
 
-/// Least mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up in ranges is a binary search;
-/// a look-up in `PerFace` is one load. The 4 bytes per face that ranges save are a small part of a face's memory: 12
-/// bytes of indices and its share of the tree.
+/// Minimum mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up is a binary search in
+/// ranges, one load in `PerFace`. The 4 bytes per face that ranges save are a small part of a face's memory: 12 bytes
+/// of indices and its share of the tree.
 const FACES_PER_RUN: usize = 64;
 
 /// The object or material of each face; −1 stands for none.

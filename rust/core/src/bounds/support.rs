@@ -23,7 +23,7 @@ impl Support {
     }
 
     /// Returns the smallest sphere about this support and a new point outside the sphere; the new point lies on its
-    /// surface. Among the spheres determined by subsets of the points, it takes the one whose radius needs the least
+    /// surface. Among the spheres determined by subsets of the points, it takes the one whose radius needs the smallest
     /// increase to contain all points. So a degenerate subset, whose sphere is undefined, is never chosen.
     pub fn with(&self, new: DVec3) -> Self {
         let old = self.points();

@@ -7,7 +7,7 @@ use crate::base::{Aabb, Error, Result};
 
 /// Number of triangles in a block.
 pub(crate) const LANES: usize = 4;
-/// Greatest number of blocks in a leaf.
+/// Maximum number of blocks in a leaf.
 const MAX_BLOCKS: usize = 8;
 /// Bits of a leaf reference for the number of its first block. Three more bits hold the number of blocks minus one.
 const START_BITS: u32 = 28;

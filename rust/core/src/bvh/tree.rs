@@ -29,7 +29,7 @@ pub struct Tlas {
     pub(crate) bounds: Aabb,
 }
 
-/// Greatest number of boxes in a leaf: the number of lanes of a block.
+/// Maximum number of boxes in a leaf: the number of lanes of a block.
 const LEAF_BOXES: u32 = 4;
 
 impl Bvh {

@@ -26,7 +26,7 @@ pub struct Camera {
     pub height: u32,
 }
 
-/// Greatest width or height of an image, pixels.
+/// Maximum width or height of an image, pixels.
 pub const MAX_SIZE: u32 = 1 << 16;
 
 impl Camera {

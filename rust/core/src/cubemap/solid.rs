@@ -6,7 +6,7 @@ use super::faces::check_size;
 use crate::base::simd::vectorized;
 use crate::base::{Error, Progress, Result};
 
-/// Least face width, in texels, at which half the solid angles of all triangles are below 0.01 sr.
+/// Minimum face width, in texels, at which half the solid angles of all triangles are below 0.01 sr.
 const FINE_SIZE: u32 = 32;
 
 /// Returns the solid angle in steradians of a rectangle between two positions across and two down a face, all within

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::camera::{direction_from_face, face_from_direction};
 
-/// Greatest width of a face, texels: 6 × 16384² texels have numbers below 2³².
+/// Maximum width of a face, texels: 6 × 16384² texels have numbers below 2³².
 pub const MAX_SIZE: u32 = 1 << 14;
 
 /// Returns the position, −1 to 1, of the centre of a row or column.

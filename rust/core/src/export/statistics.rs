@@ -52,7 +52,7 @@ pub struct Statistics {
     pub drawn: u64,
     /// Triangles left out because they have no area after rounding.
     pub dropped: u64,
-    /// Greatest error of a position on each axis in metres.
+    /// Maximum error of a position per axis, metres.
     pub position_error: f64,
 }
 

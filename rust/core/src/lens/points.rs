@@ -17,7 +17,7 @@ use crate::base::{Error, Progress, Real, Result};
 pub(super) const TILE: usize = 1 << 9;
 /// Relative rounding error of a radius: two squares, their sum, its root, and the scaling of points.
 pub(super) const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
-/// Greatest number of steps of Newton's method; from a good start it needs five.
+/// Maximum number of steps of Newton's method; from a good start it needs five.
 const NEWTON_STEPS: u32 = 40;
 /// Number of parts of the path from the disc's centre along which Newton's method continues if it fails from its
 /// start.

@@ -8,7 +8,7 @@ use super::table::Table;
 use crate::base::error::number;
 use crate::base::{Error, Result};
 
-/// Greatest number of coefficients of a lens.
+/// Maximum number of coefficients of a lens.
 const MAX_COEFFICIENTS: usize = 64;
 /// Accepted radii at which the first term may be as large as r: powers of these radii neither overflow nor underflow.
 const UNIT_RADII: std::ops::Range<f64> = 1e-30..1e30;

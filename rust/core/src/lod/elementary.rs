@@ -46,8 +46,8 @@ pub(super) fn exp<const FUSED: bool>(t: f64) -> f64 {
     sum * f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52)
 }
 
-/// Returns ln x for 0 ≤ x < ∞, with an error of at most 3 ulp. x = 2ⁿ m with √½ ≤ m < √2, and ln m = 2 artanh s = 2 (s
-/// + s³/3 + s⁵/5 + …) with s = (m − 1)/(m + 1), |s| < 0.172; the first omitted term is below 2⁻⁵⁷ of the first.
+/// Returns ln x for 0 ≤ x < ∞, with an error of at most 3 ulp. x = 2ⁿ m with √½ ≤ m < √2, and ln m = 2 artanh s =
+/// 2 (s + s³/3 + s⁵/5 + …) with s = (m − 1)/(m + 1), |s| < 0.172; the first omitted term is below 2⁻⁵⁷ of the first.
 #[inline(always)]
 pub(super) fn ln<const FUSED: bool>(x: f64) -> f64 {
     /// Factor that scales subnormal numbers to normal ones.

@@ -50,7 +50,7 @@ impl<'a> First<'a> {
         Self { sight, view, step, reach: f64::from(reach(sight.pixel() / 2.0, step)) }
     }
 
-    /// The point of a pixel that lies in the middle of its step.
+    /// Returns the point of a pixel in the middle of its depth step.
     fn point(&self, at: usize, texel: &Texel) -> DVec3 {
         self.sight.middle(at, (f64::from(texel.depth) - 0.5) * self.step)
     }

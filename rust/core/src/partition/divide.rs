@@ -20,11 +20,11 @@ const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
 pub struct PartitionCounts {
     /// All triangles.
     pub triangles: i64,
-    /// Triangles with least ρ ≤ r₁.
+    /// Triangles with minimum ρ ≤ r₁.
     pub near: i64,
-    /// Triangles with r₁ < least ρ ≤ r₂.
+    /// Triangles with r₁ < minimum ρ ≤ r₂.
     pub intermediate: i64,
-    /// Triangles with least ρ > r₂.
+    /// Triangles with minimum ρ > r₂.
     pub far: i64,
     /// Static triangles that cross r₂.
     pub straddling: i64,

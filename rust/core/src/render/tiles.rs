@@ -21,7 +21,7 @@ pub(super) const CENTER: [f64; 2] = [0.5, 0.5];
 pub(super) const NO_RAYS: [Ray; PIXELS] =
     [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
 
-/// Greatest number of colour samples per pixel.
+/// Maximum number of colour samples per pixel.
 pub const MAX_SAMPLES: u32 = 1024;
 
 /// A picture rendered by rays.

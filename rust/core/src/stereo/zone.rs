@@ -21,7 +21,7 @@ use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits, touches};
 const OVERLAP: f32 = 1e-5;
 /// Maximum distance in pixels of a bent ray from its legs.
 const TOLERANCE: f64 = 0.02;
-/// Greatest number of legs.
+/// Maximum number of legs.
 const MOST_LEGS: usize = 64;
 /// Number of legs skipped together if nothing lies near them.
 const SPAN: usize = 8;

@@ -14,7 +14,7 @@
 //!
 //! - w v: w″ = −c²/(ρ(r₂−r₁)), where c is the edge's component across the radius; along the radius w is linear.
 //! - κ(A−B) u: (A−B)² + AB|u|² = |v|² and (A−B)′ = −u. The first three derivatives of X/|X| are at most 1, 2/√3 and 3,
-//!   divided by |X|, |X|², |X|³ (a symmetric form is greatest on its diagonal). So with D ≤ A, B: |(A−B)u| ≤ R²/2D,
+//!   divided by |X|, |X|², |X|³ (a symmetric form is largest on its diagonal). So with D ≤ A, B: |(A−B)u| ≤ R²/2D,
 //!   |((A−B)u)′| ≤ 4/3 (R/D)², |((A−B)u)″| ≤ √21 R²/D³.
 //! - τ d: across d only 2 τ′d′ + τ d″ remain, which are smaller by R/D.
 //!

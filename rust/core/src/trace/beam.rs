@@ -348,7 +348,7 @@ fn greatest(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// Greatest stack size, in entries, that needs no allocation.
+/// Maximum stack size, in entries, that needs no allocation.
 const LOCAL_STACK: usize = 256;
 
 /// A child of a node and the distance at which the beam enters it.

@@ -155,7 +155,7 @@ pub(crate) fn walk_mesh<I: Isa>(isa: I, bvh: &Bvh, local: &Local, instance: u32,
     walk(isa, &bvh.wide, local, search, &Triangles { bvh, instance });
 }
 
-/// Greatest stack size, in entries, that needs no allocation.
+/// Maximum stack size, in entries, that needs no allocation.
 const LOCAL_STACK: usize = 256;
 
 /// Visits leaves whose boxes the ray enters within its segment and before the best hit, nearest leaf first.

@@ -56,7 +56,7 @@ impl Slabs {
         for axis in 0..3 {
             let d = direction[axis];
             let scale = 1.0 / d.abs().max(least);
-            // −0.0 counts as positive: with the least slope, either sign accepts each box that touches the ray.
+            // −0.0 counts as positive: with the minimum slope, either sign accepts each box that touches the ray.
             let negative = d < 0.0;
             let sign = if negative { -1.0 } else { 1.0 };
             slabs.first[axis] = 2 * axis + usize::from(negative);

@@ -58,7 +58,7 @@ pub(super) struct Call {
 #[derive(Clone, Debug)]
 pub(super) struct Numbering {
     pub layer: usize,
-    /// Its first number in the frame.
+    /// First number in the frame.
     pub first: u32,
     pub count: u32,
     /// First record in the layer's set.

@@ -8,7 +8,7 @@ use crate::base::simd::vectorized;
 /// Number of directions in a block. The block's temporaries fit in the first-level cache.
 pub const BLOCK: usize = 64;
 
-/// Least weight of a texel that counts for the least and the greatest value. Rounding moves a position among 32,768
+/// Minimum weight of a texel that counts for minima and maxima. Rounding moves a position among 32,768
 /// texels by up to 2e-11 texels, so a smaller weight may be rounding alone.
 pub const LEAST_WEIGHT: f64 = 1e-10;
 

@@ -101,7 +101,7 @@ pub struct Plan<'a> {
     prepared: Vec<Prepared<'a>>,
     /// Number of splats of boxes that intersect the picture.
     in_picture: u64,
-    /// For each view, what a shader knows of it.
+    /// Shader input for each view.
     pub views: Vec<ViewNumbers>,
     /// Pieces, the nearest first.
     pub pieces: Vec<Piece>,

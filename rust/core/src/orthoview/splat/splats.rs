@@ -71,7 +71,7 @@ pub(super) struct Block {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoxOfBlocks {
     pub extent: Extent,
-    /// Numbers of its first block and of the one after its last.
+    /// First block and end.
     pub blocks: [u32; 2],
     /// Number of its splats.
     pub count: u32,

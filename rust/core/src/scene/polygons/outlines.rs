@@ -18,8 +18,8 @@ pub struct Polygons<'a> {
 }
 
 impl<'a> Polygons<'a> {
-    /// Creates polygons: ring r is `points[rings[r]..rings[r + 1]]`, polygon p has the rings `polygons[p]..polygons[p
-    /// + 1]`.
+    /// Creates polygons: ring r is `points[rings[r]..rings[r + 1]]`, and polygon p has the rings
+    /// `polygons[p]..polygons[p + 1]`.
     pub fn new(points: &'a [[f64; 2]], rings: &'a [i64], polygons: &'a [i64]) -> Result<Self> {
         if points.len() > u32::MAX as usize {
             return Err(Error::value("points", "fewer than 2^32", points.len()));

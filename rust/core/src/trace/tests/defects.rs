@@ -123,7 +123,7 @@ fn copies_with_other_texture_coordinates_are_kept() {
 
 #[test]
 fn triangles_nested_over_the_whole_range_of_sizes() {
-    // Each square is twice as large as the last, so the tree has the greatest possible depth.
+    // Each square is twice as large as the last, so the tree has the maximum possible depth.
     let triangles: Vec<[Vec3; 3]> = (-60..60).flat_map(|i| wall(1.0, 2.0f32.powi(i))).collect();
     let mesh = mesh(&triangles);
     assert_eq!(mesh.build_bvh(&Progress::new()).unwrap().validate(), Ok(()));
