@@ -97,7 +97,7 @@ impl<'a> Sides<'a> {
         })
     }
 
-    /// Returns the luma, 0 to 255, of the pixels near those of `shown` (in the order of `silhouettes`), and 0 elsewhere.
+    /// Returns the luma, 0 to 255, of the pixels near those of `shown` (ordered as in `silhouettes`); 0 elsewhere.
     pub fn luma(&self, shown: &[bool], how: &Luma, progress: &Progress) -> Result<Vec<f64>> {
         if !(1..=MAX_SAMPLES).contains(&how.samples) {
             return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), how.samples));

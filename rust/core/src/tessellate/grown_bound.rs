@@ -1,9 +1,9 @@
 //! Upper bound of the error of a triangle's interpolated cylinder morph, for every user within a distance u of the
 //! centre, every radius R above a minimum and every strength.
 //!
-//! All positions are relative to O; v = U−O, |v| ≤ u; x is a point, A = |x−v|, B = |x|, ρ = |x_h|. Eq. 1 of the morph blends
-//! (x−v)/A and x/B, so the direction is that of y = x − κv with κ = wB/(wB + (1−w)A): the point is seen from an eye at κv,
-//! and shown at Q − U = μy, where |v_h + μy_h| = ρ. With weights bᵢ of the corners and m = μ(x) the interpolation is
+//! All positions are relative to O; v = U−O, |v| ≤ u; x is a point, A = |x−v|, B = |x|, ρ = |x_h|. Eq. 1 blends
+//! (x−v)/A and x/B, so the direction is that of y = x − κv with κ = wB/(wB + (1−w)A): the point is seen from an eye at
+//! κv, and shown at Q − U = μy, where |v_h + μy_h| = ρ. With corner weights bᵢ and m = μ(x) the interpolation is
 //!
 //! ```text
 //! Σ bᵢ μᵢyᵢ / m = y − (Σ bᵢκᵢ − κ) v + Σ bᵢ (μᵢ/m − 1) yᵢ,   yᵢ = y + (xᵢ−x) − (κᵢ−κ) v
@@ -17,12 +17,12 @@
 //! - κ is a function of w and a = ln(B/A): |∂κ/∂w| ≤ 1/(1−q), |∂κ/∂a| ≤ ¼, |∂²κ/∂w²| ≤ 2q/(1−q)², |∂²κ/∂w∂a| ≤ 1/(1−q),
 //!   |∂²κ/∂a²| ≤ √3/18. |∇a| = |v|/AB ≤ u/BY, and |a″| ≤ 2u/Y³ (the third derivative of ln|x| is at most 2/|x|³).
 //! - The length of v across y, divided by |y|, is |v × x|/|y|². With the angle χ between v and x it is at most
-//!   q sin χ/(1 − 2κq cos χ + κ²q²) ≤ q/(1−q²). Multiplied by ∂κ/∂w it is sin ω/n², where ω is the angle between the views
-//!   of U and O, sin ω ≤ q, and n ≥ cos ω/2 the length of the blend: at most 2 tan ω/2 = 2q/(1 + √(1−q²)).
+//!   q sin χ/(1 − 2κq cos χ + κ²q²) ≤ q/(1−q²). Multiplied by ∂κ/∂w it is sin ω/n², where ω is the angle between the
+//!   views of U and O, sin ω ≤ q, and n ≥ cos ω/2 the length of the blend: at most 2 tan ω/2 = 2q/(1 + √(1−q²)).
 //! - w is linear in ρ between kinks, with slope W = 1/((1−n)R). As R may be any radius, a kink may lie anywhere:
-//!   |Σ bᵢwᵢ − w| ≤ W (c/4 + h²/(6ρ)). Where R is known and edges are cut there, no triangle has corners on both sides, and
-//!   the first term is missing.
-//! - With p = v + μy, d ln μ = ((x/μ − p)·dx_h + p·v dκ)/(p·y), horizontally. In the unit of ρ, let y have the direction
+//!   |Σ bᵢwᵢ − w| ≤ W (c/4 + h²/(6ρ)). Where R is known and edges are cut there, no triangle has corners on both sides,
+//!   and the first term is missing.
+//! - With p = v + μy, d ln μ = ((x/μ − p)·dx_h + p·v dκ)/(p·y), horizontally. In units of ρ, let y have the direction
 //!   (1, 0), v = e (cos ψ, s), a = √(1−κ²e²s²) and b = √(1−e²s²). Then x = (a, κes), p = (b, es), |y| = a − κe cos ψ,
 //!   μ|y| = b − e cos ψ, and
 //!
@@ -34,8 +34,8 @@
 //!   - b (b − e cos ψ) ≥ (1−e)(1 + e (1−e) s²/2), because 2 b cos ψ ≤ b² + cos² ψ.
 //!   - a − κe cos ψ ≥ (1−κe)(1 + 0.46 κe s²).
 //!
-//!   Therefore the quotient is at most e (1−κ)/((1−e)(1−κe)) for e ≤ ½, without s. As b (cos ψ + e s²/b) ≤ b, the factor of
-//!   dκ is at most e/(1−κe). So |d ln μ| ≤ G |dx_h| + k |dκ| with G = e/((1−e)ρ) and k = e/(1−e).
+//!   Therefore the quotient is at most e (1−κ)/((1−e)(1−κe)) for e ≤ ½, without s. As b (cos ψ + e s²/b) ≤ b, the
+//!   factor of dκ is at most e/(1−κe). So |d ln μ| ≤ G |dx_h| + k |dκ| with G = e/((1−e)ρ) and k = e/(1−e).
 //! - |y| ≥ B−κu. Where w is 0, κ is 0, and |y| is B. Where w is constant, κ changes by at most δ = u ℓ/(4BY), G falls
 //!   with κ as (1−κ)/(1−κe), k |dκ| as κ(1−κ)/(1−κe), and for either the quotient by |y| is at most the bound for |y|
 //!   = B, times 1 + 4δ/(1−q).

@@ -21,7 +21,8 @@ pub(super) enum Shown {
     FromCenter = 3,
     /// In the direction from the centre, at the distance of CloVR's cylinder.
     FromCenterOnCylinder = 4,
-    /// Morphed by CloVR's cylinder, but with depth as seen from the centre, in front of layers drawn from there.
+    /// Morphed by CloVR's cylinder, but drawn at its distance from the centre, to compare depths with layers drawn
+    /// from there.
     CylinderFromCenter = 5,
 }
 
